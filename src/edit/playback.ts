@@ -1,0 +1,81 @@
+/**
+ * The transport: which moment is shown, and how it moves on. A value and pure functions over it, without a clock: the
+ * page passes in the seconds that went by. (three.js's mixer wraps, reverts and inverts at its own ends, so it is only
+ * ever told the time.)
+ */
+export const LOOP_MODES = ['once', 'loop', 'pingpong', 'continue'] as const;
+/** `continue` runs on past the range, so that extrapolation shows. */
+export type LoopMode = (typeof LOOP_MODES)[number];
+
+export interface Playback {
+  readonly timeSeconds: number;
+  readonly playing: boolean;
+  /** First and last second that are played. */
+  readonly range: readonly [number, number];
+  readonly loop: LoopMode;
+  /** Seconds shown per second passed, −4 to 4. */
+  readonly rate: number;
+  /** Of the display in frames, and of steps by a frame. */
+  readonly framesPerSecond: number;
+}
+
+export const DEFAULT_PLAYBACK: Playback = {
+  timeSeconds: 0,
+  playing: false,
+  range: [0, 0],
+  loop: 'loop',
+  rate: 1,
+  framesPerSecond: 30,
+};
+
+/**
+ * The transport after `elapsedSeconds` of the clock. `once` stops at the end it runs into; `pingpong` turns the rate
+ * round at both ends, so that a pause in the middle goes on the same way.
+ */
+export function advance(playback: Playback, elapsedSeconds: number): Playback {
+  if (!playback.playing || elapsedSeconds === 0) return playback;
+  const [start, end] = playback.range;
+  const length = end - start;
+  const timeSeconds = playback.timeSeconds + elapsedSeconds * playback.rate;
+  if (playback.loop === 'continue') return { ...playback, timeSeconds };
+  if (length <= 0) return { ...playback, timeSeconds: start, playing: playback.loop !== 'once' };
+  if (timeSeconds >= start && timeSeconds <= end) return { ...playback, timeSeconds };
+  switch (playback.loop) {
+    case 'once':
+      // Playing away from the range would never end; playing back into it goes on.
+      if (playback.rate > 0 ? timeSeconds < start : timeSeconds > end) return { ...playback, timeSeconds };
+      return { ...playback, timeSeconds: playback.rate > 0 ? end : start, playing: false };
+    case 'loop':
+      return { ...playback, timeSeconds: start + modulo(timeSeconds - start, length) };
+    case 'pingpong': {
+      const along = modulo(timeSeconds - start, 2 * length);
+      const back = along > length;
+      const turned = Math.floor((timeSeconds - start) / length) % 2 !== 0;
+      return {
+        ...playback,
+        timeSeconds: start + (back ? 2 * length - along : along),
+        rate: turned ? -playback.rate : playback.rate,
+      };
+    }
+  }
+}
+
+/** Starts playing; from the other end when `once` has come to its end. */
+export function play(playback: Playback): Playback {
+  const [start, end] = playback.range;
+  const atEnd = playback.rate >= 0 ? playback.timeSeconds >= end : playback.timeSeconds <= start;
+  const timeSeconds = playback.loop === 'once' && atEnd ? (playback.rate >= 0 ? start : end) : playback.timeSeconds;
+  return { ...playback, timeSeconds, playing: true };
+}
+
+/** Steps by whole frames, onto the frame grid: from between two frames to the nearer side's next one. */
+export function stepFrames(playback: Playback, frames: number): Playback {
+  const at = playback.timeSeconds * playback.framesPerSecond;
+  // A time that is a frame but for rounding counts as that frame.
+  const from = Math.abs(at - Math.round(at)) < 1e-6 ? Math.round(at) : frames > 0 ? Math.floor(at) : Math.ceil(at);
+  return { ...playback, timeSeconds: (from + frames) / playback.framesPerSecond, playing: false };
+}
+
+function modulo(a: number, n: number): number {
+  return ((a % n) + n) % n;
+}

@@ -1,0 +1,47 @@
+/**
+ * A clip: what an animation file holds. Channels drive, in this order, the root's translation (x y z), every DOF of
+ * every joint in depth-first order, and the morph weights; see `dofs.ts`.
+ */
+export interface ChannelClip {
+  readonly kind: 'channels';
+  readonly name: string;
+  /** First and last second that are played; need not match the keys, and may be negative. */
+  readonly range: readonly [number, number];
+  readonly channels: readonly Channel[];
+}
+
+/** Every kind of clip. (Sampled motion joins here.) */
+export type Clip = ChannelClip;
+
+/**
+ * Keys in columns, sorted by time. Two keys at one time are a step, the later one holding from that time on.
+ * A channel of no keys is 0.
+ */
+export interface Channel {
+  readonly extrapolateIn: Extrapolation;
+  readonly extrapolateOut: Extrapolation;
+  /** Seconds. */
+  readonly times: Float64Array;
+  readonly values: Float64Array;
+  readonly tangentsIn: Tangents;
+  readonly tangentsOut: Tangents;
+}
+
+/** One side's tangents, a column for a channel's keys. */
+export interface Tangents {
+  /** Index into TANGENT_KINDS for each key. */
+  readonly kinds: Uint8Array;
+  /** Value per second, for keys whose kind is `fixed`; 0 elsewhere. */
+  readonly slopes: Float64Array;
+}
+
+export const TANGENT_KINDS = ['flat', 'linear', 'smooth', 'fixed'] as const;
+export type TangentKind = (typeof TANGENT_KINDS)[number];
+export const FLAT = 0;
+export const LINEAR = 1;
+export const SMOOTH = 2;
+/** A number in the file: the slope itself. */
+export const FIXED = 3;
+
+export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
+export type Extrapolation = (typeof EXTRAPOLATIONS)[number];

@@ -1,0 +1,78 @@
+/**
+ * The document: everything that is saved and undone. Plain immutable data; parts that did not change keep their
+ * identity from one document to the next, which is how the view knows what to rebuild.
+ */
+import type { Vec3 } from '../math/vec3.ts';
+import type { ChannelClip } from './clip.ts';
+import type { SourceFile, Texture } from './files.ts';
+import type { Morph } from './morph.ts';
+import type { Skeleton } from './skeleton.ts';
+import type { Skin } from './skin.ts';
+
+export interface Document {
+  readonly characters: readonly Character[];
+  /** Read without an error, but belonging to nothing here. */
+  readonly unused: readonly UnusedFile[];
+  /** The opening sample stands until the first file is opened. */
+  readonly isOpeningSample: boolean;
+}
+
+/** A skeleton, a skin, or both, with what moves them. At least one of `skeleton`, `skins`, `clips` is there. */
+export interface Character {
+  /** Unique in the document, and kept over edits and undo. */
+  readonly id: string;
+  readonly name: string;
+  readonly skeleton?: Skeleton;
+  /** Alternatives: `shownSkin` is drawn. */
+  readonly skins: readonly Skin[];
+  readonly shownSkin: number;
+  readonly morphs: readonly Morph[];
+  readonly textures: readonly Texture[];
+  /** Takes: `shownClip` is played; -1 for none. */
+  readonly clips: readonly ChannelClip[];
+  readonly shownClip: number;
+  /** One value for each of the character's DOFs (see `dofs.ts`), as set: what no channel drives stands so. */
+  readonly pose: readonly number[];
+  /** DOFs set by hand over the clip at one moment; gone when time moves on. */
+  readonly unkeyed?: Unkeyed;
+  readonly clampsToLimits: boolean;
+  /** Where it stands; more than one shows it several times over the same data. At least one. */
+  readonly placements: readonly Placement[];
+  /** Added to the time of the transport. */
+  readonly timeOffsetSeconds: number;
+  /** The files it came from. */
+  readonly sources: readonly SourceFile[];
+}
+
+export interface Unkeyed {
+  readonly timeSeconds: number;
+  /** Indices of DOFs (see `dofs.ts`), ascending. */
+  readonly dofs: readonly number[];
+}
+
+export interface Placement {
+  readonly position: Vec3;
+  /** Radians about x, then y, then z. */
+  readonly turn: Vec3;
+  readonly scale: number;
+}
+
+export interface UnusedFile {
+  readonly source: SourceFile;
+  readonly why: string;
+}
+
+export const EMPTY_DOCUMENT: Document = { characters: [], unused: [], isOpeningSample: false };
+export const DEFAULT_PLACEMENT: Placement = { position: [0, 0, 0], turn: [0, 0, 0], scale: 1 };
+
+export function shownSkin(character: Character): Skin | undefined {
+  return character.skins[character.shownSkin];
+}
+
+export function shownClip(character: Character): ChannelClip | undefined {
+  return character.clips[character.shownClip];
+}
+
+export function findCharacter(document: Document, id: string | undefined): Character | undefined {
+  return document.characters.find((c) => c.id === id);
+}

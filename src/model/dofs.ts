@@ -1,0 +1,60 @@
+/**
+ * All of a character's DOFs as one list, the order in which `.anim` channels drive them:
+ *
+ *     0 1 2        root translation x y z
+ *     3 …          each joint's DOFs, joints in depth-first order
+ *     then         the morph weights
+ *
+ * Sliders, commands, channels and the mixer's track all address a DOF by its index in this list.
+ */
+import { type Dof, dofsOf, type Limit, type Skeleton, UNLIMITED } from './skeleton.ts';
+
+export const ROOT_TRANSLATION: readonly Dof[] = [
+  { name: 'tx', unit: 'length' },
+  { name: 'ty', unit: 'length' },
+  { name: 'tz', unit: 'length' },
+];
+
+/** One DOF of a character, with what it takes to show a slider for it. */
+export interface CharacterDof extends Dof {
+  /** -1 for a morph weight; the root's index for its translation. */
+  readonly joint: number;
+  readonly limit: Limit;
+}
+
+/** How many DOFs the joints have, without root translation and morphs. */
+export function jointDofCount(skeleton: Skeleton | undefined): number {
+  let count = 0;
+  for (const joint of skeleton?.joints ?? []) count += dofsOf(joint.motion).length;
+  return count;
+}
+
+/** Index in the character's list of the first DOF of each joint. */
+export function firstDofs(skeleton: Skeleton): number[] {
+  let next = ROOT_TRANSLATION.length;
+  return skeleton.joints.map((joint) => {
+    const first = next;
+    next += dofsOf(joint.motion).length;
+    return first;
+  });
+}
+
+/** Every DOF of a character with this skeleton and these morphs, in order. */
+export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly { readonly name: string }[]) {
+  const all: CharacterDof[] = ROOT_TRANSLATION.map((dof) => ({ ...dof, joint: 0, limit: UNLIMITED }));
+  skeleton?.joints.forEach((joint, index) => {
+    dofsOf(joint.motion).forEach((dof, i) => {
+      all.push({ ...dof, joint: index, limit: joint.limits[i] ?? UNLIMITED });
+    });
+  });
+  for (const morph of morphs) all.push({ name: morph.name, unit: 'weight', joint: -1, limit: { min: 0, max: 1 } });
+  return all;
+}
+
+/** The file's pose as a character's DOFs: root translation 0, joints as written, morph weights 0. */
+export function filePose(skeleton: Skeleton | undefined, morphCount: number): number[] {
+  const values = [0, 0, 0];
+  for (const joint of skeleton?.joints ?? []) values.push(...joint.pose);
+  for (let m = 0; m < morphCount; m++) values.push(0);
+  return values;
+}

@@ -1,0 +1,35 @@
+/** What reading gives: a model for each file, whatever its format. */
+import type { ChannelClip } from './clip.ts';
+import type { Morph } from './morph.ts';
+import type { Rig } from './rig.ts';
+import type { Skeleton } from './skeleton.ts';
+import type { Skin } from './skin.ts';
+
+/** A file as it was given: dropped, picked, fetched, or read from disk. */
+export interface SourceFile {
+  /** Without folders: `wasp.skel`. */
+  readonly name: string;
+  /** With folders, `/` between them: `cse169/wasp.skel`. */
+  readonly path: string;
+  readonly bytes: number;
+}
+
+/** A picture for a skin's material. The bytes are the file's own; the view decodes them. */
+export interface Texture {
+  readonly name: string;
+  readonly mime: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+export type FileContent =
+  | { readonly kind: 'skel'; readonly skeletons: readonly Skeleton[] }
+  | { readonly kind: 'skin'; readonly skin: Skin }
+  | { readonly kind: 'morph'; readonly morph: Morph }
+  | { readonly kind: 'anim'; readonly clip: ChannelClip }
+  | { readonly kind: 'rig'; readonly rig: Rig }
+  | { readonly kind: 'texture'; readonly texture: Texture };
+
+export type FileKind = FileContent['kind'];
+
+/** A file that was read without an error. */
+export type ParsedFile = FileContent & { readonly source: SourceFile };

@@ -1,0 +1,17 @@
+/**
+ * A morph target: absolute replacement values for some vertices of a base skin.
+ *
+ *     v = v₀ + Σ φₜ · (vₜ − v₀)        before skinning; normals alike
+ */
+export interface Morph {
+  readonly name: string;
+  readonly positions: MorphRows;
+  readonly normals: MorphRows;
+}
+
+export interface MorphRows {
+  /** Vertices of the base skin. */
+  readonly indices: Uint32Array;
+  /** x y z for each of `indices`. */
+  readonly values: Float64Array;
+}

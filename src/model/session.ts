@@ -1,0 +1,51 @@
+/**
+ * What the page knows beside the document. Kept apart by lifetime: the selection comes back with undo, display and
+ * panels are remembered between visits, the time of the transport is neither.
+ */
+
+/** What is picked; indices are into the character's own lists. */
+export interface Selection {
+  readonly characterId?: string;
+  readonly joint?: number;
+  readonly vertex?: number;
+}
+
+export const NOTHING_SELECTED: Selection = {};
+
+export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'heat';
+export type BoxStyle = 'hidden' | 'wire' | 'solid';
+
+/** What is drawn, for all characters. */
+export interface Display {
+  readonly skin: SkinStyle;
+  readonly boxes: BoxStyle;
+  /** Spheres at the joints and cylinders between them. */
+  readonly bones: boolean;
+  readonly axes: boolean;
+  readonly names: boolean;
+  readonly normals: boolean;
+  readonly grid: boolean;
+  readonly shadow: boolean;
+  readonly orthographic: boolean;
+  /** Selected joint's path over the played range. */
+  readonly trail: boolean;
+  /** Keeps the camera on the selected joint. */
+  readonly follow: boolean;
+  /** Cancels the root's travel over the ground. */
+  readonly inPlace: boolean;
+}
+
+export const DEFAULT_DISPLAY: Display = {
+  skin: 'textured',
+  boxes: 'wire',
+  bones: false,
+  axes: false,
+  names: false,
+  normals: false,
+  grid: true,
+  shadow: true,
+  orthographic: false,
+  trail: false,
+  follow: false,
+  inPlace: false,
+};
