@@ -4,7 +4,7 @@
  */
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from './clip.ts';
-import type { SourceFile, Texture } from './files.ts';
+import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { Morph } from './morph.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -17,7 +17,7 @@ export interface Document {
   readonly isOpeningSample: boolean;
 }
 
-/** A skeleton, a skin, or both, with what moves them. At least one of `skeleton`, `skins`, `clips` is there. */
+/** A skeleton, a skin, or both, with what moves them. A skin or a clip alone is one too, and waits for a skeleton. */
 export interface Character {
   /** Unique in the document, and kept over edits and undo. */
   readonly id: string;
@@ -57,8 +57,9 @@ export interface Placement {
   readonly scale: number;
 }
 
+/** Kept with its content: the next files opened may be what it waits for. */
 export interface UnusedFile {
-  readonly source: SourceFile;
+  readonly file: ParsedFile;
   readonly why: string;
 }
 

@@ -22,6 +22,9 @@ export interface CharacterDof extends Dof {
   readonly limit: Limit;
 }
 
+/** Nothing clamps the root's translation, however far an animation walks. */
+const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
+
 /** How many DOFs the joints have, without root translation and morphs. */
 export function jointDofCount(skeleton: Skeleton | undefined): number {
   let count = 0;
@@ -41,7 +44,7 @@ export function firstDofs(skeleton: Skeleton): number[] {
 
 /** Every DOF of a character with this skeleton and these morphs, in order. */
 export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly { readonly name: string }[]) {
-  const all: CharacterDof[] = ROOT_TRANSLATION.map((dof) => ({ ...dof, joint: 0, limit: UNLIMITED }));
+  const all: CharacterDof[] = ROOT_TRANSLATION.map((dof) => ({ ...dof, joint: 0, limit: NO_LIMIT }));
   skeleton?.joints.forEach((joint, index) => {
     dofsOf(joint.motion).forEach((dof, i) => {
       all.push({ ...dof, joint: index, limit: joint.limits[i] ?? UNLIMITED });
@@ -57,4 +60,9 @@ export function filePose(skeleton: Skeleton | undefined, morphCount: number): nu
   for (const joint of skeleton?.joints ?? []) values.push(...joint.pose);
   for (let m = 0; m < morphCount; m++) values.push(0);
   return values;
+}
+
+/** Every DOF at rest: what a pose without any value would be. */
+export function restPose(skeleton: Skeleton | undefined, morphCount: number): number[] {
+  return new Array<number>(ROOT_TRANSLATION.length + jointDofCount(skeleton) + morphCount).fill(0);
 }

@@ -33,3 +33,26 @@ export type FileKind = FileContent['kind'];
 
 /** A file that was read without an error. */
 export type ParsedFile = FileContent & { readonly source: SourceFile };
+
+/** A file that has errors: it takes part in telling what belongs together, and keeps its group from half-opening. */
+export interface BrokenFile {
+  readonly kind: FileKind;
+  readonly source: SourceFile;
+}
+
+/** `cse169/wasp_walk.anim` → `wasp_walk`. */
+export function stemOf(source: SourceFile): string {
+  const dot = source.name.lastIndexOf('.');
+  return dot > 0 ? source.name.slice(0, dot) : source.name;
+}
+
+/** `cse169/wasp.skel` → `cse169`; `` where there is no folder. */
+export function folderOf(source: SourceFile): string {
+  const slash = source.path.lastIndexOf('/');
+  return slash < 0 ? '' : source.path.slice(0, slash);
+}
+
+/** The same name but for case: file systems differ, and `.rig` files come from all of them. */
+export function sameName(a: string, b: string): boolean {
+  return a.toLowerCase() === b.toLowerCase();
+}

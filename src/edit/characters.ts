@@ -1,0 +1,19 @@
+/** Changing one character of a document, the rest keeping its identity. */
+import type { Character, Document } from '../model/document.ts';
+import { findCharacter } from '../model/document.ts';
+import { CommandError } from './store.ts';
+
+/** Throws a `CommandError` where there is no such character. */
+export function requireCharacter(document: Document, id: string): Character {
+  const character = findCharacter(document, id);
+  if (!character) throw new CommandError(`There is no character "${id}" in the document.`);
+  return character;
+}
+
+/** The document with the character replaced by what `change` gives; the same object where that is the character. */
+export function changeCharacter(document: Document, id: string, change: (c: Character) => Character): Document {
+  const before = requireCharacter(document, id);
+  const after = change(before);
+  if (after === before) return document;
+  return { ...document, characters: document.characters.map((c) => (c === before ? after : c)) };
+}

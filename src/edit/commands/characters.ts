@@ -1,0 +1,112 @@
+/** Characters as wholes: which are there, what of them is shown, and where they stand. */
+import type { Character, Document, Placement } from '../../model/document.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type Command, CommandError } from '../store.ts';
+import { withoutUnkeyed } from './pose.ts';
+
+interface OfCharacter {
+  readonly characterId: string;
+}
+
+export const removeCharacter: Command<OfCharacter> = {
+  id: 'character.remove',
+  label: (document, { characterId }) => `Remove ${nameOf(document, characterId)}`,
+  run(document, { characterId }) {
+    const gone = requireCharacter(document, characterId);
+    return { ...document, characters: document.characters.filter((c) => c !== gone) };
+  },
+};
+
+export const renameCharacter: Command<OfCharacter & { readonly name: string }> = {
+  id: 'character.rename',
+  label: (document, { characterId }) => `Rename ${nameOf(document, characterId)}`,
+  run: (document, { characterId, name }) =>
+    changeCharacter(document, characterId, (c) => (c.name === name ? c : { ...c, name })),
+};
+
+/** Draws another of a character's alternative skins. */
+export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
+  id: 'character.showSkin',
+  label: (document, { characterId, skin }) =>
+    `Show skin ${requireCharacter(document, characterId).skins[skin]?.name ?? skin}`,
+  run: (document, { characterId, skin }) =>
+    changeCharacter(document, characterId, (c) => {
+      inRange(skin, 0, c.skins.length, 'skin');
+      return c.shownSkin === skin ? c : { ...c, shownSkin: skin };
+    }),
+};
+
+/** Plays another take; -1 for none. */
+export const showClip: Command<OfCharacter & { readonly clip: number }> = {
+  id: 'character.showClip',
+  label: (document, { characterId, clip }) =>
+    clip < 0 ? 'Show no take' : `Show take ${requireCharacter(document, characterId).clips[clip]?.name ?? clip}`,
+  run: (document, { characterId, clip }) =>
+    changeCharacter(document, characterId, (c) => {
+      inRange(clip, -1, c.clips.length, 'take');
+      return c.shownClip === clip ? c : { ...withoutUnkeyed(c), shownClip: clip };
+    }),
+};
+
+export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> = {
+  id: 'character.setTimeOffset',
+  label: (document, { characterId }) => `Offset ${nameOf(document, characterId)} in time`,
+  run(document, { characterId, seconds }) {
+    finite(seconds, 'time offset');
+    return changeCharacter(document, characterId, (c) =>
+      c.timeOffsetSeconds === seconds ? c : { ...c, timeOffsetSeconds: seconds },
+    );
+  },
+};
+
+/** Moves, turns or scales one of the places where a character stands. */
+export const placeCharacter: Command<OfCharacter & { readonly index: number; readonly placement: Placement }> = {
+  id: 'character.place',
+  label: (document, { characterId }) => `Place ${nameOf(document, characterId)}`,
+  run: (document, { characterId, index, placement }) =>
+    changeCharacter(document, characterId, (c) => {
+      inRange(index, 0, c.placements.length, 'placement');
+      checkPlacement(placement);
+      return { ...c, placements: c.placements.map((p, i) => (i === index ? placement : p)) };
+    }),
+};
+
+/** Shows a character once more, over the same data. */
+export const addCopy: Command<OfCharacter & { readonly placement: Placement }> = {
+  id: 'character.addCopy',
+  label: (document, { characterId }) => `Copy ${nameOf(document, characterId)}`,
+  run: (document, { characterId, placement }) =>
+    changeCharacter(document, characterId, (c) => {
+      checkPlacement(placement);
+      return { ...c, placements: [...c.placements, placement] };
+    }),
+};
+
+export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
+  id: 'character.removeCopy',
+  label: (document, { characterId }) => `Remove copy of ${nameOf(document, characterId)}`,
+  run: (document, { characterId, index }) =>
+    changeCharacter(document, characterId, (c: Character) => {
+      inRange(index, 0, c.placements.length, 'placement');
+      if (c.placements.length === 1) throw new CommandError('The last copy stays; remove the character instead.');
+      return { ...c, placements: c.placements.filter((_, i) => i !== index) };
+    }),
+};
+
+function nameOf(document: Document, id: string): string {
+  return requireCharacter(document, id).name;
+}
+
+function inRange(index: number, from: number, to: number, what: string): void {
+  if (Number.isInteger(index) && index >= from && index < to) return;
+  throw new CommandError(`There is no ${what} number ${index}; there are ${to}.`);
+}
+
+function checkPlacement({ position, turn, scale }: Placement): void {
+  for (const value of [...position, ...turn, scale]) finite(value, 'placement');
+  if (scale <= 0) throw new CommandError(`A scale has to be above 0; ${scale} was given.`);
+}
+
+function finite(value: number, what: string): void {
+  if (!Number.isFinite(value)) throw new CommandError(`A ${what} needs a finite number; ${value} is none.`);
+}

@@ -1,0 +1,151 @@
+/**
+ * Which file belongs to what, among the files that were opened together:
+ *
+ * 1. a `.rig` binds its parts, looked up by base name (its own folder first);
+ * 2. any other skin, morph or anim goes to the skeleton in the same folder whose stem is the longest prefix of its
+ *    own (`wasp_walk.anim` → `wasp.skel`), or to the only one there;
+ * 3. what is left over has no skeleton here: the document decides (`open-files.ts`).
+ *
+ * Files with errors take part, so that a character is never put together around a hole.
+ */
+import type { Diagnostic } from '../model/diagnostic.ts';
+import { type BrokenFile, folderOf, type ParsedFile, sameName, stemOf } from '../model/files.ts';
+
+/** A file that was given, read or not. */
+export type GivenFile = ParsedFile | (BrokenFile & { readonly broken: true });
+
+/** What belongs to one skeleton. */
+export interface FileGroup {
+  /** The `.rig`'s name, where one binds the group. */
+  readonly name?: string;
+  /** Absent where a `.rig` names a skin without a skeleton. */
+  readonly skeleton?: GivenFile;
+  /** Skins, morphs, anims: a `.rig`'s own first, in its order, then the others as given. */
+  readonly parts: GivenFile[];
+  /** The `.rig` files themselves. */
+  readonly rigs: GivenFile[];
+}
+
+export interface Grouping {
+  readonly groups: readonly FileGroup[];
+  /** Skins, morphs and anims without a skeleton among the files. */
+  readonly loose: readonly GivenFile[];
+  readonly textures: readonly GivenFile[];
+  /** Rigs of which nothing was given, or that have errors. */
+  readonly idleRigs: readonly GivenFile[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+export function isBroken(file: GivenFile): file is BrokenFile & { readonly broken: true } {
+  return 'broken' in file;
+}
+
+export function isRead(file: GivenFile): file is ParsedFile {
+  return !isBroken(file);
+}
+
+export function groupFiles(files: readonly GivenFile[]): Grouping {
+  const diagnostics: Diagnostic[] = [];
+  const groups: { -readonly [K in keyof FileGroup]: FileGroup[K] }[] = [];
+  const idleRigs: GivenFile[] = [];
+  const taken = new Set<GivenFile>();
+
+  for (const file of files) {
+    if (file.kind !== 'rig') continue;
+    if (isBroken(file)) {
+      idleRigs.push(file);
+      continue;
+    }
+    const { rig } = file;
+    const find = (kind: GivenFile['kind'], name: string | undefined) => {
+      if (name === undefined) return undefined;
+      const found = lookUp(files, file, kind, name);
+      if (!found) diagnostics.push(partNotGiven(file, kind, name));
+      return found;
+    };
+    const skeleton = find('skel', rig.skeleton);
+    const named = [
+      find('skin', rig.skin),
+      ...rig.morphs.map((morph) => find('morph', morph)),
+      find('anim', rig.animation),
+    ];
+    const parts = named.filter((part) => part !== undefined);
+    if (!skeleton && parts.length === 0) {
+      idleRigs.push(file);
+      continue;
+    }
+    const shared = skeleton && groups.find((g) => g.skeleton === skeleton);
+    if (shared) {
+      // Two rigs over one skeleton: the second one's skin and animation are alternatives.
+      shared.parts.push(...parts.filter((part) => !shared.parts.includes(part)));
+      shared.rigs.push(file);
+    } else groups.push({ name: rig.name, ...(skeleton && { skeleton }), parts, rigs: [file] });
+    for (const part of [skeleton, ...parts]) if (part) taken.add(part);
+  }
+
+  for (const file of files) {
+    if (file.kind === 'skel' && !taken.has(file)) groups.push({ skeleton: file, parts: [], rigs: [] });
+  }
+
+  const loose: GivenFile[] = [];
+  for (const file of files) {
+    if (taken.has(file) || file.kind === 'skel' || file.kind === 'rig' || file.kind === 'texture') continue;
+    const group = skeletonFor(file, groups);
+    if (group) group.parts.push(file);
+    else loose.push(file);
+  }
+  return { groups, loose, textures: files.filter((f) => f.kind === 'texture'), idleRigs, diagnostics };
+}
+
+/** How well a skeleton's stem fits a part's: the length of the prefix; 0 for no fit. */
+export function prefixFit(skeletonStem: string, partStem: string): number {
+  return partStem.toLowerCase().startsWith(skeletonStem.toLowerCase()) ? skeletonStem.length : 0;
+}
+
+function skeletonFor(part: GivenFile, groups: readonly FileGroup[]): FileGroup | undefined {
+  const folder = folderOf(part.source);
+  const there = groups.filter((g) => g.skeleton && folderOf(g.skeleton.source) === folder);
+  let best: FileGroup | undefined;
+  let length = 0;
+  for (const group of there) {
+    if (!group.skeleton) continue;
+    const fit = prefixFit(stemOf(group.skeleton.source), stemOf(part.source));
+    if (fit > length) {
+      best = group;
+      length = fit;
+    }
+  }
+  return best ?? (there.length === 1 ? there[0] : undefined);
+}
+
+/** By base name, whatever folders the `.rig` writes before it; its own folder's file before another's. */
+function lookUp(files: readonly GivenFile[], rig: GivenFile, kind: GivenFile['kind'], name: string) {
+  const base = baseName(name);
+  const fits = files.filter((f) => f.kind === kind && sameName(f.source.name, base));
+  return fits.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits[0];
+}
+
+export function baseName(name: string): string {
+  return name.slice(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
+}
+
+const PART_NAMES = {
+  skel: 'skeleton',
+  skin: 'skin',
+  morph: 'morph',
+  anim: 'animation',
+  rig: 'rig',
+  texture: 'texture',
+};
+
+function partNotGiven(rig: ParsedFile, kind: GivenFile['kind'], name: string): Diagnostic {
+  return {
+    severity: 'warning',
+    code: 'part-not-given',
+    message: `The ${PART_NAMES[kind]} "${name}" that the rig names was not among the files given.`,
+    file: rig.source.name,
+    line: 0,
+    column: 0,
+    assumed: 'the rig goes without it',
+  };
+}

@@ -1,0 +1,243 @@
+import { describe, expect, it } from 'vitest';
+import { openFiles } from '../../src/edit/open-files.ts';
+import { type Character, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
+import type { BrokenFile, ParsedFile } from '../../src/model/files.ts';
+import {
+  animFile,
+  character,
+  clip,
+  documentOf,
+  file,
+  morph,
+  morphFile,
+  skeleton,
+  skelFile,
+  skin,
+  skinFile,
+} from '../helpers/builders.ts';
+
+const open = (files: ParsedFile[], document: Document = EMPTY_DOCUMENT, selected?: string) =>
+  openFiles(document, files, [], selected);
+const only = (document: Document): Character => {
+  expect(document.characters).toHaveLength(1);
+  return document.characters[0];
+};
+const broken = (path: string, kind: BrokenFile['kind']): BrokenFile => ({
+  kind,
+  source: { path, name: path.slice(path.lastIndexOf('/') + 1), bytes: 1 },
+});
+const texture = (path: string) =>
+  file(path, { kind: 'texture', texture: { name: path, mime: 'image/png', bytes: new Uint8Array(1) } });
+const walk = clip('hero_walk', [0, 1, 0, 0, 0, 0, 0, 0, 0]);
+
+describe('files opened together', () => {
+  it('become one character when their stems begin with the skeleton’s', () => {
+    const { document, opened, diagnostics, label } = open([
+      skelFile('hero.skel', skeleton()),
+      skinFile('hero.skin', skin()),
+      animFile('hero_walk.anim', walk),
+    ]);
+    const hero = only(document);
+    expect(hero).toMatchObject({ id: 'c1', name: 'hero', shownSkin: 0, shownClip: 0 });
+    expect(hero.clips[0]).toBe(walk);
+    expect(hero.sources.map((s) => s.name)).toEqual(['hero.skel', 'hero.skin', 'hero_walk.anim']);
+    expect(opened).toEqual(['c1']);
+    expect(diagnostics).toEqual([]);
+    expect(label).toBe('Open hero.skel and 2 more');
+  });
+
+  it('go to the longest fitting stem', () => {
+    const { document } = open([
+      skelFile('wasp.skel', skeleton(2, 'wasp')),
+      skelFile('wasp_p1.skel', skeleton(2, 'wasp_p1')),
+      skinFile('wasp.skin', skin('wasp')),
+      skinFile('wasp_p1.skin', skin('wasp_p1')),
+      skinFile('wasp_p2.skin', skin('wasp_p2')),
+    ]);
+    expect(document.characters.map((c) => [c.name, c.skins.map((s) => s.name)])).toEqual([
+      ['wasp', ['wasp', 'wasp_p2']],
+      ['wasp_p1', ['wasp_p1']],
+    ]);
+    expect(document.characters[0].shownSkin).toBe(0);
+  });
+
+  it('go to the only skeleton of their folder, whatever they are called', () => {
+    const { document } = open([
+      skelFile('a/hero.skel', skeleton()),
+      animFile(
+        'a/jump.anim',
+        clip(
+          'jump',
+          walk.channels.map(() => 0),
+        ),
+      ),
+      skelFile('b/other.skel', skeleton(2, 'other')),
+    ]);
+    expect(document.characters.map((c) => c.clips.length)).toEqual([1, 0]);
+  });
+
+  it('are bound by a rig, morphs in its order, with what it does not name added after', () => {
+    const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: ['smile.morph', 'blink.morph'] };
+    const { document } = open([
+      morphFile('blink.morph', morph('blink')),
+      skinFile('body.skin', skin('body')),
+      skelFile('bones.skel', skeleton(2, 'bones')),
+      file('hero.rig', { kind: 'rig', rig }),
+      morphFile('smile.morph', morph('smile')),
+      morphFile('bones_wink.morph', morph('bones_wink')),
+    ]);
+    const hero = only(document);
+    expect(hero.name).toBe('Hero');
+    expect(hero.morphs.map((m) => m.name)).toEqual(['smile', 'blink', 'bones_wink']);
+    expect(hero.pose).toHaveLength(3 + 6 + 3);
+  });
+
+  it('say which part of a rig was not given', () => {
+    const rig = { name: 'Hero', skeleton: 'hero.skel', skin: 'sub/nowhere.skin', morphs: [] };
+    const { diagnostics } = open([skelFile('hero.skel', skeleton()), file('x.rig', { kind: 'rig', rig })]);
+    expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'part-not-given', file: 'x.rig' }]);
+    expect(diagnostics[0].message).toContain('nowhere.skin');
+  });
+
+  it('make a character of each root', () => {
+    const { document } = open([
+      skelFile('two.skel', skeleton(2, 'two'), skeleton(1, 'two_2')),
+      skinFile('two.skin', skin('two')),
+    ]);
+    expect(document.characters.map((c) => [c.name, c.skins.length])).toEqual([
+      ['two', 1],
+      ['two_2', 0],
+    ]);
+  });
+
+  it('dress a skin in the texture that it names, without regard to case', () => {
+    const painted = skin('hero', 0, { material: { name: 'face', texture: 'Head.PNG' } });
+    const head = texture('head.png');
+    const { document, diagnostics } = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', painted), head]);
+    expect(only(document).textures.map((t) => t.name)).toEqual(['head.png']);
+    expect(diagnostics).toEqual([]);
+    expect(document.unused).toEqual([]);
+  });
+
+  it('warn of a texture that was not given, and take it when it comes', () => {
+    const painted = skin('hero', 0, { material: { name: 'face', texture: 'head.png' } });
+    const first = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', painted)]);
+    expect(first.diagnostics).toMatchObject([{ severity: 'warning', code: 'texture-not-given', file: 'hero.skin' }]);
+    const second = open([texture('head.png')], first.document);
+    expect(only(second.document).textures).toHaveLength(1);
+    expect(second.opened).toEqual(['c1']);
+  });
+
+  it('stand beside what is there', () => {
+    const { document } = open([skelFile('a.skel', skeleton(2, 'a')), skelFile('b.skel', skeleton(2, 'b'))]);
+    const [a, b] = document.characters.map((c) => c.placements[0].position);
+    expect(a).toEqual([0, 0, 0]);
+    expect(b[0]).toBeGreaterThan(0.1);
+  });
+});
+
+describe('a file that does not fit', () => {
+  it('keeps its character from being opened, and no other', () => {
+    const { document, diagnostics } = open([
+      skelFile('hero.skel', skeleton(2)),
+      skinFile('hero.skin', skin('hero', 7)),
+      skelFile('other.skel', skeleton(1, 'other')),
+    ]);
+    expect(only(document).name).toBe('other');
+    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'joint-missing', file: 'hero.skin' }]);
+  });
+
+  it('changes nothing that was there', () => {
+    const before = documentOf(character());
+    const result = open([skinFile('hero.skin', skin('hero', 7))], before);
+    expect(result.document).toBe(before);
+    expect(result.opened).toEqual([]);
+  });
+
+  it('holds back what belongs with it when it could not be read, and says so', () => {
+    const result = openFiles(EMPTY_DOCUMENT, [skinFile('hero.skin', skin())], [broken('hero.skel', 'skel')]);
+    expect(result.document).toBe(EMPTY_DOCUMENT);
+    expect(result.diagnostics).toMatchObject([{ severity: 'info', code: 'held-back', file: 'hero.skin' }]);
+  });
+
+  it('is listed as unused, and taken up when what it waits for comes', () => {
+    const first = open([morphFile('hero_smile.morph', morph('smile'))]);
+    expect(first.document.characters).toEqual([]);
+    expect(first.document.unused).toMatchObject([{ file: { source: { name: 'hero_smile.morph' } } }]);
+    const second = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin())], first.document);
+    expect(only(second.document).morphs).toHaveLength(1);
+    expect(second.document.unused).toEqual([]);
+  });
+
+  it('warns when a clip has more or fewer channels than the skeleton needs', () => {
+    const { document, diagnostics } = open([
+      skelFile('hero.skel', skeleton()),
+      animFile('hero.anim', clip('hero', [0, 0, 0, 0])),
+    ]);
+    expect(only(document).clips).toHaveLength(1);
+    expect(diagnostics).toMatchObject([{ severity: 'warning', file: 'hero.anim' }]);
+  });
+});
+
+describe('files opened later', () => {
+  const hero = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin())]).document;
+
+  it('go to the selected character when they come alone', () => {
+    const two = open([skelFile('b.skel', skeleton(2, 'b'))], hero).document;
+    const { document } = open(
+      [
+        animFile(
+          'jump.anim',
+          clip(
+            'jump',
+            walk.channels.map(() => 0),
+          ),
+        ),
+      ],
+      two,
+      'c1',
+    );
+    expect(document.characters.map((c) => c.clips.length)).toEqual([1, 0]);
+    expect(document.characters[0].shownClip).toBe(0);
+  });
+
+  it('replace the part that came from a file of the same name, and nothing else', () => {
+    const other = skin('hero', 1);
+    const { document } = open([skinFile('hero.skin', other)], hero);
+    const now = only(document);
+    expect(now.skins).toEqual([other]);
+    expect(now.skeleton).toBe(hero.characters[0].skeleton);
+    expect(now.id).toBe('c1');
+  });
+
+  it('replace a skeleton and keep what hangs on it', () => {
+    const longer = skeleton(3);
+    const { document } = open([skelFile('hero.skel', longer)], hero);
+    const now = only(document);
+    expect(now.skeleton).toBe(longer);
+    expect(now.skins).toBe(hero.characters[0].skins);
+    expect(now.pose).toHaveLength(3 + 9);
+  });
+
+  it('complete a skin or a clip that waits for a skeleton', () => {
+    const waiting = open([animFile('hero_walk.anim', walk)]).document;
+    expect(only(waiting).skeleton).toBeUndefined();
+    const { document } = open([skelFile('hero.skel', skeleton())], waiting);
+    const now = only(document);
+    expect(now.clips).toEqual([walk]);
+    expect(now.skeleton?.joints).toHaveLength(2);
+  });
+
+  it('never attach to the opening sample, which makes way', () => {
+    const sample = { ...hero, isOpeningSample: true };
+    const { document } = open([animFile('hero_walk.anim', walk)], sample, 'c1');
+    expect(only(document).skeleton).toBeUndefined();
+    expect(document.isOpeningSample).toBe(false);
+  });
+
+  it('leave the opening sample where nothing could be opened', () => {
+    const sample = { ...hero, isOpeningSample: true };
+    const { document } = openFiles(sample, [], [broken('x.skel', 'skel')]);
+    expect(document).toBe(sample);
+  });
+});

@@ -1,0 +1,77 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { advance, DEFAULT_PLAYBACK, LOOP_MODES, type Playback, play, stepFrames } from '../../src/edit/playback.ts';
+
+const playing = (more: Partial<Playback>): Playback => ({ ...DEFAULT_PLAYBACK, playing: true, range: [1, 3], ...more });
+
+describe('advance', () => {
+  it('stands still while paused', () => {
+    const paused = playing({ playing: false, timeSeconds: 2 });
+    expect(advance(paused, 1)).toBe(paused);
+  });
+
+  it('moves by elapsed time and rate', () => {
+    expect(advance(playing({ timeSeconds: 1, rate: 0.5 }), 1).timeSeconds).toBe(1.5);
+    expect(advance(playing({ timeSeconds: 2, rate: -0.5 }), 1).timeSeconds).toBe(1.5);
+  });
+
+  it('wraps round at both ends when looping', () => {
+    expect(advance(playing({ timeSeconds: 2.5 }), 1).timeSeconds).toBeCloseTo(1.5, 12);
+    expect(advance(playing({ timeSeconds: 1.5, rate: -1 }), 1).timeSeconds).toBeCloseTo(2.5, 12);
+  });
+
+  it('stops at the end it runs into when played once', () => {
+    expect(advance(playing({ timeSeconds: 2.5, loop: 'once' }), 1)).toMatchObject({ timeSeconds: 3, playing: false });
+    expect(advance(playing({ timeSeconds: 1.5, loop: 'once', rate: -1 }), 1)).toMatchObject({
+      timeSeconds: 1,
+      playing: false,
+    });
+  });
+
+  it('turns round at both ends in ping-pong', () => {
+    const back = advance(playing({ timeSeconds: 2.5, loop: 'pingpong' }), 1);
+    expect(back).toMatchObject({ timeSeconds: 2.5, rate: -1 });
+    expect(advance(back, 2)).toMatchObject({ timeSeconds: 1.5, rate: 1 });
+  });
+
+  it('runs on past the range when told to', () => {
+    expect(advance(playing({ timeSeconds: 2.5, loop: 'continue' }), 10).timeSeconds).toBe(12.5);
+  });
+
+  it('stays at the one moment of an empty range', () => {
+    expect(advance(playing({ timeSeconds: 9, range: [2, 2] }), 1).timeSeconds).toBe(2);
+  });
+
+  it('never leaves the range and never gets lost, whatever the clock does', () => {
+    fc.assert(
+      fc.property(
+        fc.constantFrom(...LOOP_MODES.filter((m) => m !== 'continue')),
+        fc.double({ min: -4, max: 4, noNaN: true }),
+        fc.array(fc.double({ min: 0, max: 1e4, noNaN: true }), { maxLength: 20 }),
+        (loop, rate, ticks) => {
+          let state = playing({ loop, rate, timeSeconds: 2 });
+          for (const tick of ticks) state = advance(state, tick);
+          expect(state.timeSeconds).toBeGreaterThanOrEqual(1);
+          expect(state.timeSeconds).toBeLessThanOrEqual(3);
+          expect(Math.abs(state.rate)).toBe(Math.abs(rate));
+        },
+      ),
+    );
+  });
+});
+
+describe('play', () => {
+  it('starts over where `once` had come to its end', () => {
+    expect(play(playing({ playing: false, loop: 'once', timeSeconds: 3 })).timeSeconds).toBe(1);
+    expect(play(playing({ playing: false, loop: 'once', timeSeconds: 1, rate: -1 })).timeSeconds).toBe(3);
+  });
+});
+
+describe('stepFrames', () => {
+  it('goes to the neighbouring frame, also from between two', () => {
+    const at = (timeSeconds: number, frames: number) => stepFrames(playing({ timeSeconds }), frames).timeSeconds * 30;
+    expect(at(10 / 30, 1)).toBeCloseTo(11, 9);
+    expect(at(10.4 / 30, 1)).toBeCloseTo(11, 9);
+    expect(at(10.4 / 30, -1)).toBeCloseTo(10, 9);
+  });
+});

@@ -1,0 +1,147 @@
+import fc from 'fast-check';
+import { describe, expect, it, vi } from 'vitest';
+import { renameCharacter } from '../../src/edit/commands/characters.ts';
+import { Store } from '../../src/edit/store.ts';
+import { character, documentOf } from '../helpers/builders.ts';
+
+const start = documentOf(character({ name: 'a' }));
+const rename = (name: string) => ({ characterId: 'c1', name });
+const nameIn = (store: Store) => store.document.characters[0].name;
+
+describe('Store', () => {
+  it('undoes and redoes a step to the very same objects', () => {
+    const store = new Store(start);
+    store.apply(renameCharacter, rename('b'));
+    const after = store.document;
+    expect(store.undo()).toBe(true);
+    expect(store.document).toBe(start);
+    expect(store.redo()).toBe(true);
+    expect(store.document).toBe(after);
+  });
+
+  it('names the steps that undo and redo would take', () => {
+    const store = new Store(start);
+    store.apply(renameCharacter, rename('b'));
+    expect([store.undoLabel, store.redoLabel]).toEqual(['Rename a', undefined]);
+    store.undo();
+    expect([store.undoLabel, store.redoLabel]).toEqual([undefined, 'Rename a']);
+  });
+
+  it('makes no step of a command that changes nothing', () => {
+    const store = new Store(start);
+    store.apply(renameCharacter, rename('a'));
+    expect(store.undoLabel).toBeUndefined();
+  });
+
+  it('says so where there is nothing to undo or redo', () => {
+    const store = new Store(start);
+    expect([store.undo(), store.redo()]).toEqual([false, false]);
+  });
+
+  it('leaves everything as it was when a command is refused', () => {
+    const store = new Store(start);
+    expect(() => store.apply(renameCharacter, { characterId: 'nobody', name: 'x' })).toThrow('no character "nobody"');
+    expect(store.document).toBe(start);
+    expect(store.undoLabel).toBeUndefined();
+  });
+
+  it('brings the selection back with the step', () => {
+    const store = new Store(start);
+    store.select({ characterId: 'c1', joint: 1 });
+    store.apply(renameCharacter, rename('b'));
+    store.select({ characterId: 'c1', joint: 0 });
+    store.undo();
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
+    store.redo();
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 0 });
+  });
+
+  it('makes one step of a drag, however many previews it had', () => {
+    const store = new Store(start);
+    const drag = store.begin('Drag');
+    for (const name of ['b', 'c', 'd']) drag.preview(renameCharacter.run(drag.base, rename(name)));
+    expect(nameIn(store)).toBe('d');
+    drag.commit();
+    expect(store.undoLabel).toBe('Drag');
+    store.undo();
+    expect(store.document).toBe(start);
+  });
+
+  it('gives a cancelled drag up without a trace, and ignores what its hand still does', () => {
+    const store = new Store(start);
+    const drag = store.begin('Drag');
+    drag.preview(renameCharacter.run(drag.base, rename('b')));
+    drag.cancel();
+    drag.preview(renameCharacter.run(drag.base, rename('c')));
+    drag.commit();
+    expect(store.document).toBe(start);
+    expect(store.undoLabel).toBeUndefined();
+  });
+
+  it('commits a drag that is under way before the next step', () => {
+    const store = new Store(start);
+    const drag = store.begin('Drag');
+    drag.preview(renameCharacter.run(drag.base, rename('b')));
+    store.apply(renameCharacter, rename('c'));
+    store.undo();
+    expect(nameIn(store)).toBe('b');
+    store.undo();
+    expect(nameIn(store)).toBe('a');
+  });
+
+  it('amends without a step', () => {
+    const store = new Store(start);
+    store.amend(documentOf(character({ name: 'b' })));
+    expect(store.undoLabel).toBeUndefined();
+    expect(nameIn(store)).toBe('b');
+  });
+
+  it('tells listeners what it was before, and stops when they leave', () => {
+    const store = new Store(start);
+    const heard = vi.fn();
+    const leave = store.subscribe(heard);
+    store.apply(renameCharacter, rename('b'));
+    expect(heard).toHaveBeenCalledTimes(1);
+    expect(heard.mock.calls[0][1].document).toBe(start);
+    leave();
+    store.undo();
+    expect(heard).toHaveBeenCalledTimes(1);
+  });
+
+  it('comes back to every document on the way, whatever was done', () => {
+    const step = fc.oneof(
+      fc.record({ kind: fc.constant('apply' as const), name: fc.string() }),
+      fc.record({ kind: fc.constant('drag' as const), name: fc.string() }),
+      fc.record({ kind: fc.constant('select' as const), joint: fc.nat(3) }),
+    );
+    fc.assert(
+      fc.property(fc.array(step, { maxLength: 100 }), (steps) => {
+        const store = new Store(start);
+        const documents = [store.document];
+        for (const s of steps) {
+          if (s.kind === 'select') {
+            store.select({ characterId: 'c1', joint: s.joint });
+            continue;
+          }
+          if (s.kind === 'apply') store.apply(renameCharacter, rename(s.name));
+          else {
+            const drag = store.begin('Drag');
+            drag.preview(renameCharacter.run(drag.base, rename(s.name)));
+            drag.commit();
+          }
+          if (store.document !== documents.at(-1)) documents.push(store.document);
+        }
+        for (const document of documents.slice(0, -1).reverse()) {
+          store.undo();
+          expect(store.document).toBe(document);
+        }
+        expect(store.undo()).toBe(false);
+        for (const document of documents.slice(1)) {
+          store.redo();
+          expect(store.document).toBe(document);
+        }
+        expect(store.redo()).toBe(false);
+      }),
+    );
+  });
+});

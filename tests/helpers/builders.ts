@@ -1,0 +1,101 @@
+/** Tiny models for tests: what a test does not care about has a plain default. */
+import type { ChannelClip } from '../../src/model/clip.ts';
+import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
+import { filePose } from '../../src/model/dofs.ts';
+import type { FileContent, ParsedFile } from '../../src/model/files.ts';
+import type { Morph } from '../../src/model/morph.ts';
+import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import type { Skin } from '../../src/model/skin.ts';
+
+export function joint(parent: number, more: Partial<Joint> = {}): Joint {
+  return {
+    name: `joint${parent + 1}`,
+    parent,
+    offset: [0, 1, 0],
+    box: DEFAULT_BOX,
+    motion: DEFAULT_MOTION,
+    limits: [UNLIMITED, UNLIMITED, UNLIMITED],
+    pose: [0, 0, 0],
+    ...more,
+  };
+}
+
+/** A chain of that many joints. */
+export function skeleton(joints = 2, name = 'hero'): Skeleton {
+  return { name, joints: Array.from({ length: joints }, (_, i) => joint(i - 1)) };
+}
+
+/** One triangle that hangs on the given joint; bindings for joints 0 up to it. */
+export function skin(name = 'hero', onJoint = 0, more: Partial<Skin> = {}): Skin {
+  const bindings = new Float64Array(16 * (onJoint + 1));
+  for (let b = 0; b < bindings.length; b += 16) bindings[b] = bindings[b + 5] = bindings[b + 10] = bindings[b + 15] = 1;
+  return {
+    name,
+    positions: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0),
+    normals: Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1),
+    attachments: {
+      start: Uint32Array.of(0, 1, 2, 3),
+      joints: Uint32Array.of(onJoint, onJoint, onJoint),
+      weights: Float64Array.of(1, 1, 1),
+    },
+    triangles: Uint32Array.of(0, 1, 2),
+    bindings,
+    ...more,
+  };
+}
+
+export function morph(name: string, vertex = 0): Morph {
+  const rows = { indices: Uint32Array.of(vertex), values: Float64Array.of(0, 0, 5) };
+  return { name, positions: rows, normals: { indices: new Uint32Array(0), values: new Float64Array(0) } };
+}
+
+/** A clip whose channels each hold one value. */
+export function clip(name: string, values: readonly number[], range: readonly [number, number] = [0, 1]): ChannelClip {
+  return {
+    kind: 'channels',
+    name,
+    range,
+    channels: values.map((value) => ({
+      extrapolateIn: 'constant',
+      extrapolateOut: 'constant',
+      times: Float64Array.of(0),
+      values: Float64Array.of(value),
+      tangentsIn: { kinds: Uint8Array.of(0), slopes: Float64Array.of(0) },
+      tangentsOut: { kinds: Uint8Array.of(0), slopes: Float64Array.of(0) },
+    })),
+  };
+}
+
+export function character(more: Partial<Character> = {}): Character {
+  const own = more.skeleton ?? skeleton();
+  return {
+    id: 'c1',
+    name: 'hero',
+    skeleton: own,
+    skins: [],
+    shownSkin: 0,
+    morphs: [],
+    textures: [],
+    clips: [],
+    shownClip: -1,
+    pose: filePose(own, more.morphs?.length ?? 0),
+    clampsToLimits: true,
+    placements: [DEFAULT_PLACEMENT],
+    timeOffsetSeconds: 0,
+    sources: [],
+    ...more,
+  };
+}
+
+export function documentOf(...characters: Character[]): Document {
+  return { ...EMPTY_DOCUMENT, characters };
+}
+
+export function file(path: string, content: FileContent): ParsedFile {
+  return { ...content, source: { path, name: path.slice(path.lastIndexOf('/') + 1), bytes: 1 } };
+}
+
+export const skelFile = (path: string, ...skeletons: Skeleton[]) => file(path, { kind: 'skel', skeletons });
+export const skinFile = (path: string, content: Skin) => file(path, { kind: 'skin', skin: content });
+export const morphFile = (path: string, content: Morph) => file(path, { kind: 'morph', morph: content });
+export const animFile = (path: string, content: ChannelClip) => file(path, { kind: 'anim', clip: content });
