@@ -1,0 +1,70 @@
+/**
+ * Files named in the address: `?files=a.skel,a.skin,walk.anim`. Commas separate, so one inside a name is `%2C`. Nothing
+ * but what the address names is ever requested.
+ */
+import type { GivenBlob } from '../worker/protocol.ts';
+
+/** A file that could not be fetched, in a sentence. */
+export class FetchError extends Error {
+  override readonly name = 'FetchError';
+}
+
+/** The files that a query string names, decoded, in its order. */
+export function filesInQuery(query: string): readonly string[] {
+  const names: string[] = [];
+  for (const part of query.replace(/^\?/, '').split('&')) {
+    const [key, value] = part.split(/=(.*)/s);
+    if (key !== 'files' || !value) continue;
+    // Split before decoding: a comma that belongs to a name is encoded.
+    for (const name of value.split(',')) if (name) names.push(decoded(name));
+  }
+  return names;
+}
+
+function decoded(name: string): string {
+  try {
+    return decodeURIComponent(name.replaceAll('+', ' '));
+  } catch {
+    // A lone `%` is part of the name.
+    return name;
+  }
+}
+
+/**
+ * Fetches files, relative to the page. Throws a `FetchError` that names the first that can't be had.
+ * Paths keep the last folder, so that files of one folder belong together.
+ */
+export function fetchFiles(
+  addresses: readonly string[],
+  base: string,
+  signal?: AbortSignal,
+): Promise<readonly GivenBlob[]> {
+  return Promise.all(
+    addresses.map(async (address) => {
+      const url = resolve(address, base);
+      const response = await fetch(url, signal ? { signal } : {}).catch((error: unknown) => {
+        if (signal?.aborted) throw error;
+        throw new FetchError(
+          `"${address}" could not be fetched: the server is out of reach, or does not allow it (CORS).`,
+        );
+      });
+      if (!response.ok)
+        throw new FetchError(`"${address}" could not be fetched: the server answered ${response.status}.`);
+      return { path: decoded(url.pathname.replace(/^\//, '')), blob: await response.blob() };
+    }),
+  );
+}
+
+function resolve(address: string, base: string): URL {
+  let url: URL;
+  try {
+    // A path's own `#` and `?` are part of the name unless it is a whole address.
+    url = /^[a-z][a-z0-9+.-]*:/i.test(address)
+      ? new URL(address)
+      : new URL(encodeURI(address).replaceAll('#', '%23').replaceAll('?', '%3F'), base);
+  } catch {
+    throw new FetchError(`"${address}" is no address of a file.`);
+  }
+  if (url.protocol === 'http:' || url.protocol === 'https:') return url;
+  throw new FetchError(`"${address}" can't be fetched: only http and https can.`);
+}

@@ -1,0 +1,119 @@
+/**
+ * The page's side of the worker. A job that is cancelled ends with its worker: parsers are synchronous, and a fresh
+ * worker costs a few milliseconds where an abort flag would cost every inner loop.
+ */
+import type { FromWorker, JobName, Jobs, Progress, ToWorker } from './protocol.ts';
+
+/** What the client needs of a `Worker`; tests pass in one without a thread. */
+export interface WorkerLike {
+  postMessage(message: ToWorker): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
+}
+
+export interface JobOptions {
+  readonly onProgress?: (progress: Progress) => void;
+  readonly signal?: AbortSignal;
+}
+
+/** A job that failed with its worker, in a sentence for the person who waits for it. */
+export class WorkerError extends Error {
+  override readonly name = 'WorkerError';
+}
+
+interface Pending {
+  readonly onProgress: ((progress: Progress) => void) | undefined;
+  readonly resolve: (output: never) => void;
+  readonly reject: (error: Error) => void;
+}
+
+export class WorkerClient {
+  private worker: WorkerLike | undefined;
+  private readonly pending = new Map<number, Pending>();
+  private nextId = 1;
+  private readonly spawn: () => WorkerLike;
+
+  constructor(spawn: () => WorkerLike) {
+    this.spawn = spawn;
+  }
+
+  /**
+   * Runs a job. Rejects with a `WorkerError` when the worker dies or the job fails in it, with the signal's reason when
+   * it is aborted.
+   */
+  run<K extends JobName>(
+    job: K,
+    input: Jobs[K]['takes'],
+    { onProgress, signal }: JobOptions = {},
+  ): Promise<Jobs[K]['gives']> {
+    return new Promise((resolve, reject) => {
+      if (signal?.aborted) {
+        reject(signal.reason);
+        return;
+      }
+      const id = this.nextId++;
+      const cancel = () => {
+        this.pending.delete(id);
+        reject(signal?.reason);
+        this.restart('The work was cancelled.');
+      };
+      const settled = () => signal?.removeEventListener('abort', cancel);
+      signal?.addEventListener('abort', cancel, { once: true });
+      this.pending.set(id, {
+        onProgress,
+        // `done` carries the output of the job that was asked for: the worker's side is typed by the same table.
+        resolve: (output) => {
+          settled();
+          resolve(output);
+        },
+        reject: (error) => {
+          settled();
+          reject(error);
+        },
+      });
+      // The union of messages is what `K` ranges over; TypeScript can't see that a generic K picks one of them.
+      this.alive().postMessage({ id, job, input } as ToWorker);
+    });
+  }
+
+  private alive(): WorkerLike {
+    if (this.worker) return this.worker;
+    const worker = this.spawn();
+    worker.onmessage = ({ data }) => this.receive(data);
+    worker.onerror = (event) =>
+      this.restart(`The worker stopped: ${event.message || 'it ran out of memory, or could not be loaded'}.`);
+    worker.onmessageerror = () => this.restart('The worker sent something that could not be read.');
+    this.worker = worker;
+    return worker;
+  }
+
+  private receive(message: FromWorker): void {
+    const pending = this.pending.get(message.id);
+    if (!pending) return;
+    switch (message.kind) {
+      case 'progress':
+        pending.onProgress?.(message.progress);
+        return;
+      case 'failed':
+        this.pending.delete(message.id);
+        pending.reject(new WorkerError(message.message));
+        return;
+      case 'done':
+        this.pending.delete(message.id);
+        // See `run`: the pending entry was made for this very job.
+        pending.resolve(message.output as never);
+        return;
+    }
+  }
+
+  /** Ends the worker; whatever else was under way fails with the reason, and the next job gets a new one. */
+  private restart(reason: string): void {
+    this.worker?.terminate();
+    this.worker = undefined;
+    const failed = [...this.pending.values()];
+    this.pending.clear();
+    for (const { reject } of failed) reject(new WorkerError(reason));
+  }
+}

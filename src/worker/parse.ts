@@ -1,0 +1,129 @@
+/**
+ * The `parse` job: files in, models and diagnostics out. Bytes are read as they arrive and fed to the format's reader;
+ * zips are unpacked here, and every file is told apart by its name alone.
+ */
+import { skinFacts } from '../evaluate/bounds.ts';
+import { formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import type { BrokenFile, ParsedFile, SourceFile, Texture } from '../model/files.ts';
+import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
+import { unzip } from './zip.ts';
+
+const TEXTURE_TYPES: Readonly<Record<string, string>> = {
+  bmp: 'image/bmp',
+  png: 'image/png',
+  jpg: 'image/jpeg',
+  jpeg: 'image/jpeg',
+  webp: 'image/webp',
+};
+
+/** Progress is told about this often: enough for a smooth bar, too seldom to cost anything. */
+const PROGRESS_STEP_BYTES = 1 << 20;
+
+export async function parse(input: ParseInput, onProgress: (progress: Progress) => void): Promise<ParseOutput> {
+  const diagnostics: Diagnostic[] = [];
+  const files: ParsedFile[] = [];
+  const broken: BrokenFile[] = [];
+  const given = await unpacked(input.files, diagnostics);
+  const bytesTotal = given.reduce((sum, { blob }) => sum + blob.size, 0);
+  let bytesDone = 0;
+  let told = 0;
+
+  for (const { path, blob } of given) {
+    const source = sourceOf(path, blob.size);
+    const count = (bytes: number) => {
+      bytesDone += bytes;
+      if (bytesDone - told < PROGRESS_STEP_BYTES && told > 0) return;
+      told = bytesDone;
+      onProgress({ label: source.name, bytesDone, bytesTotal });
+    };
+    const format = formatOf(source.name);
+    const mime = TEXTURE_TYPES[extensionOf(source.name)];
+    if (format) {
+      const reader = format.reader(source.name);
+      try {
+        await feed(blob, (chunk) => {
+          reader.feed(chunk);
+          count(chunk.byteLength);
+        });
+      } catch (error) {
+        diagnostics.push(unreadable(source, error));
+        broken.push({ kind: format.kind, source });
+        continue;
+      }
+      const result = reader.end();
+      diagnostics.push(...result.diagnostics);
+      if (result.value) files.push({ ...result.value, source });
+      else broken.push({ kind: format.kind, source });
+    } else if (mime) {
+      const texture: Texture = { name: source.name, mime, bytes: new Uint8Array(await blob.arrayBuffer()) };
+      files.push({ kind: 'texture', texture, source });
+      count(blob.size);
+    } else diagnostics.push(unknownFormat(source));
+  }
+
+  const facts = files.flatMap((f) => (f.kind === 'skin' ? [{ skin: f.skin, facts: skinFacts(f.skin) }] : []));
+  return { files, broken, diagnostics, facts };
+}
+
+function sourceOf(path: string, bytes: number): SourceFile {
+  return { name: path.slice(path.lastIndexOf('/') + 1), path, bytes };
+}
+
+function extensionOf(name: string): string {
+  return name.slice(name.lastIndexOf('.') + 1).toLowerCase();
+}
+
+function isReadable(name: string): boolean {
+  return formatOf(name) !== undefined || extensionOf(name) in TEXTURE_TYPES;
+}
+
+/** The files given, with those inside zips in place of the zips. */
+async function unpacked(given: readonly GivenBlob[], diagnostics: Diagnostic[]): Promise<readonly GivenBlob[]> {
+  const all: GivenBlob[] = [];
+  for (const file of given) {
+    if (extensionOf(file.path) !== 'zip') {
+      all.push(file);
+      continue;
+    }
+    const source = sourceOf(file.path, file.blob.size);
+    try {
+      const { entries, passedOver } = unzip(new Uint8Array(await file.blob.arrayBuffer()), isReadable);
+      // In a folder named after the archive: what is packed together belongs together.
+      for (const { path, bytes } of entries) all.push({ path: `${file.path}/${path}`, blob: new Blob([bytes]) });
+      for (const path of passedOver) diagnostics.push(unknownFormat(sourceOf(`${file.path}/${path}`, 0)));
+    } catch (error) {
+      diagnostics.push(unreadable(source, error));
+    }
+  }
+  return all;
+}
+
+async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void> {
+  const reader = blob.stream().getReader();
+  for (let next = await reader.read(); !next.done; next = await reader.read()) take(next.value);
+}
+
+function unreadable(source: SourceFile, error: unknown): Diagnostic {
+  const reason = error instanceof Error ? error.message : String(error);
+  return {
+    severity: 'error',
+    code: 'file-unreadable',
+    message: `The file could not be read: ${reason}. Try to open it again; it may have moved or be damaged.`,
+    file: source.name,
+    line: 0,
+    column: 0,
+  };
+}
+
+function unknownFormat(source: SourceFile): Diagnostic {
+  return {
+    severity: 'warning',
+    code: 'format-unknown',
+    message: `Marrow does not read this kind of file; it reads ${[...READABLE_EXTENSIONS, ...Object.keys(TEXTURE_TYPES), 'zip'].map((e) => `.${e}`).join(' ')}.`,
+    file: source.name,
+    line: 0,
+    column: 0,
+    assumed: 'passed over',
+  };
+}

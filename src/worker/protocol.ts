@@ -1,0 +1,59 @@
+/**
+ * All that the page and its worker share: which jobs there are, and the messages that carry them. Another kind of work
+ * is another entry in `Jobs`; another file format is no change here at all (`formats/registry.ts`).
+ */
+import type { SkinFacts } from '../evaluate/bounds.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import type { BrokenFile, ParsedFile } from '../model/files.ts';
+import type { Skin } from '../model/skin.ts';
+
+export interface Jobs {
+  parse: { takes: ParseInput; gives: ParseOutput };
+}
+
+export type JobName = keyof Jobs;
+
+export interface ParseInput {
+  readonly files: readonly GivenBlob[];
+}
+
+/** A file as the browser gives it: its bytes are read in the worker, and never pass through the page. */
+export interface GivenBlob {
+  /** With folders, `/` between them. */
+  readonly path: string;
+  readonly blob: Blob;
+}
+
+export interface ParseOutput {
+  readonly files: readonly ParsedFile[];
+  /** Files with errors. */
+  readonly broken: readonly BrokenFile[];
+  readonly diagnostics: readonly Diagnostic[];
+  /** What the page needs to know of each skin, worked out here so that it never loops over a million vertices. */
+  readonly facts: readonly { readonly skin: Skin; readonly facts: SkinFacts }[];
+}
+
+type Each<F extends { [K in JobName]: unknown }> = F[JobName];
+
+export type ToWorker = Each<{
+  [K in JobName]: { readonly id: number; readonly job: K; readonly input: Jobs[K]['takes'] };
+}>;
+
+export type FromWorker =
+  | { readonly id: number; readonly kind: 'progress'; readonly progress: Progress }
+  | { readonly id: number; readonly kind: 'failed'; readonly message: string }
+  | Each<{
+      [K in JobName]: {
+        readonly id: number;
+        readonly kind: 'done';
+        readonly job: K;
+        readonly output: Jobs[K]['gives'];
+      };
+    }>;
+
+export interface Progress {
+  /** Name of the file being read. */
+  readonly label: string;
+  readonly bytesDone: number;
+  readonly bytesTotal: number;
+}

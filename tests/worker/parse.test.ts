@@ -1,0 +1,84 @@
+import { strToU8, zipSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { parse } from '../../src/worker/parse.ts';
+import type { Progress } from '../../src/worker/protocol.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+
+const given = (path: string, content: string | Uint8Array<ArrayBuffer>) => ({ path, blob: new Blob([content]) });
+const skel = 'balljoint root { offset 0 1 0 }';
+const ignore = () => undefined;
+
+describe('the parse job', () => {
+  it('reads files by their endings, and keeps paths', async () => {
+    const { files, diagnostics } = await parse({ files: [given('folder/A.SKEL', skel)] }, ignore);
+    expect(diagnostics).toEqual([]);
+    expect(files).toMatchObject([
+      { kind: 'skel', source: { path: 'folder/A.SKEL', name: 'A.SKEL', bytes: skel.length } },
+    ]);
+  });
+
+  it('lists a file with errors as broken, and goes on with the others', async () => {
+    const { files, broken, diagnostics } = await parse(
+      { files: [given('bad.skel', 'balljoint root { offset 0 x 0 }'), given('good.skel', skel)] },
+      ignore,
+    );
+    expect(files.map((f) => f.source.name)).toEqual(['good.skel']);
+    expect(broken).toMatchObject([{ kind: 'skel', source: { name: 'bad.skel' } }]);
+    expect(diagnostics).toMatchObject([{ severity: 'error', file: 'bad.skel', line: 1 }]);
+  });
+
+  it('passes over what it does not know, and says so', async () => {
+    const { files, diagnostics } = await parse({ files: [given('notes.txt', 'hello')] }, ignore);
+    expect(files).toEqual([]);
+    expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'format-unknown', file: 'notes.txt' }]);
+  });
+
+  it('keeps a texture’s bytes as they are', async () => {
+    const bytes = Uint8Array.of(1, 2, 3);
+    const { files } = await parse({ files: [given('skin/face.BMP', bytes)] }, ignore);
+    expect(files).toMatchObject([{ kind: 'texture', texture: { name: 'face.BMP', mime: 'image/bmp', bytes } }]);
+  });
+
+  it('unpacks zips into folders of their own', async () => {
+    const zip = zipSync({
+      'hero/hero.skel': strToU8(skel),
+      'hero/readme.txt': strToU8('x'),
+      '__MACOSX/hero.skel': strToU8(''),
+    });
+    const { files, diagnostics } = await parse({ files: [given('pack.zip', new Uint8Array(zip))] }, ignore);
+    expect(files.map((f) => f.source.path)).toEqual(['pack.zip/hero/hero.skel']);
+    expect(diagnostics.map((d) => d.file)).toEqual(['readme.txt']);
+  });
+
+  it('says so when a zip is damaged', async () => {
+    const { diagnostics } = await parse({ files: [given('pack.zip', 'PK no zip')] }, ignore);
+    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'file-unreadable', file: 'pack.zip' }]);
+  });
+
+  it('says so when a file can’t be read any more', async () => {
+    const gone = new Blob([skel]);
+    gone.stream = () => {
+      throw new Error('the file was moved');
+    };
+    const { broken, diagnostics } = await parse({ files: [{ path: 'a.skel', blob: gone }] }, ignore);
+    expect(broken).toHaveLength(1);
+    expect(diagnostics[0].message).toContain('the file was moved');
+  });
+
+  it('tells how far it is', async () => {
+    const seen: Progress[] = [];
+    await parse({ files: [given('a.skel', skel), given('b.skel', skel)] }, (p) => seen.push(p));
+    expect(seen[0]).toMatchObject({ label: 'a.skel', bytesTotal: 2 * skel.length });
+  });
+});
+
+describeShared('the parse job on real files', () => {
+  it('works out what the page needs to know of each skin', async () => {
+    const { facts, files } = await parse(
+      { files: [given('wasp.skin', new Uint8Array(sharedBytes('data/cse169/wasp.skin')))] },
+      ignore,
+    );
+    expect(facts).toHaveLength(1);
+    expect(files[0].kind === 'skin' && files[0].skin).toBe(facts[0].skin);
+  });
+});
