@@ -1,0 +1,156 @@
+/**
+ * From files to the document: read in the worker, bound together, put in as one step, shown. One opening at a time;
+ * the next waits, so that what is dropped last stands last.
+ */
+import { openFiles } from '../edit/open-files.ts';
+import { type Playback, play } from '../edit/playback.ts';
+import type { Store } from '../edit/store.ts';
+import { adoptSkinFacts } from '../evaluate/bounds.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Document, findCharacter, shownClip } from '../model/document.ts';
+import type { Selection } from '../model/session.ts';
+import type { Messages } from '../ui/messages.ts';
+import type { Observable } from '../ui/observable.ts';
+import type { Loading, Stage } from '../ui/workbench.ts';
+import { type WorkerClient, WorkerError } from '../worker/client.ts';
+import type { GivenBlob } from '../worker/protocol.ts';
+
+export interface OpeningParts {
+  readonly store: Store;
+  readonly transport: Observable<Playback>;
+  readonly messages: Messages;
+  readonly loading: Observable<Loading | undefined>;
+  readonly viewport: Pick<Stage, 'frameAll'>;
+  readonly worker: WorkerClient;
+}
+
+/** Finds the files: they may have to be fetched, or folders walked, first. */
+export type FindFiles = (signal: AbortSignal) => Promise<readonly GivenBlob[]> | readonly GivenBlob[];
+
+export interface OpenOptions {
+  /** The page's own first character: no undo step, and gone when anything is opened. */
+  readonly asOpeningSample?: boolean;
+}
+
+export class Opener {
+  private readonly parts: OpeningParts;
+  private last: Promise<unknown> = Promise.resolve();
+
+  constructor(parts: OpeningParts) {
+    this.parts = parts;
+  }
+
+  /** Opens files; gives all that there is to say about them. Never rejects: what goes wrong is a diagnostic. */
+  open(find: FindFiles, options: OpenOptions = {}): Promise<readonly Diagnostic[]> {
+    const turn = this.last.then(() => this.openNow(find, options));
+    this.last = turn;
+    return turn;
+  }
+
+  private async openNow(find: FindFiles, options: OpenOptions): Promise<readonly Diagnostic[]> {
+    const { loading, messages, worker } = this.parts;
+    const abort = new AbortController();
+    const cancel = () => abort.abort(new DOMException('Opening was cancelled.', 'AbortError'));
+    loading.set({ label: 'files', done: 0, of: 0, cancel });
+    try {
+      const files = await find(abort.signal);
+      abort.signal.throwIfAborted();
+      if (files.length === 0) return [];
+      const output = await worker.run(
+        'parse',
+        { files },
+        {
+          signal: abort.signal,
+          onProgress: (p) => loading.set({ label: p.label, done: p.bytesDone, of: p.bytesTotal, cancel }),
+        },
+      );
+      for (const { skin, facts } of output.facts) adoptSkinFacts(skin, facts);
+      const { store } = this.parts;
+      const result = openFiles(store.document, output.files, output.broken, store.selection.characterId);
+      const diagnostics = [...output.diagnostics, ...result.diagnostics];
+      this.put(result.document, result.opened, result.label, options);
+      messages.report(diagnostics);
+      return diagnostics;
+    } catch (error) {
+      if (abort.signal.aborted) {
+        messages.note('Opening was cancelled; nothing was changed.');
+        return [];
+      }
+      const diagnostic = failure(error);
+      messages.report([diagnostic]);
+      return [diagnostic];
+    } finally {
+      loading.set(undefined);
+    }
+  }
+
+  private put(document: Document, opened: readonly string[], label: string, options: OpenOptions): void {
+    const { store, transport, viewport } = this.parts;
+    const before = store.document;
+    if (document === before) return;
+    const selection = selectionAfter(document, opened, store.selection);
+    if (options.asOpeningSample) {
+      store.amend({ ...document, isOpeningSample: true });
+      store.select(selection);
+    } else store.replace(label, { document, selection });
+    // A part that was replaced keeps time and camera: someone is editing a file beside the page.
+    if (opened.some((id) => !findCharacter(before, id))) viewport.frameAll();
+    const moved = opened.filter((id) => hasNewClip(before, document, id));
+    if (moved.length) transport.update((now) => playFrom(now, rangeOf(document, moved)));
+  }
+}
+
+/** What was selected, where it is still there; else the first character that was opened. */
+function selectionAfter(document: Document, opened: readonly string[], selection: Selection): Selection {
+  const { characterId, joint } = selection;
+  const kept = findCharacter(document, characterId);
+  const first = opened[0];
+  if (!kept || (first !== undefined && characterId !== undefined && !opened.includes(characterId))) {
+    return first === undefined ? {} : { characterId: first };
+  }
+  if (joint !== undefined && joint >= (kept.skeleton?.joints.length ?? 0)) return { characterId: kept.id };
+  return selection;
+}
+
+/** Whether a character plays a clip now that it did not have at all before. */
+function hasNewClip(before: Document, after: Document, id: string): boolean {
+  const clip = shownClipOf(after, id);
+  if (!clip) return false;
+  const old = findCharacter(before, id);
+  return !old?.clips.some((c) => c.name === clip.name);
+}
+
+function shownClipOf(document: Document, id: string) {
+  const character = findCharacter(document, id);
+  return character && shownClip(character);
+}
+
+/** From the first moment of any of these characters' clips to the last. */
+export function rangeOf(document: Document, ids: readonly string[]): readonly [number, number] {
+  let start = Number.POSITIVE_INFINITY;
+  let end = Number.NEGATIVE_INFINITY;
+  for (const id of ids) {
+    const clip = shownClipOf(document, id);
+    const offset = findCharacter(document, id)?.timeOffsetSeconds ?? 0;
+    if (!clip) continue;
+    start = Math.min(start, clip.range[0] - offset);
+    end = Math.max(end, clip.range[1] - offset);
+  }
+  return start <= end ? [start, end] : [0, 0];
+}
+
+function playFrom(transport: Playback, range: readonly [number, number]): Playback {
+  return play({ ...transport, range, timeSeconds: range[0], rate: Math.abs(transport.rate) || 1 });
+}
+
+function failure(error: unknown): Diagnostic {
+  const message = error instanceof Error ? error.message : String(error);
+  return {
+    severity: 'error',
+    code: error instanceof WorkerError ? 'worker-failed' : 'open-failed',
+    message: `Nothing was opened. ${message}`,
+    file: '',
+    line: 0,
+    column: 0,
+  };
+}

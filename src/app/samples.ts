@@ -1,0 +1,26 @@
+/** The characters that come with the page: a list, and the files of one of them. */
+import { fetchFiles } from '../io/address.ts';
+import type { GivenBlob } from '../worker/protocol.ts';
+
+export interface Sample {
+  readonly id: string;
+  readonly label: string;
+  readonly description: string;
+  /** Names beside `samples.json`. */
+  readonly files: readonly string[];
+}
+
+const FOLDER = 'samples/';
+
+/** The samples, the opening one first. Empty where the page was published without them. */
+export async function listSamples(page: string): Promise<readonly Sample[]> {
+  const response = await fetch(new URL(`${FOLDER}samples.json`, page)).catch(() => undefined);
+  if (!response?.ok) return [];
+  // Our own file, made with the page and checked by its tests.
+  return (await response.json()) as Sample[];
+}
+
+export function fetchSample(sample: Sample, page: string, signal?: AbortSignal): Promise<readonly GivenBlob[]> {
+  const addresses = sample.files.map((name) => `${FOLDER}${name}`);
+  return fetchFiles(addresses, page, signal);
+}

@@ -1,0 +1,166 @@
+/**
+ * The page from the console: `window.marrow`. Teachers and tests drive the workbench with it; it is built on the same
+ * functions as the menus, so what a script does can be undone and what it reads is what is drawn.
+ */
+import { COMMANDS_BY_ID } from '../edit/commands/all.ts';
+import { type Playback, play } from '../edit/playback.ts';
+import type { Store } from '../edit/store.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import type { Character } from '../model/document.ts';
+import type { FileKind } from '../model/files.ts';
+import { runAction } from '../ui/actions.ts';
+import type { Observable } from '../ui/observable.ts';
+import type { Workbench } from '../ui/workbench.ts';
+import type { GivenBlob } from '../worker/protocol.ts';
+import type { Opener } from './opening.ts';
+import { saveCharacter } from './saving.ts';
+
+/** A file to open: the browser's own, or a name and what is in it. */
+export type ScriptFile =
+  | File
+  | { readonly name: string; readonly content: string | ArrayBuffer | Uint8Array<ArrayBuffer> };
+
+/** A character by its id, its name, its index, or an object with an id (what `characters` gives). */
+export type CharacterRef = string | number | { readonly id: string };
+
+export interface CharacterInfo {
+  readonly id: string;
+  readonly name: string;
+  /** Depth-first. */
+  readonly joints: readonly { readonly index: number; readonly name: string; readonly parent: number }[];
+  /** All DOFs as shown now: root translation, joints depth-first, morph weights. Radians. */
+  readonly dofs: readonly number[];
+  readonly skins: readonly string[];
+  readonly morphs: readonly string[];
+  readonly clips: readonly string[];
+  readonly vertexCount: number;
+}
+
+export interface MarrowApi {
+  /** Opens files as a drop of all of them at once would; gives what there is to say about them. */
+  open(files: Iterable<ScriptFile> | ArrayLike<ScriptFile>): Promise<readonly Diagnostic[]>;
+  /** Shows a moment; also before and past the range. */
+  seek(seconds: number): void;
+  play(): void;
+  pause(): void;
+  characters(): readonly CharacterInfo[];
+  /** A list of 16 numbers, column-major, for each joint, in the character's own space (without its placement). */
+  worldMatrices(character?: CharacterRef): number[][];
+  /** x y z of every vertex as drawn: morphed and skinned, in the character's own space. */
+  vertices(character?: CharacterRef): number[];
+  /**
+   * Runs a command on the document (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …).
+   * `characterId` and `timeSeconds` default to the selected character and the moment shown.
+   */
+  run(commandId: string, args?: Readonly<Record<string, unknown>>): void;
+  /** False where there is nothing to undo. */
+  undo(): boolean;
+  redo(): boolean;
+  /** A part as the text of the file of that name: `wasp.skel`. */
+  save(name: string): string;
+}
+
+declare global {
+  interface Window {
+    marrow: MarrowApi;
+  }
+}
+
+export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
+  const { store, transport, viewport } = workbench;
+  const facts = (ref: CharacterRef | undefined) => {
+    const found = viewport.character(resolve(store, ref).id);
+    if (!found) throw new Error('The character is not shown yet.');
+    return found;
+  };
+  return {
+    open: (files) => opener.open(() => Array.from(files, given)),
+    seek: (timeSeconds) => transport.update((now) => ({ ...now, timeSeconds, playing: false })),
+    play: () => transport.update(play),
+    pause: () => transport.update((now) => ({ ...now, playing: false })),
+    characters: () => store.document.characters.map((c) => infoOf(c, viewport.character(c.id)?.dofs)),
+    worldMatrices(character) {
+      const world = facts(character).worldMatrices();
+      return Array.from({ length: world.length / 16 }, (_, j) => Array.from(world.subarray(16 * j, 16 * j + 16)));
+    },
+    vertices: (character) => Array.from(facts(character).vertices()),
+    run: (id, args = {}) => run(workbench, id, args),
+    undo: () => store.undo(),
+    redo: () => store.redo(),
+    save: (name) => saveByName(store, name),
+  };
+}
+
+function given(file: ScriptFile): GivenBlob {
+  if (file instanceof Blob) return { path: file.webkitRelativePath || file.name, blob: file };
+  return { path: file.name, blob: new Blob([file.content]) };
+}
+
+/** Without a reference: the selected character, else the first. */
+function resolve(store: Store, ref: CharacterRef | undefined): Character {
+  const { characters } = store.document;
+  const id = typeof ref === 'object' ? ref.id : ref;
+  const found =
+    id === undefined
+      ? (characters.find((c) => c.id === store.selection.characterId) ?? characters[0])
+      : typeof id === 'number'
+        ? characters[id]
+        : (characters.find((c) => c.id === id) ?? characters.find((c) => c.name === id));
+  if (found) return found;
+  const there = characters.map((c) => `"${c.name}"`).join(', ') || 'none';
+  throw new Error(`There is no character ${id === undefined ? 'yet' : JSON.stringify(id)}. Characters here: ${there}.`);
+}
+
+function infoOf(character: Character, dofs: Float64Array | undefined): CharacterInfo {
+  const joints = character.skeleton?.joints ?? [];
+  return {
+    id: character.id,
+    name: character.name,
+    joints: joints.map(({ name, parent }, index) => ({ index, name, parent })),
+    dofs: Array.from(dofs ?? character.pose),
+    skins: character.skins.map((s) => s.name),
+    morphs: character.morphs.map((m) => m.name),
+    clips: character.clips.map((c) => c.name),
+    vertexCount: (character.skins[character.shownSkin]?.positions.length ?? 0) / 3,
+  };
+}
+
+function run(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): void {
+  const { store, transport } = workbench;
+  const command = COMMANDS_BY_ID.get(id);
+  if (!command) {
+    runAction(workbench, id, args);
+    return;
+  }
+  const given = {
+    timeSeconds: timeOf(transport),
+    ...args,
+    characterId: resolve(store, asReference(args.characterId ?? args.character)).id,
+  };
+  // Arguments from the console can't be typed; each command refuses what it can't use.
+  store.apply(command, given as never);
+}
+
+function timeOf(transport: Observable<Playback>): number {
+  return transport.get().timeSeconds;
+}
+
+function asReference(value: unknown): CharacterRef | undefined {
+  return typeof value === 'string' || typeof value === 'number' ? value : undefined;
+}
+
+const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+
+/** The selected character's file of that name, or another's; else the selected character's first of that kind. */
+function saveByName(store: Store, name: string): string {
+  const kind = KINDS.find((k) => name.toLowerCase().endsWith(`.${k}`));
+  if (!kind) throw new Error(`"${name}" has to end in one of ${KINDS.map((k) => `.${k}`).join(' ')}.`);
+  const preferred = resolve(store, undefined);
+  for (const character of [preferred, ...store.document.characters]) {
+    const file = saveCharacter(character, kind).find((f) => f.name.toLowerCase() === name.toLowerCase());
+    if (file) return file.text;
+  }
+  const first = saveCharacter(preferred, kind)[0];
+  if (!first) throw new Error(`${preferred.name} has nothing that could be saved as .${kind}.`);
+  return first.text;
+}

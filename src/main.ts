@@ -1,0 +1,55 @@
+/** The page, put together: nothing but wiring. */
+import { fileActions } from './app/file-actions.ts';
+import { Opener } from './app/opening.ts';
+import { fetchSample, listSamples } from './app/samples.ts';
+import { scriptingApi } from './app/scripting.ts';
+import { DEFAULT_PLAYBACK } from './edit/playback.ts';
+import { Store } from './edit/store.ts';
+import { fetchFiles, filesInQuery } from './io/address.ts';
+import { Messages } from './ui/messages.ts';
+import { observable } from './ui/observable.ts';
+import { mountWorkbench } from './ui/page.ts';
+import { rememberedSettings } from './ui/settings.ts';
+import type { DialogName, Loading, Workbench } from './ui/workbench.ts';
+import { Viewport } from './view/viewport.ts';
+import { WorkerClient } from './worker/client.ts';
+
+const root = document.getElementById('app');
+if (!root) throw new Error('index.html has no element "app".');
+
+const store = new Store();
+const transport = observable(DEFAULT_PLAYBACK);
+const messages = new Messages();
+const loading = observable<Loading | undefined>(undefined);
+const viewportElement = document.createElement('div');
+const viewport = new Viewport(viewportElement);
+const worker = new WorkerClient(() => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' }));
+const opener = new Opener({ store, transport, messages, loading, viewport, worker });
+const samples = listSamples(document.baseURI);
+
+const workbench: Workbench = {
+  store,
+  viewport,
+  viewportElement,
+  transport,
+  settings: rememberedSettings(() => localStorage),
+  messages,
+  loading,
+  dialog: observable<DialogName | undefined>(undefined),
+  files: fileActions({ store, messages, opener, samples }),
+};
+
+mountWorkbench(root, workbench);
+window.marrow = scriptingApi(workbench, opener);
+
+const named = filesInQuery(location.search);
+if (named.length) opener.open((signal) => fetchFiles(named, document.baseURI, signal));
+else {
+  opener.open(
+    async (signal) => {
+      const [first] = await samples;
+      return first ? fetchSample(first, document.baseURI, signal) : [];
+    },
+    { asOpeningSample: true },
+  );
+}

@@ -1,0 +1,143 @@
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
+
+interface Frame {
+  readonly time: number;
+  readonly world: readonly (readonly number[])[];
+  readonly vertices?: readonly number[];
+  readonly positions?: readonly (readonly number[])[];
+}
+interface AnimPose {
+  readonly tolerance: { readonly float64: number; readonly float32: number };
+  readonly cases: readonly { readonly skel: string; readonly frames: readonly Frame[] }[];
+}
+
+const WASP = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
+const course = (names: readonly string[]) => names.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) }));
+const broken = (name: string) => ({ name, bytes: sharedBytes(`data/malformed/${name}`) });
+
+/** The opening sample stands, or whatever was opened last. */
+const opened = (page: Page, name?: string) =>
+  page.waitForFunction(
+    (wanted) => window.marrow?.characters().some((c) => wanted === undefined || c.name === wanted),
+    name,
+  );
+const names = (page: Page) => page.evaluate(() => window.marrow.characters().map((c) => c.name));
+
+describe('the page', () => {
+  it('opens with a character that walks', () =>
+    withPage(async ({ page }) => {
+      await opened(page);
+      const heads = () => page.evaluate(() => window.marrow.worldMatrices().flat());
+      const before = await heads();
+      await page.waitForFunction(
+        (then) =>
+          window.marrow
+            .worldMatrices()
+            .flat()
+            .some((v, i) => v !== then[i]),
+        before,
+      );
+      expect(before.every(Number.isFinite)).toBe(true);
+      await page.evaluate(() => window.marrow.pause());
+    }));
+
+  it('undoes and redoes what a slider does', () =>
+    withPage(async ({ page }) => {
+      await opened(page);
+      await page.evaluate(() => {
+        window.marrow.pause();
+        window.marrow.run('pose.setDofs', { dofs: [{ index: 1, value: 0.25 }] });
+      });
+      const height = () => page.evaluate(() => window.marrow.characters()[0].dofs[1]);
+      expect(await height()).toBe(0.25);
+      await page.keyboard.press('Control+z');
+      expect(await height()).not.toBe(0.25);
+      await page.keyboard.press('Control+Shift+z');
+      expect(await height()).toBe(0.25);
+    }));
+});
+
+describeShared('the page with the course’s files', () => {
+  it('shows the wasp walking exactly as the reference says, scrubbed anywhere', () =>
+    withPage(async ({ page }) => {
+      await opened(page);
+      await dropFiles(page, course(WASP));
+      await opened(page, 'wasp');
+      expect(await names(page)).toEqual(['wasp']);
+      const { tolerance, cases } = conformance<AnimPose>('anim-pose.json');
+      for (const frame of cases[0].frames) {
+        const shown = await page.evaluate((time) => {
+          window.marrow.seek(time);
+          return { world: window.marrow.worldMatrices(), vertices: window.marrow.vertices() };
+        }, frame.time);
+        expectClose(shown.world.flat(), frame.world.flat(), tolerance.float64);
+        const listed = (frame.vertices ?? []).flatMap((v) => shown.vertices.slice(3 * v, 3 * v + 3));
+        expectClose(listed, (frame.positions ?? []).flat(), tolerance.float32);
+      }
+    }));
+
+  it('takes what the address names', () =>
+    withPage(
+      async ({ page }) => {
+        await opened(page, 'wasp');
+        expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['wasp_walk']);
+      },
+      {
+        query: `?files=${WASP.map((name) => `given/${name}`).join(',')}`,
+        files: Object.fromEntries(WASP.map((name) => [`given/${name}`, sharedBytes(`data/cse169/${name}`)])),
+      },
+    ));
+
+  it('leaves everything as it was when a file is wrong, and shows where', () =>
+    withPage(async ({ page }) => {
+      await opened(page);
+      await dropFiles(page, course(['test.skel']));
+      await opened(page, 'test');
+      await dropFiles(page, [broken('not-a-number.skel')]);
+      await page.getByText('1,5').first().waitFor();
+      expect(await names(page)).toEqual(['test']);
+      await page.keyboard.press('Control+z');
+      await opened(page);
+      expect(await names(page)).not.toContain('test');
+    }));
+
+  it('takes a drop back in one step, and gives it again', () =>
+    withPage(async ({ page }) => {
+      await opened(page);
+      const [sample] = await names(page);
+      await dropFiles(page, course(WASP));
+      await opened(page, 'wasp');
+      await page.keyboard.press('Control+z');
+      expect(await names(page)).toEqual([sample]);
+      await page.keyboard.press('Control+y');
+      expect(await names(page)).toEqual(['wasp']);
+    }));
+
+  it('saves what it opened as the same text that it reads again', () =>
+    withPage(async ({ page }) => {
+      await opened(page);
+      await dropFiles(page, course(WASP));
+      await opened(page, 'wasp');
+      for (const name of WASP) {
+        const first = await page.evaluate((n) => window.marrow.save(n), name);
+        const diagnostics = await page.evaluate(([n, content]) => window.marrow.open([{ name: n, content }]), [
+          name,
+          first,
+        ] as const);
+        expect(diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
+        expect(await page.evaluate((n) => window.marrow.save(n), name)).toBe(first);
+      }
+      expect(await names(page)).toEqual(['wasp']);
+    }));
+});
+
+function expectClose(got: readonly number[], expected: readonly number[], tolerance: number): void {
+  expect(got).toHaveLength(expected.length);
+  const far = got.findIndex(
+    (value, i) => !(Math.abs(value - expected[i]) <= tolerance * Math.max(1, Math.abs(expected[i]))),
+  );
+  if (far >= 0) expect.fail(`number ${far} is ${got[far]}, expected ${expected[far]}`);
+}
