@@ -1,0 +1,49 @@
+/** The crawler, whole. */
+import { roundSeconds } from '../motion/circle.ts';
+import { walkChannels } from '../motion/walk.ts';
+import { encodePng } from '../paint/png.ts';
+import type { Sample } from '../sample.ts';
+import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
+import { buildCrawlerMesh, paintCrawler } from './body.ts';
+import { CIRCLE, cornersOf, crawlPose } from './gait.ts';
+import { CRAWLER_SKELETON, LEGS } from './skeleton.ts';
+
+export function crawlerSample(): Sample {
+  const atlas = paintCrawler();
+  return {
+    id: 'crawler',
+    label: 'Crawler',
+    description: 'A beetle on six legs: a tripod gait, three feet down while three step.',
+    skeleton: CRAWLER_SKELETON,
+    skin: buildCrawlerMesh().skin('crawler', bindingMatrices(posedFrames(CRAWLER_SKELETON)), {
+      name: 'crawler',
+      texture: 'crawler.png',
+    }),
+    morphs: [],
+    clip: {
+      kind: 'channels',
+      name: 'crawler_walk',
+      range: [0, roundSeconds(CIRCLE)],
+      channels: walkChannels({
+        skeleton: CRAWLER_SKELETON,
+        circle: CIRCLE,
+        poseAt: crawlPose,
+        frame: 0.012,
+        care: (joint) => {
+          const leg = LEGS.find((l) => joint.endsWith(`_${l.name}`));
+          if (leg) return { tolerance: 0.005, corners: [...cornersOf(leg), ...cornersOf(leg).map((x) => x + 1)] };
+          // The body carries the legs.
+          return { tolerance: joint === 'body' ? 0.003 : 0.015 };
+        },
+      }),
+    },
+    rig: {
+      name: 'crawler',
+      skeleton: 'crawler.skel',
+      skin: 'crawler.skin',
+      morphs: [],
+      animation: 'crawler_walk.anim',
+    },
+    textures: [{ name: 'crawler.png', bytes: encodePng(atlas.pixels, atlas.size) }],
+  };
+}

@@ -1,0 +1,36 @@
+/** Channels keyed by hand, as a lesson writes them down. */
+import {
+  type Channel,
+  type Extrapolation,
+  FIXED,
+  TANGENT_KINDS,
+  type TangentKind,
+  type Tangents,
+} from '../../model/clip.ts';
+
+/** A kind of tangent, or the slope itself in value per second. */
+export type Tangent = Exclude<TangentKind, 'fixed'> | number;
+/** Time in seconds, value, tangent in, tangent out. */
+export type KeyRow = readonly [time: number, value: number, tangentIn: Tangent, tangentOut: Tangent];
+
+/** The same extrapolation to both sides. */
+export function keyed(extrapolation: Extrapolation, rows: readonly KeyRow[]): Channel {
+  const column = (side: 2 | 3): Tangents => {
+    const kindOf = (t: Tangent) => (typeof t === 'number' ? FIXED : TANGENT_KINDS.indexOf(t));
+    return {
+      kinds: Uint8Array.from(rows, (row) => kindOf(row[side])),
+      slopes: Float64Array.from(rows, (row) => (typeof row[side] === 'number' ? row[side] : 0)),
+    };
+  };
+  return {
+    extrapolateIn: extrapolation,
+    extrapolateOut: extrapolation,
+    times: Float64Array.from(rows, (row) => row[0]),
+    values: Float64Array.from(rows, (row) => row[1]),
+    tangentsIn: column(2),
+    tangentsOut: column(3),
+  };
+}
+
+/** One value for all time. */
+export const held = (value: number): Channel => keyed('constant', [[0, value, 'flat', 'flat']]);

@@ -1,0 +1,67 @@
+/**
+ * From a gait (a pose for each phase of a stride, in path space) to channels: the root's for a whole round of the
+ * circle, the joints' for one stride and cycled.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Channel } from '../../model/clip.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { type Circle, heading, roundSeconds, toWorld } from './circle.ts';
+import { fitChannel } from './fit.ts';
+
+export interface WalkPose {
+  /** The root joint in path space. */
+  readonly root: Vec3;
+  /** rx ry rz by joint name; what is not named is 0. */
+  readonly angles: ReadonlyMap<string, Vec3>;
+}
+
+export interface Walk {
+  readonly skeleton: Skeleton;
+  readonly circle: Circle;
+  readonly poseAt: (phase: number) => WalkPose;
+  /** Seconds between possible keys; a stride and every corner are multiples of it. */
+  readonly frame: number;
+  /** Radians that a joint's curve may be off, and phases of the stride at which its motion has corners. */
+  readonly care: (joint: string) => { readonly tolerance: number; readonly corners?: readonly number[] };
+}
+
+/** Units: a tenth of a percent of a character about as high as its circle's radius. */
+const ROOT_TOLERANCE = 0.001;
+
+/** Channels of the root's translation and all joints, in the order of a clip. Joint 0 turns with the circle. */
+export function walkChannels({ skeleton, circle, poseAt, frame, care }: Walk): Channel[] {
+  const stride = circle.strideSeconds;
+  const round = roundSeconds(circle);
+  const translation = [0, 1, 2].map((axis) =>
+    fitChannel((t) => toWorld(circle, t, poseAt(t / stride).root)[axis] - skeleton.joints[0].offset[axis], {
+      from: 0,
+      to: axis === 1 ? stride : round,
+      frame,
+      tolerance: ROOT_TOLERANCE,
+      extrapolation: 'cycle',
+    }),
+  );
+  const turning = [0, 1, 2].map((axis) =>
+    fitChannel((t) => (axis === 1 ? heading(circle, t) : 0), {
+      from: 0,
+      to: round,
+      frame: round,
+      tolerance: ROOT_TOLERANCE,
+      extrapolation: 'cycle_offset',
+    }),
+  );
+  const limbs = skeleton.joints.slice(1).flatMap(({ name }) =>
+    [0, 1, 2].map((axis) => {
+      const { tolerance, corners = [] } = care(name);
+      return fitChannel((t) => poseAt(t / stride).angles.get(name)?.[axis] ?? 0, {
+        from: 0,
+        to: stride,
+        frame,
+        tolerance,
+        extrapolation: 'cycle',
+        corners: corners.map((phase) => phase * stride),
+      });
+    }),
+  );
+  return [...translation, ...turning, ...limbs];
+}

@@ -1,0 +1,50 @@
+/** Every sample, made from nothing, and its files: the same bytes each time. */
+import { writeAnim } from '../formats/anim/write.ts';
+import { writeMorph } from '../formats/morph/write.ts';
+import { writeRig } from '../formats/rig/write.ts';
+import { writeSkel } from '../formats/skel/write.ts';
+import { writeSkin } from '../formats/skin/write.ts';
+import { crawlerSample } from './crawler/crawler.ts';
+import { cubeSample } from './lessons/cube.ts';
+import { tangentsSample } from './lessons/tangents.ts';
+import type { Sample } from './sample.ts';
+import { walkerSample } from './walker/walker.ts';
+
+/** One entry of `samples.json`, which the page's menu reads. */
+export interface SampleEntry {
+  readonly id: string;
+  readonly label: string;
+  readonly description: string;
+  /** Names in the same folder; given together they bind by the rig. */
+  readonly files: readonly string[];
+}
+
+/** The default one first. */
+export function makeSamples(): readonly Sample[] {
+  return [walkerSample(), crawlerSample(), tangentsSample(), cubeSample()];
+}
+
+/** A sample's files by name, the rig first. */
+export function filesOf(sample: Sample): Map<string, string | Uint8Array> {
+  const { id, skeleton, skin, morphs, clip, rig, textures } = sample;
+  const files = new Map<string, string | Uint8Array>([[`${id}.rig`, writeRig(rig).text]]);
+  files.set(`${skeleton.name}.skel`, writeSkel([skeleton]).text);
+  if (skin) files.set(`${skin.name}.skin`, writeSkin(skin).text);
+  for (const morph of morphs) files.set(`${morph.name}.morph`, writeMorph(morph).text);
+  files.set(`${clip.name}.anim`, writeAnim(clip).text);
+  for (const { name, bytes } of textures) files.set(name, bytes);
+  return files;
+}
+
+/** All files of the samples' folder by name, its `samples.json` first. */
+export function sampleFolder(): Map<string, string | Uint8Array> {
+  const entries: SampleEntry[] = [];
+  const files = new Map<string, string | Uint8Array>();
+  for (const sample of makeSamples()) {
+    const own = filesOf(sample);
+    const { id, label, description } = sample;
+    entries.push({ id, label, description, files: [...own.keys()] });
+    for (const [name, content] of own) files.set(name, content);
+  }
+  return new Map<string, string | Uint8Array>([['samples.json', `${JSON.stringify(entries, null, 2)}\n`], ...files]);
+}

@@ -1,0 +1,32 @@
+/** Weights that change smoothly along a limb: what a painter of weights would do with one soft brush. */
+import type { Weights } from './mesh.ts';
+import { smoothstep } from './vectors.ts';
+
+/** From this place on the joint takes over from the one before it, over `soft` to either side. */
+export interface Bend {
+  readonly joint: number;
+  readonly from: number;
+  readonly soft: number;
+}
+
+/** Weights at `x` along a chain that begins with the joint `first`; bends in ascending (or all descending) places. */
+export function chainWeights(x: number, first: number, bends: readonly Bend[]): Weights {
+  const weights = new Map<number, number>();
+  let left = 1;
+  for (let i = bends.length - 1; i >= 0; i--) {
+    const { joint, from, soft } = bends[i];
+    const taken = left * smoothstep(from - soft, from + soft, x);
+    if (taken > 0) weights.set(joint, (weights.get(joint) ?? 0) + taken);
+    left -= taken;
+  }
+  if (left > 0) weights.set(first, (weights.get(first) ?? 0) + left);
+  return weights;
+}
+
+/** `a` and `b` in the proportion 1 − t : t. */
+export function mixWeights(a: Weights, b: Weights, t: number): Weights {
+  const weights = new Map<number, number>();
+  for (const [joint, w] of a) weights.set(joint, w * (1 - t));
+  for (const [joint, w] of b) weights.set(joint, (weights.get(joint) ?? 0) + w * t);
+  return weights;
+}
