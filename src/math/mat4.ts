@@ -102,3 +102,30 @@ export function invertAffine(m: Float64Array, mo: number, out: Float64Array, o: 
   out[o + 14] = -(out[o + 2] * x + out[o + 6] * y + out[o + 10] * z);
   out[o + 15] = 1;
 }
+
+/**
+ * What normals are turned by: the inverse transpose of the upper left 3×3, as 9 numbers, column-major, at `out[o]`.
+ * A matrix that flattens has none; its cofactors, the inverse transpose times the determinant, still give the
+ * direction.
+ */
+export function inverseTranspose3(m: Float64Array, mo: number, out: Float64Array, o: number): void {
+  const a = m[mo];
+  const b = m[mo + 1];
+  const c = m[mo + 2];
+  const d = m[mo + 4];
+  const e = m[mo + 5];
+  const f = m[mo + 6];
+  const g = m[mo + 8];
+  const h = m[mo + 9];
+  const i = m[mo + 10];
+  const s = isSingular(m, mo) ? 1 : 1 / determinant3(m, mo);
+  out[o] = (e * i - f * h) * s;
+  out[o + 1] = (f * g - d * i) * s;
+  out[o + 2] = (d * h - e * g) * s;
+  out[o + 3] = (c * h - b * i) * s;
+  out[o + 4] = (a * i - c * g) * s;
+  out[o + 5] = (b * g - a * h) * s;
+  out[o + 6] = (b * f - c * e) * s;
+  out[o + 7] = (c * d - a * f) * s;
+  out[o + 8] = (a * e - b * d) * s;
+}

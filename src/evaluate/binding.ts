@@ -1,0 +1,100 @@
+/**
+ * Whether parts of a character fit together: what can only be said once both are there. Pure checks; where a problem
+ * has a place in a file, the reader has found it already, so these have none (line 0).
+ */
+import type { ChannelClip } from '../model/clip.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import { jointDofCount, ROOT_TRANSLATION } from '../model/dofs.ts';
+import type { Morph } from '../model/morph.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
+
+/** Does every joint that the skin is attached to exist? */
+export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Diagnostic[] {
+  const joints = skeleton.joints.length;
+  const culprit = skin.attachments ? firstNotBelow(skin.attachments.joints, joints) : -1;
+  if (skin.attachments && culprit >= 0) {
+    const { start, joints: jointOf } = skin.attachments;
+    const vertex = ownerOf(start, culprit);
+    const message = `Vertex ${vertex} is attached to joint ${jointOf[culprit]}, but ${named(skeleton)} has ${count(joints, 'joint')}${joints ? ` (0 to ${joints - 1})` : ''}.`;
+    return [{ severity: 'error', code: 'joint-missing', message, ...nowhere(fileName) }];
+  }
+  const bindings = bindingCount(skin);
+  if (bindings <= joints) return [];
+  const message = `The skin has ${count(bindings, 'binding')}, but ${named(skeleton)} has ${count(joints, 'joint')}.`;
+  const assumed = 'the bindings beyond those are not used by any vertex, and ignored';
+  return [{ severity: 'warning', code: 'bindings-more', message, ...nowhere(fileName), assumed }];
+}
+
+/** Does every vertex that the morph moves exist? */
+export function checkMorph(morph: Morph, skin: Skin, fileName: string): Diagnostic[] {
+  const vertices = vertexCount(skin);
+  for (const what of ['positions', 'normals'] as const) {
+    const { indices } = morph[what];
+    const row = firstNotBelow(indices, vertices);
+    if (row < 0) continue;
+    const message = `Row ${row + 1} of the ${what} is for vertex ${indices[row]}, but ${named(skin)} has ${count(vertices, 'vertex', 'vertices')} (0 to ${vertices - 1}).`;
+    return [{ severity: 'error', code: 'vertex-missing', message, ...nowhere(fileName) }];
+  }
+  return [];
+}
+
+/** Are there as many channels as root translation, joints and (if it drives any) morphs need? */
+export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: number, fileName: string): Diagnostic[] {
+  const given = clip.channels.length;
+  const dofs = jointDofCount(skeleton);
+  const forSkeleton = ROOT_TRANSLATION.length + dofs;
+  const forAll = forSkeleton + morphCount;
+  // An animation of the joints alone is complete, whatever morphs there are.
+  if (given === forSkeleton || given === forAll) return [];
+  const morphs = morphCount > 0 && given > forSkeleton ? ` and ${count(morphCount, 'morph')}` : '';
+  const needed = morphs ? forAll : forSkeleton;
+  const message = `The animation has ${count(given, 'channel')}, but ${named(skeleton)} needs ${needed}: 3 of the root translation, ${dofs} of its joints${morphs}.`;
+  return [
+    given < needed
+      ? {
+          severity: 'warning',
+          code: 'channels-fewer',
+          message,
+          ...nowhere(fileName),
+          assumed: 'what no channel drives stays as it is posed',
+        }
+      : {
+          severity: 'warning',
+          code: 'channels-more',
+          message,
+          ...nowhere(fileName),
+          assumed: `the last ${count(given - forAll, 'channel')} drive nothing`,
+        },
+  ];
+}
+
+/** Index of the first entry that is `limit` or more; -1 where there is none. */
+function firstNotBelow(indices: Uint32Array, limit: number): number {
+  for (let i = 0; i < indices.length; i++) if (indices[i] >= limit) return i;
+  return -1;
+}
+
+/** The vertex that attachment `a` belongs to: the one v with start[v] ≤ a < start[v + 1]. */
+function ownerOf(start: Uint32Array, a: number): number {
+  let low = 0;
+  let high = start.length - 1;
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (start[middle + 1] > a) high = middle;
+    else low = middle + 1;
+  }
+  return low;
+}
+
+function named({ name }: { readonly name: string }): string {
+  return `"${name}"`;
+}
+
+function count(n: number, one: string, many = `${one}s`): string {
+  return `${n} ${n === 1 ? one : many}`;
+}
+
+function nowhere(file: string): { readonly file: string; readonly line: 0; readonly column: 0 } {
+  return { file, line: 0, column: 0 };
+}

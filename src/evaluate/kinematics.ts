@@ -1,0 +1,123 @@
+/**
+ * Forward kinematics: from a character's DOFs to the matrices of its joints.
+ *
+ *     local L = T(offset) · J(φ)        world W = W_parent · L        root: L = T(offset + root translation) · J(φ)
+ *
+ * Everything here takes the character's whole list of DOFs (`model/dofs.ts`): root translation, joints, morphs.
+ * Matrices are 16 numbers a joint, column-major, in the character's own space (before its placement).
+ */
+import { multiplyAffine } from '../math/mat4.ts';
+import { ROOT_TRANSLATION } from '../model/dofs.ts';
+import { dofsOf, type Skeleton } from '../model/skeleton.ts';
+import { type JointMotion, jointMotion } from './motions.ts';
+
+/** A skeleton ready to be posed. Joints are in depth-first pre-order, so a subtree is one contiguous range. */
+export interface CompiledSkeleton {
+  readonly jointCount: number;
+  /** Of all joints together, without root translation and morphs. */
+  readonly dofCount: number;
+  /** -1 for the root; otherwise smaller than the joint's own index. */
+  readonly parent: Int32Array;
+  /** Joints `j` up to (not including) `subtreeEnd[j]` are j and all below it. */
+  readonly subtreeEnd: Int32Array;
+  /** Index in the character's list of each joint's first DOF; one more than there are joints. */
+  readonly firstDof: Int32Array;
+  /** x y z a joint. */
+  readonly offsets: Float64Array;
+  /** Limits of each joint DOF, in order (DOF 3 of the character's list is the first); infinite where crossed. */
+  readonly lower: Float64Array;
+  readonly upper: Float64Array;
+  readonly motions: readonly JointMotion[];
+}
+
+const compiled = new WeakMap<Skeleton, CompiledSkeleton>();
+
+/** The skeleton's compiled form, made once for each skeleton. */
+export function compileSkeleton(skeleton: Skeleton): CompiledSkeleton {
+  let made = compiled.get(skeleton);
+  if (!made) {
+    made = compile(skeleton);
+    compiled.set(skeleton, made);
+  }
+  return made;
+}
+
+function compile({ joints }: Skeleton): CompiledSkeleton {
+  const jointCount = joints.length;
+  const parent = Int32Array.from(joints, (j) => j.parent);
+  const subtreeEnd = new Int32Array(jointCount);
+  for (let j = jointCount - 1; j >= 0; j--) {
+    subtreeEnd[j] = Math.max(subtreeEnd[j], j + 1);
+    if (parent[j] >= 0) subtreeEnd[parent[j]] = Math.max(subtreeEnd[parent[j]], subtreeEnd[j]);
+  }
+  const firstDof = new Int32Array(jointCount + 1);
+  const lower: number[] = [];
+  const upper: number[] = [];
+  firstDof[0] = ROOT_TRANSLATION.length;
+  joints.forEach((joint, j) => {
+    const count = dofsOf(joint.motion).length;
+    for (let d = 0; d < count; d++) {
+      const limit = joint.limits[d];
+      const holds = limit !== undefined && limit.min <= limit.max;
+      lower.push(holds ? limit.min : -Infinity);
+      upper.push(holds ? limit.max : Infinity);
+    }
+    firstDof[j + 1] = firstDof[j] + count;
+  });
+  return {
+    jointCount,
+    dofCount: lower.length,
+    parent,
+    subtreeEnd,
+    firstDof,
+    offsets: Float64Array.from(joints.flatMap((j) => j.offset)),
+    lower: Float64Array.from(lower),
+    upper: Float64Array.from(upper),
+    motions: joints.map((j) => jointMotion(j.motion)),
+  };
+}
+
+/** Clamps the joints' DOFs to their limits, in place. Root translation and morph weights have none. */
+export function clampDofs(skeleton: CompiledSkeleton, dofs: Float64Array): void {
+  const { lower, upper, dofCount } = skeleton;
+  const first = ROOT_TRANSLATION.length;
+  for (let d = 0; d < dofCount; d++) {
+    const value = dofs[first + d];
+    if (value < lower[d]) dofs[first + d] = lower[d];
+    else if (value > upper[d]) dofs[first + d] = upper[d];
+  }
+}
+
+/** Each joint's matrix in its parent's space. */
+export function localMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, out: Float64Array): void {
+  for (let j = 0; j < skeleton.jointCount; j++) writeLocal(skeleton, j, dofs, out, 16 * j);
+}
+
+/** Scratch, never escapes. */
+const local = new Float64Array(16);
+
+/** Each joint's matrix in the character's space. */
+export function worldMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, world: Float64Array): void {
+  const { parent, jointCount } = skeleton;
+  for (let j = 0; j < jointCount; j++) {
+    const above = parent[j];
+    if (above < 0) writeLocal(skeleton, j, dofs, world, 16 * j);
+    else {
+      writeLocal(skeleton, j, dofs, local, 0);
+      multiplyAffine(world, 16 * above, local, 0, world, 16 * j);
+    }
+  }
+}
+
+function writeLocal(skeleton: CompiledSkeleton, j: number, dofs: Float64Array, out: Float64Array, o: number): void {
+  const { offsets } = skeleton;
+  skeleton.motions[j].write(dofs, skeleton.firstDof[j], out, o);
+  out[o + 12] += offsets[3 * j];
+  out[o + 13] += offsets[3 * j + 1];
+  out[o + 14] += offsets[3 * j + 2];
+  if (skeleton.parent[j] < 0) {
+    out[o + 12] += dofs[0];
+    out[o + 13] += dofs[1];
+    out[o + 14] += dofs[2];
+  }
+}

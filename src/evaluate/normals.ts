@@ -1,0 +1,61 @@
+/**
+ * A skin's normals: the file's own, or computed where it has none.
+ *
+ *     n = normalised Σ over the vertex's triangles (b − a) × (c − a)
+ *
+ * The cross product's length is twice the area, so that large triangles count for more.
+ */
+import { normalizeAt } from '../math/vec3.ts';
+import { type Skin, vertexCount } from '../model/skin.ts';
+
+const computed = new WeakMap<Skin, Float64Array>();
+
+/** x y z a vertex: as the file gives them, of any length; computed ones have length 1, and are computed once. */
+export function normalsOf(skin: Skin): Float64Array {
+  if (skin.normals) return skin.normals;
+  let normals = computed.get(skin);
+  if (!normals) {
+    normals = computeNormals(skin.positions, skin.triangles);
+    computed.set(skin, normals);
+  }
+  return normals;
+}
+
+/** Takes over normals that `computeNormals` gave elsewhere, in a worker. */
+export function adoptNormals(skin: Skin, normals: Float64Array): void {
+  if (normals.length === 3 * vertexCount(skin)) computed.set(skin, normals);
+}
+
+/** Area-weighted normals. A vertex of no triangle, or of triangles that cancel out, points up. */
+export function computeNormals(positions: Float64Array, triangles: Uint32Array): Float64Array {
+  const normals = new Float64Array(positions.length);
+  for (let t = 0; t + 2 < triangles.length; t += 3) {
+    const a = 3 * triangles[t];
+    const b = 3 * triangles[t + 1];
+    const c = 3 * triangles[t + 2];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    normals[a] += x;
+    normals[a + 1] += y;
+    normals[a + 2] += z;
+    normals[b] += x;
+    normals[b + 1] += y;
+    normals[b + 2] += z;
+    normals[c] += x;
+    normals[c + 1] += y;
+    normals[c + 2] += z;
+  }
+  for (let o = 0; o < normals.length; o += 3) {
+    if (normalizeAt(normals, o)) continue;
+    normals[o] = normals[o + 2] = 0;
+    normals[o + 1] = 1;
+  }
+  return normals;
+}

@@ -1,0 +1,47 @@
+/**
+ * A character's pose at a time, from what has a say in it, later ones on top:
+ *
+ *     1. the pose as set       every DOF
+ *     2. the clip shown        what its channels drive; needs a skeleton, for channels are counted by its DOFs
+ *     3. DOFs set by hand      over the clip, at the moment they were set and no other
+ *     4. limits                of the joints, unless the character's switch is off
+ */
+import type { Character } from '../model/document.ts';
+import { shownClip } from '../model/document.ts';
+import { ROOT_TRANSLATION } from '../model/dofs.ts';
+import { compileClip, evaluateClip } from './curves.ts';
+import { clampDofs, compileSkeleton } from './kinematics.ts';
+
+/** Times nearer than this are the same moment; seconds. */
+const SAME_MOMENT = 1e-9;
+
+/** How many DOFs a character has: the length of its poses. */
+export function dofCountOf(character: Character): number {
+  const joints = character.skeleton ? compileSkeleton(character.skeleton).dofCount : 0;
+  return ROOT_TRANSLATION.length + joints + character.morphs.length;
+}
+
+/**
+ * Writes the value of each of the character's DOFs (`model/dofs.ts`) to `out`, which has `dofCountOf` of them at least.
+ * @param timeSeconds of the transport; the character's own offset is added here
+ */
+export function poseAt(character: Character, timeSeconds: number, out: Float64Array): void {
+  const { pose, unkeyed, skeleton } = character;
+  const count = dofCountOf(character);
+  for (let d = 0; d < count; d++) out[d] = pose[d] ?? 0;
+  const clip = shownClip(character);
+  if (clip && skeleton) {
+    const driven = Math.min(clip.channels.length, count);
+    evaluateClip(compileClip(clip), timeSeconds + character.timeOffsetSeconds, out, driven);
+  }
+  if (unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT) {
+    for (const d of unkeyed.dofs) if (d < count) out[d] = pose[d] ?? 0;
+  }
+  if (skeleton && character.clampsToLimits) clampDofs(compileSkeleton(skeleton), out);
+}
+
+/** Whether a channel of the clip shown drives the DOF. */
+export function isDriven(character: Character, dof: number): boolean {
+  const clip = shownClip(character);
+  return clip !== undefined && character.skeleton !== undefined && dof >= 0 && dof < clip.channels.length;
+}

@@ -1,0 +1,16 @@
+/**
+ * Index of the last of `sorted[first … end − 1]` that is not greater than `x`; `first` where all are greater, or `x` is
+ * NaN. Of equal entries the last. `end` must be greater than `first`.
+ *
+ * One comparison a step, whose two outcomes do the same work: half the entries are left, whatever it says.
+ */
+export function lastNotAbove(sorted: Float64Array, first: number, end: number, x: number): number {
+  let low = first;
+  let left = end - first;
+  while (left > 1) {
+    const half = left >>> 1;
+    if (sorted[low + half] <= x) low += half;
+    left -= half;
+  }
+  return low;
+}
