@@ -8,7 +8,7 @@ import { Store } from './edit/store.ts';
 import { fetchFiles, filesInQuery } from './io/address.ts';
 import { Messages } from './ui/messages.ts';
 import { observable } from './ui/observable.ts';
-import { mountWorkbench } from './ui/page.ts';
+import { mountWorkbench } from './ui/mount.ts';
 import { rememberedSettings } from './ui/settings.ts';
 import type { DialogName, Loading, Workbench } from './ui/workbench.ts';
 import { Viewport } from './view/viewport.ts';
@@ -22,7 +22,10 @@ const transport = observable(DEFAULT_PLAYBACK);
 const messages = new Messages();
 const loading = observable<Loading | undefined>(undefined);
 const viewportElement = document.createElement('div');
-const viewport = new Viewport(viewportElement);
+const viewport = new Viewport(viewportElement, {
+  textureFailed: (_id, texture) =>
+    messages.note(`The texture ${texture.name} is no picture that this browser can read; drawn untextured.`, 'warning'),
+});
 const worker = new WorkerClient(() => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' }));
 const opener = new Opener({ store, transport, messages, loading, viewport, worker });
 const samples = listSamples(document.baseURI);
@@ -40,6 +43,7 @@ const workbench: Workbench = {
 };
 
 mountWorkbench(root, workbench);
+transport.subscribe((now) => viewport.setTrailRange(now.range));
 window.marrow = scriptingApi(workbench, opener);
 
 const named = filesInQuery(location.search);

@@ -64,7 +64,7 @@ export class Opener {
           onProgress: (p) => loading.set({ label: p.label, done: p.bytesDone, of: p.bytesTotal, cancel }),
         },
       );
-      for (const { skin, facts } of output.facts) adoptSkinFacts(skin, facts);
+      for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
       const result = openFiles(store.document, output.files, output.broken, store.selection.characterId);
       const diagnostics = [...output.diagnostics, ...result.diagnostics];

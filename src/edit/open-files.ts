@@ -86,7 +86,7 @@ export function openFiles(
       const before = earlier[root] ?? (skeletonFile && root === 0 ? waitingFor(characters, group, opened) : undefined);
       // Several roots are several characters; what else is in the group belongs to the first.
       const own = root === 0 ? parts : parts.filter((p) => p.kind === 'skel');
-      let next = before ?? newCharacter(nextId(characters), group.name ?? skeleton?.name ?? stemOf(parts[0].source));
+      let next = before ?? newCharacter(nextId([...document.characters, ...characters]), group.name ?? skeleton?.name ?? stemOf(parts[0].source));
       if (skeleton) next = withSkeleton(next, skeleton);
       for (const part of own) next = withPart(next, part);
       settle(before, { ...next, ...(before ? {} : { shownSkin: 0, shownClip: next.clips.length ? 0 : -1 }) }, own);
@@ -105,7 +105,7 @@ export function openFiles(
     if (target && (file.kind !== 'morph' || target.skins.length)) settle(target, withPart(target, file), [file]);
     else if (file.kind === 'skin' || file.kind === 'anim') {
       // Alone it is shown as it is, and waits for a skeleton.
-      settle(undefined, withPart(newCharacter(nextId(characters), stemOf(file.source)), file), [file]);
+      settle(undefined, withPart(newCharacter(nextId([...document.characters, ...characters]), stemOf(file.source)), file), [file]);
     } else unused.push({ file, why: 'There is no skin here that it could change.' });
   }
 
@@ -157,7 +157,10 @@ function newCharacter(id: string, name: string): Character {
   };
 }
 
-/** Ids are counted up, so that opening the same files twice gives the same document. */
+/**
+ * Ids are counted up, so that opening the same files in the same document gives the same again. The opening sample's
+ * counts too: what takes its place is another character.
+ */
 function nextId(characters: readonly Character[]): string {
   let next = 1;
   for (const { id } of characters) next = Math.max(next, Number(id.slice(1)) + 1);

@@ -2,10 +2,13 @@
  * The `parse` job: files in, models and diagnostics out. Bytes are read as they arrive and fed to the format's reader;
  * zips are unpacked here, and every file is told apart by its name alone.
  */
+import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import type { BrokenFile, ParsedFile, SourceFile, Texture } from '../model/files.ts';
+import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, type Texture } from '../model/files.ts';
+import type { Morph } from '../model/morph.ts';
+import type { Skin } from '../model/skin.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { unzip } from './zip.ts';
 
@@ -62,8 +65,22 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
     } else diagnostics.push(unknownFormat(source));
   }
 
-  const facts = files.flatMap((f) => (f.kind === 'skin' ? [{ skin: f.skin, facts: skinFacts(f.skin) }] : []));
-  return { files, broken, diagnostics, facts };
+  return { files, broken, diagnostics, facts: factsOf(files) };
+}
+
+/** Of each skin, with the morphs beside it: whether they belong to it is not known yet, so it may be some too many. */
+function factsOf(files: readonly ParsedFile[]): ParseOutput['facts'] {
+  return files.flatMap((file) => {
+    if (file.kind !== 'skin') return [];
+    const { skin, source } = file;
+    const beside = files.filter((f) => f.kind === 'morph' && folderOf(f.source) === folderOf(source));
+    const morphs = beside.flatMap((f) => (f.kind === 'morph' && fits(f.morph, skin) ? [f.morph] : []));
+    return [{ skin, morphs, facts: skinFacts(skin, morphs) }];
+  });
+}
+
+function fits(morph: Morph, skin: Skin): boolean {
+  return checkMorph(morph, skin, '').length === 0;
 }
 
 function sourceOf(path: string, bytes: number): SourceFile {

@@ -5,6 +5,7 @@
 import type { SkinFacts } from '../evaluate/bounds.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { BrokenFile, ParsedFile } from '../model/files.ts';
+import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 
 export interface Jobs {
@@ -30,7 +31,14 @@ export interface ParseOutput {
   readonly broken: readonly BrokenFile[];
   readonly diagnostics: readonly Diagnostic[];
   /** What the page needs to know of each skin, worked out here so that it never loops over a million vertices. */
-  readonly facts: readonly { readonly skin: Skin; readonly facts: SkinFacts }[];
+  readonly facts: readonly KnownSkin[];
+}
+
+/** The skin and the morphs are those in `files`, by identity. */
+export interface KnownSkin {
+  readonly skin: Skin;
+  readonly morphs: readonly Morph[];
+  readonly facts: SkinFacts;
 }
 
 type Each<F extends { [K in JobName]: unknown }> = F[JobName];

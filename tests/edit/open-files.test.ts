@@ -232,6 +232,7 @@ describe('files opened later', () => {
     const sample = { ...hero, isOpeningSample: true };
     const { document } = open([animFile('hero_walk.anim', walk)], sample, 'c1');
     expect(only(document).skeleton).toBeUndefined();
+    expect(only(document).id).not.toBe('c1');
     expect(document.isOpeningSample).toBe(false);
   });
 
