@@ -1,0 +1,136 @@
+/**
+ * Which folder of `src/` may import which, read off the imports themselves: the arrows that keep the core free of page
+ * and Node, and the view unable to edit. Types count: a type that points the wrong way is a hidden cycle.
+ */
+import { readdirSync, readFileSync } from 'node:fs';
+import { dirname, join, posix } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { describe, expect, it } from 'vitest';
+
+const SRC = fileURLToPath(new URL('../src/', import.meta.url));
+const BASE = ['model', 'math'];
+
+/** Besides itself. A file that lies in `src/` itself (`main.ts`) wires everything, and nobody imports it. */
+const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
+  math: [],
+  model: ['math'],
+  formats: BASE,
+  evaluate: BASE,
+  edit: ['evaluate', ...BASE],
+  worker: ['formats', 'evaluate', ...BASE],
+  io: ['worker', 'formats', ...BASE],
+  view: ['evaluate', ...BASE],
+  ui: ['view', 'edit', 'evaluate', ...BASE],
+  cli: ['formats', 'evaluate', 'edit', ...BASE],
+  samples: ['formats', 'evaluate', ...BASE],
+  // What `main.ts` wires together, where it takes more than a line.
+  app: ['ui', 'view', 'io', 'worker', 'formats', 'edit', 'evaluate', ...BASE],
+};
+
+/** Packages, and which folders may use them. `node:` stands for all of Node. */
+const PACKAGES: Readonly<Record<string, readonly string[]>> = {
+  three: ['view', 'io'],
+  'lil-gui': ['ui'],
+  fflate: ['worker', 'io', 'app', 'samples'],
+  'node:': ['cli', 'samples'],
+  vite: ['cli'],
+};
+
+interface Import {
+  /** Relative to `src/`, `/` between folders. */
+  readonly file: string;
+  /** As written. */
+  readonly specifier: string;
+}
+
+const files = readdirSync(SRC, { recursive: true, encoding: 'utf8' })
+  .map((file) => file.replaceAll('\\', '/'))
+  .filter((file) => /(?<!\.d)\.ts$/.test(file))
+  .sort();
+
+/** `import … from 'x'`, `export … from 'x'`, `import 'x'`, `import('x')`, `new URL('./x.ts', import.meta.url)`. */
+const SPECIFIER =
+  /(?:^|[\s;}])(?:import|export)\s(?:[^'"`;]*?\sfrom\s*)?['"]([^'"]+)['"]|\bimport\(\s*['"]([^'"]+)['"]|new URL\(\s*['"]([^'"]+\.ts)['"],\s*import\.meta/g;
+
+function importsOf(file: string): Import[] {
+  const text = readFileSync(join(SRC, file), 'utf8').replace(/\/\*[\s\S]*?\*\/|^\s*\/\/.*$/gm, '');
+  return [...text.matchAll(SPECIFIER)].map((m) => ({ file, specifier: m[1] ?? m[2] ?? m[3] ?? '' }));
+}
+
+const imports = files.flatMap(importsOf);
+const inside = imports
+  .filter(({ specifier }) => specifier.startsWith('.'))
+  .map(({ file, specifier }) => ({ file, to: posix.join(dirname(file), specifier.replace(/\?.*$/, '')) }));
+const folderOf = (file: string) => (file.includes('/') ? file.slice(0, file.indexOf('/')) : '');
+
+describe('the folders of src', () => {
+  it('are all accounted for', () => {
+    const found = new Set(files.map(folderOf).filter((folder) => folder !== ''));
+    expect([...found].filter((folder) => !Object.hasOwn(MAY_IMPORT, folder))).toEqual([]);
+  });
+
+  it('import along the arrows only', () => {
+    const wrong = inside.filter(({ file, to }) => {
+      const [from, target] = [folderOf(file), folderOf(to)];
+      return from !== '' && from !== target && !MAY_IMPORT[from]?.includes(target);
+    });
+    expect(wrong.map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
+  });
+
+  it('never import the tests, nor anything else outside', () => {
+    expect(inside.filter(({ to }) => to.startsWith('..')).map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
+  });
+
+  it('use packages only where they belong', () => {
+    const outside = imports.filter(({ specifier }) => !specifier.startsWith('.'));
+    const wrong = outside.filter(({ file, specifier }) => {
+      const name = specifier.startsWith('node:') ? 'node:' : (specifier.split('/')[0] ?? specifier);
+      return !(PACKAGES[name] ?? []).includes(folderOf(file));
+    });
+    expect(wrong.map(({ file, specifier }) => `${file} imports ${specifier}`)).toEqual([]);
+  });
+});
+
+describe('the files of src', () => {
+  it('import files that are there, by their full names', () => {
+    const known = new Set(files);
+    const scripts = inside.filter(({ to }) => !/\.(css|svg|json|d\.ts)$/.test(to));
+    expect(scripts.filter(({ to }) => !known.has(to)).map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
+  });
+
+  it('import each other in no circle', () => {
+    const next = new Map<string, string[]>(files.map((file) => [file, []]));
+    for (const { file, to } of inside) next.get(file)?.push(to);
+    expect(findCircle(next)).toEqual([]);
+  });
+
+  it('can be read: the scan finds imports of every form', () => {
+    // Guards the expression above: a scan that finds nothing would pass everything.
+    expect(inside.length).toBeGreaterThan(files.length);
+    expect(inside).toContainEqual({ file: 'model/document.ts', to: 'math/vec3.ts' });
+  });
+});
+
+/** The files of the first circle found, in order; empty if there is none. */
+function findCircle(next: ReadonlyMap<string, readonly string[]>): string[] {
+  const done = new Set<string>();
+  const path: string[] = [];
+  const visit = (file: string): string[] | undefined => {
+    if (done.has(file)) return undefined;
+    const at = path.indexOf(file);
+    if (at >= 0) return [...path.slice(at), file];
+    path.push(file);
+    for (const to of next.get(file) ?? []) {
+      const circle = visit(to);
+      if (circle) return circle;
+    }
+    path.pop();
+    done.add(file);
+    return undefined;
+  };
+  for (const file of next.keys()) {
+    const circle = visit(file);
+    if (circle) return circle;
+  }
+  return [];
+}

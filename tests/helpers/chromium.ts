@@ -1,0 +1,171 @@
+/**
+ * Finds a Chromium for the browser tests, or makes one. In this order:
+ *
+ *     MARROW_CHROMIUM, then CHROME_PATH     what someone asked for: used or refused, never passed over
+ *     an installed Chrome, Chromium or Edge  by its usual path or on PATH
+ *     Playwright's own                       where `npx playwright install chromium` puts it
+ *     the one in @sparticuz/chromium         Linux x64 only; unpacked once into node_modules/.cache
+ *
+ * The last is what makes `npm ci && npm test` work on a machine with only Node and git. The package is made for AWS
+ * Lambda: it unpacks to fixed names in the temporary folder, and brings the shared libraries (NSS, NSPR, expat) along
+ * only where it sees Lambda's environment variable. So it runs in a process of its own, the only one to see that
+ * variable and a temporary folder that is ours: nothing half-unpacked or somebody else's is ever run. The libraries
+ * are given to the browser only if it doesn't start with the system's.
+ */
+import { spawnSync } from 'node:child_process';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { delimiter, dirname, join } from 'node:path';
+import { env, platform } from 'node:process';
+import { fileURLToPath } from 'node:url';
+import { type Browser, chromium } from 'playwright-core';
+
+/** An executable and the environment it needs beside our own. */
+export interface FoundChromium {
+  readonly path: string;
+  readonly env: Readonly<Record<string, string>>;
+  /** Where it came from, for messages. */
+  readonly from: string;
+}
+
+/**
+ * Software drawing, the same on every machine; no sandbox, for tests run as root in containers; and no requests of
+ * the browser's own, so that what a test sees on the network is the page's.
+ */
+export const CHROMIUM_FLAGS: readonly string[] = [
+  '--no-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--no-first-run',
+];
+
+const NOT_FOUND =
+  'No Chromium found: install Chrome or Chromium, run "npx playwright install chromium", ' +
+  'or set MARROW_CHROMIUM to the path of one.';
+
+let found: FoundChromium | undefined;
+
+/** @throws Error of one line where there is none. */
+export function findChromium(): FoundChromium {
+  found ??= asked() ?? installed() ?? playwrights() ?? packaged();
+  if (!found) {
+    console.error(NOT_FOUND);
+    throw new Error(NOT_FOUND);
+  }
+  return found;
+}
+
+/** Starts the browser that `findChromium` finds. */
+export function launchChromium(extraFlags: readonly string[] = []): Promise<Browser> {
+  const { path, env: extra } = findChromium();
+  const environment = Object.fromEntries(
+    Object.entries({ ...env, ...extra }).flatMap(([name, value]) => (value === undefined ? [] : [[name, value]])),
+  );
+  return chromium.launch({ executablePath: path, env: environment, args: [...CHROMIUM_FLAGS, ...extraFlags] });
+}
+
+function asked(): FoundChromium | undefined {
+  for (const name of ['MARROW_CHROMIUM', 'CHROME_PATH']) {
+    const path = env[name];
+    if (!path) continue;
+    if (!existsSync(path)) throw new Error(`${name} is "${path}", but there is no such file.`);
+    return { path, env: {}, from: name };
+  }
+  return undefined;
+}
+
+function installed(): FoundChromium | undefined {
+  const path = usualPaths().find((candidate) => existsSync(candidate) && starts(candidate, {}));
+  return path === undefined ? undefined : { path, env: {}, from: 'installed' };
+}
+
+function usualPaths(): string[] {
+  if (platform === 'darwin') {
+    return ['Google Chrome', 'Chromium', 'Microsoft Edge'].flatMap((app) =>
+      ['', env.HOME ?? ''].map((home) => `${home}/Applications/${app}.app/Contents/MacOS/${app}`),
+    );
+  }
+  if (platform === 'win32') {
+    const roots = [env.PROGRAMFILES, env['PROGRAMFILES(X86)'], env.LOCALAPPDATA].filter((root) => root !== undefined);
+    return ['Google\\Chrome\\Application\\chrome.exe', 'Chromium\\Application\\chrome.exe'].flatMap((end) =>
+      roots.map((root) => join(root, end)),
+    );
+  }
+  const names = ['google-chrome-stable', 'google-chrome', 'chromium', 'chromium-browser', 'microsoft-edge-stable'];
+  const folders = [...(env.PATH ?? '').split(delimiter), '/usr/bin', '/usr/local/bin', '/snap/bin'];
+  return [
+    ...names.flatMap((name) => folders.map((folder) => join(folder, name))),
+    '/opt/google/chrome/chrome',
+    '/usr/lib/chromium/chromium',
+  ];
+}
+
+function playwrights(): FoundChromium | undefined {
+  const path = chromium.executablePath();
+  return path && existsSync(path) && starts(path, {}) ? { path, env: {}, from: "Playwright's" } : undefined;
+}
+
+function packaged(): FoundChromium | undefined {
+  if (platform !== 'linux' || process.arch !== 'x64') return undefined;
+  const folder = unpacked();
+  const path = join(folder, 'chromium');
+  const fonts = existsSync('/etc/fonts/fonts.conf') ? {} : { FONTCONFIG_FILE: join(folder, 'fonts.conf') };
+  // The system's libraries where it has all of them: newer, and matched to what they load in turn.
+  for (const libraries of [{}, { LD_LIBRARY_PATH: join(folder, 'al2023', 'lib') }]) {
+    const extra = { ...fonts, ...libraries };
+    if (starts(path, extra)) return { path, env: extra, from: '@sparticuz/chromium' };
+  }
+  return undefined;
+}
+
+/**
+ * Whether it is a browser that runs here: a stub that only tells how to install one does not, nor one that misses
+ * libraries. (On Windows asking for the version opens a window instead, so there a file is enough.)
+ */
+function starts(path: string, extra: Readonly<Record<string, string>>): boolean {
+  if (platform === 'win32') return true;
+  const { status } = spawnSync(path, ['--version'], { env: { ...env, ...extra }, stdio: 'ignore', timeout: 20_000 });
+  return status === 0;
+}
+
+/** The folder that holds the package's browser, unpacked if it wasn't. @throws Error with what went wrong. */
+function unpacked(): string {
+  const root = fileURLToPath(new URL('../../', import.meta.url));
+  const entry = createRequire(import.meta.url).resolve('@sparticuz/chromium');
+  const { version } = JSON.parse(readFileSync(join(dirname(entry), '..', '..', 'package.json'), 'utf8'));
+  const cache = join(root, 'node_modules', '.cache');
+  const folder = join(cache, `chromium-${version}`);
+  if (existsSync(folder)) return folder;
+
+  mkdirSync(cache, { recursive: true });
+  const scratch = mkdtempSync(join(cache, 'unpacking-'));
+  try {
+    const unpack = "(await import('@sparticuz/chromium')).default.executablePath()";
+    const { status, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', `await ${unpack}`], {
+      cwd: root,
+      env: { ...env, TMPDIR: scratch, AWS_EXECUTION_ENV: 'AWS_Lambda_nodejs20.x' },
+      encoding: 'utf8',
+    });
+    if (status !== 0) throw new Error(`Could not unpack @sparticuz/chromium: ${stderr}`);
+    writeFileSync(join(scratch, 'fonts.conf'), fontsConfig(folder));
+    renameSync(scratch, folder);
+  } catch (error) {
+    // Another test process may have been first; then its folder is whole, because it was renamed into place.
+    if (!existsSync(folder)) throw error;
+  } finally {
+    rmSync(scratch, { recursive: true, force: true });
+  }
+  return folder;
+}
+
+/** For a machine that has no fonts: the package's, whose own configuration names Lambda's folders. */
+function fontsConfig(folder: string): string {
+  return `<?xml version="1.0"?>
+<!DOCTYPE fontconfig SYSTEM "fonts.dtd">
+<fontconfig><dir>${folder}/fonts</dir><cachedir>${folder}/fonts-cache</cachedir></fontconfig>
+`;
+}

@@ -1,0 +1,23 @@
+/** The last line of a test run, for people and for machines: `123 passed, 0 failed`. */
+import type { Reporter, TestModule } from 'vitest/node';
+
+export default class CountReporter implements Reporter {
+  onTestRunEnd(modules: readonly TestModule[], unhandled: readonly unknown[]): void {
+    let passed = 0;
+    let skipped = 0;
+    // An error outside any test fails the run too.
+    let failed = unhandled.length;
+    for (const module of modules) {
+      let inside = 0;
+      for (const test of module.children.allTests()) {
+        const { state } = test.result();
+        if (state === 'passed') passed++;
+        else if (state === 'failed') inside++;
+        else skipped++;
+      }
+      // A file that could not even be loaded has no tests to fail.
+      failed += inside || (module.state() === 'failed' ? 1 : 0);
+    }
+    console.log(`${passed} passed, ${failed} failed${skipped ? `, ${skipped} skipped` : ''}`);
+  }
+}

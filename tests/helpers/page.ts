@@ -1,0 +1,182 @@
+/**
+ * The built page in a real browser: served under a sub-path, as a static host would, with everything that goes wrong
+ * on the way collected. One browser and one server for a test file, a fresh context (no cache, no storage) a page.
+ *
+ *     it('plays what is dropped', () =>
+ *       withPage(async ({ page }) => {
+ *         await dropFiles(page, [{ path: 'a.skel', bytes }]);
+ *         …
+ *       }));
+ */
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Browser, Page } from 'playwright-core';
+import { afterAll } from 'vitest';
+import { launchChromium } from './chromium.ts';
+import { type ExtraFiles, type StaticServer, serveFolder } from './server.ts';
+
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+const SUB_PATH = '/some/where/marrow/';
+
+export interface PageOptions {
+  /** After the page's address: `?files=given/a.skel`. */
+  readonly query?: string;
+  /** Served beside the page, for `query` to name. */
+  readonly files?: ExtraFiles;
+  /** CSS pixels; 1280 × 800 unless told. */
+  readonly size?: { readonly width: number; readonly height: number };
+  readonly colorScheme?: 'light' | 'dark';
+  readonly reducedMotion?: boolean;
+  readonly touch?: boolean;
+  /** Runs in the page before any of its own script. */
+  readonly before?: () => void;
+  /** Another folder than `dist/`. */
+  readonly folder?: string;
+  /** Problems that this test means to cause; all others fail it. */
+  readonly expected?: RegExp;
+}
+
+export interface OpenPage {
+  readonly page: Page;
+  /** The page's address without its query; ends in `/`. */
+  readonly url: string;
+  /** Console errors, uncaught errors, failed and foreign requests so far. */
+  readonly problems: readonly string[];
+}
+
+let browser: Promise<Browser> | undefined;
+const servers = new Map<string, Promise<StaticServer>>();
+
+afterAll(async () => {
+  await (await browser)?.close();
+  for (const server of servers.values()) await (await server).close();
+  browser = undefined;
+  servers.clear();
+});
+
+/** Opens the page, runs `body`, and fails if the page complained of anything that was not expected. */
+export async function withPage(body: (open: OpenPage) => Promise<void>, options: PageOptions = {}): Promise<void> {
+  const folder = options.folder ?? join(ROOT, 'dist');
+  if (!existsSync(join(folder, 'index.html'))) throw new Error(`${folder} holds no built page: "npm run build" first.`);
+  browser ??= launchChromium();
+  const serving = servers.get(folder) ?? serveFolder(folder, SUB_PATH);
+  servers.set(folder, serving);
+  const server = await serving;
+  server.serve(options.files ?? {});
+
+  const context = await (await browser).newContext({
+    viewport: options.size ?? { width: 1280, height: 800 },
+    colorScheme: options.colorScheme ?? 'light',
+    reducedMotion: options.reducedMotion ? 'reduce' : 'no-preference',
+    hasTouch: options.touch ?? false,
+  });
+  try {
+    const page = await context.newPage();
+    const problems = collectProblems(page, server.url);
+    if (options.before) await page.addInitScript(options.before);
+    await page.goto(server.url + (options.query ?? ''));
+    await body({ page, url: server.url, problems });
+    const unexpected = problems.filter((problem) => !options.expected?.test(problem));
+    if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);
+  } finally {
+    await context.close();
+  }
+}
+
+/** "The only thing ever requested is what the address names": a request to anywhere else is a problem too. */
+function collectProblems(page: Page, home: string): string[] {
+  const problems: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'error') problems.push(`console: ${message.text()} (${message.location().url})`);
+  });
+  page.on('pageerror', (error) => problems.push(`uncaught: ${error.stack ?? error.message}`));
+  page.on('crash', () => problems.push('the page crashed'));
+  page.on('requestfailed', (request) => {
+    const why = request.failure()?.errorText ?? '';
+    if (!why.includes('ERR_ABORTED')) problems.push(`request: ${request.url()} ${why}`);
+  });
+  page.on('response', (response) => {
+    if (response.status() >= 400) problems.push(`request: ${response.url()} answered ${response.status()}`);
+  });
+  page.on('request', (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(home)) {
+      problems.push(`request to elsewhere: ${request.url()}`);
+    }
+  });
+  return problems;
+}
+
+export interface DroppedFile {
+  readonly name: string;
+  readonly bytes: Uint8Array | string;
+}
+
+/**
+ * Drops files that exist only in the test. Bytes travel as text, so keep them under some 20 MB; a larger file is
+ * better put on disk and dropped with `dropPaths`.
+ */
+export async function dropFiles(page: Page, files: readonly DroppedFile[], target = 'body'): Promise<void> {
+  const encoded = files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') }));
+  const transfer = await page.evaluateHandle((given) => {
+    const transfer = new DataTransfer();
+    for (const { name, base64 } of given) {
+      const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+      transfer.items.add(new File([bytes], name));
+    }
+    return transfer;
+  }, encoded);
+  for (const type of ['dragenter', 'dragover', 'drop']) {
+    await page.dispatchEvent(target, type, { dataTransfer: transfer });
+  }
+}
+
+/**
+ * Drops files and folders from disk the way the system does, so that folders are real ones to the page.
+ * @param paths absolute
+ */
+export async function dropPaths(page: Page, paths: readonly string[], x = 640, y = 400): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const data = { items: [], files: [...paths], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const) {
+    await session.send('Input.dispatchDragEvent', { type, x, y, data });
+  }
+  await session.detach();
+}
+
+/** Keeps a picture of the page to look at, in MARROW_SCREENSHOTS or node_modules/.cache/screenshots. */
+export async function screenshot(page: Page, name: string): Promise<string> {
+  const folder = process.env.MARROW_SCREENSHOTS ?? join(ROOT, 'node_modules', '.cache', 'screenshots');
+  mkdirSync(folder, { recursive: true });
+  const path = join(folder, `${name}.png`);
+  writeFileSync(path, await page.screenshot());
+  return path;
+}
+
+export interface Pixels {
+  readonly width: number;
+  readonly height: number;
+  /** r g b a, rows from the top. */
+  readonly data: Uint8Array;
+}
+
+/** What the page shows, panels included, as pixels. @param clip CSS pixels; the whole viewport unless told */
+export async function readPixels(
+  page: Page,
+  clip?: { x: number; y: number; width: number; height: number },
+): Promise<Pixels> {
+  const picture = await page.screenshot(clip ? { clip } : {});
+  const decoded = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes], { type: 'image/png' }), { premultiplyAlpha: 'none' });
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext('2d');
+    if (!context) throw new Error('no 2D canvas');
+    context.drawImage(bitmap, 0, 0);
+    const { data, width, height } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let text = '';
+    for (let i = 0; i < data.length; i += 0x8000) text += String.fromCharCode(...data.subarray(i, i + 0x8000));
+    return { width, height, base64: btoa(text) };
+  }, picture.toString('base64'));
+  return { width: decoded.width, height: decoded.height, data: Buffer.from(decoded.base64, 'base64') };
+}

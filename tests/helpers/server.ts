@@ -1,0 +1,66 @@
+/**
+ * A static host as plain as they come: the files of a folder under a sub-path, 404 for everything else. Vite's own
+ * preview answers unknown addresses with the page, which would hide a wrong address from the tests.
+ */
+import { createReadStream, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { extname, join, normalize, sep } from 'node:path';
+
+/** Files served beside the folder's, by their path below the sub-path: `given/a.skel`. */
+export type ExtraFiles = Readonly<Record<string, Uint8Array | string>>;
+
+export interface StaticServer {
+  /** With the sub-path, ending in `/`. */
+  readonly url: string;
+  /** Replaces the extra files: what a test's `?files=` names. */
+  serve(extra: ExtraFiles): void;
+  close(): Promise<void>;
+}
+
+const TYPES: Readonly<Record<string, string>> = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json',
+  '.map': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.webp': 'image/webp',
+  '.bmp': 'image/bmp',
+  '.ico': 'image/x-icon',
+};
+
+/** @param subPath begins and ends with `/` */
+export async function serveFolder(folder: string, subPath: string): Promise<StaticServer> {
+  let extra: ExtraFiles = {};
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url ?? '/', 'http://localhost');
+    if (!pathname.startsWith(subPath)) return void response.writeHead(404).end();
+    const path = decodeURIComponent(pathname.slice(subPath.length)) || 'index.html';
+    const headers = { 'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream' };
+
+    const given = Object.hasOwn(extra, path) ? extra[path] : undefined;
+    if (given !== undefined) return void response.writeHead(200, headers).end(given);
+
+    const file = join(folder, normalize(path));
+    const stats = file.startsWith(folder + sep) ? statSync(file, { throwIfNoEntry: false }) : undefined;
+    if (!stats?.isFile()) return void response.writeHead(404).end();
+    response.writeHead(200, { ...headers, 'content-length': stats.size });
+    createReadStream(file).pipe(response);
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const address = server.address();
+  if (address === null || typeof address === 'string') throw new Error('The test server has no port.');
+  return {
+    url: `http://127.0.0.1:${address.port}${subPath}`,
+    serve(files) {
+      extra = files;
+    },
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
+  };
+}
