@@ -1,0 +1,71 @@
+/**
+ * Arguments of the command: `marrow COMMAND FILE… --name value --name=value --flag`.
+ *
+ * An option that takes a value takes the next argument whatever it begins with, so `--time -1` needs no quoting; after
+ * `--` everything is a file. Node's own `parseArgs` calls a value with a minus ambiguous and refuses it.
+ */
+
+/** Wrong usage, in a sentence: exit code 2. */
+export class UsageError extends Error {
+  override readonly name = 'UsageError';
+}
+
+/** What a command accepts: `value` options take one, `flag`s don't. */
+export type OptionTypes = Readonly<Record<string, 'value' | 'flag'>>;
+
+export interface Arguments {
+  readonly files: readonly string[];
+  /** What an option was given, the last time it was; undefined where it was not. */
+  value(name: string): string | undefined;
+  flag(name: string): boolean;
+}
+
+/** @throws UsageError for an option that is not there, lacks its value or has one too many */
+export function parseArguments(args: readonly string[], types: OptionTypes): Arguments {
+  const files: string[] = [];
+  const values = new Map<string, string>();
+  const flags = new Set<string>();
+  for (let i = 0; i < args.length; i++) {
+    const arg = args[i];
+    if (arg === '--') {
+      files.push(...args.slice(i + 1));
+      break;
+    }
+    if (!arg.startsWith('-') || arg === '-') {
+      files.push(arg);
+      continue;
+    }
+    const equals = arg.indexOf('=');
+    const option = equals < 0 ? arg : arg.slice(0, equals);
+    const name = option.startsWith('--') ? option.slice(2) : '';
+    const type = Object.hasOwn(types, name) ? types[name] : undefined;
+    if (type === undefined) throw new UsageError(`There is no option ${option}.${hint(types)}`);
+    if (type === 'flag') {
+      if (equals >= 0) throw new UsageError(`${option} takes no value.`);
+      flags.add(name);
+    } else if (equals >= 0) values.set(name, arg.slice(equals + 1));
+    else if (i + 1 < args.length) values.set(name, args[++i]);
+    else throw new UsageError(`${option} needs a value.`);
+  }
+  return { files, value: (name) => values.get(name), flag: (name) => flags.has(name) };
+}
+
+function hint(types: OptionTypes): string {
+  const names = Object.keys(types).map((name) => `--${name}`);
+  return names.length ? ` There are: ${names.join(', ')}.` : '';
+}
+
+/** Decimal, as in the files: no hex, no infinity, nothing after it. */
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/** @throws UsageError where the text is no number that a double holds */
+export function numberOf(option: string, text: string): number {
+  const value = NUMBER.test(text.trim()) ? Number(text) : Number.NaN;
+  if (!Number.isFinite(value)) throw new UsageError(`--${option} takes numbers; "${text}" is none.`);
+  return value;
+}
+
+/** Numbers with commas between them; none for an empty text. @throws UsageError */
+export function numbersOf(option: string, text: string): number[] {
+  return text.trim() === '' ? [] : text.split(',').map((part) => numberOf(option, part));
+}

@@ -1,0 +1,208 @@
+/**
+ * `marrow pose`: joints, and with `--vertices` the skin, of each character that the files make, at a pose built from
+ *
+ *     the files' own pose  ←  --time (the animation)  ←  --root, --dofs, --morphs     each overriding what is before
+ *
+ * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
+ */
+import { openFiles } from '../../edit/open-files.ts';
+import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
+import { clampDofs, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { jointTypeOfMotion } from '../../formats/skel/joint-types.ts';
+import { hasErrors } from '../../model/diagnostic.ts';
+import { type Character, EMPTY_DOCUMENT, shownSkin } from '../../model/document.ts';
+import { jointDofCount, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
+import type { Command } from '../io.ts';
+import { loadFiles } from '../load.ts';
+import { printJson, report } from '../report.ts';
+
+export const pose: Command = {
+  name: 'pose',
+  usage: 'FILE… [--time T] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
+  summary: 'joints and vertices at a pose or a time of the animation',
+  async run(args, io) {
+    const given = parseArguments(args, {
+      time: 'value',
+      root: 'value',
+      dofs: 'value',
+      morphs: 'value',
+      vertices: 'flag',
+      json: 'flag',
+    });
+    const asked = readAsked(given);
+    const loaded = loadFiles(given.files, io.folder);
+    const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
+    const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
+    const { characters } = opened.document;
+    // Told first: that a file is broken explains why a list does not fit.
+    report(diagnostics, io);
+    if (!hasErrors(diagnostics)) checkCounts(characters, asked);
+    const posed = characters.filter((c) => fits(c, asked)).map((c) => poseCharacter(c, asked, given.flag('vertices')));
+    if (given.flag('json')) await printJson({ characters: posed, diagnostics }, io);
+    else await io.out(posed.map(asText).join('\n'));
+    return hasErrors(diagnostics) ? 1 : 0;
+  },
+};
+
+/** Undefined for what the command line leaves to the animation or the files. */
+interface Asked {
+  readonly time: number | undefined;
+  readonly root: readonly number[] | undefined;
+  readonly dofs: readonly number[] | undefined;
+  readonly morphs: readonly number[] | undefined;
+}
+
+function readAsked(given: Arguments): Asked {
+  const list = (name: string) => {
+    const text = given.value(name);
+    return text === undefined ? undefined : numbersOf(name, text);
+  };
+  const time = given.value('time');
+  const root = list('root');
+  if (root && root.length !== 3) throw new UsageError(`--root takes 3 numbers, x,y,z; there are ${root.length}.`);
+  return {
+    time: time === undefined ? undefined : numberOf('time', time),
+    root,
+    dofs: list('dofs'),
+    morphs: list('morphs'),
+  };
+}
+
+/** A list goes to every character that has any such DOF; one of another length is a mistake. */
+function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked): void {
+  const check = (
+    option: string,
+    what: string,
+    list: readonly number[] | undefined,
+    count: (c: Character) => number,
+  ) => {
+    if (!list) return;
+    const having = characters.filter((c) => count(c) > 0);
+    if (having.length === 0 && list.length > 0) {
+      throw new UsageError(`--${option} gives ${list.length} numbers, but there are no ${what} in these files.`);
+    }
+    for (const character of having) {
+      if (count(character) === list.length) continue;
+      throw new UsageError(
+        `--${option} takes ${count(character)} numbers, as many as "${character.name}" has ${what}; ` +
+          `there are ${list.length}.`,
+      );
+    }
+  };
+  check('dofs', 'joint DOFs', dofs, (c) => jointDofCount(c.skeleton));
+  check('morphs', 'morphs', morphs, (c) => c.morphs.length);
+}
+
+/** Where files have errors, what remains of them may not be what the lists were meant for. */
+function fits(character: Character, { dofs, morphs }: Asked): boolean {
+  const matches = (list: readonly number[] | undefined, count: number) =>
+    list === undefined || count === 0 || count === list.length;
+  return matches(dofs, jointDofCount(character.skeleton)) && matches(morphs, character.morphs.length);
+}
+
+interface PosedCharacter {
+  readonly name: string;
+  /** The root's translation. */
+  readonly root: readonly number[];
+  readonly joints: readonly PosedJoint[];
+  readonly morphs: readonly { readonly name: string; readonly weight: number }[];
+  /** x y z a vertex. */
+  readonly positions?: readonly number[];
+  /** x y z a vertex, of length 1. */
+  readonly normals?: readonly number[];
+  /** Around the skin, or the joints where there is none; null where there is nothing. */
+  readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] } | null;
+}
+
+interface PosedJoint {
+  readonly index: number;
+  readonly name: string;
+  /** -1 for the root. */
+  readonly parent: number;
+  readonly type: string;
+  /** After clamping. */
+  readonly dofs: readonly number[];
+  /** 16 numbers, column-major. */
+  readonly world: readonly number[];
+}
+
+function poseCharacter(character: Character, asked: Asked, withVertices: boolean): PosedCharacter {
+  const values = poseValues(character, asked);
+  const { skeleton, morphs } = character;
+  const compiled = skeleton && compileSkeleton(skeleton);
+  const world = compiled && new Float64Array(16 * compiled.jointCount);
+  if (compiled && world) worldMatrices(compiled, values, world);
+
+  const joints = (skeleton?.joints ?? []).map((joint, index) => ({
+    index,
+    name: joint.name,
+    parent: joint.parent,
+    type: jointTypeOfMotion(joint.motion).keyword,
+    dofs: compiled ? Array.from(values.subarray(compiled.firstDof[index], compiled.firstDof[index + 1])) : [],
+    world: world ? Array.from(world.subarray(16 * index, 16 * index + 16)) : [],
+  }));
+  const firstMorph = values.length - morphs.length;
+  const { positions, normals } = deformed(character, values, firstMorph, world);
+  const points = positions ?? Float64Array.from(joints.flatMap((joint) => joint.world.slice(12, 15)));
+  return {
+    name: character.name,
+    root: Array.from(values.subarray(0, ROOT_TRANSLATION.length)),
+    joints,
+    morphs: morphs.map((morph, m) => ({ name: morph.name, weight: values[firstMorph + m] })),
+    ...(withVertices && { positions: Array.from(positions ?? []), normals: Array.from(normals ?? []) }),
+    bounds: boundsOf(points),
+  };
+}
+
+/** The character's DOFs, in the order of `model/dofs.ts`. */
+function poseValues(character: Character, { time, root, dofs, morphs }: Asked): Float64Array {
+  const values = new Float64Array(dofCountOf(character));
+  // Without a time the animation has no say.
+  poseAt(time === undefined ? { ...character, shownClip: -1 } : character, time ?? 0, values);
+  if (root) values.set(root, 0);
+  if (dofs && character.skeleton) values.set(dofs, ROOT_TRANSLATION.length);
+  if (morphs && character.morphs.length) values.set(morphs, values.length - morphs.length);
+  if (character.skeleton) clampDofs(compileSkeleton(character.skeleton), values);
+  return values;
+}
+
+function deformed(character: Character, values: Float64Array, firstMorph: number, world: Float64Array | undefined) {
+  const skin = shownSkin(character);
+  if (!skin) return {};
+  const compiled = compileSkin(skin);
+  const positions = new Float64Array(skin.positions.length);
+  const normals = new Float64Array(skin.positions.length);
+  blendMorphs(compiled, character.morphs, values, firstMorph, positions, normals);
+  deform(compiled, world, positions, normals, positions, normals);
+  return { positions, normals };
+}
+
+function boundsOf(points: Float64Array): PosedCharacter['bounds'] {
+  if (points.length === 0) return null;
+  const min = [Infinity, Infinity, Infinity];
+  const max = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; i++) {
+    min[i % 3] = Math.min(min[i % 3], points[i]);
+    max[i % 3] = Math.max(max[i % 3], points[i]);
+  }
+  return { min, max };
+}
+
+function asText({ name, root, joints, morphs, positions, normals, bounds }: PosedCharacter): string {
+  const lines = [`character ${name}, root ${root.join(' ')}`];
+  for (const joint of joints) {
+    lines.push(
+      `  ${joint.index} ${joint.name || '(no name)'} (${joint.type}, parent ${joint.parent}): ${joint.dofs.join(' ')}`,
+      ...[0, 1, 2, 3].map((row) => `      ${[0, 4, 8, 12].map((column) => joint.world[column + row]).join(' ')}`),
+    );
+  }
+  for (const morph of morphs) lines.push(`  morph ${morph.name}: ${morph.weight}`);
+  for (let o = 0; positions && normals && o < positions.length; o += 3) {
+    const [position, normal] = [positions, normals].map((list) => list.slice(o, o + 3).join(' '));
+    lines.push(`  vertex ${o / 3}: ${position}  normal ${normal}`);
+  }
+  if (bounds) lines.push(`  bounds ${bounds.min.join(' ')} to ${bounds.max.join(' ')}`);
+  return `${lines.join('\n')}\n`;
+}

@@ -1,0 +1,119 @@
+/**
+ * Files from disk to models, through the same readers as the page's, a megabyte at a time: a file of any size takes
+ * no more memory than its model.
+ */
+import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
+import { basename } from 'node:path';
+import { type Format, formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
+import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
+import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
+import { UsageError } from './arguments.ts';
+import { findGiven, type GivenPath } from './paths.ts';
+
+const CHUNK_BYTES = 1 << 20;
+
+/** A file that was named, read or not. */
+export interface LoadedFile {
+  readonly name: string;
+  /** Told by the name; `unknown` for what Marrow does not read. */
+  readonly kind: FileKind | 'unknown';
+  /** Absent where the file has errors. */
+  readonly content?: FileContent;
+}
+
+export interface Loaded {
+  /** In the order given. */
+  readonly all: readonly LoadedFile[];
+  readonly files: readonly ParsedFile[];
+  /** With errors. */
+  readonly broken: readonly BrokenFile[];
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/**
+ * @param args files and folders, relative to `folder`
+ * @throws UsageError where there are none
+ */
+export function loadFiles(args: readonly string[], folder: string): Loaded {
+  if (args.length === 0) throw new UsageError('Which files?');
+  const all: LoadedFile[] = [];
+  const files: ParsedFile[] = [];
+  const broken: BrokenFile[] = [];
+  const diagnostics: Diagnostic[] = [];
+  const given = findGiven(args, folder);
+  for (const arg of given.missing) {
+    const [name, kind] = [basename(arg), kindOf(arg)];
+    diagnostics.push(problem('error', 'file-missing', `There is no file "${arg}" in ${folder}.`, name));
+    all.push({ name, kind });
+    if (kind !== 'unknown') broken.push({ kind, source: { name, path: arg, bytes: 0 } });
+  }
+  for (const path of given.files) {
+    const name = basename(path.absolute);
+    const kind = kindOf(name);
+    const { content, bytes, diagnostics: found } = loadOne(path, name);
+    diagnostics.push(...found);
+    all.push({ name, kind, ...(content && { content }) });
+    const source: SourceFile = { name, path: path.path, bytes };
+    if (content) files.push({ ...content, source });
+    else if (kind !== 'unknown') broken.push({ kind, source });
+  }
+  return { all, files, broken, diagnostics };
+}
+
+interface LoadedOne {
+  readonly content?: FileContent;
+  readonly bytes: number;
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
+  const format = formatOf(name);
+  const mime = textureTypeOf(name);
+  try {
+    const bytes = statSync(absolute).size;
+    if (format) return { bytes, ...readText(absolute, name, format) };
+    if (!mime) return { bytes, diagnostics: [unknownFormat(name)] };
+    return {
+      bytes,
+      content: { kind: 'texture', texture: { name, mime, bytes: wholeFile(absolute) } },
+      diagnostics: [],
+    };
+  } catch (error) {
+    const reason = error instanceof Error ? error.message : String(error);
+    const message = `The file could not be read: ${reason}.`;
+    return { bytes: 0, diagnostics: [problem('error', 'file-unreadable', message, name)] };
+  }
+}
+
+function readText(path: string, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
+  const reader = format.reader(name);
+  const chunk = new Uint8Array(CHUNK_BYTES);
+  const file = openSync(path, 'r');
+  try {
+    for (let read = readSync(file, chunk); read > 0; read = readSync(file, chunk)) reader.feed(chunk.subarray(0, read));
+  } finally {
+    closeSync(file);
+  }
+  const { value, diagnostics } = reader.end();
+  return value ? { content: value, diagnostics } : { diagnostics };
+}
+
+/** In a buffer of its own; Node's are slices of a shared one. */
+function wholeFile(path: string): Uint8Array<ArrayBuffer> {
+  return new Uint8Array(readFileSync(path));
+}
+
+function kindOf(name: string): FileKind | 'unknown' {
+  return formatOf(name)?.kind ?? (textureTypeOf(name) ? 'texture' : 'unknown');
+}
+
+function unknownFormat(name: string): Diagnostic {
+  const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS].map((extension) => `.${extension}`).join(' ');
+  const message = `The command does not read this kind of file; it reads ${known}.`;
+  return { ...problem('warning', 'format-unknown', message, name), assumed: 'passed over' };
+}
+
+function problem(severity: Diagnostic['severity'], code: string, message: string, file: string): Diagnostic {
+  return { severity, code, message, file, line: 0, column: 0 };
+}

@@ -1,0 +1,29 @@
+#!/usr/bin/env node
+/**
+ * The command's entry: wires `run` to the process. The exit code is set rather than forced, because `process.exit`
+ * cuts off what a pipe has not taken yet.
+ */
+import { callersFolder } from './paths.ts';
+import { run } from './run.ts';
+
+// A reader that has seen enough (`| head`) is no error.
+let closed = false;
+for (const stream of [process.stdout, process.stderr]) {
+  stream.on('error', (error: NodeJS.ErrnoException) => {
+    if (error.code !== 'EPIPE') throw error;
+    closed = true;
+  });
+}
+
+function write(text: string): Promise<void> {
+  return new Promise((resolve) => {
+    if (closed) resolve();
+    else process.stdout.write(text, () => resolve());
+  });
+}
+
+process.exitCode = await run(process.argv.slice(2), {
+  folder: callersFolder('marrow'),
+  out: write,
+  err: (text) => void (closed || process.stderr.write(text)),
+});

@@ -1,0 +1,41 @@
+/**
+ * Diagnostics, for people:
+ *
+ *     wasp.skel:12:9 error number-expected: Expected a number, found "1,5".
+ *         offset 0 1,5 0
+ *                ^
+ */
+import type { Diagnostic } from '../model/diagnostic.ts';
+import type { CommandIo } from './io.ts';
+
+export function report(diagnostics: readonly Diagnostic[], io: CommandIo): void {
+  for (const diagnostic of diagnostics) io.err(`${describe(diagnostic)}\n`);
+}
+
+/** Without a newline at its end. */
+export function describe({ file, line, column, severity, code, message, assumed, excerpt }: Diagnostic): string {
+  const place = [file, line, column].slice(0, line > 0 ? (column > 0 ? 3 : 2) : 1).join(':');
+  let text = `${place} ${severity} ${code}: ${message}${assumed === undefined ? '' : ` (${assumed})`}`;
+  if (excerpt) {
+    // Tabs stay, so that the caret stands under its character however wide they are shown.
+    const indent = excerpt.text.slice(0, excerpt.caret).replace(/[^\t]/g, ' ');
+    text += `\n    ${excerpt.text}\n    ${indent}^`;
+  }
+  return printable(text);
+}
+
+/** Control characters in a broken file must not reach the terminal as commands. */
+function printable(text: string): string {
+  let shown = '';
+  for (const character of text) {
+    const code = character.charCodeAt(0);
+    const isControl = (code < 0x20 && character !== '\n' && character !== '\t') || (code >= 0x7f && code < 0xa0);
+    shown += isControl ? '\ufffd' : character;
+  }
+  return shown;
+}
+
+/** The one way results leave: whole, on a line of its own. */
+export function printJson(value: unknown, io: CommandIo): Promise<void> {
+  return io.out(`${JSON.stringify(value)}\n`);
+}

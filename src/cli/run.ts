@@ -1,0 +1,52 @@
+/** The command as a function: arguments in, exit code out. */
+import { UsageError } from './arguments.ts';
+import { channels } from './commands/channels.ts';
+import { convert } from './commands/convert.ts';
+import { info } from './commands/info.ts';
+import { pose } from './commands/pose.ts';
+import type { Command, CommandIo, ExitCode } from './io.ts';
+
+const COMMANDS: readonly Command[] = [info, pose, channels, convert];
+
+export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
+  const [name, ...rest] = args;
+  const command = COMMANDS.find((c) => c.name === name);
+  if (name === '--help' || name === '-h' || name === 'help') {
+    await io.out(help());
+    return 0;
+  }
+  if (!command) {
+    io.err(`marrow: ${name === undefined ? 'which command?' : `there is no command "${name}".`}\n${help()}`);
+    return 2;
+  }
+  if (beforeDashes(rest).some((arg) => arg === '--help' || arg === '-h')) {
+    await io.out(`${usageLine(command)}\n\n${command.summary}\n`);
+    return 0;
+  }
+  try {
+    return await command.run(rest, io);
+  } catch (error) {
+    if (!(error instanceof UsageError)) throw error;
+    io.err(`marrow: ${error.message}\n${usageLine(command)}\n`);
+    return 2;
+  }
+}
+
+function beforeDashes(args: readonly string[]): readonly string[] {
+  const end = args.indexOf('--');
+  return end < 0 ? args : args.slice(0, end);
+}
+
+function usageLine(command: Command): string {
+  return `usage: marrow ${command.name} ${command.usage}`;
+}
+
+function help(): string {
+  const lines = COMMANDS.map((c) => `  marrow ${c.name} ${c.usage}\n      ${c.summary}`);
+  return `usage:\n${lines.join('\n')}
+
+FILE may be a folder: all files in it. Options as "--x v" or "--x=v"; values may begin with a minus.
+Paths are relative to the caller's folder; angles are radians, times seconds.
+Exit code 0, or 1 when a file has errors, 2 for wrong usage.
+`;
+}

@@ -1,0 +1,253 @@
+/** The command as a function, on small files of its own. */
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { command, commandJson, type InfoJson, type PoseJson } from '../helpers/command.ts';
+
+const SKEL = `balljoint root {
+  balljoint tip { offset 0 2 0 rotxlimit -1 1 pose 0.25 0 0 }
+}
+`;
+const ROW = '0 0 0 1 0 0 0 1 0';
+const SKIN = `positions 3 { ${ROW} }
+normals 3 { 0 0 1 0 0 1 0 0 1 }
+skinweights 3 { 1 0 1 1 1 1 1 1 1 }
+triangles 1 { 0 1 2 }
+bindings 2 {
+  matrix { 1 0 0 0 1 0 0 0 1 0 0 0 }
+  matrix { 1 0 0 0 1 0 0 0 1 0 2 0 }
+}
+`;
+const MORPH = 'positions 1 { 0 0 0 5 }\nnormals 0 { }\n';
+const channel = (value: number) => `channel { extrapolate constant constant keys 1 { 0 ${value} flat flat } }`;
+const ANIM = `animation { range 0 1 numchannels 10 ${[1, 2, 3, 0, 0, 0, 9, 0, 0, 0.5].map(channel).join('\n')} }\n`;
+
+let folder = '';
+const FILES: Readonly<Record<string, string>> = {
+  'hero.skel': SKEL,
+  'hero.skin': SKIN,
+  'hero.morph': MORPH,
+  'hero_walk.anim': ANIM,
+  'broken.skel': 'balljoint root {\n\toffset 0 1,5 0\n}\n',
+  'two words, 50%.skel': SKEL,
+  'many/a10.skel': SKEL,
+  'many/a9.skel': SKEL,
+  'many/.hidden': 'no one reads this',
+  'note.txt': 'hello',
+};
+
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'marrow-'));
+  for (const [name, text] of Object.entries(FILES)) {
+    mkdirSync(dirname(join(folder, name)), { recursive: true });
+    writeFileSync(join(folder, name), text);
+  }
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const HERO = ['hero.skel', 'hero.skin', 'hero.morph', 'hero_walk.anim'];
+const pose = async (...args: string[]) => (await commandJson<PoseJson>(['pose', ...args], folder)).characters[0];
+
+describe('marrow', () => {
+  it('says what there is when asked, and when it does not understand', async () => {
+    const asked = await command(['--help'], folder);
+    expect(asked).toMatchObject({ code: 0, err: '' });
+    for (const name of ['info', 'pose', 'channels', 'convert']) expect(asked.out).toContain(`marrow ${name}`);
+    expect(await command([], folder)).toMatchObject({ code: 2, out: '' });
+    expect(await command(['dance'], folder)).toMatchObject({ code: 2, out: '' });
+    expect((await command(['pose', '--help'], folder)).out).toContain('--dofs');
+  });
+
+  it.each([
+    ['an unknown option', ['info', 'hero.skel', '--jsn']],
+    ['no file', ['info']],
+    ['a root of two numbers', ['pose', 'hero.skel', '--root', '1,2']],
+    ['a word for a time', ['pose', 'hero.skel', '--time', 'noon']],
+    ['too few DOFs', ['pose', 'hero.skel', '--dofs', '1,2,3']],
+    ['DOFs without a skeleton', ['pose', 'hero.skin', '--dofs', '1,2,3']],
+    ['too many morph weights', ['pose', ...HERO, '--morphs', '1,2']],
+    ['no times', ['channels', 'hero_walk.anim']],
+    ['channels of a skeleton', ['channels', 'hero.skel', '--times', '0']],
+    ['nothing to convert', ['convert', 'hero.skel']],
+    ['a format that is not known', ['convert', 'hero.skel', 'hero.doc']],
+  ])('calls %s wrong usage', async (_, args) => {
+    const { code, out, err } = await command(args, folder);
+    expect({ code, out }).toEqual({ code: 2, out: '' });
+    expect(err).toContain('usage: marrow');
+  });
+
+  it('says how many DOFs it takes', async () => {
+    expect((await command(['pose', 'hero.skel', '--dofs', '1'], folder)).err).toContain('takes 6 numbers');
+  });
+});
+
+describe('marrow info', () => {
+  it('counts what each file holds', async () => {
+    const { files } = await commandJson<InfoJson>(['info', ...HERO], folder);
+    expect(files).toMatchObject([
+      { name: 'hero.skel', kind: 'skel', joints: 2, dofs: 6, roots: 1 },
+      { name: 'hero.skin', kind: 'skin', vertices: 3, triangles: 1, maxAttachments: 1, bindings: 2, texcoords: 0 },
+      { name: 'hero.morph', kind: 'morph', positions: 1, normals: 0 },
+      { name: 'hero_walk.anim', kind: 'anim', channels: 10, keys: 10, range: [0, 1] },
+    ]);
+  });
+
+  it('shows the offending line with a caret', async () => {
+    const { code, err } = await command(['info', 'broken.skel'], folder);
+    expect(code).toBe(1);
+    expect(err).toContain('broken.skel:2:11 error not-a-number: ');
+    expect(err).toContain('    \toffset 0 1,5 0\n    \t         ^');
+  });
+
+  it('speaks of a file that does not exist, and still of the others', async () => {
+    const { files, diagnostics } = await commandJson<InfoJson>(['info', 'gone.skin', 'hero.skel'], folder, 1);
+    expect(files).toMatchObject([
+      { name: 'gone.skin', loaded: false },
+      { name: 'hero.skel', loaded: true },
+    ]);
+    expect(diagnostics).toContainEqual(expect.objectContaining({ severity: 'error', code: 'file-missing', line: 0 }));
+  });
+
+  it('finds what does not fit between files', async () => {
+    writeFileSync(join(folder, 'one.skel'), 'balljoint root { }');
+    const { diagnostics } = await commandJson<InfoJson>(['info', 'one.skel', 'hero.skin'], folder, 1);
+    expect(diagnostics.filter((d) => d.severity === 'error').map((d) => d.file)).toEqual(['hero.skin']);
+    rmSync(join(folder, 'one.skel'));
+  });
+
+  it('takes a folder for the files in it, in natural order and without hidden ones', async () => {
+    const { files } = await commandJson<InfoJson>(['info', 'many'], folder);
+    expect(files.map((f) => f.name)).toEqual(['a9.skel', 'a10.skel']);
+  });
+
+  it('reads names with blanks, commas and percents, and each file once', async () => {
+    const args = ['info', 'two words, 50%.skel', './two words, 50%.skel'];
+    expect((await commandJson<InfoJson>(args, folder)).files).toHaveLength(1);
+  });
+
+  it('passes over what it does not read, with a warning', async () => {
+    const { diagnostics } = await commandJson<InfoJson>(['info', 'note.txt', 'hero.skel'], folder);
+    expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'format-unknown', file: 'note.txt' }]);
+  });
+
+  it('says it in words without --json', async () => {
+    const { out } = await command(['info', ...HERO], folder);
+    expect(out).toContain('joints 2, dofs 6, roots 1');
+    expect(out).toContain('character hero: hero.skel, hero.skin, hero.morph, hero_walk.anim');
+  });
+});
+
+describe('marrow pose', () => {
+  it('gives the pose of the file where nothing else is asked, whatever animation is there', async () => {
+    const character = await pose(...HERO);
+    expect(character).toMatchObject({ name: 'hero', root: [0, 0, 0], morphs: [{ name: 'hero', weight: 0 }] });
+    expect(character.joints.map((j) => j.dofs)).toEqual([
+      [0, 0, 0],
+      [0.25, 0, 0],
+    ]);
+    expect(character.positions).toBeUndefined();
+  });
+
+  it('lets --time animate root, joints within their limits, and morphs', async () => {
+    const character = await pose(...HERO, '--time=-100', '--vertices');
+    expect(character.root).toEqual([1, 2, 3]);
+    expect(character.joints[1].dofs).toEqual([1, 0, 0]);
+    expect(character.morphs[0].weight).toBe(0.5);
+    expect(character.positions?.slice(0, 3)).toEqual([1, 2, 5.5]);
+  });
+
+  it('lets --root, --dofs and --morphs each override the animation, and only their own part', async () => {
+    expect((await pose(...HERO, '--time', '0', '--root', '-7,0,0')).root).toEqual([-7, 0, 0]);
+    expect((await pose(...HERO, '--time', '0', '--root', '-7,0,0')).joints[1].dofs).toEqual([1, 0, 0]);
+    const bent = await pose(...HERO, '--time', '0', '--dofs', '0,0,0,-5,0.5,0', '--morphs=-2');
+    expect(bent.joints[1].dofs).toEqual([-1, 0.5, 0]);
+    expect(bent.root).toEqual([1, 2, 3]);
+    expect(bent.morphs[0].weight).toBe(-2);
+  });
+
+  it('gives the undeformed skin without a skeleton', async () => {
+    const character = await pose('hero.skin', '--vertices', '--time', '3', '--root', '1,1,1');
+    expect(character.joints).toEqual([]);
+    expect(character.positions?.join(' ')).toBe(ROW);
+    expect(character.bounds).toEqual({ min: [0, 0, 0], max: [1, 1, 0] });
+  });
+
+  it('bounds the joints where there is no skin', async () => {
+    expect((await pose('hero.skel', '--root', '1,0,0')).bounds).toEqual({ min: [1, 0, 0], max: [1, 2, 0] });
+  });
+
+  it('gives several characters when the files make several', async () => {
+    const { characters } = await commandJson<PoseJson>(['pose', 'many'], folder);
+    expect(characters.map((c) => c.name)).toEqual(['a9', 'a10']);
+  });
+
+  it('ends with 1 for a broken file, with the rest posed', async () => {
+    const { characters } = await commandJson<PoseJson>(['pose', 'broken.skel', 'hero.skel'], folder, 1);
+    expect(characters.map((c) => c.name)).toEqual(['hero']);
+  });
+});
+
+describe('marrow convert', () => {
+  const written = (name: string) => readFileSync(join(folder, name), 'utf8');
+  const convert = (...args: string[]) => command(['convert', ...args], folder);
+
+  it('writes each format back, and what it wrote once more to the same bytes', async () => {
+    for (const name of HERO) {
+      const extension = name.slice(name.lastIndexOf('.'));
+      expect(await convert(name, `once${extension}`)).toMatchObject({ code: 0, err: '' });
+      expect(await convert(`once${extension}`, `twice${extension}`)).toMatchObject({ code: 0, err: '' });
+      expect(written(`twice${extension}`)).toBe(written(`once${extension}`));
+    }
+  });
+
+  it('picks the part that OUT asks for out of several files', async () => {
+    await convert(...HERO, 'picked.skin');
+    await convert('hero.skin', 'alone.skin');
+    expect(written('picked.skin')).toBe(written('alone.skin'));
+  });
+
+  it('makes a rig of the names given', async () => {
+    await convert(...HERO, 'made.rig');
+    const { files, diagnostics } = await commandJson<InfoJson>(['info', 'made.rig', ...HERO], folder);
+    expect(files[0]).toMatchObject({ kind: 'rig', parts: HERO });
+    expect(diagnostics).toEqual([]);
+  });
+
+  it('refuses, in a sentence, what IN does not hold, and more than one of it', async () => {
+    const missing = await convert('hero.skel', 'none.skin');
+    expect(missing).toMatchObject({ code: 1, out: '' });
+    expect(missing.err).toContain('No skin was given');
+    expect(existsSync(join(folder, 'none.skin'))).toBe(false);
+    expect((await convert('hero.skel', 'many/a9.skel', 'both.skel')).err).toContain('name only that one');
+  });
+
+  it('leaves what was there when it fails, and nothing beside it', async () => {
+    writeFileSync(join(folder, 'kept.skel'), SKEL);
+    const before = readdirSync(folder);
+    expect((await convert('broken.skel', 'kept.skel')).code).toBe(1);
+    expect(written('kept.skel')).toBe(SKEL);
+    expect((await convert('hero.skel', 'no/such/folder.skel')).code).toBe(1);
+    mkdirSync(join(folder, 'folder.skel'));
+    expect((await convert('hero.skel', 'folder.skel')).code).toBe(1);
+    expect(statSync(join(folder, 'folder.skel')).isDirectory()).toBe(true);
+    rmSync(join(folder, 'folder.skel'), { recursive: true });
+    expect(readdirSync(folder)).toEqual(before);
+  });
+
+  it('may write over the file that it read', async () => {
+    writeFileSync(join(folder, 'same.skel'), SKEL);
+    expect((await convert('same.skel', 'same.skel')).code).toBe(0);
+    await convert('hero.skel', 'other.skel');
+    expect(written('same.skel')).toBe(written('other.skel'));
+  });
+});

@@ -1,0 +1,88 @@
+/** The built command as a process: what only a process has, such as exit codes, pipes and npm's folders. */
+import { execFile, spawn } from 'node:child_process';
+import { accessSync, constants, existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
+const BUILT = join(ROOT, 'build', 'marrow.js');
+/** Enough joints for several megabytes of JSON, far more than a pipe holds at once. */
+const JOINTS = 12_000;
+
+let folder = '';
+beforeAll(() => {
+  if (!existsSync(BUILT)) throw new Error('build/marrow.js is not there: "npm run build" first.');
+  folder = mkdtempSync(join(tmpdir(), 'marrow-'));
+  writeFileSync(join(folder, 'small.skel'), 'balljoint root { offset 0 1 0 }');
+  const flat = Array.from({ length: JOINTS - 1 }, (_, i) => `balljoint j${i} { offset ${i / 7} 0 0 }`).join('\n');
+  writeFileSync(join(folder, 'wide.skel'), `balljoint root {\n${flat}\n}\n`);
+  writeFileSync(join(folder, 'broken.skel'), 'balljoint root { offset 0 1,5 0 }');
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+interface Ended {
+  readonly code: number;
+  readonly out: string;
+  readonly err: string;
+}
+
+function start(file: string, args: readonly string[]): Promise<Ended> {
+  return new Promise((resolve) => {
+    // On Windows npm is a script for the shell.
+    const options = { cwd: folder, maxBuffer: 2 ** 28, shell: file === 'npm' && process.platform === 'win32' };
+    const child = execFile(file, args, options, (_, out, err) => resolve({ code: child.exitCode ?? -1, out, err }));
+  });
+}
+const marrow = (...args: string[]) => start(process.execPath, [BUILT, ...args]);
+
+describe('the built command', () => {
+  it('is a program of its own', () => {
+    if (process.platform !== 'win32') accessSync(BUILT, constants.X_OK);
+  });
+
+  it('ends with 0, 1 and 2, with results on one stream and talk on the other', async () => {
+    const [good, broken, wrong] = await Promise.all([
+      marrow('pose', 'small.skel', '--root', '-1,0,0', '--json'),
+      marrow('info', 'broken.skel', '--json'),
+      marrow('info', '--nonsense'),
+    ]);
+    expect(good).toMatchObject({ code: 0, err: '' });
+    expect(JSON.parse(good.out).characters[0].joints[0].world.slice(12)).toEqual([-1, 1, 0, 1]);
+    expect(broken).toMatchObject({ code: 1, err: expect.stringContaining('broken.skel:1:') });
+    expect(JSON.parse(broken.out).diagnostics).toHaveLength(1);
+    expect(wrong).toMatchObject({ code: 2, out: '', err: expect.stringContaining('usage: marrow info') });
+  });
+
+  it('writes long results whole into a pipe that is read late', async () => {
+    const child = spawn(process.execPath, [BUILT, 'pose', 'wide.skel', '--json'], { cwd: folder });
+    const ended = new Promise((resolve) => child.once('close', resolve));
+    // Read only once the pipe has been full.
+    await new Promise((resolve) => child.stdout.once('readable', resolve));
+    let text = '';
+    child.stdout.setEncoding('utf8').on('data', (part) => {
+      text += part;
+    });
+    expect(await ended).toBe(0);
+    expect(text.length).toBeGreaterThan(1_000_000);
+    expect(JSON.parse(text).characters[0].joints).toHaveLength(JOINTS);
+  });
+
+  it('stays quiet when its reader goes away', async () => {
+    const child = spawn(process.execPath, [BUILT, 'pose', 'wide.skel', '--json'], { cwd: folder });
+    let err = '';
+    child.stderr.on('data', (part) => {
+      err += part;
+    });
+    child.stdout.once('data', () => child.stdout.destroy());
+    await new Promise((resolve) => child.once('close', resolve));
+    expect(err).toBe('');
+  });
+
+  it('takes paths from where the caller is, under npm too', async () => {
+    const ended = await start('npm', ['--prefix', ROOT, 'run', '-s', 'marrow', '--', 'info', 'small.skel', '--json']);
+    expect(ended.code).toBe(0);
+    expect(JSON.parse(ended.out).files).toMatchObject([{ name: 'small.skel', joints: 1 }]);
+  });
+});
