@@ -1,5 +1,6 @@
 /** The page, put together: nothing but wiring. */
 import { fileActions } from './app/file-actions.ts';
+import { followRange } from './app/follow-range.ts';
 import { Opener } from './app/opening.ts';
 import { fetchSample, listSamples } from './app/samples.ts';
 import { scriptingApi } from './app/scripting.ts';
@@ -7,8 +8,8 @@ import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
 import { fetchFiles, filesInQuery } from './io/address.ts';
 import { Messages } from './ui/messages.ts';
-import { observable } from './ui/observable.ts';
 import { mountWorkbench } from './ui/mount.ts';
+import { observable } from './ui/observable.ts';
 import { rememberedSettings } from './ui/settings.ts';
 import type { DialogName, Loading, Workbench } from './ui/workbench.ts';
 import { Viewport } from './view/viewport.ts';
@@ -42,6 +43,7 @@ const workbench: Workbench = {
   files: fileActions({ store, messages, opener, samples }),
 };
 
+followRange(store, transport);
 mountWorkbench(root, workbench);
 transport.subscribe((now) => viewport.setTrailRange(now.range));
 window.marrow = scriptingApi(workbench, opener);

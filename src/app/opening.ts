@@ -95,8 +95,10 @@ export class Opener {
     } else store.replace(label, { document, selection });
     // A part that was replaced keeps time and camera: someone is editing a file beside the page.
     if (opened.some((id) => !findCharacter(before, id))) viewport.frameAll();
-    const moved = opened.filter((id) => hasNewClip(before, document, id));
-    if (moved.length) transport.update((now) => playFrom(now, rangeOf(document, moved)));
+    // The range is that of the clips by now (`follow-range.ts`); what is new starts from its beginning.
+    if (opened.some((id) => hasNewClip(before, document, id))) {
+      transport.update((now) => play({ ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 }));
+    }
   }
 }
 
@@ -123,24 +125,6 @@ function hasNewClip(before: Document, after: Document, id: string): boolean {
 function shownClipOf(document: Document, id: string) {
   const character = findCharacter(document, id);
   return character && shownClip(character);
-}
-
-/** From the first moment of any of these characters' clips to the last. */
-export function rangeOf(document: Document, ids: readonly string[]): readonly [number, number] {
-  let start = Number.POSITIVE_INFINITY;
-  let end = Number.NEGATIVE_INFINITY;
-  for (const id of ids) {
-    const clip = shownClipOf(document, id);
-    const offset = findCharacter(document, id)?.timeOffsetSeconds ?? 0;
-    if (!clip) continue;
-    start = Math.min(start, clip.range[0] - offset);
-    end = Math.max(end, clip.range[1] - offset);
-  }
-  return start <= end ? [start, end] : [0, 0];
-}
-
-function playFrom(transport: Playback, range: readonly [number, number]): Playback {
-  return play({ ...transport, range, timeSeconds: range[0], rate: Math.abs(transport.rate) || 1 });
 }
 
 function failure(error: unknown): Diagnostic {

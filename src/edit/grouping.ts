@@ -115,7 +115,11 @@ function skeletonFor(part: GivenFile, groups: readonly FileGroup[]): FileGroup |
       length = fit;
     }
   }
-  return best ?? (there.length === 1 ? there[0] : undefined);
+  if (best) return best;
+  if (there.length > 0) return there.length === 1 ? there[0] : undefined;
+  // Nothing in its own folder: the only skeleton given at all is meant.
+  const all = groups.filter((g) => g.skeleton);
+  return all.length === 1 ? all[0] : undefined;
 }
 
 /** By base name, whatever folders the `.rig` writes before it; its own folder's file before another's. */

@@ -86,7 +86,12 @@ export function openFiles(
       const before = earlier[root] ?? (skeletonFile && root === 0 ? waitingFor(characters, group, opened) : undefined);
       // Several roots are several characters; what else is in the group belongs to the first.
       const own = root === 0 ? parts : parts.filter((p) => p.kind === 'skel');
-      let next = before ?? newCharacter(nextId([...document.characters, ...characters]), group.name ?? skeleton?.name ?? stemOf(parts[0].source));
+      let next =
+        before ??
+        newCharacter(
+          nextId([...document.characters, ...characters]),
+          group.name ?? skeleton?.name ?? stemOf(parts[0].source),
+        );
       if (skeleton) next = withSkeleton(next, skeleton);
       for (const part of own) next = withPart(next, part);
       settle(before, { ...next, ...(before ? {} : { shownSkin: 0, shownClip: next.clips.length ? 0 : -1 }) }, own);
@@ -96,16 +101,23 @@ export function openFiles(
     if (gone.size) characters = characters.filter((c) => !gone.has(c));
   }
 
-  for (const file of grouping.loose) {
+  // Morphs last: the skin that they change may be among the files, and stand after them.
+  const loose = [...grouping.loose].sort((a, b) => Number(a.kind === 'morph') - Number(b.kind === 'morph'));
+  for (const file of loose) {
     if (isBroken(file)) continue;
     const target =
       characters.find((c) => hasSource(c, file.source)) ??
       findCharacter({ ...base, characters }, selectedId) ??
-      (base.characters.length === 1 ? characters.find((c) => c.id === base.characters[0].id) : undefined);
+      (base.characters.length === 1 ? characters.find((c) => c.id === base.characters[0].id) : undefined) ??
+      (file.kind === 'morph' ? onlySkinned(characters) : undefined);
     if (target && (file.kind !== 'morph' || target.skins.length)) settle(target, withPart(target, file), [file]);
     else if (file.kind === 'skin' || file.kind === 'anim') {
       // Alone it is shown as it is, and waits for a skeleton.
-      settle(undefined, withPart(newCharacter(nextId([...document.characters, ...characters]), stemOf(file.source)), file), [file]);
+      settle(
+        undefined,
+        withPart(newCharacter(nextId([...document.characters, ...characters]), stemOf(file.source)), file),
+        [file],
+      );
     } else unused.push({ file, why: 'There is no skin here that it could change.' });
   }
 
@@ -137,6 +149,12 @@ export function openFiles(
     opened: [...opened],
     label: openLabel(changed.length ? changed : files),
   };
+}
+
+/** The character that a morph without any other hint is for. */
+function onlySkinned(characters: readonly Character[]): Character | undefined {
+  const skinned = characters.filter((c) => c.skins.length > 0);
+  return skinned.length === 1 ? skinned[0] : undefined;
 }
 
 function newCharacter(id: string, name: string): Character {

@@ -5,20 +5,13 @@
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
+import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, type Texture } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { unzip } from './zip.ts';
-
-const TEXTURE_TYPES: Readonly<Record<string, string>> = {
-  bmp: 'image/bmp',
-  png: 'image/png',
-  jpg: 'image/jpeg',
-  jpeg: 'image/jpeg',
-  webp: 'image/webp',
-};
 
 /** Progress is told about this often: enough for a smooth bar, too seldom to cost anything. */
 const PROGRESS_STEP_BYTES = 1 << 20;
@@ -27,7 +20,7 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
   const diagnostics: Diagnostic[] = [];
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
-  const given = await unpacked(input.files, diagnostics);
+  const { given, passedOver } = await unpacked(input.files, diagnostics);
   const bytesTotal = given.reduce((sum, { blob }) => sum + blob.size, 0);
   let bytesDone = 0;
   let told = 0;
@@ -41,7 +34,7 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       onProgress({ label: source.name, bytesDone, bytesTotal });
     };
     const format = formatOf(source.name);
-    const mime = TEXTURE_TYPES[extensionOf(source.name)];
+    const mime = textureTypeOf(source.name);
     if (format) {
       const reader = format.reader(source.name);
       try {
@@ -62,8 +55,11 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
       const texture: Texture = { name: source.name, mime, bytes: new Uint8Array(await blob.arrayBuffer()) };
       files.push({ kind: 'texture', texture, source });
       count(blob.size);
-    } else diagnostics.push(unknownFormat(source));
+    } else passedOver.push(source);
   }
+  // A readme beside a character is no more than worth a note.
+  const severity = files.length || broken.length ? 'info' : 'warning';
+  for (const source of passedOver) diagnostics.push(unknownFormat(source, severity));
 
   return { files, broken, diagnostics, facts: factsOf(files) };
 }
@@ -87,33 +83,31 @@ function sourceOf(path: string, bytes: number): SourceFile {
   return { name: path.slice(path.lastIndexOf('/') + 1), path, bytes };
 }
 
-function extensionOf(name: string): string {
-  return name.slice(name.lastIndexOf('.') + 1).toLowerCase();
-}
-
 function isReadable(name: string): boolean {
-  return formatOf(name) !== undefined || extensionOf(name) in TEXTURE_TYPES;
+  return formatOf(name) !== undefined || textureTypeOf(name) !== undefined;
 }
 
 /** The files given, with those inside zips in place of the zips. */
-async function unpacked(given: readonly GivenBlob[], diagnostics: Diagnostic[]): Promise<readonly GivenBlob[]> {
-  const all: GivenBlob[] = [];
-  for (const file of given) {
-    if (extensionOf(file.path) !== 'zip') {
-      all.push(file);
+async function unpacked(files: readonly GivenBlob[], diagnostics: Diagnostic[]) {
+  const given: GivenBlob[] = [];
+  /** Inside zips, of no kind that is read. */
+  const passedOver: SourceFile[] = [];
+  for (const file of files) {
+    if (!file.path.toLowerCase().endsWith('.zip')) {
+      given.push(file);
       continue;
     }
     const source = sourceOf(file.path, file.blob.size);
     try {
-      const { entries, passedOver } = unzip(new Uint8Array(await file.blob.arrayBuffer()), isReadable);
+      const { entries, passedOver: other } = unzip(new Uint8Array(await file.blob.arrayBuffer()), isReadable);
       // In a folder named after the archive: what is packed together belongs together.
-      for (const { path, bytes } of entries) all.push({ path: `${file.path}/${path}`, blob: new Blob([bytes]) });
-      for (const path of passedOver) diagnostics.push(unknownFormat(sourceOf(`${file.path}/${path}`, 0)));
+      for (const { path, bytes } of entries) given.push({ path: `${file.path}/${path}`, blob: new Blob([bytes]) });
+      for (const path of other) passedOver.push(sourceOf(`${file.path}/${path}`, 0));
     } catch (error) {
       diagnostics.push(unreadable(source, error));
     }
   }
-  return all;
+  return { given, passedOver };
 }
 
 async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void> {
@@ -133,11 +127,11 @@ function unreadable(source: SourceFile, error: unknown): Diagnostic {
   };
 }
 
-function unknownFormat(source: SourceFile): Diagnostic {
+function unknownFormat(source: SourceFile, severity: 'info' | 'warning'): Diagnostic {
   return {
-    severity: 'warning',
+    severity,
     code: 'format-unknown',
-    message: `Marrow does not read this kind of file; it reads ${[...READABLE_EXTENSIONS, ...Object.keys(TEXTURE_TYPES), 'zip'].map((e) => `.${e}`).join(' ')}.`,
+    message: `Marrow does not read this kind of file; it reads ${[...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ')}.`,
     file: source.name,
     line: 0,
     column: 0,

@@ -76,6 +76,16 @@ describe('files opened together', () => {
     expect(document.characters.map((c) => c.clips.length)).toEqual([1, 0]);
   });
 
+  it('go to the only skeleton given where their own folder has none', () => {
+    const { document } = open([skelFile('a/hero.skel', skeleton()), animFile('b/jump.anim', clip('jump', []))]);
+    expect(only(document).clips).toHaveLength(1);
+  });
+
+  it('need no skeleton: morphs go to the skin given with them', () => {
+    const { document } = open([morphFile('a.morph', morph('a')), skinFile('head.skin', skin('head'))]);
+    expect(only(document).morphs).toHaveLength(1);
+  });
+
   it('are bound by a rig, morphs in its order, with what it does not name added after', () => {
     const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: ['smile.morph', 'blink.morph'] };
     const { document } = open([

@@ -1,0 +1,49 @@
+import { expect, it } from 'vitest';
+import { followRange } from '../../src/app/follow-range.ts';
+import { showClip } from '../../src/edit/commands/characters.ts';
+import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
+import { Store } from '../../src/edit/store.ts';
+import { observable } from '../../src/ui/observable.ts';
+import { character, clip, documentOf } from '../helpers/builders.ts';
+
+const walking = character({ clips: [clip('walk', [0], [1, 3]), clip('run', [0], [-1, 2])], shownClip: 0 });
+
+function following() {
+  const store = new Store();
+  const transport = observable(DEFAULT_PLAYBACK);
+  followRange(store, transport);
+  return { store, transport };
+}
+
+it('takes the range of the clip that comes, and of the take that is chosen', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(walking), selection: {} });
+  expect(transport.get().range).toEqual([1, 3]);
+  store.apply(showClip, { characterId: 'c1', clip: 1 });
+  expect(transport.get().range).toEqual([-1, 2]);
+  store.undo();
+  expect(transport.get().range).toEqual([1, 3]);
+});
+
+it('spans all characters, each with its offset in time', () => {
+  const { store, transport } = following();
+  const later = { ...walking, id: 'c2', timeOffsetSeconds: -4 };
+  store.replace('Open', { document: documentOf(walking, later), selection: {} });
+  expect(transport.get().range).toEqual([1, 7]);
+});
+
+it('leaves a range alone that was set by hand', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(walking), selection: {} });
+  transport.update((now) => ({ ...now, range: [1.5, 2] }));
+  store.apply(showClip, { characterId: 'c1', clip: 1 });
+  expect(transport.get().range).toEqual([1.5, 2]);
+});
+
+it('stops where nothing is left to play', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(walking), selection: {} });
+  transport.update((now) => ({ ...now, playing: true }));
+  store.replace('Open', { document: documentOf(character()), selection: {} });
+  expect(transport.get().playing).toBe(false);
+});
