@@ -45,7 +45,7 @@ const workbench: Workbench = {
 
 followRange(store, transport);
 mountWorkbench(root, workbench);
-transport.subscribe((now) => viewport.setTrailRange(now.range));
+transport.subscribe((now) => viewport.setPlayedRange(now.range));
 window.marrow = scriptingApi(workbench, opener);
 
 const named = filesInQuery(location.search);

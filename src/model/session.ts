@@ -13,7 +13,8 @@ export interface Selection {
 export const NOTHING_SELECTED: Selection = {};
 
 export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'heat';
-export type BoxStyle = 'hidden' | 'wire' | 'solid';
+/** `bare`: wire, for characters that no skin is drawn of. */
+export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 
 /** What is drawn, for all characters. */
 export interface Display {
@@ -37,7 +38,7 @@ export interface Display {
 
 export const DEFAULT_DISPLAY: Display = {
   skin: 'textured',
-  boxes: 'wire',
+  boxes: 'bare',
   bones: false,
   axes: false,
   names: false,

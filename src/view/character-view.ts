@@ -1,0 +1,344 @@
+/**
+ * One character in the picture: bones, skin, motion, and as many placements as the document gives it.
+ *
+ *     after an edit     show()    identity tells what has to be built anew; a part that is the same object needs nothing
+ *     every frame       seek()    mixer → DOFs → matrices → bone texture; fills what exists
+ *
+ *     object ─┬─ placement ── mesh, wire, normals          all placements over the same buffers and the same bones
+ *             ├─ placement ── …
+ *             └─ root bone ── …                            in the character's own space
+ *
+ * A large skin is not there at once: `prepare` converts and uploads it in slices, and shows it when all of it is there.
+ */
+import {
+  type Bone,
+  Box3,
+  Group,
+  PerspectiveCamera,
+  Scene,
+  Sphere,
+  type Texture,
+  Vector3,
+  type WebGLRenderer,
+} from 'three';
+import { posedBounds } from '../evaluate/bounds.ts';
+import { type Character, shownSkin } from '../model/document.ts';
+import { type Texture as Picture, sameName } from '../model/files.ts';
+import type { Morph } from '../model/morph.ts';
+import type { Display } from '../model/session.ts';
+import { type Skin, vertexCount } from '../model/skin.ts';
+import { Bones } from './bones.ts';
+import { placementMatrix } from './placements.ts';
+import { PosePlayer } from './pose-track.ts';
+import { BUILT_AT_ONCE, ShownSkin } from './shown-skin.ts';
+import { skinTexture } from './skin-texture.ts';
+import { SKIN_THEMES } from './skin-theme.ts';
+import type { MarrowSkinnedMesh } from './skinning.ts';
+import { runInSlices, runThrough, type Sliced } from './slices.ts';
+import type { ThemeName } from './theme.ts';
+import { uploadInFrames } from './upload.ts';
+
+/** What a character has to say later on. */
+export interface CharacterEvents {
+  /** Something new can be seen: draw again. */
+  redraw?(): void;
+  /** The skin's picture can't be decoded; the skin stays untextured. */
+  textureFailed?(picture: Picture, message: string): void;
+}
+
+const NO_NUMBERS = new Float64Array(0);
+/** Scratch, never escapes. */
+const box = new Float64Array(6);
+const matrix = new Float64Array(16);
+const placedBox = new Box3();
+const vertex = new Vector3();
+
+export class CharacterView {
+  /** Everything of this character; stands at the scene's origin. */
+  readonly object = new Group();
+  /** Around the posed character in its own space: what three.js culls and sorts by. */
+  readonly localBox = new Box3();
+  private readonly localSphere = new Sphere();
+  private shown: Character | undefined;
+  private display: Display | undefined;
+  private heatJoint: number | undefined;
+  private theme: ThemeName = 'dark';
+  private timeSeconds = 0;
+  private player: PosePlayer | undefined;
+  private boneSet: Bones | undefined;
+  private groups: readonly Group[] = [];
+  private skin: ShownSkin | undefined;
+  /** A skin on its way: run through at once, or bit by bit in `prepare`. */
+  private building: Sliced<void> | undefined;
+  private preparing: Promise<void> | undefined;
+  private skinLife = new AbortController();
+  private picture: Picture | undefined;
+  private texture: Texture | undefined;
+
+  /** @param renderer what `prepare` uploads to; without one it only converts */
+  constructor(
+    private readonly renderer?: WebGLRenderer,
+    private readonly events: CharacterEvents = {},
+  ) {}
+
+  /** One a placement, in their order; their matrices are the placements'. */
+  get placements(): readonly Group[] {
+    return this.groups;
+  }
+
+  get bones(): readonly Bone[] {
+    return this.boneSet?.bones ?? [];
+  }
+
+  /** One a placement; none without a skin, or while a large one is on its way. */
+  get skinnedMeshes(): readonly MarrowSkinnedMesh[] {
+    return this.skin?.isShown ? this.skin.meshes : [];
+  }
+
+  /** Every DOF at the time of the last `seek` (see `model/dofs.ts`), clamped. */
+  get dofs(): Float64Array {
+    return this.player?.dofs ?? NO_NUMBERS;
+  }
+
+  /** 16 numbers a joint, column-major, in the character's own space. */
+  get worldMatrices(): Float64Array {
+    return this.boneSet?.world ?? NO_NUMBERS;
+  }
+
+  /** Whether there is a skin that only `prepare` will show. */
+  get needsPreparing(): boolean {
+    return this.skin !== undefined && !this.skin.isShown;
+  }
+
+  setTheme(theme: ThemeName): void {
+    this.theme = theme;
+    this.skin?.setTheme(SKIN_THEMES[theme]);
+  }
+
+  /**
+   * After an edit.
+   * @param heatJoint the joint whose influence the heat map shows
+   */
+  show(character: Character, display: Display, heatJoint: number | undefined): void {
+    const before = this.shown;
+    this.shown = character;
+    this.display = display;
+    this.heatJoint = heatJoint;
+    if (this.player?.fits(character)) this.player.character = character;
+    else this.player = new PosePlayer(character);
+
+    const hasNewPlaces = character.placements.length !== this.groups.length;
+    if (hasNewPlaces) this.rebuildPlacements(character.placements.length);
+    const hasNewBones = !before || character.skeleton !== before.skeleton;
+    if (hasNewBones) this.rebuildBones(character);
+    const skin = shownSkin(character);
+    if (this.skin && this.skin.skin === skin && this.skin.fits(character.morphs, this.boneSet)) {
+      if (hasNewBones) this.skin.setBones(this.boneSet);
+      if (hasNewPlaces) this.skin.place(this.groups);
+      this.skin.show(display, heatJoint);
+    } else this.rebuildSkin(character, skin);
+    this.retexture(character, skin);
+    this.placeGroups(character);
+    this.seek(this.timeSeconds);
+  }
+
+  /** Poses everything at a time of the transport. Allocates nothing. */
+  seek(timeSeconds: number): void {
+    const { player, boneSet, skin, shown } = this;
+    this.timeSeconds = timeSeconds;
+    if (!player || !shown) return;
+    player.seek(timeSeconds);
+    const { dofs } = player;
+    const firstMorph = dofs.length - shown.morphs.length;
+    boneSet?.pose(dofs);
+    skin?.pose(dofs, firstMorph);
+    if (this.display?.inPlace) this.placeGroups(shown);
+
+    if (skin) posedBounds(skin.bounds, skin.matrices, dofs, firstMorph, box);
+    else if (boneSet) boneSet.bounds(box);
+    else box.fill(Number.NaN);
+    const { localBox, localSphere } = this;
+    if (box[0] <= box[3]) {
+      localBox.min.set(box[0], box[1], box[2]);
+      localBox.max.set(box[3], box[4], box[5]);
+    } else localBox.makeEmpty();
+    localBox.getBoundingSphere(localSphere);
+  }
+
+  /** Around all placements, in the scene's space, from the joints. Empty for a character without skin and skeleton. */
+  bounds(out: Box3): Box3 {
+    out.makeEmpty();
+    for (const group of this.groups) out.union(placedBox.copy(this.localBox).applyMatrix4(group.matrix));
+    return out;
+  }
+
+  /** The skin's vertices as they are drawn, x y z each, in the character's own space; empty without a skin. */
+  vertices(): Float64Array {
+    if (this.building) runThrough(this.building);
+    const mesh = this.skin?.meshes[0];
+    if (!mesh) return new Float64Array(0);
+    const count = vertexCount(mesh.gpu.skin);
+    const out = new Float64Array(3 * count);
+    for (let v = 0; v < count; v++) {
+      mesh.getVertexPosition(v, vertex);
+      out[3 * v] = vertex.x;
+      out[3 * v + 1] = vertex.y;
+      out[3 * v + 2] = vertex.z;
+    }
+    return out;
+  }
+
+  /**
+   * Brings what `show` left out: converts a large skin in slices, uploads it over several frames, compiles its shader
+   * aside, then shows it. Small skins are there already. Resolves early when the skin is replaced meanwhile. Asked for
+   * again on the way, it is the same preparation.
+   * @param onProgress how far it is, 0 to 1
+   */
+  prepare(onProgress?: (done: number) => void): Promise<void> {
+    const { skin } = this;
+    if (!skin || skin.isShown) return Promise.resolve();
+    this.preparing ??= this.prepareSkin(skin, onProgress);
+    return this.preparing;
+  }
+
+  private async prepareSkin(skin: ShownSkin, onProgress?: (done: number) => void): Promise<void> {
+    const { renderer, building } = this;
+    const { signal } = this.skinLife;
+    if (building) await runInSlices(building, signal, (done) => onProgress?.(done / 2));
+    if (signal.aborted) return;
+    const { uploads } = skin;
+    if (renderer && uploads) {
+      const { geometry, textures } = uploads;
+      await uploadInFrames(renderer, geometry, textures, signal, (done) => onProgress?.(0.5 + done / 2));
+      if (!signal.aborted) await this.compileAside(renderer);
+    }
+    if (signal.aborted) return;
+    skin.reveal();
+    this.preparing = undefined;
+    onProgress?.(1);
+    this.events.redraw?.();
+  }
+
+  dispose(): void {
+    this.dropSkin();
+    this.picture = undefined;
+    this.setTexture(undefined);
+    this.object.removeFromParent();
+    this.object.clear();
+    this.groups = [];
+    this.boneSet = undefined;
+    this.player = undefined;
+    this.shown = undefined;
+  }
+
+  private rebuildPlacements(count: number): void {
+    for (const group of this.groups.slice(count)) group.removeFromParent();
+    this.groups = Array.from({ length: count }, (_, i) => {
+      const group = this.groups[i] ?? new Group();
+      group.matrixAutoUpdate = false;
+      if (group.parent !== this.object) this.object.add(group);
+      return group;
+    });
+  }
+
+  private rebuildBones(character: Character): void {
+    this.boneSet?.root?.removeFromParent();
+    this.boneSet = character.skeleton && new Bones(character.skeleton);
+    const root = this.boneSet?.root;
+    if (root) this.object.add(root);
+  }
+
+  private rebuildSkin(character: Character, model: Skin | undefined): void {
+    this.dropSkin();
+    if (!model) return;
+    const theme = SKIN_THEMES[this.theme];
+    const skin = new ShownSkin(model, character.morphs, this.boneSet, theme, this.localSphere, this.localBox);
+    skin.onLater = () => this.events.redraw?.();
+    skin.setTexture(this.texture);
+    this.skin = skin;
+    this.building = this.bring(skin);
+    if (sizeOf(model, character.morphs) > BUILT_AT_ONCE) return;
+    runThrough(this.building);
+    skin.reveal();
+  }
+
+  private *bring(skin: ShownSkin): Sliced<void> {
+    yield* skin.build();
+    this.building = undefined;
+    skin.place(this.groups);
+    if (this.display) skin.show(this.display, this.heatJoint);
+    this.seek(this.timeSeconds);
+  }
+
+  private dropSkin(): void {
+    this.skinLife.abort();
+    this.skinLife = new AbortController();
+    this.building = undefined;
+    this.preparing = undefined;
+    this.skin?.dispose();
+    this.skin = undefined;
+  }
+
+  /** Decodes the picture that the skin's material names, if it is another one than before. */
+  private retexture(character: Character, skin: Skin | undefined): void {
+    const named = skin?.texcoords && skin.material?.texture;
+    const picture = named ? character.textures.find((t) => sameName(t.name, baseName(named))) : undefined;
+    if (picture === this.picture) return;
+    this.picture = picture;
+    this.setTexture(undefined);
+    if (!picture || typeof createImageBitmap === 'undefined') return;
+    skinTexture(picture).then(
+      (texture) => {
+        if (this.picture !== picture) {
+          texture.dispose();
+          return;
+        }
+        this.setTexture(texture);
+        this.events.redraw?.();
+      },
+      (error: unknown) => {
+        if (this.picture === picture) this.events.textureFailed?.(picture, messageOf(error));
+      },
+    );
+  }
+
+  private setTexture(texture: Texture | undefined): void {
+    this.texture?.dispose();
+    this.texture = texture;
+    this.skin?.setTexture(texture);
+  }
+
+  private placeGroups(character: Character): void {
+    const inPlace = this.display?.inPlace ?? false;
+    for (let p = 0; p < this.groups.length; p++) {
+      const group = this.groups[p];
+      placementMatrix(character.placements[p], inPlace ? this.dofs[0] : 0, inPlace ? this.dofs[2] : 0, matrix);
+      group.matrix.fromArray(matrix);
+      group.matrixWorldNeedsUpdate = true;
+    }
+  }
+
+  /** The surface's shader, for the lights of the scene that the character is in. */
+  private async compileAside(renderer: WebGLRenderer): Promise<void> {
+    const mesh = this.skin?.meshes[0];
+    let scene = this.object.parent;
+    while (scene?.parent) scene = scene.parent;
+    if (mesh) await renderer.compileAsync(mesh, new PerspectiveCamera(), scene instanceof Scene ? scene : null);
+  }
+}
+
+/** What building a skin takes, in vertices. */
+function sizeOf(skin: Skin, morphs: readonly Morph[]): number {
+  return morphs.reduce((sum, { positions, normals }) => {
+    return sum + (positions.indices.length + normals.indices.length) / 4;
+  }, vertexCount(skin));
+}
+
+/** The course's files name textures with folders of any system. */
+function baseName(path: string): string {
+  return path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+}
+
+function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -1,0 +1,62 @@
+/**
+ * Round markers of a size in pixels, one for each instance, with a thin ring around so that they read on any ground.
+ * Quads rather than WebGL points, whose largest size differs between machines.
+ */
+import { BufferAttribute, BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
+import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
+
+export interface DotOptions {
+  /** Diameter in CSS pixels, ring included. */
+  readonly size: number;
+  readonly depthTest: boolean;
+}
+
+/** Instances take place and visibility from their matrices: translation, and any scale that is not 0. */
+export function dots(capacity: number, options: DotOptions): InstancedMesh<BufferGeometry, ShaderMaterial> {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]), 3));
+  geometry.setIndex([0, 1, 2, 2, 1, 3]);
+  const mesh = new InstancedMesh(geometry, dotMaterial(options), capacity);
+  mesh.frustumCulled = false;
+  mesh.count = 0;
+  return mesh;
+}
+
+function dotMaterial({ size, depthTest }: DotOptions): ShaderMaterial {
+  return new ShaderMaterial({
+    transparent: true,
+    depthTest,
+    depthWrite: false,
+    toneMapped: false,
+    uniforms: {
+      resolution: LINE_RESOLUTION,
+      size: { value: size },
+      color: { value: rawColor('#ffffff') },
+      ring: { value: rawColor('#000000') },
+    },
+    vertexShader: /* glsl */ `
+      uniform vec2 resolution;
+      uniform float size;
+      varying vec2 vAt;
+      void main() {
+        vAt = position.xy * (0.5 * size + 1.0);
+        vec4 p = projectionMatrix * (modelViewMatrix * instanceMatrix[3]);
+        p.xy += vAt * 2.0 / resolution * p.w;
+        gl_Position = p;
+      }
+    `,
+    fragmentShader: /* glsl */ `
+      uniform float size;
+      uniform vec3 color;
+      uniform vec3 ring;
+      varying vec2 vAt;
+      void main() {
+        float r = length(vAt);
+        float soft = fwidth(r);
+        float inside = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 0.5);
+        float core = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 2.0);
+        gl_FragColor = vec4(mix(ring, color, core), inside * mix(0.7, 1.0, core));
+      }
+    `,
+  });
+}

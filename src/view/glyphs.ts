@@ -1,0 +1,179 @@
+/**
+ * Numbers and axis letters standing in the scene at a fixed size on screen: one instanced quad a glyph, out of a
+ * picture of all glyphs, one draw call for all of them. They are part of the scene, so a character in front hides them,
+ * and a picture of the canvas has them. (Labels made of HTML float over everything.)
+ *
+ *     instance: where (x y z), offset of its glyph from there in CSS pixels (x y), which glyph, colour r g b a
+ */
+import {
+  BufferAttribute,
+  CanvasTexture,
+  type Color,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  LinearFilter,
+  Mesh,
+  NoColorSpace,
+  ShaderMaterial,
+  Vector2,
+} from 'three';
+import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
+
+const GLYPHS = '0123456789.-+exyz';
+/** CSS pixels of a glyph's cell: room for the tallest and its halo. */
+const CELL_WIDTH = 12;
+const CELL_HEIGHT = 18;
+const FONT_PX = 11;
+
+export class Glyphs {
+  readonly object: Mesh<InstancedBufferGeometry, ShaderMaterial>;
+  private readonly place: InstancedBufferAttribute;
+  private readonly offset: InstancedBufferAttribute;
+  private readonly color: InstancedBufferAttribute;
+  private readonly advances = new Float32Array(GLYPHS.length);
+  private pixelRatio = 0;
+  private count = 0;
+
+  constructor(private readonly capacity: number) {
+    const geometry = new InstancedBufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]), 3));
+    geometry.setIndex([0, 1, 2, 2, 1, 3]);
+    const add = (name: string, size: number) => {
+      const attribute = new InstancedBufferAttribute(new Float32Array(size * capacity), size).setUsage(
+        DynamicDrawUsage,
+      );
+      geometry.setAttribute(name, attribute);
+      return attribute;
+    };
+    this.place = add('place', 3);
+    this.offset = add('offset', 3);
+    this.color = add('tint', 4);
+    this.object = new Mesh(geometry, glyphMaterial());
+    this.object.frustumCulled = false;
+    this.object.matrixAutoUpdate = false;
+  }
+
+  /** Draws the glyphs' picture for this many device pixels to a CSS pixel. */
+  setPixelRatio(ratio: number): void {
+    if (ratio === this.pixelRatio) return;
+    this.pixelRatio = ratio;
+    const canvas = document.createElement('canvas');
+    canvas.width = Math.ceil(CELL_WIDTH * ratio) * GLYPHS.length;
+    canvas.height = Math.ceil(CELL_HEIGHT * ratio);
+    const pen = canvas.getContext('2d', { willReadFrequently: false });
+    if (!pen) return;
+    pen.font = `500 ${FONT_PX * ratio}px system-ui, -apple-system, "Segoe UI", sans-serif`;
+    pen.textBaseline = 'middle';
+    pen.lineJoin = 'round';
+    const cell = Math.ceil(CELL_WIDTH * ratio);
+    let digit = 0;
+    for (const c of '0123456789') digit = Math.max(digit, pen.measureText(c).width);
+    for (let g = 0; g < GLYPHS.length; g++) {
+      const own = pen.measureText(GLYPHS[g]).width;
+      // All digits as wide as the widest: columns of numbers then line up in any font.
+      const width = GLYPHS[g] >= '0' && GLYPHS[g] <= '9' ? digit : own;
+      this.advances[g] = width / ratio;
+      const x = g * cell + 2 * ratio + (width - own) / 2;
+      // Red is the letter, green the letter with its halo.
+      pen.globalCompositeOperation = 'lighter';
+      pen.lineWidth = 3.5 * ratio;
+      pen.strokeStyle = pen.fillStyle = '#00ff00';
+      pen.strokeText(GLYPHS[g], x, canvas.height / 2);
+      pen.fillStyle = '#ff0000';
+      pen.fillText(GLYPHS[g], x, canvas.height / 2);
+    }
+    const texture = new CanvasTexture(canvas);
+    texture.colorSpace = NoColorSpace;
+    texture.minFilter = texture.magFilter = LinearFilter;
+    texture.generateMipmaps = false;
+    const { uniforms } = this.object.material;
+    uniforms.glyphs.value?.dispose();
+    uniforms.glyphs.value = texture;
+    uniforms.pixelRatio.value = ratio;
+    uniforms.cell.value.set(cell / ratio, canvas.height / ratio);
+  }
+
+  setHalo(css: string): void {
+    this.object.material.uniforms.halo.value.copy(rawColor(css));
+  }
+
+  begin(): void {
+    this.count = 0;
+  }
+
+  /** Writes `text` at a place, with its left middle `dx`, `dy` CSS pixels right of and above it. Unknown letters are left out. */
+  add(text: string, x: number, y: number, z: number, dx: number, dy: number, color: Color, opacity: number): void {
+    let at = dx;
+    for (let c = 0; c < text.length && this.count < this.capacity; c++) {
+      const glyph = GLYPHS.indexOf(text[c]);
+      if (glyph < 0) continue;
+      this.place.setXYZ(this.count, x, y, z);
+      this.offset.setXYZ(this.count, at, dy, glyph);
+      this.color.setXYZW(this.count, color.r, color.g, color.b, opacity);
+      at += this.advances[glyph];
+      this.count++;
+    }
+  }
+
+  end(): void {
+    this.object.geometry.instanceCount = this.count;
+    this.object.visible = this.count > 0;
+    for (const attribute of [this.place, this.offset, this.color]) attribute.needsUpdate = true;
+  }
+
+  dispose(): void {
+    this.object.material.uniforms.glyphs.value?.dispose();
+    this.object.material.dispose();
+    this.object.geometry.dispose();
+  }
+}
+
+function glyphMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    transparent: true,
+    depthWrite: false,
+    toneMapped: false,
+    uniforms: {
+      resolution: LINE_RESOLUTION,
+      pixelRatio: { value: 1 },
+      cell: { value: new Vector2(CELL_WIDTH, CELL_HEIGHT) },
+      glyphs: { value: null },
+      halo: { value: rawColor('#000000') },
+    },
+    vertexShader: /* glsl */ `
+      attribute vec3 place;
+      attribute vec3 offset;
+      attribute vec4 tint;
+      uniform vec2 resolution;
+      uniform vec2 cell;
+      uniform float pixelRatio;
+      varying vec2 vUv;
+      varying vec4 vTint;
+      void main() {
+        vec4 p = projectionMatrix * (modelViewMatrix * vec4(place, 1.0));
+        // On whole device pixels: letters stay as sharp as they were drawn.
+        vec2 pixels = resolution * pixelRatio;
+        vec2 corner = (p.xy / p.w * 0.5 + 0.5) * pixels + (offset.xy - vec2(2.0, 0.5 * cell.y)) * pixelRatio;
+        corner = floor(corner + 0.5) + position.xy * cell * pixelRatio;
+        p.xy = (corner / pixels * 2.0 - 1.0) * p.w;
+        gl_Position = p;
+        vUv = vec2((offset.z + position.x) / ${GLYPHS.length}.0, position.y);
+        vTint = tint;
+      }
+    `,
+    fragmentShader: /* glsl */ `
+      uniform sampler2D glyphs;
+      uniform vec3 halo;
+      varying vec2 vUv;
+      varying vec4 vTint;
+      void main() {
+        vec2 ink = texture2D(glyphs, vUv).rg;
+        float around = 0.75 * ink.g;
+        float alpha = max(ink.r, around);
+        if (alpha < 0.01) discard;
+        gl_FragColor = vec4(mix(halo, vTint.rgb, ink.r / alpha * ink.r), alpha * vTint.a);
+      }
+    `,
+  });
+}

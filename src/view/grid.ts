@@ -1,0 +1,265 @@
+/**
+ * The grid: lines one pixel wide at any scale, drawn by a shader on one quad, with the spacing written along its axes.
+ *
+ * Lines come from the distance to the nearest multiple of the spacing, measured in pixels through screen derivatives
+ * (after Ben Golus, "The Best Darn Grid Shader (Yet)", 2023), and fade where they come closer than a few pixels, which
+ * is what keeps the distance calm. Coordinates in the shader are relative to a multiple of the spacing near the camera's
+ * target, so that floats hold out far from the origin. It lies on the ground; an orthographic view straight from the
+ * front or side has it upright behind everything, as drawing tools do.
+ */
+import {
+  AddEquation,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  CustomBlending,
+  DoubleSide,
+  Group,
+  Mesh,
+  OneFactor,
+  OneMinusSrcAlphaFactor,
+  ShaderMaterial,
+  SrcAlphaFactor,
+  Vector2,
+  Vector3,
+} from 'three';
+import { Glyphs } from './glyphs.ts';
+import { gridLabel, roundSpacing, subdivisions } from './grid-spacing.ts';
+import type { StageTheme } from './theme.ts';
+import { rawColor } from './thick-lines.ts';
+
+/** Which two axes the grid spans. */
+export type GridPlane = 'ground' | 'front' | 'side';
+
+/** Axis indices (u, v) of each plane. */
+const AXES: Readonly<Record<GridPlane, readonly [number, number]>> = { ground: [0, 2], front: [0, 1], side: [2, 1] };
+
+/** CSS pixels between labelled lines at the camera's target, at least. */
+const SPACING_PX = 92;
+/** How far labels go from the target, in spacings. */
+const LABEL_REACH = 7;
+
+export interface GridView {
+  readonly target: Vector3;
+  /** From the camera to its target. */
+  readonly distance: number;
+  /** Length at the target that a CSS pixel shows. */
+  readonly unitsPerPixel: number;
+  readonly plane: GridPlane;
+}
+
+export class Grid {
+  readonly object = new Group();
+  /** Of the labelled lines. */
+  spacing = 1;
+  private readonly quad: Mesh<BufferGeometry, ShaderMaterial>;
+  private readonly glyphs = new Glyphs(512);
+  private readonly labelColor = new Color();
+  private readonly axisColors = [new Color(), new Color(), new Color()];
+  private readonly at = [0, 0, 0];
+  private readonly drawnFor = { target: new Vector3(Number.NaN), distance: 0, unitsPerPixel: 0, plane: '' };
+
+  constructor() {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute(
+      'position',
+      new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]), 3),
+    );
+    geometry.setIndex([0, 1, 2, 2, 1, 3]);
+    this.quad = new Mesh(geometry, gridMaterial());
+    this.quad.frustumCulled = false;
+    this.quad.matrixAutoUpdate = false;
+    this.quad.renderOrder = -20;
+    this.glyphs.object.renderOrder = -10;
+    this.object.add(this.quad, this.glyphs.object);
+  }
+
+  setTheme(theme: StageTheme): void {
+    const { uniforms } = this.quad.material;
+    uniforms.majorColor.value.copy(rawColor(theme.gridMajor));
+    uniforms.minorColor.value.copy(rawColor(theme.gridMinor));
+    uniforms.opacity.value.set(theme.gridMinorOpacity, theme.gridMajorOpacity);
+    [theme.axisX, theme.axisY, theme.axisZ].forEach((css, i) => {
+      this.axisColors[i].copy(rawColor(css));
+    });
+    this.labelColor.copy(rawColor(theme.label));
+    this.glyphs.setHalo(theme.labelHalo);
+    this.drawnFor.distance = Number.NaN;
+  }
+
+  setPixelRatio(ratio: number): void {
+    this.glyphs.setPixelRatio(ratio);
+    this.drawnFor.distance = Number.NaN;
+  }
+
+  /** How far from the target lines are seen. */
+  static reach(distance: number): number {
+    return 5 * distance;
+  }
+
+  /** Every frame in which the camera moved. */
+  update({ target, distance, unitsPerPixel, plane }: GridView): void {
+    const { drawnFor } = this;
+    if (
+      drawnFor.target.equals(target) &&
+      drawnFor.distance === distance &&
+      drawnFor.unitsPerPixel === unitsPerPixel &&
+      drawnFor.plane === plane
+    ) {
+      return;
+    }
+    drawnFor.target.copy(target);
+    Object.assign(drawnFor, { distance, unitsPerPixel, plane });
+    const [u, v] = AXES[plane];
+    const spacing = roundSpacing(SPACING_PX * unitsPerPixel);
+    this.spacing = spacing;
+    const radius = Grid.reach(distance);
+    const tu = target.getComponent(u);
+    const tv = target.getComponent(v);
+    const originU = Math.round(tu / spacing) * spacing;
+    const originV = Math.round(tv / spacing) * spacing;
+
+    const { uniforms } = this.quad.material;
+    uniforms.spacing.value.set(spacing / subdivisions(spacing), spacing);
+    uniforms.centre.value.set(tu - originU, tv - originV);
+    uniforms.zero.value.set(-originU, -originV);
+    uniforms.radius.value = radius;
+    uniforms.uColor.value.copy(this.axisColors[u]);
+    uniforms.vColor.value.copy(this.axisColors[v]);
+    const upright = plane !== 'ground';
+    this.quad.material.depthTest = !upright;
+    // Before everything else, and so in the list of what is opaque; it blends all the same.
+    this.quad.material.transparent = !upright;
+    this.quad.renderOrder = upright ? -900 : -20;
+
+    const m = this.quad.matrix.identity().elements;
+    m.fill(0, 0, 12);
+    m[u] = radius;
+    m[4 + v] = radius;
+    m[12 + u] = originU;
+    m[12 + v] = originV;
+    this.quad.matrixWorldNeedsUpdate = true;
+
+    this.writeLabels(u, v, tu, tv);
+  }
+
+  dispose(): void {
+    this.quad.geometry.dispose();
+    this.quad.material.dispose();
+    this.glyphs.dispose();
+  }
+
+  /** Numbers along both axes, or along the nearest labelled lines where the axes are out of sight. */
+  private writeLabels(u: number, v: number, tu: number, tv: number): void {
+    const { spacing, at, glyphs } = this;
+    glyphs.begin();
+    const near = LABEL_REACH * spacing;
+    const alongU = Math.abs(tv) < near ? 0 : Math.round(tv / spacing) * spacing;
+    const alongV = Math.abs(tu) < near ? 0 : Math.round(tu / spacing) * spacing;
+    for (const [along, centre, across, acrossValue] of [
+      [u, tu, v, alongU],
+      [v, tv, u, alongV],
+    ]) {
+      const first = Math.ceil((centre - near) / spacing);
+      const last = Math.floor((centre + near) / spacing);
+      at.fill(0);
+      at[across] = acrossValue;
+      for (let i = first; i <= last; i++) {
+        // One 0 for both axes.
+        if (i === 0 && along === v && acrossValue === 0) continue;
+        const value = i * spacing;
+        const away = Math.abs(value - centre) / near;
+        at[along] = value;
+        glyphs.add(gridLabel(i, spacing), at[0], at[1], at[2], 4, -8, this.labelColor, 1 - away ** 3);
+      }
+      // The axis's name, on the other side of its line, where the labels begin to fade.
+      const named = Math.floor((centre + 0.7 * near) / spacing);
+      if (acrossValue === 0 && named > 0) {
+        at[along] = named * spacing;
+        glyphs.add('xyz'[along], at[0], at[1], at[2], 4, 9, this.axisColors[along], 1);
+      }
+    }
+    glyphs.end();
+  }
+}
+
+function gridMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    side: DoubleSide,
+    depthWrite: false,
+    transparent: true,
+    toneMapped: false,
+    // Spelt out, so that it blends in the opaque list too.
+    blending: CustomBlending,
+    blendEquation: AddEquation,
+    blendSrc: SrcAlphaFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+    // The canvas stays opaque: the page would show through its lines.
+    blendSrcAlpha: OneFactor,
+    blendDstAlpha: OneMinusSrcAlphaFactor,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 4,
+    uniforms: {
+      spacing: { value: new Vector2(0.2, 1) },
+      centre: { value: new Vector2() },
+      zero: { value: new Vector2() },
+      radius: { value: 1 },
+      opacity: { value: new Vector2(0.1, 0.25) },
+      minorColor: { value: new Color() },
+      majorColor: { value: new Color() },
+      uColor: { value: new Color() },
+      vColor: { value: new Color() },
+    },
+    vertexShader: /* glsl */ `
+      uniform float radius;
+      varying vec2 vAt;
+      void main() {
+        vAt = position.xy * radius;
+        gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
+      }
+    `,
+    fragmentShader: /* glsl */ `
+      uniform vec2 spacing;
+      uniform vec2 centre;
+      uniform vec2 zero;
+      uniform vec2 opacity;
+      uniform float radius;
+      uniform vec3 minorColor;
+      uniform vec3 majorColor;
+      uniform vec3 uColor;
+      uniform vec3 vColor;
+      varying vec2 vAt;
+
+      // How much of this pixel lines \`every\` apart cover, for lines across u (.x) and v (.y).
+      vec2 lines(vec2 at, vec2 pixel, float every, float width) {
+        vec2 cells = at / every;
+        vec2 size = pixel / every;
+        vec2 away = abs(fract(cells - 0.5) - 0.5) / size;
+        vec2 cover = 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, away);
+        // Closer than 12 pixels they begin to fade, closer than 4 they are gone.
+        return cover * (1.0 - smoothstep(1.0 / 12.0, 1.0 / 4.0, size));
+      }
+
+      void main() {
+        vec2 dx = dFdx(vAt);
+        vec2 dy = dFdy(vAt);
+        vec2 pixel = max(sqrt(vec2(dx.x * dx.x + dy.x * dy.x, dx.y * dx.y + dy.y * dy.y)), vec2(1e-12));
+        vec2 minor = lines(vAt, pixel, spacing.x, 1.0) * opacity.x;
+        vec2 major = lines(vAt, pixel, spacing.y, 1.0) * opacity.y;
+        vec4 color = vec4(minorColor, max(minor.x, minor.y));
+        float strong = max(major.x, major.y);
+        color = strong > color.a ? vec4(majorColor, strong) : color;
+        // v is 0 along the first axis, u along the second.
+        vec2 axis = 1.0 - smoothstep(vec2(0.3), vec2(1.3), abs(vAt - zero) / pixel);
+        if (axis.y > 0.0) color = vec4(mix(color.rgb, uColor, axis.y), max(color.a, 0.8 * axis.y));
+        if (axis.x > 0.0) color = vec4(mix(color.rgb, vColor, axis.x), max(color.a, 0.8 * axis.x));
+        float away = length(vAt - centre) / radius;
+        float fade = 1.0 - smoothstep(0.05, 1.0, away);
+        color.a *= fade * fade;
+        if (color.a < 0.002) discard;
+        gl_FragColor = color;
+      }
+    `,
+  });
+}

@@ -1,0 +1,199 @@
+/**
+ * Names of joints, on a flat canvas over the picture: crisp at any scale, in any script, and without an element a name.
+ * A name that would cover one already written is left out, nearer ones first; the selected and the hovered joint's are
+ * always there.
+ */
+import { type Camera, Matrix4 } from 'three';
+import type { Display, Selection } from '../model/session.ts';
+import type { DrawnSkeleton, JointRef } from './skeleton-drawing.ts';
+import type { StageTheme } from './theme.ts';
+
+const FONT = '500 11px system-ui, -apple-system, "Segoe UI", sans-serif';
+/** CSS pixels. */
+const LINE_HEIGHT = 15;
+/** Names written at once. */
+const LIMIT = 120;
+/** Joints looked at; past these a picture of names is none. */
+const CANDIDATES = 4096;
+/** Longer names are cut. */
+const MAX_LETTERS = 40;
+
+interface Name {
+  readonly text: string;
+  readonly width: number;
+}
+
+export class Labels {
+  readonly canvas = document.createElement('canvas');
+  private readonly pen: CanvasRenderingContext2D;
+  private names: Name[] = [];
+  private readonly known = new Map<string, Name>();
+  private drawn: readonly DrawnSkeleton[] = [];
+  private width = 1;
+  private height = 1;
+  private ratio = 1;
+  private theme: StageTheme | undefined;
+  private always: number[] = [];
+  private selected = -1;
+  private showsAll = false;
+  private wrote = false;
+  private readonly toClip = new Matrix4();
+  /** Screen x, y and depth of each candidate. */
+  private readonly screen = new Float32Array(3 * CANDIDATES);
+  private readonly order = new Uint32Array(CANDIDATES);
+  private readonly boxes = new Float32Array(4 * LIMIT);
+  private written = 0;
+
+  constructor() {
+    const pen = this.canvas.getContext('2d');
+    if (!pen) throw new Error('This browser gives no 2D canvas.');
+    this.pen = pen;
+    this.canvas.setAttribute('aria-hidden', 'true');
+    this.canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;pointer-events:none';
+  }
+
+  resize(width: number, height: number, ratio: number): void {
+    this.width = width;
+    this.height = height;
+    this.ratio = ratio;
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.wrote = true;
+  }
+
+  setTheme(theme: StageTheme): void {
+    this.theme = theme;
+  }
+
+  /** After an edit. `hovered` is named too, wherever names are off. */
+  show(drawn: readonly DrawnSkeleton[], display: Display, selection: Selection, hovered: JointRef | undefined): void {
+    this.showsAll = display.names;
+    this.drawn = drawn;
+    this.pen.font = FONT;
+    this.names = [];
+    if (display.names || hovered) {
+      for (const { skeleton } of drawn) for (const joint of skeleton.joints) this.names.push(this.measure(joint.name));
+    }
+    this.selected = display.names ? this.instanceOf(selection.characterId, 0, selection.joint) : -1;
+    const under = hovered ? this.instanceOf(hovered.characterId, hovered.placement, hovered.joint) : -1;
+    this.always = [this.selected, under].filter((i) => i >= 0);
+  }
+
+  /** Every frame. @param positions x y z of each instance of the skeleton drawing */
+  draw(camera: Camera, positions: Float64Array): void {
+    const { pen, theme } = this;
+    const nothing = !this.showsAll && this.always.length === 0;
+    if (!theme || (nothing && !this.wrote)) return;
+    pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    pen.clearRect(0, 0, this.width, this.height);
+    this.wrote = !nothing;
+    if (nothing) return;
+    pen.font = FONT;
+    pen.textBaseline = 'middle';
+    pen.lineJoin = 'round';
+    pen.lineWidth = 3;
+    pen.strokeStyle = theme.labelHalo;
+    this.toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+
+    this.written = 0;
+    // The first skeleton of each character only: a crowd's names say the same a hundred times.
+    let firstName = 0;
+    let count = 0;
+    for (const { firstInstance, skeleton } of this.drawn) {
+      for (let j = 0; j < skeleton.joints.length && count < CANDIDATES; j++) {
+        if (this.project(positions, firstInstance + j, count)) {
+          this.order[count] = firstName + j;
+          count++;
+        }
+      }
+      firstName += skeleton.joints.length;
+    }
+    for (const instance of this.always) this.writeAlways(instance, positions, theme);
+    if (!this.showsAll) return;
+    // Nearest first. Few enough to look for the next nearest each time.
+    pen.fillStyle = theme.label;
+    for (let n = 0; n < count && this.written < LIMIT; n++) {
+      let best = -1;
+      for (let i = 0; i < count; i++) {
+        if (this.screen[3 * i + 2] < Infinity && (best < 0 || this.screen[3 * i + 2] < this.screen[3 * best + 2]))
+          best = i;
+      }
+      if (best < 0) break;
+      this.screen[3 * best + 2] = Infinity;
+      this.write(this.names[this.order[best]], this.screen[3 * best], this.screen[3 * best + 1], false);
+    }
+  }
+
+  private writeAlways(instance: number, positions: Float64Array, theme: StageTheme): void {
+    const name = this.nameOf(instance);
+    if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
+    this.pen.fillStyle = instance === this.selected ? theme.selectedLabel : theme.label;
+    const o = 3 * (CANDIDATES - 1);
+    this.write(name, this.screen[o], this.screen[o + 1], true);
+  }
+
+  /** Where an instance is on screen, into slot `to`; false where it is out of the picture. */
+  private project(positions: Float64Array, instance: number, to: number): boolean {
+    const m = this.toClip.elements;
+    const x = positions[3 * instance];
+    const y = positions[3 * instance + 1];
+    const z = positions[3 * instance + 2];
+    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+    if (w <= 0) return false;
+    const cx = (m[0] * x + m[4] * y + m[8] * z + m[12]) / w;
+    const cy = (m[1] * x + m[5] * y + m[9] * z + m[13]) / w;
+    if (Math.abs(cx) > 1 || Math.abs(cy) > 1) return false;
+    this.screen[3 * to] = (cx * 0.5 + 0.5) * this.width;
+    this.screen[3 * to + 1] = (0.5 - cy * 0.5) * this.height;
+    this.screen[3 * to + 2] = (m[2] * x + m[6] * y + m[10] * z + m[14]) / w;
+    return true;
+  }
+
+  private write({ text, width }: Name, x: number, y: number, overOthers: boolean): void {
+    if (text === '' || this.written >= LIMIT) return;
+    const left = Math.round(x) + 8;
+    const top = Math.round(y) - LINE_HEIGHT / 2;
+    const { boxes } = this;
+    for (let b = 0; b < this.written && !overOthers; b++) {
+      const o = 4 * b;
+      const apart =
+        left > boxes[o + 2] || left + width < boxes[o] || top > boxes[o + 3] || top + LINE_HEIGHT < boxes[o + 1];
+      if (!apart) return;
+    }
+    const o = 4 * this.written++;
+    boxes[o] = left - 4;
+    boxes[o + 1] = top;
+    boxes[o + 2] = left + width + 4;
+    boxes[o + 3] = top + LINE_HEIGHT;
+    this.pen.strokeText(text, left, Math.round(y));
+    this.pen.fillText(text, left, Math.round(y));
+  }
+
+  private measure(name: string): Name {
+    let known = this.known.get(name);
+    if (!known) {
+      const text = name.length > MAX_LETTERS ? `${name.slice(0, MAX_LETTERS - 1)}…` : name;
+      known = { text, width: this.pen.measureText(text).width };
+      if (this.known.size > 20000) this.known.clear();
+      this.known.set(name, known);
+    }
+    return known;
+  }
+
+  private instanceOf(characterId: string | undefined, placement: number, joint: number | undefined): number {
+    const found = this.drawn.find((d) => d.characterId === characterId);
+    if (!found || joint === undefined || joint >= found.skeleton.joints.length) return -1;
+    return found.firstInstance + placement * found.skeleton.joints.length + joint;
+  }
+
+  private nameOf(instance: number): Name | undefined {
+    let first = 0;
+    for (const { firstInstance, placementCount, skeleton } of this.drawn) {
+      const i = instance - firstInstance;
+      const count = skeleton.joints.length;
+      if (i >= 0 && i < placementCount * count) return this.names[first + (i % count)];
+      first += count;
+    }
+    return undefined;
+  }
+}

@@ -1,0 +1,290 @@
+/**
+ * A skin as it is shown: its data on the GPU, its morphs, its materials, and for each placement one mesh and the lines
+ * that go with it. Matrices and bounds are there at once; what takes a while with a large skin is a generator.
+ */
+import { type Box3, BufferAttribute, type BufferGeometry, type Group, type Sphere, type Texture } from 'three';
+import { posedBounds, type SkinBounds, skinBounds } from '../evaluate/bounds.ts';
+import { type CompiledSkin, compileSkin, skinMatrices } from '../evaluate/deform.ts';
+import type { Morph } from '../model/morph.ts';
+import type { Display, SkinStyle } from '../model/session.ts';
+import { type Skin, vertexCount } from '../model/skin.ts';
+import type { Bones } from './bones.ts';
+import { type Morphing, morphing } from './morphs.ts';
+import { edgesOf, influenceOf, normalsGeometry, packSkin, wireGeometry } from './skin-geometry.ts';
+import { SkinMaterials } from './skin-materials.ts';
+import type { SkinTheme } from './skin-theme.ts';
+import { ExactSkeleton, MarrowSkinnedMesh, type SkinGpu, SkinnedLines } from './skinning.ts';
+import { runInSlices, runThrough, type Sliced } from './slices.ts';
+
+/** Up to so many vertices a skin is built, and its wire made, at once: a few milliseconds. */
+export const BUILT_AT_ONCE = 40_000;
+/** Length of the lines that show normals, as a part of the skin's diagonal. */
+const NORMAL_LENGTH = 0.015;
+
+/** Everything that `build` brings. */
+interface Built {
+  readonly gpu: SkinGpu;
+  readonly morphing: Morphing;
+  readonly materials: SkinMaterials;
+}
+
+/** What a placement shows of the skin. */
+interface Placed {
+  readonly group: Group;
+  readonly mesh: MarrowSkinnedMesh;
+  wire?: SkinnedLines;
+  normals?: SkinnedLines;
+}
+
+export class ShownSkin {
+  readonly bounds: SkinBounds;
+  /** Called when something can be seen that was asked for earlier. */
+  onLater: () => void = () => {};
+  private readonly compiled: CompiledSkin;
+  private readonly skeleton: ExactSkeleton;
+  private built: Built | undefined;
+  private placed: readonly Placed[] = [];
+  private display: Display | undefined;
+  private texture: Texture | undefined;
+  private isRevealed = false;
+  private readonly ended = new AbortController();
+  /** Edges as lines; all geometries are over the same vertices. */
+  private wire: BufferGeometry | undefined;
+  private wireIsComing = false;
+  private normals: BufferGeometry | undefined;
+  private heatJoint: number | undefined;
+  private influence: BufferAttribute | undefined;
+  private influenceShown: number | undefined;
+
+  /**
+   * @param bones the character's; none where it has no skeleton, and the skin is left as it is for good
+   * @param sphere around the posed character in its own space, and kept so by the owner; likewise `box`
+   */
+  constructor(
+    readonly skin: Skin,
+    private readonly morphs: readonly Morph[],
+    private bones: Bones | undefined,
+    private theme: SkinTheme,
+    private readonly sphere: Sphere,
+    private readonly box: Box3,
+  ) {
+    this.bounds = skinBounds(skin, morphs);
+    this.compiled = compileSkin(skin);
+    const { matrixCount, inverseBindings } = this.compiled;
+    this.skeleton = new ExactSkeleton([...(bones?.bones ?? [])], matrixCount, inverseBindings);
+  }
+
+  /** Converts everything for the GPU. Nothing is drawn before it has run through, and `reveal` was called. */
+  *build(): Sliced<void> {
+    const { skin, compiled, skeleton } = this;
+    const isPosed = this.bones !== undefined;
+    const packed = yield* packSkin(skin, compiled.normals, skeleton.identityIndex, isPosed);
+    const gpu = { skin, skeleton, isPosed, ...packed };
+    const made = yield* morphing(gpu.geometry, skin.positions, compiled.normals, this.morphs);
+    const materials = new SkinMaterials(gpu, this.theme);
+    materials.setTexture(this.texture);
+    this.built = { gpu, materials, morphing: made };
+  }
+
+  get isShown(): boolean {
+    return this.isRevealed;
+  }
+
+  get meshes(): readonly MarrowSkinnedMesh[] {
+    return this.placed.map((p) => p.mesh);
+  }
+
+  /** W·B⁻¹, 16 a joint, as `evaluate/deform.ts` gives them; undefined where nothing moves the skin. */
+  get matrices(): Float64Array | undefined {
+    return this.bones && this.skeleton.matrices;
+  }
+
+  /** What has to be on the GPU before a picture; undefined until it is built. */
+  get uploads(): { readonly geometry: BufferGeometry; readonly textures: readonly Texture[] } | undefined {
+    if (!this.built) return undefined;
+    const { geometry, attachmentTexture } = this.built.gpu;
+    return { geometry, textures: [attachmentTexture, this.texture].filter((t) => t !== undefined) };
+  }
+
+  /** One mesh a group. */
+  place(groups: readonly Group[]): void {
+    this.unplace();
+    const { built } = this;
+    if (!built) return;
+    const { gpu, materials, morphing } = built;
+    this.placed = groups.map((group) => {
+      const mesh = new MarrowSkinnedMesh(gpu, materials.solid(), this.sphere, this.box);
+      mesh.customDepthMaterial = materials.depth();
+      mesh.customDistanceMaterial = materials.distance();
+      if (morphing.influences.length > 0) mesh.morphTargetInfluences = morphing.influences;
+      group.add(mesh);
+      return { group, mesh };
+    });
+    this.refresh();
+  }
+
+  /** Takes part in the picture from now on. */
+  reveal(): void {
+    this.isRevealed = true;
+    this.refresh();
+  }
+
+  /** @param heatJoint whose influence the heat map shows */
+  show(display: Display, heatJoint: number | undefined): void {
+    this.display = display;
+    this.heatJoint = heatJoint;
+    this.refresh();
+  }
+
+  setTheme(theme: SkinTheme): void {
+    this.theme = theme;
+    this.built?.materials.setTheme(theme);
+  }
+
+  setTexture(texture: Texture | undefined): void {
+    this.texture = texture;
+    this.built?.materials.setTexture(texture);
+    this.refresh();
+  }
+
+  /** Whether it can go on with these: the same morphs, and other bones, but not none in place of some. */
+  fits(morphs: readonly Morph[], bones: Bones | undefined): boolean {
+    if ((bones === undefined) !== (this.bones === undefined)) return false;
+    return morphs.length === this.morphs.length && morphs.every((m, i) => m === this.morphs[i]);
+  }
+
+  /** After an edit of the skeleton: the skin's own matrices stay as many as it has bindings. */
+  setBones(bones: Bones | undefined): void {
+    this.bones = bones;
+    this.skeleton.bones = [...(bones?.bones ?? [])];
+  }
+
+  /**
+   * Every frame, after the bones; allocates nothing.
+   * @param firstMorph where in `dofs` the morphs' weights begin
+   */
+  pose(dofs: Float64Array, firstMorph: number): void {
+    const { bones, built, normals } = this;
+    if (bones) {
+      skinMatrices(this.compiled, bones.world, this.skeleton.matrices);
+      this.skeleton.upload();
+    }
+    built?.morphing.apply(dofs, firstMorph);
+    if (built && normals) {
+      // Morphs summed on the CPU change the surface's buffers; the lines' own are of the same arrays.
+      follow(normals, built.gpu.geometry, 'position');
+      follow(normals, built.gpu.geometry, 'normal');
+    }
+  }
+
+  dispose(): void {
+    this.ended.abort();
+    this.unplace();
+    this.skeleton.dispose();
+    const { built } = this;
+    if (!built) return;
+    // Together, for they share buffers.
+    for (const geometry of [built.gpu.geometry, this.wire, this.normals]) geometry?.dispose();
+    built.gpu.attachmentTexture?.dispose();
+    built.materials.dispose();
+  }
+
+  private unplace(): void {
+    for (const { mesh, wire, normals } of this.placed) {
+      for (const object of [mesh, wire, normals]) object?.removeFromParent();
+    }
+    this.placed = [];
+  }
+
+  /** Makes what is drawn what is asked for. */
+  private refresh(): void {
+    const { display, built } = this;
+    if (!display || !built) return;
+    const { materials } = built;
+    if (display.skin === 'heat') this.heatUp(built);
+    if (display.skin === 'wire') this.needWire(built);
+    if (display.normals) this.normals ??= normalsGeometry(built.gpu.geometry);
+    for (const placed of this.placed) {
+      const { mesh } = placed;
+      mesh.material = surfaceMaterial(materials, display.skin);
+      mesh.visible = this.isRevealed && display.skin !== 'hidden' && display.skin !== 'wire';
+      mesh.castShadow = display.skin !== 'xray';
+      if (this.wire && display.skin === 'wire') placed.wire ??= this.lines(placed, this.wire, materials.wire(), built);
+      if (placed.wire) placed.wire.visible = this.isRevealed && display.skin === 'wire';
+      if (this.normals && display.normals) {
+        placed.normals ??= this.lines(placed, this.normals, this.normalsMaterial(materials), built);
+      }
+      if (placed.normals) placed.normals.visible = this.isRevealed && display.normals;
+    }
+  }
+
+  private lines(
+    placed: Placed,
+    geometry: BufferGeometry,
+    material: SkinnedLines['material'],
+    { morphing }: Built,
+  ): SkinnedLines {
+    const lines = new SkinnedLines(geometry, material, this.skeleton, this.sphere);
+    if (morphing.influences.length > 0) lines.morphTargetInfluences = morphing.influences;
+    placed.group.add(lines);
+    return lines;
+  }
+
+  private normalsMaterial(materials: SkinMaterials): SkinnedLines['material'] {
+    const material = materials.normals();
+    const box = new Float64Array(6);
+    posedBounds({ ...this.bounds, reaches: [] }, undefined, box, 0, box);
+    const size = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
+    material.uniforms.normalLength.value = NORMAL_LENGTH * size;
+    return material;
+  }
+
+  private needWire({ gpu }: Built): void {
+    if (this.wire || this.wireIsComing) return;
+    const vertices = vertexCount(this.skin);
+    const work = edgesOf(this.skin.triangles, vertices);
+    if (vertices <= BUILT_AT_ONCE) {
+      this.wire = wireGeometry(gpu.geometry, runThrough(work));
+      return;
+    }
+    this.wireIsComing = true;
+    void runInSlices(work, this.ended.signal).then((edges) => {
+      if (!edges) return;
+      this.wire = wireGeometry(gpu.geometry, edges);
+      this.refresh();
+      this.onLater();
+    });
+  }
+
+  private heatUp({ gpu }: Built): void {
+    if (this.influence && this.influenceShown === this.heatJoint) return;
+    this.influence ??= new BufferAttribute(new Float32Array(vertexCount(this.skin)), 1);
+    gpu.geometry.setAttribute('influence', this.influence);
+    // Made above, of floats.
+    influenceOf(this.skin, this.heatJoint, this.influence.array as Float32Array);
+    this.influence.needsUpdate = true;
+    this.influenceShown = this.heatJoint;
+  }
+}
+
+function surfaceMaterial(materials: SkinMaterials, style: SkinStyle): MarrowSkinnedMesh['material'] {
+  switch (style) {
+    case 'textured':
+      return materials.textured();
+    case 'xray':
+      return materials.xray();
+    case 'heat':
+      return materials.heat();
+    case 'solid':
+    case 'wire':
+    case 'hidden':
+      return materials.solid();
+  }
+}
+
+/** Has a buffer uploaded when the one that it shares its array with changes. */
+function follow(lines: BufferGeometry, surface: BufferGeometry, name: 'position' | 'normal'): void {
+  // Neither is interleaved: both are made in `skin-geometry.ts`.
+  const copy = lines.attributes[name] as BufferAttribute;
+  copy.version = (surface.attributes[name] as BufferAttribute).version;
+}

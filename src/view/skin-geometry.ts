@@ -1,0 +1,192 @@
+/**
+ * A skin's data as the GPU takes it: doubles become floats, and attachments of any number become
+ *
+ *     skinIndex, skinWeight     the first four; what is missing has weight 0
+ *     attachmentTexture         all past the fourth, one texel (joint, weight) each, vertex after vertex
+ *     attachmentRange           where in it a vertex begins and ends
+ *
+ * A vertex without attachments hangs on the identity that ends the bone matrices; so do all without a skeleton. A skin
+ * without any attachments hangs on the root.
+ */
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DataTexture,
+  FloatType,
+  InstancedBufferAttribute,
+  InstancedBufferGeometry,
+  RGFormat,
+} from 'three';
+import { type Skin, vertexCount } from '../model/skin.ts';
+import type { Sliced } from './slices.ts';
+
+/** How many attachments the attributes hold. */
+const IN_ATTRIBUTES = 4;
+/** Vertices or edges between two yields: under a millisecond's work. */
+const STRIDE = 16384;
+/** Texels a row of the attachment texture: the least that WebGL2 promises as a texture's size. */
+const ATTACHMENT_ROW = 2048;
+/** Above this, three.js would read Uint16 indices wrongly, and takes integers for other than `vec4`. */
+const LARGEST_SHORT = 0xffff;
+
+export interface PackedSkin {
+  readonly geometry: BufferGeometry;
+  readonly attachmentTexture: DataTexture | undefined;
+}
+
+/**
+ * @param normals x y z a vertex
+ * @param identity index of the identity among the bone matrices
+ * @param isPosed whether there is a skeleton
+ */
+export function* packSkin(skin: Skin, normals: Float64Array, identity: number, isPosed: boolean): Sliced<PackedSkin> {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array(skin.positions), 3));
+  yield 0.1;
+  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
+  yield 0.2;
+  if (skin.texcoords) {
+    geometry.setAttribute('uv', new BufferAttribute(new Float32Array(skin.texcoords), 2));
+    yield 0.3;
+  }
+  // The model's own array: three.js only reads it.
+  geometry.setIndex(new BufferAttribute(skin.triangles, 1));
+  const attachmentTexture = yield* packAttachments(skin, identity, isPosed, geometry);
+  return { geometry, attachmentTexture };
+}
+
+function* packAttachments(
+  skin: Skin,
+  identity: number,
+  isPosed: boolean,
+  geometry: BufferGeometry,
+): Sliced<DataTexture | undefined> {
+  const vertices = vertexCount(skin);
+  const { attachments } = skin;
+  const indices =
+    identity > LARGEST_SHORT ? new Float32Array(IN_ATTRIBUTES * vertices) : new Uint16Array(IN_ATTRIBUTES * vertices);
+  const weights = new Float32Array(IN_ATTRIBUTES * vertices);
+  let more = 0;
+  for (let v = 0; v < vertices; v++) {
+    const first = attachments ? attachments.start[v] : 0;
+    const count = !isPosed ? 0 : attachments ? attachments.start[v + 1] - first : 1;
+    const o = IN_ATTRIBUTES * v;
+    if (count === 0) {
+      indices[o] = identity;
+      weights[o] = 1;
+    } else if (attachments) {
+      const here = Math.min(count, IN_ATTRIBUTES);
+      for (let i = 0; i < here; i++) {
+        indices[o + i] = attachments.joints[first + i];
+        weights[o + i] = attachments.weights[first + i];
+      }
+      more += count - here;
+    } else weights[o] = 1;
+    if (v % STRIDE === STRIDE - 1) yield 0.3 + (0.6 * v) / vertices;
+  }
+  geometry.setAttribute('skinIndex', new BufferAttribute(indices, IN_ATTRIBUTES));
+  geometry.setAttribute('skinWeight', new BufferAttribute(weights, IN_ATTRIBUTES));
+  if (more === 0 || !attachments) return undefined;
+
+  const ranges = new Uint32Array(2 * vertices);
+  const texels = new Float32Array(2 * ATTACHMENT_ROW * Math.ceil(more / ATTACHMENT_ROW));
+  let next = 0;
+  for (let v = 0; v < vertices; v++) {
+    ranges[2 * v] = next;
+    for (let a = attachments.start[v] + IN_ATTRIBUTES; a < attachments.start[v + 1]; a++) {
+      texels[2 * next] = attachments.joints[a];
+      texels[2 * next + 1] = attachments.weights[a];
+      next++;
+    }
+    ranges[2 * v + 1] = next;
+    if (v % STRIDE === STRIDE - 1) yield 0.9 + (0.1 * v) / vertices;
+  }
+  geometry.setAttribute('attachmentRange', new BufferAttribute(ranges, 2));
+  const texture = new DataTexture(texels, ATTACHMENT_ROW, texels.length / 2 / ATTACHMENT_ROW, RGFormat, FloatType);
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/**
+ * The triangles' edges as pairs of vertices, each edge once. (three.js's `wireframe` lists an edge once a triangle, in
+ * one loop that blocks the page for 2 million triangles.)
+ *
+ * Edges are sorted by their lower vertex in two passes; those of one vertex are told apart by marking the upper ones.
+ */
+export function* edgesOf(triangles: Uint32Array, vertices: number): Sliced<Uint32Array<ArrayBuffer>> {
+  const start = new Uint32Array(vertices + 1);
+  const all = triangles.length;
+  for (let i = 0; i < all; i++) {
+    start[Math.min(triangles[i], triangles[afterInTriangle(i)]) + 1]++;
+    if (i % STRIDE === STRIDE - 1) yield (0.3 * i) / all;
+  }
+  for (let v = 0; v < vertices; v++) start[v + 1] += start[v];
+  yield 0.35;
+  const upper = new Uint32Array(all);
+  const filled = start.slice(0, vertices);
+  for (let i = 0; i < all; i++) {
+    const a = triangles[i];
+    const b = triangles[afterInTriangle(i)];
+    upper[filled[Math.min(a, b)]++] = Math.max(a, b);
+    if (i % STRIDE === STRIDE - 1) yield 0.35 + (0.3 * i) / all;
+  }
+  // Vertex v's mark: seen as the upper end of an edge whose lower end is mark − 1.
+  const mark = new Uint32Array(vertices);
+  const pairs = new Uint32Array(2 * all);
+  let count = 0;
+  for (let v = 0; v < vertices; v++) {
+    for (let e = start[v]; e < start[v + 1]; e++) {
+      const u = upper[e];
+      if (mark[u] === v + 1 || u === v) continue;
+      mark[u] = v + 1;
+      pairs[count++] = v;
+      pairs[count++] = u;
+    }
+    if (v % STRIDE === STRIDE - 1) yield 0.65 + (0.35 * v) / vertices;
+  }
+  return pairs.slice(0, count);
+}
+
+/** Of three consecutive indices that are a triangle, the next one round. */
+function afterInTriangle(i: number): number {
+  return i % 3 === 2 ? i - 2 : i + 1;
+}
+
+/** Another geometry over the same vertices, drawn as lines. Both must be disposed of together: they share buffers. */
+export function wireGeometry(surface: BufferGeometry, edges: Uint32Array<ArrayBuffer>): BufferGeometry {
+  const geometry = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(surface.attributes)) geometry.setAttribute(name, attribute);
+  geometry.morphAttributes = surface.morphAttributes;
+  geometry.morphTargetsRelative = surface.morphTargetsRelative;
+  geometry.setIndex(new BufferAttribute(edges, 1));
+  return geometry;
+}
+
+/** A line a vertex: two corners, `gl_VertexID` 0 at the surface and 1 at the tip; the vertex is the instance. */
+export function normalsGeometry(surface: BufferGeometry): InstancedBufferGeometry {
+  const geometry = new InstancedBufferGeometry();
+  for (const [name, attribute] of Object.entries(surface.attributes)) {
+    // A buffer of its own on the GPU, for how often a buffer advances belongs to it; here it is the same array.
+    geometry.setAttribute(name, new InstancedBufferAttribute(attribute.array, attribute.itemSize));
+  }
+  geometry.morphAttributes = surface.morphAttributes;
+  geometry.morphTargetsRelative = surface.morphTargetsRelative;
+  geometry.instanceCount = surface.getAttribute('position').count;
+  geometry.setDrawRange(0, 2);
+  return geometry;
+}
+
+/** How much a joint moves each vertex: the sum of its weights there. */
+export function influenceOf(skin: Skin, joint: number | undefined, out: Float32Array): void {
+  out.fill(0);
+  const { attachments } = skin;
+  if (joint === undefined) return;
+  if (!attachments) {
+    if (joint === 0) out.fill(1);
+    return;
+  }
+  const { start, joints, weights } = attachments;
+  for (let v = 0; v < out.length; v++) {
+    for (let a = start[v]; a < start[v + 1]; a++) if (joints[a] === joint) out[v] += weights[a];
+  }
+}

@@ -1,0 +1,226 @@
+/**
+ * What skins are drawn with. Every material skins exactly, draws both sides, and lights by the file's normals turned
+ * toward the viewer; see `skinning.ts`.
+ *
+ * Each character has materials of its own, for its picture, its attachments past the fourth and the length of its
+ * normals; what is compiled for them is shared by all.
+ */
+import {
+  Color,
+  DoubleSide,
+  LineBasicMaterial,
+  type Material,
+  MeshDepthMaterial,
+  MeshDistanceMaterial,
+  MeshStandardMaterial,
+  ShaderChunk,
+  ShaderMaterial,
+  type Texture,
+} from 'three';
+import { heatRamp } from './heat.ts';
+import type { SkinTheme } from './skin-theme.ts';
+import { type SkinGpu, withExactSkinning } from './skinning.ts';
+
+/** The materials of one skin. Made when first asked for. */
+export class SkinMaterials {
+  private readonly made = new Map<string, Material>();
+  private texture: Texture | undefined;
+
+  constructor(
+    private readonly skin: Pick<SkinGpu, 'attachmentTexture'>,
+    private theme: SkinTheme,
+  ) {}
+
+  setTheme(theme: SkinTheme): void {
+    this.theme = theme;
+    for (const [name, material] of this.made) this.paint(name, material);
+  }
+
+  /** The picture of the textured skin; without one it is drawn as the solid skin is. */
+  setTexture(texture: Texture | undefined): void {
+    this.texture = texture;
+    const material = this.made.get('textured');
+    if (material) this.paint('textured', material);
+  }
+
+  get hasTexture(): boolean {
+    return this.texture !== undefined;
+  }
+
+  solid(): Material {
+    return this.get('solid', clay);
+  }
+
+  textured(): Material {
+    return this.texture ? this.get('textured', clay) : this.solid();
+  }
+
+  heat(): Material {
+    return this.get('heat', heat);
+  }
+
+  xray(): Material {
+    return this.get('xray', xray);
+  }
+
+  wire(): Material {
+    return this.get('wire', wire);
+  }
+
+  normals(): ShaderMaterial {
+    // `normalLines` makes a ShaderMaterial, and a name stands for one kind of material.
+    return this.get('normals', normalLines) as ShaderMaterial;
+  }
+
+  depth(): Material {
+    return this.get('depth', () => new MeshDepthMaterial({ side: DoubleSide }));
+  }
+
+  distance(): Material {
+    return this.get('distance', () => new MeshDistanceMaterial({ side: DoubleSide }));
+  }
+
+  dispose(): void {
+    for (const material of this.made.values()) material.dispose();
+    this.made.clear();
+  }
+
+  private get(name: string, make: () => Material): Material {
+    let material = this.made.get(name);
+    if (!material) {
+      material = withExactSkinning(make(), this.skin);
+      material.name = `skin ${name}`;
+      this.made.set(name, material);
+      this.paint(name, material);
+    }
+    return material;
+  }
+
+  private paint(name: string, material: Material): void {
+    const { theme } = this;
+    if (material instanceof MeshStandardMaterial && name === 'solid') material.color.set(theme.clay);
+    if (material instanceof MeshStandardMaterial && name === 'textured') {
+      const had = material.map !== null;
+      material.map = this.texture ?? null;
+      if (had !== (material.map !== null)) material.needsUpdate = true;
+    }
+    if (material instanceof LineBasicMaterial) {
+      material.color.set(theme.wire);
+      material.opacity = theme.wireOpacity;
+    }
+    if (material instanceof ShaderMaterial && name === 'xray') {
+      material.uniforms.colour.value.set(theme.xray);
+      material.uniforms.facing.value = theme.xrayFacing;
+      material.uniforms.edge.value = theme.xrayEdge;
+    }
+    if (material instanceof ShaderMaterial && name === 'normals') material.uniforms.colour.value.set(theme.normals);
+  }
+}
+
+/** Matt, with just enough gloss to tell a ridge from a stripe. */
+function clay(): MeshStandardMaterial {
+  return new MeshStandardMaterial({ side: DoubleSide, roughness: 0.72, metalness: 0 });
+}
+
+/** The influence as a colour, still lit a little, so that the shape can be read. */
+function heat(): MeshStandardMaterial {
+  const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 1, metalness: 0 });
+  material.onBeforeCompile = (shader) => {
+    shader.uniforms.heatRamp = { value: heatRamp() };
+    shader.vertexShader = shader.vertexShader
+      .replace('#include <common>', '#include <common>\nin float influence;\nout float vInfluence;')
+      .replace('#include <begin_vertex>', '#include <begin_vertex>\n\tvInfluence = influence;');
+    shader.fragmentShader = shader.fragmentShader
+      .replace('#include <common>', '#include <common>\nuniform sampler2D heatRamp;\nin float vInfluence;')
+      .replace(
+        '#include <color_fragment>',
+        // From the centre of the first texel to that of the last.
+        '\tdiffuseColor.rgb = texture2D( heatRamp, vec2( clamp( vInfluence, 0.0, 1.0 ) * ( 255.0 / 256.0 ) + 0.5 / 256.0, 0.5 ) ).rgb;',
+      )
+      // Half as if it glowed: the colour means something, and shade would darken it.
+      .replace('#include <emissivemap_fragment>', '\ttotalEmissiveRadiance += 0.45 * diffuseColor.rgb;');
+  };
+  return material;
+}
+
+/** Edges of the mesh, without light. */
+function wire(): LineBasicMaterial {
+  return new LineBasicMaterial({ transparent: true });
+}
+
+/** Clear head on and denser toward its edges, like glass; bones show through. */
+function xray(): ShaderMaterial {
+  return new ShaderMaterial({
+    transparent: true,
+    depthWrite: false,
+    side: DoubleSide,
+    forceSinglePass: true,
+    uniforms: { colour: { value: new Color() }, facing: { value: 0.1 }, edge: { value: 0.8 } },
+    vertexShader: /* glsl */ `
+#include <common>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+varying vec3 vViewPosition;
+void main() {
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,
+    fragmentShader: /* glsl */ `
+uniform vec3 colour;
+uniform float facing;
+uniform float edge;
+varying vec3 vViewPosition;
+#include <common>
+#include <normal_pars_fragment>
+void main() {
+	#include <normal_fragment_begin>
+	vec3 toViewer = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : normalize( vViewPosition );
+	float rim = pow( 1.0 - abs( dot( normal, toViewer ) ), 2.5 );
+	gl_FragColor = vec4( colour, mix( facing, edge, rim ) );
+	#include <colorspace_fragment>
+}`,
+  });
+}
+
+/** A line from each vertex along its normal: see `normalsGeometry`. Morphs go by the instance, which is the vertex. */
+function normalLines(): ShaderMaterial {
+  const byInstance = (text: string) => text.replaceAll('gl_VertexID', 'gl_InstanceID');
+  return new ShaderMaterial({
+    uniforms: { colour: { value: new Color() }, normalLength: { value: 1 } },
+    vertexShader: /* glsl */ `
+uniform float normalLength;
+#include <common>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+void main() {
+	#include <beginnormal_vertex>
+	MORPH_NORMAL
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <begin_vertex>
+	MORPH_POSITION
+	#include <skinning_vertex>
+	if ( gl_VertexID == 1 ) transformed += normalLength * objectNormal;
+	#include <project_vertex>
+}`
+      .replace('MORPH_NORMAL', byInstance(ShaderChunk.morphnormal_vertex))
+      .replace('MORPH_POSITION', byInstance(ShaderChunk.morphtarget_vertex)),
+    fragmentShader: /* glsl */ `
+uniform vec3 colour;
+#include <common>
+void main() {
+	gl_FragColor = vec4( colour, 1.0 );
+	#include <colorspace_fragment>
+}`,
+  });
+}

@@ -1,0 +1,68 @@
+/**
+ * Long work on the main thread, cut up so that the page goes on answering: a generator that yields every now and then,
+ * and either runs through at once or is given a few milliseconds at a time.
+ */
+
+/** Work that yields how far it is, 0 to 1, at least every few milliseconds. */
+export type Sliced<T> = Generator<number, T, void>;
+
+/** Milliseconds at a stretch: half of what a frame at 60 Hz has, and far from a task that is felt. */
+const BUDGET_MS = 8;
+
+/** All at once. */
+export function runThrough<T>(work: Sliced<T>): T {
+  for (;;) {
+    const step = work.next();
+    if (step.done) return step.value;
+  }
+}
+
+/** Bit by bit. Gives undefined when `signal` aborts it. */
+export async function runInSlices<T>(
+  work: Sliced<T>,
+  signal: AbortSignal,
+  onProgress?: (done: number) => void,
+): Promise<T | undefined> {
+  for (;;) {
+    const until = performance.now() + BUDGET_MS;
+    let at = 0;
+    while (performance.now() < until) {
+      if (signal.aborted) return undefined;
+      const step = work.next();
+      if (step.done) return step.value;
+      at = step.value;
+    }
+    onProgress?.(at);
+    await breathe();
+  }
+}
+
+/**
+ * Lets the page answer what has come meanwhile, and draw. By a message, which is as soon as can be: a timer waits for
+ * four milliseconds, or for a second in a tab in the background.
+ */
+function breathe(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(undefined);
+  });
+}
+
+/** The next frame, or soon where none are drawn: a tab in the background, Node. */
+export function nextFrame(): Promise<void> {
+  return new Promise((resolve) => {
+    if (typeof requestAnimationFrame === 'undefined') {
+      setTimeout(resolve, 0);
+      return;
+    }
+    const late = setTimeout(resolve, 100);
+    requestAnimationFrame(() => {
+      clearTimeout(late);
+      resolve();
+    });
+  });
+}

@@ -1,0 +1,239 @@
+/**
+ * What characters stand on and in: background, lights and the shadow on the ground.
+ *
+ *     key    warm, from the left above, the one that throws a shadow
+ *     rim    cool, from behind on the right: draws the outline
+ *     sky    soft from above, warm from the ground
+ *     fill   faint, from wherever the camera is: no side of a character is unreadable
+ *
+ * The shadow is soft the way contact shadows are: where what throws it is close to the ground it is dark and has an
+ * edge, from higher up it is wide and faint. Both come from the one shadow map, sampled narrow and wide; samples that
+ * ask only for what is far above the ground tell the two apart. The map is fitted to the characters, so their size
+ * doesn't matter.
+ */
+import {
+  type Box3,
+  BufferAttribute,
+  BufferGeometry,
+  type Camera,
+  Color,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Mesh,
+  NeutralToneMapping,
+  PCFShadowMap,
+  PlaneGeometry,
+  Scene,
+  ShaderMaterial,
+  ShadowMaterial,
+  Sphere,
+  Vector3,
+  type WebGLRenderer,
+} from 'three';
+import type { StageTheme } from './theme.ts';
+import { rawColor } from './thick-lines.ts';
+
+/** Towards each light. */
+const KEY = new Vector3(-0.24, 1, 0.72).normalize();
+const RIM = new Vector3(0.62, 0.55, -0.85).normalize();
+
+/** Pixels along a side of the shadow map. */
+const SHADOW_MAP = 2048;
+/** The fitted size changes in steps of this, so that edges don't crawl while a character moves. */
+const SIZE_STEP = 1.2;
+
+export class Stage {
+  readonly scene = new Scene();
+  /** Characters go here. */
+  readonly content = new Group();
+  private readonly key = new DirectionalLight('#ffe9d0', 2.3);
+  private readonly rim = new DirectionalLight('#aecbff', 1.9);
+  private readonly fill = new DirectionalLight('#f4f6ff', 0.8);
+  private readonly sky = new HemisphereLight('#e6eeff', '#b8b0a8', 1.45);
+  private readonly background = createBackground();
+  private readonly ground = new Mesh(new PlaneGeometry(1, 1).rotateX(-Math.PI / 2), createShadowMaterial());
+  private readonly sphere = new Sphere();
+  private readonly right = new Vector3();
+  private readonly up = new Vector3();
+  private readonly centre = new Vector3();
+
+  constructor(renderer: WebGLRenderer) {
+    renderer.toneMapping = NeutralToneMapping;
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = PCFShadowMap;
+    const { key, rim, fill, sky, ground } = this;
+    key.castShadow = true;
+    key.shadow.mapSize.set(SHADOW_MAP, SHADOW_MAP);
+    key.shadow.radius = 2.5;
+    key.shadow.intensity = 0.85;
+    rim.position.copy(RIM);
+    ground.receiveShadow = true;
+    ground.renderOrder = -30;
+    ground.frustumCulled = false;
+    this.scene.add(this.background, this.content, ground, key, key.target, rim, fill, fill.target, sky);
+    this.right.crossVectors(new Vector3(0, 1, 0), KEY).normalize();
+    this.up.crossVectors(KEY, this.right);
+  }
+
+  setTheme(theme: StageTheme, renderer: WebGLRenderer): void {
+    renderer.toneMappingExposure = theme.exposure;
+    const { uniforms } = this.background.material;
+    uniforms.top.value.copy(rawColor(theme.backgroundTop));
+    uniforms.bottom.value.copy(rawColor(theme.backgroundBottom));
+    this.ground.material.color.set(theme.shadow);
+    this.ground.material.opacity = theme.shadowOpacity;
+  }
+
+  setShadow(on: boolean): void {
+    this.ground.visible = on;
+    this.key.castShadow = on;
+  }
+
+  /** Before each frame: the faint light comes from the camera. */
+  light(camera: Camera): void {
+    const { fill } = this;
+    fill.target.position.set(0, 0, 0);
+    fill.position.setFromMatrixColumn(camera.matrixWorld, 2).addScaledVector(this.up, 0);
+  }
+
+  /**
+   * Fits the shadow to `box`, what throws it, in the world. The map is a square across the light, in the depth from
+   * the nearest of the box to where the light meets the ground under it.
+   */
+  fitShadow(box: Box3): void {
+    const { key, ground, sphere, centre } = this;
+    if (!key.castShadow || box.isEmpty()) {
+      ground.visible = false;
+      return;
+    }
+    ground.visible = true;
+    box.getBoundingSphere(sphere);
+    const radius = SIZE_STEP ** Math.ceil(Math.log(Math.max(sphere.radius, 1e-9) * 1.08) / Math.log(SIZE_STEP));
+    // The middle moves by whole texels across the light, for the same reason.
+    const texel = (2 * radius) / SHADOW_MAP;
+    const a = Math.round(sphere.center.dot(this.right) / texel) * texel;
+    const b = Math.round(sphere.center.dot(this.up) / texel) * texel;
+    centre.set(0, 0, 0).addScaledVector(this.right, a).addScaledVector(this.up, b);
+    centre.addScaledVector(KEY, sphere.center.dot(KEY));
+
+    // The box's highest point's shadow is this far from it, at most; ground below everything gets none of it.
+    const fall = Math.max(0, centre.y + radius) / KEY.y;
+    const camera = key.shadow.camera;
+    camera.left = camera.bottom = -radius;
+    camera.right = camera.top = radius;
+    camera.near = 0;
+    camera.far = 2 * radius + fall;
+    camera.updateProjectionMatrix();
+    key.target.position.copy(centre);
+    key.position.copy(centre).addScaledVector(KEY, radius);
+    key.shadow.normalBias = 2.5 * texel;
+    key.shadow.bias = -texel / camera.far;
+
+    // Where the light through the box's middle meets the ground.
+    const reach = radius / KEY.y;
+    const down = centre.y / KEY.y;
+    ground.position.copy(centre).addScaledVector(KEY, -down);
+    ground.position.y = 0;
+    ground.scale.setScalar(2.3 * reach);
+    const shader = ground.material.userData.uniforms;
+    // How far above the ground counts as far, as a part of the map's depth: half a "foot" of the box's height.
+    shader.lifted.value = (0.07 * radius) / KEY.y / camera.far;
+  }
+
+  dispose(): void {
+    for (const mesh of [this.background, this.ground]) {
+      mesh.geometry.dispose();
+      mesh.material.dispose();
+    }
+    this.key.dispose();
+  }
+}
+
+/** A gradient behind everything, a little lighter where one looks, dithered so that it shows no steps. */
+function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
+  const material = new ShaderMaterial({
+    depthTest: false,
+    depthWrite: false,
+    toneMapped: false,
+    uniforms: { top: { value: new Color() }, bottom: { value: new Color() } },
+    vertexShader: /* glsl */ `
+      varying vec2 vAt;
+      void main() {
+        vAt = position.xy;
+        gl_Position = vec4(position.xy, 1.0, 1.0);
+      }
+    `,
+    fragmentShader: /* glsl */ `
+      uniform vec3 top;
+      uniform vec3 bottom;
+      varying vec2 vAt;
+      void main() {
+        float height = smoothstep(-1.1, 1.0, vAt.y);
+        vec3 color = mix(bottom, top, height);
+        color += 0.022 * (1.0 - smoothstep(0.0, 1.3, length(vAt * vec2(0.9, 1.0))));
+        // Interleaved gradient noise (Jimenez 2014).
+        float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+        gl_FragColor = vec4(color + (noise - 0.5) / 255.0, 1.0);
+      }
+    `,
+  });
+  const mesh = new Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  mesh.renderOrder = -1000;
+  return mesh;
+}
+
+/** three.js's shadow on glass, with our own sampling in place of its mask. */
+function createShadowMaterial(): ShadowMaterial {
+  const material = new ShadowMaterial({
+    depthWrite: false,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 6,
+  });
+  const uniforms = { lifted: { value: 0.05 } };
+  material.userData.uniforms = uniforms;
+  material.toneMapped = false;
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.fragmentShader = shader.fragmentShader
+      .replace(
+        'void main() {',
+        /* glsl */ `
+        uniform float lifted;
+
+        #if defined(USE_SHADOWMAP) && NUM_DIR_LIGHT_SHADOWS > 0
+        // Part of a disc around the pixel's place in the map that is dark, for casters nearer to the light than z.
+        float darkness(vec3 at, float radius, float phi) {
+          float lit = 0.0;
+          for (int i = 0; i < 20; i++) {
+            lit += texture(directionalShadowMap[0], vec3(at.xy + vogelDiskSample(i, 20, phi) * radius, at.z));
+          }
+          return 1.0 - lit / 20.0;
+        }
+
+        float groundShadow() {
+          vec3 at = vDirectionalShadowCoord[0].xyz / vDirectionalShadowCoord[0].w;
+          float edge = length(at.xy * 2.0 - 1.0);
+          if (edge >= 1.0) return 0.0;
+          float phi = interleavedGradientNoise(gl_FragCoord.xy) * PI2;
+          at.z = min(at.z - 0.0005, 1.0);
+          float narrow = darkness(at, 0.006, phi);
+          float wide = darkness(at, 0.035, phi);
+          float high = darkness(vec3(at.xy, at.z - lifted), 0.012, phi);
+          float contact = max(narrow - high, 0.0);
+          return (0.62 * wide + 0.5 * contact + 0.12 * narrow) * (1.0 - smoothstep(0.9, 1.0, edge));
+        }
+        #else
+        float groundShadow() { return 0.0; }
+        #endif
+
+        void main() {`,
+      )
+      .replace('( 1.0 - getShadowMask() )', 'groundShadow()');
+  };
+  return material;
+}

@@ -1,0 +1,89 @@
+/**
+ * The colours of everything drawn in the viewport, for both themes. Anything that is read or followed by eye (axes,
+ * labels, what is selected) has a contrast of at least 4.5:1 with both ends of the background; tests measure it.
+ *
+ * Colours are sRGB as CSS has them. Lines, labels and background are put on screen as they stand; lit surfaces go
+ * through three.js's colour management and tone mapping.
+ */
+export type ThemeName = 'light' | 'dark';
+
+export interface StageTheme {
+  /** Background, from the top of the viewport to its bottom. */
+  readonly backgroundTop: string;
+  readonly backgroundBottom: string;
+  /** Grid lines at the labelled spacing, and between them. */
+  readonly gridMajor: string;
+  readonly gridMinor: string;
+  readonly gridMajorOpacity: number;
+  readonly gridMinorOpacity: number;
+  readonly axisX: string;
+  readonly axisY: string;
+  readonly axisZ: string;
+  /** Numbers on the grid, names of joints. */
+  readonly label: string;
+  /** Around labels, so that they read on top of anything. */
+  readonly labelHalo: string;
+  /** Joints and bones, lit. */
+  readonly bone: string;
+  /** Solid boxes, lit. */
+  readonly box: string;
+  /** Edges of boxes. */
+  readonly boxEdge: string;
+  readonly boxEdgeOpacity: number;
+  readonly selected: string;
+  readonly selectedLabel: string;
+  readonly hovered: string;
+  readonly shadow: string;
+  readonly shadowOpacity: number;
+  /** Strength of all lights together: light surroundings need a little more. */
+  readonly exposure: number;
+}
+
+export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
+  dark: {
+    backgroundTop: '#34383d',
+    backgroundBottom: '#202327',
+    gridMajor: '#aab4c0',
+    gridMinor: '#aab4c0',
+    gridMajorOpacity: 0.24,
+    gridMinorOpacity: 0.1,
+    axisX: '#ff8078',
+    axisY: '#85cf63',
+    axisZ: '#7fb2ff',
+    label: '#b9c0c8',
+    labelHalo: '#25282c',
+    bone: '#cfd3d8',
+    box: '#b9bfc6',
+    boxEdge: '#b4c2d1',
+    boxEdgeOpacity: 0.6,
+    selected: '#ff9a3c',
+    selectedLabel: '#ffad5e',
+    hovered: '#ffd9ad',
+    shadow: '#000000',
+    shadowOpacity: 0.62,
+    exposure: 1.04,
+  },
+  light: {
+    backgroundTop: '#f4f5f7',
+    backgroundBottom: '#d9dde2',
+    gridMajor: '#3c4754',
+    gridMinor: '#3c4754',
+    gridMajorOpacity: 0.26,
+    gridMinorOpacity: 0.11,
+    axisX: '#b5271f',
+    axisY: '#2a6b17',
+    axisZ: '#1f56bd',
+    label: '#4a535d',
+    labelHalo: '#eceef1',
+    bone: '#97a1ac',
+    box: '#a3abb4',
+    boxEdge: '#3d4f63',
+    boxEdgeOpacity: 0.62,
+    selected: '#e8700a',
+    selectedLabel: '#9c4600',
+    hovered: '#f2a861',
+    shadow: '#1d2733',
+    shadowOpacity: 0.34,
+    exposure: 1.12,
+  },
+};

@@ -1,0 +1,132 @@
+import fc from 'fast-check';
+import { Matrix4, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import type { Box } from '../../src/model/skeleton.ts';
+import { axesMatrix, boneMatrix, boxMatrix, jointSizes, sphereMatrix } from '../../src/view/joint-shapes.ts';
+import { joint } from '../helpers/builders.ts';
+
+const IDENTITY = Float64Array.from(new Matrix4().elements);
+
+/** Where a unit shape's point comes to lie. */
+function at(matrix: Float32Array, x: number, y: number, z: number): number[] {
+  return new Vector3(x, y, z)
+    .applyMatrix4(new Matrix4().fromArray(matrix))
+    .toArray()
+    .map((v) => Math.round(v * 1e4) / 1e4 + 0);
+}
+
+function boxOf(box: Box, world: Float64Array = IDENTITY): Float32Array {
+  const out = new Float32Array(16);
+  boxMatrix(world, 0, box, 0.001, out, 0);
+  return out;
+}
+
+describe('the box of a joint', () => {
+  it('reaches from min to max, in the joint’s space', () => {
+    const world = Float64Array.from(new Matrix4().makeRotationZ(Math.PI / 2).setPosition(10, 0, 0).elements);
+    const out = boxOf({ min: [0, -1, -1], max: [4, 1, 3] }, world);
+    expect(at(out, -0.5, -0.5, -0.5)).toEqual([11, 0, -1]);
+    expect(at(out, 0.5, 0.5, 0.5)).toEqual([9, 4, 3]);
+  });
+
+  it('is drawn all the same where min > max', () => {
+    const out = boxOf({ min: [1, 2, 3], max: [-1, -2, -3] });
+    expect(at(out, 0.5, 0.5, 0.5)).toEqual([1, 2, 3]);
+    expect(new Matrix4().fromArray(out).determinant()).toBeGreaterThan(0);
+  });
+
+  it('has a thickness, hardly any, where it is flat', () => {
+    const out = boxOf({ min: [-1, 0.5, -1], max: [1, 0.5, 1] });
+    expect(new Matrix4().fromArray(out).determinant()).toBeGreaterThan(0);
+    expect(at(out, 0, 0.5, 0)).toEqual([0, 0.5005, 0]);
+  });
+});
+
+describe('the bone between two joints', () => {
+  it('starts at the parent, ends at the child, and is as thick as asked, in every direction', () => {
+    const coordinate = fc.double({ min: -5, max: 5, noNaN: true });
+    fc.assert(
+      fc.property(coordinate, coordinate, coordinate, (x, y, z) => {
+        fc.pre(Math.hypot(x, y, z) > 0.1);
+        const world = new Float64Array(32);
+        world.set(new Matrix4().setPosition(1, 2, 3).elements);
+        world.set(new Matrix4().setPosition(1 + x, 2 + y, 3 + z).elements, 16);
+        const out = new Float32Array(16);
+        boneMatrix(world, 0, 16, 0.25, out, 0);
+        const m = new Matrix4().fromArray(out);
+        const base = new Vector3().applyMatrix4(m);
+        expect(base.toArray()).toEqual([1, 2, 3]);
+        expect(new Vector3(0, 1, 0).applyMatrix4(m).distanceTo(new Vector3(1 + x, 2 + y, 3 + z))).toBeLessThan(1e-5);
+        const along = new Vector3(x, y, z).normalize();
+        for (const side of [new Vector3(1, 0, 0), new Vector3(0, 0, 1)]) {
+          const across = side.applyMatrix4(m).sub(base);
+          expect(across.length()).toBeCloseTo(0.25, 5);
+          expect(Math.abs(across.dot(along))).toBeLessThan(1e-5);
+        }
+        // Not turned inside out.
+        expect(m.determinant()).toBeGreaterThan(0);
+      }),
+    );
+  });
+
+  it('is nothing between joints at one place', () => {
+    const out = new Float32Array(16).fill(9);
+    boneMatrix(Float64Array.from([...IDENTITY, ...IDENTITY]), 0, 16, 1, out, 0);
+    expect(at(out, 1, 1, 1)).toEqual([0, 0, 0]);
+  });
+});
+
+describe('the axes of a joint', () => {
+  it('are of one length, whatever the joint’s scale, and keep its mirroring', () => {
+    const world = Float64Array.from(new Matrix4().makeScale(-3, 0.1, 2).setPosition(1, 1, 1).elements);
+    const out = new Float32Array(16);
+    axesMatrix(world, 0, 0.5, out, 0);
+    expect([at(out, 1, 0, 0), at(out, 0, 1, 0), at(out, 0, 0, 1)]).toEqual([
+      [0.5, 1, 1],
+      [1, 1.5, 1],
+      [1, 1, 1.5],
+    ]);
+  });
+
+  it('leave out one that the joint flattens away', () => {
+    const out = new Float32Array(16);
+    axesMatrix(Float64Array.from(new Matrix4().makeScale(1, 0, 1).elements), 0, 2, out, 0);
+    expect(at(out, 0, 1, 0)).toEqual([0, 0, 0]);
+  });
+});
+
+describe('sizes of joints', () => {
+  const chain = (scale: number) => ({
+    name: '',
+    joints: [joint(-1), joint(0, { offset: [0, scale, 0] }), joint(1, { offset: [0, 0.1 * scale, 0] })],
+  });
+
+  it('grow with the skeleton', () => {
+    const small = jointSizes(chain(0.01));
+    const large = jointSizes(chain(100));
+    expect(large.radii[0] / small.radii[0]).toBeCloseTo(1e4, -1);
+    expect(large.axis / small.axis).toBeCloseTo(1e4, 3);
+  });
+
+  it('are small at the end of a short bone', () => {
+    const { radii } = jointSizes(chain(1));
+    expect(radii[2]).toBeLessThanOrEqual(0.1 * 0.22 + 1e-6);
+  });
+
+  it('come from the box where there is a single joint', () => {
+    const sizes = jointSizes({ name: '', joints: [joint(-1, { box: { min: [-2, -2, -2], max: [2, 2, 2] } })] });
+    expect(sizes.extent).toBeCloseTo(Math.hypot(4, 4, 4), 9);
+    expect(sizes.radii[0]).toBeGreaterThan(0);
+  });
+
+  it('are above 0 where everything is at one point', () => {
+    const point = joint(-1, { box: { min: [0, 0, 0], max: [0, 0, 0] } });
+    expect(jointSizes({ name: '', joints: [point] }).radii[0]).toBeGreaterThan(0);
+  });
+});
+
+it('a ball stands where the joint is', () => {
+  const out = new Float32Array(16);
+  sphereMatrix(1, 2, 3, 0.5, out, 0);
+  expect(at(out, 0, 1, 0)).toEqual([1, 2.5, 3]);
+});
