@@ -11,6 +11,7 @@ import type { FileKind } from '../model/files.ts';
 import { runAction } from '../ui/actions.ts';
 import type { Observable } from '../ui/observable.ts';
 import type { Workbench } from '../ui/workbench.ts';
+import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
 import { saveCharacter } from './saving.ts';
@@ -53,6 +54,8 @@ export interface MarrowApi {
    * `characterId` and `timeSeconds` default to the selected character and the moment shown.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): void;
+  /** Of the last picture drawn. */
+  stats(): FrameStats;
   /** False where there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;
@@ -85,6 +88,7 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
     },
     vertices: (character) => Array.from(facts(character).vertices()),
     run: (id, args = {}) => run(workbench, id, args),
+    stats: () => viewport.stats(),
     undo: () => store.undo(),
     redo: () => store.redo(),
     save: (name) => saveByName(store, name),

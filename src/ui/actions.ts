@@ -1,0 +1,33 @@
+/**
+ * THE one list of what the page can do. Menus, shortcuts, the `?` page and the command search are all built from it, so
+ * none of them can forget or contradict another; adding to the page begins by adding here.
+ */
+import type { Action } from './actions/action.ts';
+import { EDIT_ACTIONS } from './actions/edit-actions.ts';
+import { FILE_ACTIONS, isSupplied, sampleActions } from './actions/file-actions.ts';
+import { PAGE_ACTIONS } from './actions/page-actions.ts';
+import { PLAY_ACTIONS } from './actions/play-actions.ts';
+import { VIEW_ACTIONS } from './actions/view-actions.ts';
+import type { Workbench } from './workbench.ts';
+
+/** Those that are always there, in the order in which menus show them. */
+export const ACTIONS: readonly Action[] = [
+  ...FILE_ACTIONS,
+  ...EDIT_ACTIONS,
+  ...VIEW_ACTIONS,
+  ...PLAY_ACTIONS,
+  ...PAGE_ACTIONS,
+];
+
+/** All of them on this page: with its samples, and without what it was given no function for. */
+export function actionsOf(wb: Workbench): Action[] {
+  return [...ACTIONS.filter((a) => isSupplied(wb, a.id)), ...sampleActions(wb)];
+}
+
+/** Runs an action by its id, as a menu would. Throws where there is none, or where it can't run just now. */
+export function runAction(wb: Workbench, id: string, args?: unknown): void {
+  const action = actionsOf(wb).find((a) => a.id === id);
+  if (!action) throw new Error(`There is no action "${id}".`);
+  if (action.enabled && !action.enabled(wb)) throw new Error(`"${id}" can't be done just now.`);
+  action.run(wb, args);
+}

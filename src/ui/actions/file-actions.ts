@@ -1,0 +1,118 @@
+/** Opening and saving. */
+import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { SAVE_KINDS, type SaveKind, type Workbench } from '../workbench.ts';
+import { type Action, currentCharacter } from './action.ts';
+
+export const SAVE_LABELS: Readonly<Record<SaveKind, string>> = {
+  skel: 'Skeleton (.skel)',
+  skin: 'Skin (.skin)',
+  morph: 'Morphs (.morph)',
+  anim: 'Animation (.anim)',
+  rig: 'Rig (.rig)',
+};
+
+/** Whether a character has anything to save as such a file. */
+export function canSave(character: Character, kind: SaveKind): boolean {
+  switch (kind) {
+    case 'skel':
+      return character.skeleton !== undefined;
+    case 'skin':
+      return shownSkin(character) !== undefined;
+    case 'morph':
+      return character.morphs.length > 0;
+    case 'anim':
+      return shownClip(character) !== undefined;
+    case 'rig':
+      return character.skeleton !== undefined || shownSkin(character) !== undefined;
+  }
+}
+
+const hasCharacters = (wb: Workbench) => wb.store.document.characters.length > 0;
+
+export const FILE_ACTIONS: readonly Action[] = [
+  {
+    id: 'file.open',
+    label: 'Open files…',
+    group: 'Files',
+    menu: 'Open',
+    shortcuts: ['Ctrl+O'],
+    icon: 'file',
+    run: (wb) => wb.files.open(),
+  },
+  {
+    id: 'file.openFolder',
+    label: 'Open folder…',
+    group: 'Files',
+    menu: 'Open',
+    icon: 'folder',
+    run: (wb) => wb.files.openFolder?.(),
+  },
+  {
+    id: 'file.reload',
+    label: 'Reload from disk',
+    group: 'Files',
+    menu: 'Open',
+    section: 1,
+    shortcuts: ['Ctrl+Shift+R'],
+    run: (wb) => wb.files.reload?.(),
+  },
+  {
+    id: 'save.list',
+    label: 'Save…',
+    group: 'Files',
+    menu: 'Save',
+    shortcuts: ['Ctrl+S'],
+    icon: 'save',
+    enabled: hasCharacters,
+    run: (wb) => wb.dialog.set('save'),
+  },
+  ...SAVE_KINDS.map(
+    (kind): Action => ({
+      id: `save.${kind}`,
+      label: SAVE_LABELS[kind],
+      group: 'Files',
+      menu: 'Save',
+      section: 1,
+      enabled(wb) {
+        const character = currentCharacter(wb);
+        return character !== undefined && canSave(character, kind);
+      },
+      run(wb) {
+        const character = currentCharacter(wb);
+        if (character) wb.files.save(character.id, kind);
+      },
+    }),
+  ),
+  {
+    id: 'save.all',
+    label: 'Whole character (.zip)',
+    group: 'Files',
+    menu: 'Save',
+    section: 2,
+    enabled: hasCharacters,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (character) wb.files.saveAll?.(character.id);
+    },
+  },
+];
+
+/** One for each sample that the page came with. */
+export function sampleActions(wb: Workbench): Action[] {
+  return wb.files.samples.map((sample) => ({
+    id: `sample.${sample.id}`,
+    label: sample.label,
+    detail: sample.description,
+    group: 'Files',
+    menu: 'Samples',
+    run: () => wb.files.openSample(sample.id),
+  }));
+}
+
+/** Actions whose function was not supplied have no place in menus. */
+export function isSupplied(wb: Workbench, id: string): boolean {
+  if (id === 'file.openFolder') return wb.files.openFolder !== undefined;
+  if (id === 'file.reload') return wb.files.reload !== undefined;
+  if (id === 'save.all') return wb.files.saveAll !== undefined;
+  return true;
+}

@@ -1,0 +1,84 @@
+/**
+ * Every message that has not been dismissed, with its diagnostics: where, what, what was assumed, and the line itself
+ * with a caret under the place.
+ */
+import type { Diagnostic } from '../model/diagnostic.ts';
+import { button, element } from './dom.ts';
+import { icon } from './icons.ts';
+import { caretPad, counts, type Message } from './messages.ts';
+import { count } from './number-text.ts';
+import type { Workbench } from './workbench.ts';
+
+/** More are counted; Copy takes them all. */
+const MOST_SHOWN = 200;
+const EXCERPT_CHARACTERS = 200;
+
+export function diagnosticsList(wb: Workbench): HTMLElement {
+  const list = element('div', { class: 'messages-list scrolls', tabindex: 0 });
+  const show = (messages: readonly Message[]) => {
+    if (!messages.length) {
+      list.replaceChildren(element('p', { class: 'empty' }, 'What is wrong with a file stands here, line and all.'));
+      return;
+    }
+    let room = MOST_SHOWN;
+    const shown = [...messages].reverse().map((message) => {
+      const block = messageBlock(wb, message, Math.max(0, room));
+      room -= message.diagnostics.length;
+      return block;
+    });
+    list.replaceChildren(...shown);
+  };
+  wb.messages.list.subscribe(show);
+  show(wb.messages.list.get());
+  return list;
+}
+
+function messageBlock(wb: Workbench, message: Message, room: number): HTMLElement {
+  const { diagnostics, severity, text } = message;
+  const file = diagnostics[0]?.file;
+  const shown = diagnostics.slice(0, room);
+  const mixed = diagnostics.some((d) => d.severity !== severity);
+  return element(
+    'article',
+    { class: 'message' },
+    element(
+      'div',
+      { class: `message-head severity-${severity}` },
+      icon(severity),
+      element(
+        'span',
+        { class: `message-title ${file ? 'is-file' : ''}`, title: text },
+        diagnostics.length ? file || 'Opening' : text,
+      ),
+      diagnostics.length > 0 && element('span', { class: 'message-count' }, counts(diagnostics)),
+      button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
+    ),
+    ...shown.map((d) => diagnosticBlock(d, mixed)),
+    diagnostics.length > shown.length &&
+      element('p', { class: 'faint' }, `… and ${count(diagnostics.length - shown.length)} more; Copy takes them all.`),
+  );
+}
+
+function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
+  const place = d.line > 0 ? `${d.line}:${d.column}` : '';
+  return element(
+    'div',
+    { class: 'diagnostic', title: d.code },
+    element(
+      'p',
+      { class: `severity-${d.severity}` },
+      withIcon && icon(d.severity),
+      place && element('span', { class: 'place' }, place),
+      element('span', { class: 'sentence' }, d.message, d.assumed && element('i', {}, ` (${d.assumed})`)),
+    ),
+    d.excerpt && excerpt(d.excerpt.text, d.excerpt.caret),
+  );
+}
+
+/** The line and its caret, as text: nothing in a file is ever markup. */
+function excerpt(text: string, caret: number): HTMLElement {
+  const line = text.slice(0, EXCERPT_CHARACTERS);
+  const block = element('pre', { class: 'excerpt' });
+  block.append(`${line}\n`, element('span', { class: 'caret' }, `${caretPad(line, Math.min(caret, line.length))}^`));
+  return block;
+}

@@ -1,0 +1,73 @@
+/**
+ * The page's icons, drawn by us on one 16-unit grid with one line weight. Each is a list of paths; a path that starts
+ * with `!` is filled instead of stroked.
+ */
+const PATHS = {
+  start: ['M3.5 3.5v9', '!M12.5 3.5v9L5.5 8z'],
+  end: ['M12.5 3.5v9', '!M3.5 3.5v9l7-4.5z'],
+  back: ['M12 8h-1', '!M10 4v8L3.5 8z', 'M12.5 4v8'],
+  forward: ['M3.5 4v8', '!M6 4v8l6.5-4z'],
+  play: ['!M4.5 3v10l8.5-5z'],
+  pause: ['!M4 3h3v10H4zM9 3h3v10H9z'],
+  previousKey: ['M6 4 2.5 8 6 12', '!M10.5 4.6 13.9 8l-3.4 3.4L7.1 8z'],
+  nextKey: ['M10 4 13.5 8 10 12', '!M5.5 4.6 8.9 8 5.5 11.4 2.1 8z'],
+  once: ['M2.5 8h9', 'M8.5 5l3 3-3 3', 'M13.5 4v8'],
+  loop: ['M5 4h5.5a3 3 0 0 1 3 3v.5', 'M11 12H5.5a3 3 0 0 1-3-3v-.5', 'M7 2 5 4l2 2', 'M9 10l2 2-2 2'],
+  pingpong: ['M2.5 5h10', 'M10 2.5 12.5 5 10 7.5', 'M13.5 11h-10', 'M6 8.5 3.5 11 6 13.5'],
+  continue: ['M2 8h11', 'M10 5l3 3-3 3', 'M4 5.5v5', 'M6.5 6.5v3'],
+  fold: ['M6 3.5 10.5 8 6 12.5'],
+  close: ['M4 4l8 8M12 4l-8 8'],
+  check: ['M3.5 8.5 6.5 11.5 12.5 4.5'],
+  dot: ['!M8 5.4a2.6 2.6 0 1 0 0 5.2 2.6 2.6 0 0 0 0-5.2z'],
+  search: ['M7 2.8a4.2 4.2 0 1 0 0 8.4 4.2 4.2 0 0 0 0-8.4z', 'M10.2 10.2 13.2 13.2'],
+  copy: ['M5.5 5.5h7v7h-7z', 'M3.5 10.5v-7h7'],
+  more: ['!M3 7h2v2H3zM7 7h2v2H7zM11 7h2v2h-2z'],
+  character: ['M8 2.2a2 2 0 1 0 0 4 2 2 0 0 0 0-4z', 'M8 6.2v4', 'M3.5 7.5 8 6.8l4.5.7', 'M5 14l3-3.8L11 14'],
+  joint: ['M8 5.5a2.5 2.5 0 1 0 0 5 2.5 2.5 0 0 0 0-5z', 'M8 2v3.5M8 10.5V14'],
+  skeleton: [
+    'M4.6 3a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2z',
+    'M11.4 9.8a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2z',
+    'M5.8 5.7l4.4 4.6',
+  ],
+  skin: ['M8 2.5 13.5 6 11 13H5L2.5 6z', 'M2.5 6h11M8 2.5 5 13M8 2.5 11 13'],
+  clip: ['M2 11c2.5 0 3-6.5 6-6.5s3.5 6.5 6 6.5', '!M8 2.8 9.7 4.5 8 6.2 6.3 4.5z'],
+  morph: ['M3 9.5c0-3.5 2-6 5-6s5 2.5 5 6', 'M3 12.5h10', 'M5.5 9.8c.8.8 4.2.8 5 0'],
+  file: ['M4 2.5h5l3 3v8H4z', 'M9 2.5v3h3'],
+  unused: ['M4 2.5h5l3 3v8H4z', 'M6.2 7.2l3.6 3.6M9.8 7.2l-3.6 3.6'],
+  error: ['M8 2.5a5.5 5.5 0 1 0 0 11 5.5 5.5 0 0 0 0-11z', 'M8 5v3.6', '!M7.3 10.3h1.4v1.4H7.3z'],
+  warning: ['M8 2.8 14 13H2z', 'M8 6.5v3', '!M7.4 10.5h1.2v1.2H7.4z'],
+  info: ['M8 2.5a5.5 5.5 0 1 0 0 11 5.5 5.5 0 0 0 0-11z', 'M8 7.5V11', '!M7.3 4.6h1.4V6H7.3z'],
+  boxes: ['M8 2.3 13 5v6l-5 2.7L3 11V5z', 'M3 5l5 2.7L13 5M8 7.7v6'],
+  bones: ['M4.2 9.2a1.7 1.7 0 1 0 2.6 2.2l4.6-4.6a1.7 1.7 0 1 0-2.2-2.6z'],
+  axes: ['M6 2.5V10h7.5', 'M6 10l-3.5 3.5'],
+  names: ['M2.5 4.5h7l4 3.5-4 3.5h-7z', 'M5 8h3'],
+  normals: ['M2.5 12.5c3-2 8-2 11 0', 'M5 11.5 4 5M8 11V4M11 11.5 12 5'],
+  grid: ['M2.5 5.5h11M2.5 10.5h11M5.5 2.5v11M10.5 2.5v11'],
+  shadow: ['M8 2.5a3.2 3.2 0 1 0 0 6.4 3.2 3.2 0 0 0 0-6.4z', 'M3 12.2c2-1.2 8-1.2 10 0-2 1.2-8 1.2-10 0z'],
+  perspective: ['M3 4.5l7-1.7v10.4l-7-1.7z', 'M10 5.5h3v5h-3'],
+  outliner: ['M2.5 3h11v10h-11z', 'M6.5 3v10'],
+  inspector: ['M2.5 3h11v10h-11z', 'M9.5 3v10'],
+  save: ['M8 2.5v7M5 6.8l3 3 3-3', 'M3 11v2.5h10V11'],
+  folder: ['M2.5 4h4l1.5 1.8h5.5v7h-11z'],
+  frame: ['M2.5 5.5v-3h3M10.5 2.5h3v3M13.5 10.5v3h-3M5.5 13.5h-3v-3', 'M6 8h4M8 6v4'],
+} as const;
+
+export type IconName = keyof typeof PATHS;
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+/** Decoration only: the control that holds it carries the name. */
+export function icon(name: IconName): SVGSVGElement {
+  const svg = document.createElementNS(SVG, 'svg');
+  svg.setAttribute('viewBox', '0 0 16 16');
+  svg.setAttribute('class', 'icon');
+  svg.setAttribute('aria-hidden', 'true');
+  for (const text of PATHS[name]) {
+    const path = document.createElementNS(SVG, 'path');
+    const filled = text.startsWith('!');
+    path.setAttribute('d', filled ? text.slice(1) : text);
+    if (filled) path.setAttribute('class', 'filled');
+    svg.append(path);
+  }
+  return svg;
+}

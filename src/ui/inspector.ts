@@ -1,0 +1,124 @@
+/**
+ * The right panel: lil-gui, dressed as the rest of the page. What it shows is decided by identities: rows are made anew
+ * for another character, joint, unit or other limits, and only filled while a character plays or a slider is dragged.
+ */
+import { GUI } from 'lil-gui';
+import { type Character, findCharacter } from '../model/document.ts';
+import { currentCharacter } from './actions/action.ts';
+import { element } from './dom.ts';
+import { oncePerFrame } from './frame.ts';
+import { HandEdit } from './hand-edit.ts';
+import { CharacterFolder } from './inspector/character-folder.ts';
+import { DofFolders } from './inspector/dof-folders.ts';
+import { LiveRows } from './inspector/live-rows.ts';
+import { displayFolder, playbackFolder } from './inspector/page-folders.ts';
+import { jointFacts } from './joint-facts.ts';
+import { handleKey } from './keys.ts';
+import type { Workbench } from './workbench.ts';
+
+export function inspector(wb: Workbench): HTMLElement {
+  const panel = element('section', { class: 'panel inspector', 'aria-label': 'Inspector', 'data-panel': 'inspector' });
+  const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
+  const empty = element('p', { class: 'empty' }, 'The DOFs, morphs and numbers of a character will stand here.');
+  gui.$children.prepend(empty);
+
+  const folder = (id: string, title: string, open: boolean): GUI => rememberedFolder(wb, gui, id, title, open);
+  const edit = new HandEdit(wb.store, wb.messages);
+  const live = new LiveRows(gui.$children);
+  const dofs = new DofFolders({ wb, edit, live }, gui, folder);
+  const facts = jointFacts(wb);
+  const factsFolder = folder('facts', 'Numbers', true);
+  factsFolder.$children.append(facts.element);
+  const character = new CharacterFolder(wb, edit, folder('character', 'Character', false));
+  const display = folder('display', 'Display', false);
+  const playback = folder('playback', 'Playback and units', false);
+  for (const wide of [display, playback]) wide.domElement.classList.add('wide-names');
+  displayFolder(wb, display);
+  playbackFolder(wb, playback);
+
+  let shown: Shown | undefined;
+  const show = () => {
+    const next = whatIsShown(wb);
+    const target = findCharacter(wb.store.document, next.id);
+    if (!shown || !sameRows(shown, next)) {
+      dofs.rebuild(target, next.joint);
+      character.rebuild(target);
+      empty.hidden = target !== undefined;
+      factsFolder.show(target !== undefined);
+    }
+    shown = next;
+    character.update(target);
+    dofs.showUnkeyed(target);
+    facts.show();
+    live.update();
+  };
+  const showSoon = oncePerFrame(show);
+  const followSoon = oncePerFrame(() => {
+    live.update();
+    facts.follow();
+  });
+  wb.store.subscribe(showSoon);
+  wb.settings.subscribe((now, before) => {
+    if (now.angles !== before.angles) showSoon();
+  });
+  wb.transport.subscribe((now, before) => {
+    if (now.timeSeconds !== before.timeSeconds) followSoon();
+  });
+  show();
+
+  // lil-gui keeps keys to itself; commands that a control has no use for are handed on before it does.
+  const handOn = (event: KeyboardEvent) => {
+    if (event.target instanceof Element && event.target.closest('.lil-controller')) handleKey(wb, event);
+  };
+  panel.addEventListener('keydown', handOn, { capture: true });
+  return panel;
+}
+
+/** What the rows depend on, by identity. */
+interface Shown {
+  readonly id: string | undefined;
+  readonly joint: number | undefined;
+  readonly skeleton: Character['skeleton'];
+  readonly morphs: Character['morphs'] | undefined;
+  readonly clamps: boolean;
+  readonly copies: number;
+  readonly angles: string;
+}
+
+function whatIsShown(wb: Workbench): Shown {
+  const character = currentCharacter(wb);
+  const { selection } = wb.store;
+  return {
+    id: character?.id,
+    joint: selection.characterId === character?.id ? selection.joint : undefined,
+    skeleton: character?.skeleton,
+    morphs: character?.morphs,
+    clamps: character?.clampsToLimits ?? true,
+    copies: character?.placements.length ?? 0,
+    angles: wb.settings.get().angles,
+  };
+}
+
+function sameRows(a: Shown, b: Shown): boolean {
+  return (
+    a.id === b.id &&
+    a.joint === b.joint &&
+    a.skeleton === b.skeleton &&
+    a.morphs === b.morphs &&
+    a.clamps === b.clamps &&
+    a.copies === b.copies &&
+    a.angles === b.angles
+  );
+}
+
+/** A folder that is next time as it was left. */
+function rememberedFolder(wb: Workbench, gui: GUI, id: string, title: string, open: boolean): GUI {
+  const key = `inspector/${id}`;
+  const folder = gui.addFolder(title);
+  folder.open(wb.settings.get().folds[key] ?? open);
+  folder.onOpenClose((changed) => {
+    if (changed !== folder) return;
+    wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: !folder._closed } }));
+  });
+  return folder;
+}

@@ -1,0 +1,190 @@
+/** The character as a whole: its name, its limits, its place in space and time. */
+import type { GUI } from 'lil-gui';
+import { placeCharacter, removeCopy, renameCharacter, setTimeOffset } from '../../edit/commands/characters.ts';
+import { setClamping } from '../../edit/commands/pose.ts';
+import { type Character, DEFAULT_PLACEMENT, findCharacter, type Placement } from '../../model/document.ts';
+import { runAction } from '../actions.ts';
+import { shownPerUnit, withoutNoise } from '../angles.ts';
+import { button, element } from '../dom.ts';
+import type { HandEdit } from '../hand-edit.ts';
+import type { Workbench } from '../workbench.ts';
+import { reachOf } from './dof-rows.ts';
+import { emptyFolder, Slider } from './slider.ts';
+
+type Axis = 0 | 1 | 2;
+const AXES: readonly Axis[] = [0, 1, 2];
+
+export class CharacterFolder {
+  private character: Character | undefined;
+  private copy = 0;
+  private rows: (() => void)[] = [];
+  /** Rows that hold several of lil-gui's. */
+  private lines: HTMLElement[] = [];
+  private readonly buttons = element('div', { class: 'row-buttons' });
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly edit: HandEdit,
+    private readonly folder: GUI,
+  ) {
+    this.buttons.append(
+      button('Show once more beside it', { class: 'plain' }, 'Add copy', () => runAction(wb, 'character.copy')),
+      button('Remove this copy', { class: 'plain remove-copy' }, 'Remove copy', () => this.removeShownCopy()),
+    );
+  }
+
+  /** Rows anew. */
+  rebuild(character: Character | undefined): void {
+    emptyFolder(this.folder);
+    this.buttons.remove();
+    for (const line of this.lines) line.remove();
+    this.lines = [];
+    this.rows = [];
+    this.folder.show(character !== undefined);
+    if (this.character?.id !== character?.id) this.copy = 0;
+    this.character = character;
+    if (!character) return;
+    this.copy = Math.min(this.copy, character.placements.length - 1);
+    this.addName(character);
+    this.addLimits(character);
+    this.addTimeOffset(character);
+    this.addPlacement(character);
+    this.folder.$children.append(this.buttons);
+    this.buttons.classList.toggle('single', character.placements.length === 1);
+  }
+
+  /** The same rows with the values of now. */
+  update(character: Character | undefined): void {
+    this.character = character;
+    if (character) for (const row of this.rows) row();
+  }
+
+  private get id(): string {
+    return this.character?.id ?? '';
+  }
+
+  private get placement(): Placement {
+    return this.character?.placements[this.copy] ?? DEFAULT_PLACEMENT;
+  }
+
+  private addName(character: Character): void {
+    const binding = { name: character.name };
+    const row = this.folder.add(binding, 'name').name('Name');
+    row.onFinishChange((name: string) => {
+      const trimmed = name.trim();
+      if (trimmed && findCharacter(this.wb.store.document, this.id)) {
+        this.wb.store.apply(renameCharacter, { characterId: this.id, name: trimmed });
+      }
+    });
+    this.rows.push(() => {
+      if (binding.name === this.character?.name || row.domElement.contains(document.activeElement)) return;
+      binding.name = this.character?.name ?? '';
+      row.updateDisplay();
+    });
+  }
+
+  private addLimits(character: Character): void {
+    const binding = { clamps: character.clampsToLimits };
+    const row = this.folder.add(binding, 'clamps').name('Hold limits');
+    row.onChange((clamps: boolean) => this.wb.store.apply(setClamping, { characterId: this.id, clamps }));
+    this.rows.push(() => {
+      binding.clamps = this.character?.clampsToLimits ?? true;
+      row.updateDisplay();
+    });
+  }
+
+  private addTimeOffset(character: Character): void {
+    const options = { step: 0.01, decimals: 4, suffix: ' s' };
+    const row = new Slider(this.folder, 'Time offset', character.timeOffsetSeconds, options);
+    row.onChange((seconds: number) => this.edit.preview(setTimeOffset, { characterId: this.id, seconds }));
+    row.onFinishChange(() => this.finish());
+    this.rows.push(() => row.showValue(this.character?.timeOffsetSeconds ?? 0));
+  }
+
+  private addPlacement(character: Character): void {
+    if (character.placements.length > 1) {
+      const binding = { copy: this.copy };
+      const names = Object.fromEntries(
+        character.placements.map((_, i) => [`${i + 1} of ${character.placements.length}`, i]),
+      );
+      const row = this.folder.add(binding, 'copy', names).name('Copy');
+      row.onChange((copy: number) => {
+        this.copy = copy;
+        this.update(this.character);
+      });
+    }
+    const { angles } = this.wb.settings.get();
+    const degrees = shownPerUnit('angle', angles);
+    const reach = reachOf(character.skeleton);
+    const step = 10 ** Math.floor(Math.log10(reach / 100));
+    this.addVector(
+      'Position',
+      1,
+      step,
+      '',
+      (p) => p.position,
+      (p, position) => ({ ...p, position }),
+    );
+    const turnStep = angles === 'degrees' ? 0.1 : 0.001;
+    this.addVector(
+      'Turn',
+      degrees,
+      turnStep,
+      angles === 'degrees' ? '°' : '',
+      (p) => p.turn,
+      (p, turn) => ({ ...p, turn }),
+    );
+    const scale = new Slider(this.folder, 'Scale', this.placement.scale, { step: 0.01, decimals: 4, suffix: '×' });
+    scale.onChange((value: number) => {
+      // Typing passes through 0 on its way to 0.5.
+      if (value > 0) this.place({ ...this.placement, scale: value });
+    });
+    scale.onFinishChange(() => this.finish());
+    this.rows.push(() => scale.showValue(this.placement.scale));
+  }
+
+  private addVector(
+    label: string,
+    factor: number,
+    step: number,
+    suffix: string,
+    read: (p: Placement) => Placement['position'],
+    write: (p: Placement, value: Placement['position']) => Placement,
+  ): void {
+    const decimals = Math.max(2, -Math.floor(Math.log10(step)));
+    const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));
+    for (const axis of AXES) {
+      const letter = 'xyz'[axis];
+      const start = read(this.placement)[axis] * factor;
+      const row = new Slider(this.folder, `${label} ${letter}`, start, { step, decimals, suffix });
+      row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
+      row.$input.setAttribute('aria-label', `${label} ${letter}`);
+      line.append(row.domElement);
+      row.onChange((value: number) => {
+        const now = read(this.placement);
+        const next = AXES.map((a) => (a === axis ? value / factor : now[a]));
+        this.place(write(this.placement, [next[0], next[1], next[2]]));
+      });
+      row.onFinishChange(() => this.finish());
+      this.rows.push(() => row.showValue(withoutNoise(read(this.placement)[axis] * factor)));
+    }
+    this.folder.$children.append(line);
+    this.lines.push(line);
+  }
+
+  /** A drag that was cancelled leaves the controls where the mouse was. */
+  private finish(): void {
+    this.edit.commit();
+    this.update(this.character && findCharacter(this.wb.store.document, this.character.id));
+  }
+
+  private place(placement: Placement): void {
+    this.edit.preview(placeCharacter, { characterId: this.id, index: this.copy, placement });
+  }
+
+  private removeShownCopy(): void {
+    if (this.character && this.character.placements.length > 1) {
+      this.wb.store.apply(removeCopy, { characterId: this.id, index: this.copy });
+    }
+  }
+}

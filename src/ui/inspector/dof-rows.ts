@@ -1,0 +1,164 @@
+/** A slider for a DOF: its span, its unit, its limits, and whether a channel or a hand drives it just now. */
+import type { GUI } from 'lil-gui';
+import { setDofs } from '../../edit/commands/pose.ts';
+import { isDriven } from '../../evaluate/pose.ts';
+import { type Character, findCharacter, shownSkin } from '../../model/document.ts';
+import type { CharacterDof } from '../../model/dofs.ts';
+import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
+import { element } from '../dom.ts';
+import type { HandEdit } from '../hand-edit.ts';
+import { icon } from '../icons.ts';
+import { shown } from '../number-text.ts';
+import type { Settings } from '../settings.ts';
+import type { Workbench } from '../workbench.ts';
+import type { LiveRows } from './live-rows.ts';
+import { Slider, type SliderOptions } from './slider.ts';
+
+export interface DofRowContext {
+  readonly wb: Workbench;
+  readonly edit: HandEdit;
+  readonly live: LiveRows;
+}
+
+/** @param prefix in front of the DOF's name where rows of several joints stand together */
+export function addDofRow(
+  { wb, edit, live }: DofRowContext,
+  folder: GUI,
+  character: Character,
+  index: number,
+  dof: CharacterDof,
+  prefix?: string,
+): Slider {
+  const { angles } = wb.settings.get();
+  const factor = shownPerUnit(dof.unit, angles);
+  const slider = new Slider(folder, dof.name, 0, sliderOptions(dof, character, angles));
+  const { id } = character;
+  const mark = element('span', { class: 'mark' });
+  const name = element('span', { class: `dof-name ${axisClass(dof)}` }, shortName(dof, character));
+  slider.$name.replaceChildren(mark, ...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []), name);
+  slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${limitText(dof, character, angles)}`;
+  slider.domElement.classList.add('dof');
+
+  const update = () => {
+    const now = findCharacter(wb.store.document, id);
+    if (!now) return;
+    const dofs = wb.viewport.character(id)?.dofs ?? now.pose;
+    slider.showValue(withoutNoise((dofs[index] ?? 0) * factor));
+    showDriver(slider.domElement, mark, now, index);
+  };
+  slider.onChange((value: number) => {
+    const now = findCharacter(wb.store.document, id);
+    // A playing clip would take the value back at the next frame.
+    if (now && isDriven(now, index)) wb.transport.update((p) => (p.playing ? { ...p, playing: false } : p));
+    const { timeSeconds } = wb.transport.get();
+    edit.preview(setDofs, { characterId: id, dofs: [{ index, value: value / factor }], timeSeconds });
+    if (edit.cancelled) update();
+  });
+  slider.onFinishChange(() => {
+    edit.commit();
+    update();
+  });
+  live.add(slider.domElement, update);
+  return slider;
+}
+
+/** A diamond: a channel drives it. A dot: set by hand, goes when time moves. */
+function showDriver(row: HTMLElement, mark: HTMLElement, character: Character, index: number): void {
+  const unkeyed = character.unkeyed?.dofs.includes(index) ?? false;
+  const state = unkeyed ? 'unkeyed' : isDriven(character, index) ? 'driven' : 'free';
+  if (row.dataset.driver === state) return;
+  row.dataset.driver = state;
+  mark.title = TITLES[state];
+  mark.replaceChildren(...(state === 'unkeyed' ? [icon('dot')] : []));
+}
+
+const TITLES = { unkeyed: 'Set by hand, not keyed: goes when time moves', driven: 'Driven by the take', free: '' };
+
+/**
+ * The slider spans the limits where there are any and they hold; with the limits switched off, it spans the full turn
+ * and hatches what lies beyond them.
+ */
+export function sliderOptions(
+  dof: CharacterDof,
+  character: Pick<Character, 'skeleton' | 'clampsToLimits'>,
+  angles: Settings['angles'],
+): SliderOptions {
+  const factor = shownPerUnit(dof.unit, angles);
+  const full = fullSpan(dof, character.skeleton);
+  const { limit } = dof;
+  const suffix = unitText(dof.unit, angles).trim() === '°' ? '°' : '';
+  const resolution = resolutionOf(dof, full, angles);
+  if (dof.unit === 'weight') return { span: [0, 1], step: 0.001, decimals: 3 };
+  if (isUnlimited(limit) || limit.min > limit.max) return { span: scale(full, factor), suffix, ...resolution };
+  const limits = scale([limit.min, limit.max], factor);
+  if (character.clampsToLimits && limit.max > limit.min) {
+    return { span: limits, bounds: limits, limits, suffix, ...resolution };
+  }
+  const wide = [Math.min(full[0], limit.min), Math.max(full[1], limit.max)] as const;
+  const bounds = character.clampsToLimits ? { bounds: limits } : {};
+  return { span: scale(wide, factor), limits, suffix, ...bounds, ...resolution };
+}
+
+/** Without limits: ±π, or ± the character's reach. */
+function fullSpan(dof: CharacterDof, skeleton: Skeleton | undefined): readonly [number, number] {
+  const size = dof.unit === 'length' ? reachOf(skeleton) : Math.PI;
+  return [-size, size];
+}
+
+function resolutionOf(dof: CharacterDof, span: readonly [number, number], angles: Settings['angles']) {
+  if (dof.unit === 'angle') return angles === 'degrees' ? { step: 0.1, decimals: 2 } : { step: 0.001, decimals: 4 };
+  // About a thousandth of the span, as a power of ten.
+  const power = Math.floor(Math.log10((span[1] - span[0]) / 1000));
+  return { step: 10 ** power, decimals: Math.max(0, Math.min(8, 1 - power)) };
+}
+
+function scale([low, high]: readonly [number, number], factor: number): readonly [number, number] {
+  return [withoutNoise(low * factor), withoutNoise(high * factor)];
+}
+
+const reaches = new WeakMap<Skeleton, number>();
+
+/** How far the farthest joint can be from the root; a sensible number also for one joint. */
+export function reachOf(skeleton: Skeleton | undefined): number {
+  if (!skeleton?.joints.length) return 1;
+  const known = reaches.get(skeleton);
+  if (known !== undefined) return known;
+  const far = new Float64Array(skeleton.joints.length);
+  let reach = 0;
+  skeleton.joints.forEach(({ parent, offset, box }, j) => {
+    const own = parent < 0 ? 0 : Math.hypot(...offset);
+    far[j] = own + (parent < 0 ? 0 : far[parent]);
+    reach = Math.max(reach, far[j], Math.hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]));
+  });
+  const result = reach > 0 && Number.isFinite(reach) ? reach : 1;
+  reaches.set(skeleton, result);
+  return result;
+}
+
+/** `−30° to 45°`, `no limits`. */
+export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsToLimits'>, angles: Settings['angles']) {
+  if (dof.unit === 'weight') return '0 to 1, and beyond if typed';
+  if (isUnlimited(dof.limit)) return 'no limits';
+  const factor = shownPerUnit(dof.unit, angles);
+  const unit = unitText(dof.unit, angles);
+  const range = `${shown(dof.limit.min * factor, 4)}${unit} to ${shown(dof.limit.max * factor, 4)}${unit}`;
+  if (dof.limit.min > dof.limit.max) return `limits ${range} are crossed, and ignored`;
+  return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not held`;
+}
+
+/** `walker_blink` of the walker is its `blink`; the whole name is in the tooltip. */
+function shortName({ name, unit }: CharacterDof, character: Character): string {
+  if (unit !== 'weight') return name;
+  for (const owner of [character.name, shownSkin(character)?.name, character.skeleton?.name]) {
+    if (owner && name.startsWith(owner) && /^[_ .-]./.test(name.slice(owner.length)))
+      return name.slice(owner.length + 1);
+  }
+  return name;
+}
+
+/** Red, green or blue, where the name's last letter is an axis. */
+function axisClass({ name, unit }: CharacterDof): string {
+  const axis = /^(?:r|t|s)?([xyz])$/.exec(name)?.[1];
+  return axis && unit !== 'weight' ? `axis-${axis}` : 'plain-name';
+}

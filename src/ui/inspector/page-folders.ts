@@ -1,0 +1,97 @@
+/** Folders that belong to the page rather than to a character: what is drawn, and how time runs. */
+import type { GUI } from 'lil-gui';
+import { LOOP_MODES } from '../../edit/playback.ts';
+import { DEFAULT_DISPLAY, type Display } from '../../model/session.ts';
+import { LOOP_LABELS } from '../actions/play-actions.ts';
+import { BOX_STYLES, SKIN_STYLES, setDisplay } from '../actions/view-actions.ts';
+import { ANGLES, TIME_DISPLAYS } from '../settings.ts';
+import type { Workbench } from '../workbench.ts';
+import { Slider } from './slider.ts';
+
+type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
+
+const SWITCHES: readonly (readonly [Switch, string])[] = [
+  ['bones', 'Bones'],
+  ['axes', 'Joint axes'],
+  ['names', 'Names'],
+  ['normals', 'Normals'],
+  ['trail', 'Trail of the joint'],
+  ['grid', 'Grid'],
+  ['shadow', 'Shadow'],
+  ['orthographic', 'Orthographic'],
+  ['follow', 'Follow the joint'],
+  ['inPlace', 'In place'],
+];
+
+export function displayFolder(wb: Workbench, folder: GUI): void {
+  const binding = { ...wb.settings.get().display };
+  const option = <K extends 'skin' | 'boxes'>(
+    key: K,
+    label: string,
+    styles: readonly (readonly [Display[K], string])[],
+  ) =>
+    folder
+      .add(binding, key, Object.fromEntries(styles.map(([value, name]) => [name, value])))
+      .name(label)
+      .onChange((value: Display[K]) => setDisplay(wb, { [key]: value }));
+  option('skin', 'Skin', SKIN_STYLES);
+  option('boxes', 'Boxes', BOX_STYLES);
+  for (const [key, label] of SWITCHES) {
+    folder
+      .add(binding, key)
+      .name(label)
+      .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
+  }
+  folder.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('As at first');
+  wb.settings.subscribe((now, before) => {
+    if (now.display === before.display) return;
+    Object.assign(binding, now.display);
+    for (const controller of folder.controllers) controller.updateDisplay();
+  });
+}
+
+export function playbackFolder(wb: Workbench, folder: GUI): void {
+  const { transport, settings } = wb;
+  const rate = new Slider(folder, 'Rate', transport.get().rate, {
+    span: [-4, 4],
+    bounds: [-4, 4],
+    step: 0.05,
+    decimals: 3,
+    suffix: '×',
+  });
+  rate.onChange((value: number) => transport.update((p) => ({ ...p, rate: value })));
+  const binding = {
+    loop: transport.get().loop,
+    angles: settings.get().angles,
+    time: settings.get().timeDisplay,
+  };
+  const loops = Object.fromEntries(LOOP_MODES.map((mode) => [LOOP_LABELS[mode], mode]));
+  const loop = folder.add(binding, 'loop', loops).name('Loop');
+  loop.onChange((mode: (typeof LOOP_MODES)[number]) => transport.update((p) => ({ ...p, loop: mode })));
+  const fps = new Slider(folder, 'Frames per second', transport.get().framesPerSecond, {
+    bounds: [1, 1000],
+    step: 1,
+    decimals: 3,
+  });
+  fps.onChange((framesPerSecond: number) => {
+    if (framesPerSecond >= 1) transport.update((p) => ({ ...p, framesPerSecond }));
+  });
+  const time = folder.add(binding, 'time', [...TIME_DISPLAYS]).name('Time in');
+  time.onChange((timeDisplay: (typeof TIME_DISPLAYS)[number]) => settings.update((s) => ({ ...s, timeDisplay })));
+  const angles = folder.add(binding, 'angles', [...ANGLES]).name('Angles in');
+  angles.onChange((unit: (typeof ANGLES)[number]) => settings.update((s) => ({ ...s, angles: unit })));
+
+  transport.subscribe((now, before) => {
+    if (now.rate !== before.rate) rate.showValue(now.rate);
+    if (now.framesPerSecond !== before.framesPerSecond) fps.showValue(now.framesPerSecond);
+    if (now.loop === before.loop) return;
+    binding.loop = now.loop;
+    loop.updateDisplay();
+  });
+  settings.subscribe((now) => {
+    binding.angles = now.angles;
+    binding.time = now.timeDisplay;
+    angles.updateDisplay();
+    time.updateDisplay();
+  });
+}

@@ -1,0 +1,124 @@
+/**
+ * lil-gui's number controller, in our manner: the slider is a line with a mark at zero and hatched ends where a limit
+ * is, the field shows a rounded number until it is focused, and typing may go beyond what the slider spans.
+ *
+ * lil-gui reads and writes `object[property]`; here that is a binding of this slider's own, whose value the inspector
+ * fills from the pose at every frame.
+ */
+
+import type { GUI } from 'lil-gui';
+import { NumberController } from 'lil-gui';
+import { element } from '../dom.ts';
+import { exact, parseNumber, shown } from '../number-text.ts';
+
+export interface SliderOptions {
+  /** What the slider spans; absent for a field without a slider. */
+  readonly span?: readonly [number, number];
+  /** What may be typed at all; absent for any number. */
+  readonly bounds?: readonly [number, number];
+  /** Where limits begin and end, to be hatched beyond; within or at the ends of the span. */
+  readonly limits?: readonly [number, number];
+  /** An arrow key's step is ten of it. */
+  readonly step: number;
+  readonly decimals: number;
+  /** Behind the number while it is not edited. */
+  readonly suffix?: string;
+}
+
+interface Binding {
+  value: number;
+  readonly options: SliderOptions;
+}
+
+export class Slider extends NumberController {
+  declare readonly object: Binding;
+
+  constructor(folder: GUI, label: string, value: number, options: SliderOptions) {
+    const binding: Binding = { value, options };
+    super(folder, binding, 'value', options.span?.[0], options.span?.[1], undefined);
+    this.step(options.step, false);
+    this.name(label);
+    this.$input.setAttribute('type', 'text');
+    this.$input.setAttribute('inputmode', 'decimal');
+    this.$input.addEventListener('focus', () => {
+      this.$input.value = exact(this.object.value);
+      this.$input.select();
+    });
+    // A comma is a decimal sign to half of the world, and lil-gui would stop reading at it.
+    this.$input.addEventListener(
+      'input',
+      (event) => {
+        const typed = parseNumber(this.$input.value);
+        if (typed === undefined) event.stopImmediatePropagation();
+        else if (this.$input.value.includes(',')) {
+          event.stopImmediatePropagation();
+          this.setValue(this._clamp(typed));
+        }
+      },
+      { capture: true },
+    );
+    if (options.span) this.drawScale(options.span, options.limits);
+  }
+
+  /** Shows another value, as if it had always been so. */
+  showValue(value: number): void {
+    if (Object.is(this.object.value, value)) return;
+    this.object.value = value;
+    this.updateDisplay();
+  }
+
+  override updateDisplay(): this {
+    // Called by lil-gui's constructor, before anything of ours is there but the binding.
+    const { value, options } = this.object;
+    const { span } = options;
+    if (span) {
+      const at = Math.max(0, Math.min(1, (value - span[0]) / (span[1] - span[0] || 1)));
+      this.$slider.style.setProperty('--at', `${(at * 100).toFixed(2)}%`);
+      this.$slider.classList.toggle('beyond', value < span[0] || value > span[1]);
+    }
+    if (!this._inputFocused) {
+      const text = shown(value, options.decimals) + (options.suffix ?? '');
+      if (this.$input.value !== text) this.$input.value = text;
+    }
+    return this;
+  }
+
+  override _clamp(value: number): number {
+    const { span, bounds } = this.object.options;
+    const range = this._inputFocused ? bounds : (span ?? bounds);
+    return range ? Math.min(range[1], Math.max(range[0], value)) : value;
+  }
+
+  /** Onto whole steps from zero; lil-gui counts them from the lower end, which gives odd numbers. */
+  override _snap(value: number): number {
+    return Number((Math.round(value / this._step) * this._step).toPrecision(12));
+  }
+
+  /** lil-gui takes it from where it had put it; it may stand in a row with others since. */
+  override destroy(): void {
+    this.parent.$children.append(this.domElement);
+    super.destroy();
+  }
+
+  private drawScale([low, high]: readonly [number, number], limits?: readonly [number, number]): void {
+    const size = high - low || 1;
+    const part = (value: number) => `${(Math.max(0, Math.min(1, (value - low) / size)) * 100).toFixed(2)}%`;
+    const { style, classList } = this.$slider;
+    style.setProperty('--zero', part(0));
+    classList.toggle('has-zero', low < 0 && high > 0);
+    if (!limits) return;
+    const hatched = (side: string, width: string) => {
+      const mark = element('span', { class: 'limit' });
+      mark.style.setProperty(side, '0');
+      // Where the slider stops at the limit, a short end says that there is one.
+      mark.style.width = `max(${width}, 5px)`;
+      return mark;
+    };
+    this.$slider.append(hatched('left', part(limits[0])), hatched('right', part(low + high - limits[1])));
+  }
+}
+
+/** Removes every controller of a folder. */
+export function emptyFolder(folder: GUI): void {
+  for (const controller of [...folder.controllers]) controller.destroy();
+}

@@ -1,0 +1,48 @@
+/** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
+import { type Action, actionLabel, isEnabled } from './actions/action.ts';
+import { actionsOf } from './actions.ts';
+import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
+import type { Workbench } from './workbench.ts';
+
+export const isMac = /mac|iphone|ipad/i.test(globalThis.navigator?.userAgent ?? '');
+
+/** Listens until the signal says otherwise. */
+export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
+  window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
+}
+
+/** Runs the action that the key means, unless the focused control, a panel or a dialog has it. */
+export function handleKey(wb: Workbench, event: KeyboardEvent): void {
+  if (event.defaultPrevented || event.isComposing || wb.dialog.get() !== undefined) return;
+  const target = event.target instanceof Element ? event.target : document.body;
+  if (target.closest('[role=menu],dialog')) return;
+  if (swallows(focusKind(target), event, isMac)) return;
+  const panel = target.closest<HTMLElement>('[data-panel]')?.dataset.panel;
+  const action = actionFor(shortcutsOf(event, isMac), actionsOf(wb), panel, wb.settings.get());
+  if (!action) return;
+  // Ours also where it can't run just now: Ctrl+S never opens the browser's dialog.
+  event.preventDefault();
+  if (event.repeat && !action.repeats) return;
+  tryAction(wb, action);
+}
+
+/** Runs it if it can run; a refusal becomes a message. */
+export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
+  if (!isEnabled(wb, action)) return;
+  try {
+    action.run(wb, args);
+  } catch (error) {
+    const why = error instanceof Error ? error.message : String(error);
+    wb.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
+  }
+}
+
+function focusKind(target: Element): FocusKind {
+  if (target instanceof HTMLTextAreaElement) return 'text';
+  if (target instanceof HTMLElement && target.isContentEditable) return 'text';
+  if (target instanceof HTMLSelectElement) return 'select';
+  if (target instanceof HTMLInputElement) {
+    return /^(checkbox|radio|button|submit|color|file)$/.test(target.type) ? 'press' : 'text';
+  }
+  return target.matches('button,a[href],summary,[role=button]') ? 'press' : 'none';
+}

@@ -1,0 +1,72 @@
+/**
+ * Where everything stands:
+ *
+ *     menu bar
+ *     outliner | viewport | inspector        outliner and inspector fold away, and become drawers on a narrow page
+ *     transport
+ *     curves                                 (the channel editor's place: a row of the grid, empty until it comes)
+ */
+import { element } from './dom.ts';
+import { isPanelOpen, NARROW, openPanel } from './panels.ts';
+import { clampSize, splitter } from './splitter.ts';
+import type { Workbench } from './workbench.ts';
+
+export interface Parts {
+  readonly menuBar: HTMLElement;
+  readonly outliner: HTMLElement;
+  readonly stage: HTMLElement;
+  readonly inspector: HTMLElement;
+  readonly transport: HTMLElement;
+}
+
+export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: AbortSignal): void {
+  const veil = element('div', { class: 'drawer-veil', 'aria-hidden': 'true' });
+  const body = element(
+    'div',
+    { class: 'page-body' },
+    parts.outliner,
+    splitter(wb, 'outlinerWidth', 'Width of the outliner'),
+    parts.stage,
+    splitter(wb, 'inspectorWidth', 'Width of the inspector'),
+    parts.inspector,
+    veil,
+  );
+  root.classList.add('page');
+  root.replaceChildren(parts.menuBar, body, parts.transport);
+
+  const narrow = window.matchMedia(NARROW);
+  const show = () => {
+    const settings = wb.settings.get();
+    const { panels } = settings;
+    root.style.setProperty('--outliner-width', `${clampSize('outlinerWidth', panels.outlinerWidth)}px`);
+    root.style.setProperty('--inspector-width', `${clampSize('inspectorWidth', panels.inspectorWidth)}px`);
+    root.style.setProperty('--files-height', `${clampSize('filesHeight', panels.filesHeight)}px`);
+    root.classList.toggle('narrow', narrow.matches);
+    for (const name of ['outliner', 'inspector'] as const) {
+      const open = isPanelOpen(settings, name);
+      root.classList.toggle(`${name}-folded`, !open);
+      // What can't be seen can't have the focus either.
+      parts[name].inert = !open;
+    }
+  };
+  const closeDrawers = () => {
+    openPanel(wb, 'outliner', false);
+    openPanel(wb, 'inspector', false);
+  };
+  wb.settings.subscribe((now, before) => {
+    if (now.panels !== before.panels) show();
+  });
+  narrow.addEventListener('change', show, { signal });
+  veil.addEventListener('click', closeDrawers);
+  root.addEventListener(
+    'keydown',
+    (event) => {
+      const { drawer } = wb.settings.get().panels;
+      if (event.key !== 'Escape' || !narrow.matches || event.defaultPrevented || drawer === 'none') return;
+      event.preventDefault();
+      closeDrawers();
+    },
+    { signal },
+  );
+  show();
+}

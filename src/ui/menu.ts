@@ -1,0 +1,323 @@
+/**
+ * A menu that floats: entries, lines, menus within, arrow keys, first letters, Escape. Used by the menu bar, by buttons
+ * that offer a choice, and by context menus alike; what the entries do is the caller's.
+ */
+import { element, uniqueId } from './dom.ts';
+import { icon } from './icons.ts';
+
+export type MenuEntry =
+  | MenuItem
+  | { readonly kind: 'line' }
+  | { readonly kind: 'note'; readonly text: string }
+  | SubMenu;
+
+export interface MenuItem {
+  readonly kind: 'item';
+  readonly label: string;
+  readonly detail?: string | undefined;
+  /** As text, for the right edge. */
+  readonly shortcut?: string | undefined;
+  readonly ariaShortcut?: string | undefined;
+  readonly enabled: boolean;
+  /** Absent: no tick at all. */
+  readonly checked?: boolean | undefined;
+  readonly radio?: boolean | undefined;
+  run(): void;
+}
+
+export interface SubMenu {
+  readonly kind: 'menu';
+  readonly label: string;
+  entries(): readonly MenuEntry[];
+}
+
+/** Where a menu opens: below or beside an element, or at a point. */
+export type Anchor = DOMRect | { readonly x: number; readonly y: number };
+
+export interface MenuOptions {
+  readonly label: string;
+  /** The button it belongs to; has the focus again after the keyboard was used. */
+  readonly opener?: HTMLElement;
+  /** Focuses the first entry: opened by the keyboard. */
+  readonly focusFirst?: boolean;
+  /** Called once. */
+  onClose?(): void;
+  /** Left or right arrow out of the menu: a menu bar goes to its neighbour. */
+  onLeave?(step: -1 | 1): void;
+}
+
+/** Pixels kept free at the window's edges. */
+const MARGIN = 4;
+const HOVER_OPENS_MS = 120;
+const TYPE_AHEAD_MS = 600;
+
+/** The one menu that is open on the page. */
+let open: Menu | undefined;
+
+export function openMenu(anchor: Anchor, entries: readonly MenuEntry[], options: MenuOptions): Menu {
+  // With the mouse the focus goes back to where it was, so that keys go on meaning what they meant.
+  const before = open?.returnTo ?? document.activeElement;
+  open?.close(false);
+  const menu = new Menu(entries, options);
+  menu.returnTo = options.focusFirst ? (options.opener ?? before) : before;
+  open = menu;
+  menu.showAt(anchor, 'below');
+  return menu;
+}
+
+export class Menu {
+  private readonly element = element('div', { role: 'menu', class: 'menu', tabindex: -1 });
+  private readonly items: HTMLElement[] = [];
+  /** What has the focus after it. */
+  returnTo: Element | null = null;
+  private child: Menu | undefined;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private typed = '';
+  private typedAt = 0;
+  private closed = false;
+
+  constructor(
+    entries: readonly MenuEntry[],
+    private readonly options: MenuOptions,
+    private readonly parent?: Menu,
+  ) {
+    this.element.setAttribute('aria-label', options.label);
+    const ticks = entries.some((e) => e.kind === 'item' && e.checked !== undefined);
+    this.element.classList.toggle('with-ticks', ticks);
+    for (const entry of entries) this.element.append(this.build(entry));
+    this.element.addEventListener('keydown', (event) => this.onKey(event));
+    this.element.addEventListener('contextmenu', (event) => event.preventDefault());
+  }
+
+  showAt(anchor: Anchor, side: 'below' | 'beside'): void {
+    document.body.append(this.element);
+    place(this.element, anchor, side);
+    if (!this.parent) document.addEventListener('pointerdown', this.onOutside, true);
+    if (this.options.focusFirst) this.focusAt(0);
+    else this.element.focus({ preventScroll: true });
+  }
+
+  close(refocus: boolean): void {
+    if (this.closed) return;
+    this.closed = true;
+    clearTimeout(this.timer);
+    this.child?.close(false);
+    document.removeEventListener('pointerdown', this.onOutside, true);
+    this.element.remove();
+    if (open === this) open = undefined;
+    this.options.onClose?.();
+    if (refocus && this.returnTo instanceof HTMLElement) this.returnTo.focus({ preventScroll: true });
+  }
+
+  /** All of them, from the root. */
+  private closeAll(refocus: boolean): void {
+    if (this.parent) this.parent.closeAll(refocus);
+    else this.close(refocus);
+  }
+
+  private readonly onOutside = (event: PointerEvent) => {
+    if (!(event.target instanceof Node) || this.contains(event.target)) return;
+    this.close(false);
+  };
+
+  private contains(node: Node): boolean {
+    return this.element.contains(node) || (this.child?.contains(node) ?? false);
+  }
+
+  private build(entry: MenuEntry): HTMLElement {
+    switch (entry.kind) {
+      case 'line':
+        return element('div', { role: 'separator', class: 'menu-line' });
+      case 'note':
+        return element('div', { class: 'menu-note' }, entry.text);
+      case 'menu':
+        return this.buildSubMenu(entry);
+      case 'item':
+        return this.buildItem(entry);
+    }
+  }
+
+  private buildItem(entry: MenuItem): HTMLElement {
+    const role = entry.checked === undefined ? 'menuitem' : entry.radio ? 'menuitemradio' : 'menuitemcheckbox';
+    const item = element('div', {
+      role,
+      class: 'menu-item',
+      tabindex: -1,
+      'aria-checked': entry.checked === undefined ? undefined : String(entry.checked),
+      'aria-disabled': entry.enabled ? undefined : 'true',
+      'aria-keyshortcuts': entry.ariaShortcut,
+    });
+    const tick = element('span', { class: 'menu-tick' });
+    if (entry.checked) tick.append(icon(entry.radio ? 'dot' : 'check'));
+    const text = element('span', { class: 'menu-label' }, entry.label);
+    if (entry.detail) text.append(element('span', { class: 'menu-detail' }, entry.detail));
+    item.append(tick, text);
+    if (entry.shortcut) item.append(element('kbd', { 'aria-hidden': 'true' }, entry.shortcut));
+    item.addEventListener('pointerenter', () => this.hover(item));
+    item.addEventListener('click', () => this.run(entry));
+    this.items.push(item);
+    return item;
+  }
+
+  private buildSubMenu(entry: SubMenu): HTMLElement {
+    const item = element(
+      'div',
+      { role: 'menuitem', class: 'menu-item', tabindex: -1, 'aria-haspopup': 'menu', 'aria-expanded': 'false' },
+      element('span', { class: 'menu-tick' }),
+      element('span', { class: 'menu-label' }, entry.label),
+      icon('fold'),
+    );
+    const show = (focusFirst: boolean) => {
+      this.child?.close(false);
+      item.setAttribute('aria-expanded', 'true');
+      this.child = new Menu(
+        entry.entries(),
+        {
+          label: entry.label,
+          focusFirst,
+          onClose: () => {
+            this.child = undefined;
+            item.setAttribute('aria-expanded', 'false');
+          },
+        },
+        this,
+      );
+      this.child.showAt(item.getBoundingClientRect(), 'beside');
+    };
+    item.addEventListener('pointerenter', () => {
+      this.hover(item);
+      this.timer = setTimeout(() => show(false), HOVER_OPENS_MS);
+    });
+    item.addEventListener('click', () => show(false));
+    this.subMenus.set(item, show);
+    this.items.push(item);
+    return item;
+  }
+
+  private readonly subMenus = new Map<HTMLElement, (focusFirst: boolean) => void>();
+
+  private hover(item: HTMLElement): void {
+    clearTimeout(this.timer);
+    if (this.child && item.getAttribute('aria-expanded') !== 'true') this.child.close(false);
+    item.focus({ preventScroll: true });
+  }
+
+  private run(entry: MenuItem): void {
+    if (!entry.enabled) return;
+    this.closeAll(true);
+    entry.run();
+  }
+
+  private focusAt(index: number): void {
+    const count = this.items.length;
+    if (count) this.items[(index + count) % count].focus();
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    // A menu has the keyboard to itself; what it doesn't know goes nowhere.
+    event.stopPropagation();
+    if (event.key === 'Tab') {
+      this.closeAll(true);
+      return;
+    }
+    event.preventDefault();
+    const { activeElement } = document;
+    const focused = activeElement instanceof HTMLElement ? this.items.indexOf(activeElement) : -1;
+    const item = this.items[focused];
+    const show = item && this.subMenus.get(item);
+    if (event.key === 'ArrowDown') this.focusAt(focused + 1);
+    else if (event.key === 'ArrowUp') this.focusAt(focused < 0 ? -1 : focused - 1);
+    else if (event.key === 'Home') this.focusAt(0);
+    else if (event.key === 'End') this.focusAt(-1);
+    else if (event.key === 'Escape') this.back(true);
+    else if (event.key === 'ArrowRight' && show) show(true);
+    else if (event.key === 'ArrowRight') this.leave(1);
+    else if (event.key === 'ArrowLeft' && this.parent) this.back(true);
+    else if (event.key === 'ArrowLeft') this.leave(-1);
+    else if ((event.key === 'Enter' || event.key === ' ') && show) show(true);
+    else if (event.key === 'Enter' || event.key === ' ') item?.click();
+    else if (event.key.length === 1 && !event.ctrlKey && !event.metaKey) this.typeAhead(event.key, focused);
+  }
+
+  private back(refocus: boolean): void {
+    const { parent } = this;
+    const from = parent?.items.find((item) => item.getAttribute('aria-expanded') === 'true');
+    this.close(refocus);
+    from?.focus();
+  }
+
+  private leave(step: -1 | 1): void {
+    if (this.parent) this.parent.leave(step);
+    else this.options.onLeave?.(step);
+  }
+
+  private typeAhead(key: string, focused: number): void {
+    const now = performance.now();
+    this.typed = now - this.typedAt < TYPE_AHEAD_MS ? this.typed + key.toLowerCase() : key.toLowerCase();
+    this.typedAt = now;
+    const from = this.typed.length > 1 ? Math.max(0, focused) : focused + 1;
+    for (let i = 0; i < this.items.length; i++) {
+      const item = this.items[(from + i) % this.items.length];
+      const label = item.querySelector('.menu-label')?.textContent?.toLowerCase() ?? '';
+      if (!label.startsWith(this.typed)) continue;
+      item.focus();
+      return;
+    }
+  }
+}
+
+/** A button's menu: opens below it, goes away on the next press, and gives the focus back. */
+export function menuButton(target: HTMLButtonElement, label: string, entries: () => readonly MenuEntry[]): void {
+  target.setAttribute('aria-haspopup', 'menu');
+  target.setAttribute('aria-expanded', 'false');
+  target.id ||= uniqueId('menu-button');
+  let shown: Menu | undefined;
+  let wasOpen = false;
+  target.addEventListener('pointerdown', () => {
+    wasOpen = shown !== undefined;
+  });
+  const show = (focusFirst: boolean) => {
+    target.setAttribute('aria-expanded', 'true');
+    shown = openMenu(target.getBoundingClientRect(), entries(), {
+      label,
+      opener: target,
+      focusFirst,
+      onClose() {
+        shown = undefined;
+        target.setAttribute('aria-expanded', 'false');
+      },
+    });
+  };
+  target.addEventListener('click', (event) => {
+    // A press on the button has closed the menu already, as one outside of it.
+    if (wasOpen) wasOpen = false;
+    else show(event.detail === 0);
+  });
+  target.addEventListener('keydown', (event) => {
+    if (event.key !== 'ArrowDown' && event.key !== 'ArrowUp') return;
+    event.preventDefault();
+    show(true);
+  });
+}
+
+function place(menu: HTMLElement, anchor: Anchor, side: 'below' | 'beside'): void {
+  const { innerWidth, innerHeight } = window;
+  const isRect = anchor instanceof DOMRect;
+  menu.style.maxHeight = `${innerHeight - 2 * MARGIN}px`;
+  const { width, height } = menu.getBoundingClientRect();
+  let left: number;
+  let top: number;
+  if (side === 'beside' && isRect) {
+    left = anchor.right - 2;
+    if (left + width > innerWidth - MARGIN) left = anchor.left - width + 2;
+    top = anchor.top - 5;
+  } else {
+    left = isRect ? anchor.left : anchor.x;
+    top = isRect ? anchor.bottom + 2 : anchor.y;
+    // At the window's foot it opens upward, if that has room.
+    if (isRect && top + height > innerHeight - MARGIN && anchor.top - height - 2 >= MARGIN)
+      top = anchor.top - height - 2;
+  }
+  menu.style.left = `${Math.max(MARGIN, Math.min(left, innerWidth - width - MARGIN))}px`;
+  menu.style.top = `${Math.max(MARGIN, Math.min(top, innerHeight - height - MARGIN))}px`;
+}

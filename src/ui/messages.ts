@@ -1,0 +1,131 @@
+/**
+ * What the page has to say: problems in files, and short notices. Messages stay until someone has read them; nothing
+ * here interrupts. A failed file is one message with all its diagnostics, so that a hundred warnings are one line.
+ */
+import type { Diagnostic, Severity } from '../model/diagnostic.ts';
+import { type Observable, observable } from './observable.ts';
+
+export interface Message {
+  readonly id: number;
+  readonly severity: Severity;
+  /** One line. */
+  readonly text: string;
+  /** In the files' order; empty for a plain notice. */
+  readonly diagnostics: readonly Diagnostic[];
+  /** Still shown in the line over the viewport. */
+  readonly unread: boolean;
+}
+
+export class Messages {
+  /** Oldest first. */
+  readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
+  /** Counts how often someone asked to see the list. */
+  readonly listAsked: Observable<number> = observable(0);
+  private nextId = 1;
+
+  /** A notice in one sentence. */
+  note(text: string, severity: Severity = 'info'): void {
+    this.add({ text, severity, diagnostics: [] });
+  }
+
+  /** The problems of one opening, grouped by file. Mere infos are listed without a line of their own. */
+  report(diagnostics: readonly Diagnostic[]): void {
+    for (const [file, found] of groupByFile(diagnostics)) {
+      const severity = worst(found);
+      this.add({ text: summary(file, found), severity, diagnostics: found }, severity !== 'info');
+    }
+  }
+
+  /** Brings the list before the person. */
+  askForList(): void {
+    this.listAsked.update((times) => times + 1);
+  }
+
+  /** Takes messages off the list: they have been dealt with. */
+  dismiss(id: number): void {
+    this.list.update((all) => all.filter((m) => m.id !== id));
+  }
+
+  dismissAll(): void {
+    if (this.list.get().length) this.list.set([]);
+  }
+
+  /** Takes a message out of the line; it stays in the list. */
+  markRead(id: number): void {
+    this.list.update((all) => all.map((m) => (m.id === id && m.unread ? { ...m, unread: false } : m)));
+  }
+
+  markAllRead(): void {
+    if (this.list.get().some((m) => m.unread)) {
+      this.list.update((all) => all.map((m) => (m.unread ? { ...m, unread: false } : m)));
+    }
+  }
+
+  private add(message: Omit<Message, 'id' | 'unread'>, unread = true): void {
+    const id = this.nextId++;
+    // The same notice again is not two.
+    this.list.update((all) => [
+      ...all.filter((m) => m.diagnostics.length > 0 || m.text !== message.text),
+      { ...message, id, unread },
+    ]);
+  }
+}
+
+function groupByFile(diagnostics: readonly Diagnostic[]): Map<string, Diagnostic[]> {
+  const groups = new Map<string, Diagnostic[]>();
+  for (const diagnostic of diagnostics) {
+    const group = groups.get(diagnostic.file);
+    if (group) group.push(diagnostic);
+    else groups.set(diagnostic.file, [diagnostic]);
+  }
+  return groups;
+}
+
+export function worst(diagnostics: readonly Diagnostic[]): Severity {
+  if (diagnostics.some((d) => d.severity === 'error')) return 'error';
+  return diagnostics.some((d) => d.severity === 'warning') ? 'warning' : 'info';
+}
+
+/** `wasp.skel: 2 errors, 1 warning. Expected a number, found "x".` */
+function summary(file: string, diagnostics: readonly Diagnostic[]): string {
+  const severity = worst(diagnostics);
+  const first = diagnostics.find((d) => d.severity === severity) ?? diagnostics[0];
+  const name = file === '' ? '' : `${file}: `;
+  if (diagnostics.length === 1) return `${name}${first.message}`;
+  return `${name}${counts(diagnostics)}. ${first.message}`;
+}
+
+/** `2 errors, 1 warning`. */
+export function counts(diagnostics: readonly Diagnostic[]): string {
+  const parts: string[] = [];
+  for (const severity of ['error', 'warning', 'info'] as const) {
+    const count = diagnostics.filter((d) => d.severity === severity).length;
+    if (count) parts.push(`${count} ${severity === 'info' ? 'note' : severity}${count === 1 ? '' : 's'}`);
+  }
+  return parts.join(', ');
+}
+
+/** A diagnostic as text, the way a compiler prints it; for copying into a mail to the teacher. */
+export function diagnosticText(d: Diagnostic): string {
+  const lines = [`${placeOf(d)}${d.severity} ${d.code}: ${d.message}${d.assumed ? ` (${d.assumed})` : ''}`];
+  if (d.excerpt) lines.push(`  ${d.excerpt.text}`, `  ${caretPad(d.excerpt.text, d.excerpt.caret)}^`);
+  return lines.join('\n');
+}
+
+/** All of them, for a mail or an issue. */
+export function messagesText(messages: readonly Message[]): string {
+  const linesOf = ({ diagnostics, severity, text }: Message) =>
+    diagnostics.length ? diagnostics.map(diagnosticText) : [`${severity}: ${text}`];
+  return messages.flatMap(linesOf).join('\n');
+}
+
+/** `wasp.skel:3:11: `, as far as there is such a place. */
+function placeOf(d: Diagnostic): string {
+  if (d.file === '') return '';
+  return d.line > 0 ? `${d.file}:${d.line}:${d.column}: ` : `${d.file}: `;
+}
+
+/** Blanks that take as much room as the text before the caret: tabs stay tabs. */
+export function caretPad(text: string, caret: number): string {
+  return text.slice(0, Math.max(0, caret)).replace(/[^\t]/g, ' ');
+}

@@ -1,0 +1,49 @@
+/** Builds the page around a workbench: the one function that `main.ts` calls. */
+import './styles/tokens.css';
+import './styles/base.css';
+import './styles/layout.css';
+import './styles/menu.css';
+import './styles/outliner.css';
+import './styles/inspector.css';
+import './styles/transport.css';
+import './styles/stage.css';
+import './styles/dialogs.css';
+import { startDialogs } from './dialogs.ts';
+import { dropTarget } from './drop-target.ts';
+import { inspector } from './inspector.ts';
+import { listenToKeys } from './keys.ts';
+import { layout } from './layout.ts';
+import { menuBar } from './menu-bar.ts';
+import { outliner } from './outliner.ts';
+import { startPlayer } from './player.ts';
+import { Scrubber } from './scrubber.ts';
+import { followTheme } from './theme.ts';
+import { transport } from './transport.ts';
+import { viewportPane } from './viewport-pane.ts';
+import type { Workbench } from './workbench.ts';
+
+/**
+ * Builds the page in `root` and keeps it in step with the workbench: viewport and document, transport and clock, theme
+ * and system. `signal` takes the listeners on window and document away again.
+ */
+export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new AbortController().signal): void {
+  const scrubber = new Scrubber(wb);
+  followTheme(wb, signal, () => scrubber.redraw(true));
+  const stage = viewportPane(wb, signal);
+  layout(
+    wb,
+    root,
+    {
+      menuBar: menuBar(wb),
+      outliner: outliner(wb),
+      stage,
+      inspector: inspector(wb),
+      transport: transport(wb, scrubber),
+    },
+    signal,
+  );
+  root.append(dropTarget(wb, signal));
+  startDialogs(wb, root);
+  startPlayer(wb, signal);
+  listenToKeys(wb, signal);
+}

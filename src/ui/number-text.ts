@@ -1,0 +1,67 @@
+/**
+ * Numbers as text, and back. Two manners: *exact*, the shortest decimal that reads back the same (copied, typed over),
+ * and *shown*, cut to what a column has room for (never wider while a character plays).
+ */
+
+/** The shortest decimal that reads back as the same double. Minus zero is 0. */
+export function exact(value: number): string {
+  return String(value === 0 ? 0 : value);
+}
+
+/** At most so many decimals, without trailing zeros; huge and tiny numbers as powers of ten. */
+export function shown(value: number, decimals = 4): string {
+  if (!Number.isFinite(value)) return String(value);
+  const size = Math.abs(value);
+  if (size >= 1e7) return value.toExponential(4);
+  const fixed = value.toFixed(decimals);
+  // Too small for the decimals but not nothing: 1e-9 must not read as 0 where someone looks for a fault.
+  if (size > 0 && Number(fixed) === 0 && size < 0.5 * 10 ** -decimals) {
+    return size < 1e-12 ? '0' : value.toExponential(1);
+  }
+  const trimmed = fixed.includes('.') ? fixed.replace(/\.?0+$/, '') : fixed;
+  return trimmed === '-0' ? '0' : trimmed;
+}
+
+/** Always so many decimals, so that columns line up; a true minus sign's width is kept by tabular figures. */
+export function aligned(value: number, decimals = 4): string {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? 'NaN' : value > 0 ? '∞' : '−∞';
+  if (Math.abs(value) >= 1e7) return value.toExponential(2);
+  const fixed = value.toFixed(decimals);
+  return Number(fixed) === 0 ? (0).toFixed(decimals) : fixed;
+}
+
+/** Times on screen: up to 6 decimals of a second. */
+export function seconds(value: number): string {
+  return shown(value, 6);
+}
+
+/** A number typed by a person: blanks around it, a comma as decimal sign, and nothing else. Undefined if it is none. */
+export function parseNumber(text: string): number | undefined {
+  const cleaned = text.trim().replace('−', '-').replace(',', '.');
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(cleaned)) return undefined;
+  const value = Number(cleaned);
+  return Number.isFinite(value) ? value : undefined;
+}
+
+/** `1,042`. */
+export function count(value: number): string {
+  return value.toLocaleString('en-US');
+}
+
+/** `31 joints`, `1 joint`, `2 vertices`. */
+export function plural(value: number, one: string, many = `${one}s`): string {
+  return `${count(value)} ${value === 1 ? one : many}`;
+}
+
+/** `12 bytes`, `3.4 kB`, `52 MB`. */
+export function bytes(value: number): string {
+  if (value < 1000) return plural(value, 'byte');
+  const units = ['kB', 'MB', 'GB'];
+  let size = value / 1000;
+  let unit = 0;
+  while (size >= 999.5 && unit < units.length - 1) {
+    size /= 1000;
+    unit++;
+  }
+  return `${size < 10 ? size.toFixed(1) : Math.round(size)} ${units[unit]}`;
+}

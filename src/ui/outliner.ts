@@ -1,0 +1,195 @@
+/** The left panel: characters and what they are made of, and below it files and messages. */
+import { removeCopy, renameCharacter, showClip, showSkin } from '../edit/commands/characters.ts';
+import { type Document, findCharacter } from '../model/document.ts';
+import type { Selection } from '../model/session.ts';
+import { actionsOf } from './actions.ts';
+import { element } from './dom.ts';
+import { filesAndMessages } from './files-and-messages.ts';
+import { icon } from './icons.ts';
+import { openMenu } from './menu.ts';
+import { itemOf } from './menu-entries.ts';
+import { characterKey, jointKey, keysAbove, type OutlineRow, outlineRows, sameOutline } from './outline-rows.ts';
+import { splitter } from './splitter.ts';
+import { Tree } from './tree.ts';
+import type { Workbench } from './workbench.ts';
+
+const ICONS = {
+  character: 'character',
+  joint: 'joint',
+  skin: 'skin',
+  clip: 'clip',
+  morph: 'morph',
+} as const;
+
+export function outliner(wb: Workbench): HTMLElement {
+  const folds = new Map<string, boolean>();
+  const search = searchBox();
+  const empty = element('p', { class: 'empty' });
+  let renaming: string | undefined;
+
+  const tree = new Tree('Characters and joints', {
+    toggle(row, open) {
+      folds.set(row.key, open);
+      show();
+    },
+    select: (row) => select(wb, row),
+    activate: (row) => activate(wb, row, startRename),
+    menu: (row, at) => rowMenu(wb, row, at, startRename),
+    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(row)),
+  });
+  tree.element.dataset.panel = 'outliner';
+  tree.element.addEventListener('keydown', (event) => {
+    const row = tree.focused;
+    // With a joint in hand, Delete must not take the whole character.
+    if (event.key === 'Delete' && row?.kind !== 'character') event.preventDefault();
+    if (event.key !== 'F2' || row?.kind !== 'character') return;
+    event.preventDefault();
+    startRename(row);
+  });
+
+  const show = () => {
+    const { document } = wb.store;
+    const query = search.input.value;
+    const rows = outlineRows(document, (key, otherwise) => folds.get(key) ?? otherwise, query);
+    empty.hidden = rows.length > 0;
+    tree.element.hidden = rows.length === 0;
+    empty.textContent = document.characters.length && query ? `Nothing here is called “${query}”.` : EMPTY;
+    tree.show(rows);
+  };
+  const showSelection = ({ document, selection }: { document: Document; selection: Selection }) => {
+    const character = findCharacter(document, selection.characterId);
+    if (!character) return tree.select(undefined);
+    if (selection.joint === undefined) return tree.select(characterKey(character.id));
+    let opened = false;
+    for (const key of keysAbove(character, selection.joint)) {
+      if (folds.get(key) === true) continue;
+      folds.set(key, true);
+      opened = true;
+    }
+    if (opened) show();
+    tree.select(jointKey(character.id, selection.joint));
+  };
+
+  function startRename(row: OutlineRow): void {
+    renaming = row.key;
+    tree.drawAnew();
+    const field = tree.element.querySelector('input');
+    field?.focus();
+    field?.select();
+  }
+  function renameField(row: OutlineRow): HTMLElement {
+    const field = element('input', { type: 'text', class: 'rename', 'aria-label': 'Name', value: row.label });
+    const finish = (keep: boolean) => {
+      if (renaming === undefined) return;
+      renaming = undefined;
+      const name = field.value.trim();
+      if (keep && name) wb.store.apply(renameCharacter, { characterId: row.characterId, name });
+      tree.drawAnew();
+      tree.element.focus();
+    };
+    field.addEventListener('blur', () => finish(true));
+    field.addEventListener('keydown', (event) => {
+      event.stopPropagation();
+      if (event.key === 'Enter') finish(true);
+      if (event.key === 'Escape') finish(false);
+    });
+    return field;
+  }
+
+  search.input.addEventListener('input', show);
+  search.input.addEventListener('keydown', (event) => {
+    if (event.key === 'ArrowDown') tree.element.focus();
+    else if (event.key === 'Escape' && search.input.value) {
+      search.input.value = '';
+      show();
+    } else return;
+    event.preventDefault();
+  });
+  wb.store.subscribe((now, before) => {
+    if (!sameOutline(now.document, before.document)) show();
+    if (now.selection !== before.selection) showSelection(now);
+  });
+  show();
+  showSelection(wb.store);
+
+  const lower = filesAndMessages(wb);
+  const panel = element(
+    'section',
+    { class: 'panel outliner', 'aria-label': 'Outliner' },
+    search.element,
+    element('div', { class: 'outliner-tree' }, empty, tree.element),
+    splitter(wb, 'filesHeight', 'Height of files and messages'),
+    lower,
+  );
+  return panel;
+}
+
+const EMPTY =
+  'Characters will stand here. Drop .skel, .skin, .morph, .anim or .rig files anywhere on the page, or choose Open.';
+
+function searchBox() {
+  const input = element('input', {
+    type: 'search',
+    'aria-label': 'Search joints, skins, takes and morphs',
+    placeholder: 'Search',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  return { input, element: element('div', { class: 'search' }, icon('search'), input) };
+}
+
+function drawRow(row: OutlineRow): Node[] {
+  const label = row.label === '' ? element('i', { class: 'label' }, 'no name') : element('span', { class: 'label' });
+  if (row.label) {
+    label.textContent = row.label;
+    label.title = row.label;
+  }
+  const nodes: Node[] = [label, element('span', { class: 'detail' }, row.detail)];
+  if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
+  else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
+  return nodes;
+}
+
+function select(wb: Workbench, { kind, characterId, index }: OutlineRow): void {
+  if (kind === 'joint') wb.store.select({ characterId, joint: index });
+  else if (kind === 'character' || wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
+}
+
+function activate(wb: Workbench, row: OutlineRow, rename: (row: OutlineRow) => void): void {
+  const { kind, characterId, index } = row;
+  if (kind === 'character') rename(row);
+  else if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
+  else if (kind === 'clip') wb.store.apply(showClip, { characterId, clip: index });
+  else if (kind === 'joint') wb.viewport.frameSelection(wb.store.selection);
+}
+
+const CHARACTER_ACTIONS = ['character.copy', 'pose.resetToFile', 'pose.resetToZero', 'pose.holdLimits'];
+const JOINT_ACTIONS = ['view.frameSelection', 'draw.follow', 'draw.skin.heat'];
+
+function rowMenu(
+  wb: Workbench,
+  row: OutlineRow,
+  at: { readonly x: number; readonly y: number },
+  rename: (row: OutlineRow) => void,
+): void {
+  const character = findCharacter(wb.store.document, row.characterId);
+  if (!character || (row.kind !== 'character' && row.kind !== 'joint')) return;
+  const ids = row.kind === 'joint' ? JOINT_ACTIONS : CHARACTER_ACTIONS;
+  const actions = actionsOf(wb);
+  const pick = (id: string) => actions.filter((a) => a.id === id).map((a) => itemOf(wb, a));
+  const entries = ids.flatMap(pick);
+  if (row.kind === 'joint') return void openMenu(at, entries, { label: row.label || 'Joint' });
+  const last = character.placements.length - 1;
+  const removeLast = () => wb.store.apply(removeCopy, { characterId: character.id, index: last });
+  openMenu(
+    at,
+    [
+      { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
+      ...entries,
+      { kind: 'item', label: 'Remove last copy', enabled: last > 0, run: removeLast },
+      { kind: 'line' },
+      ...pick('character.remove'),
+    ],
+    { label: character.name },
+  );
+}

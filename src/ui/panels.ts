@@ -1,0 +1,28 @@
+/**
+ * The side panels: beside the viewport where there is room, and remembered so; drawers over it on a narrow page, of
+ * which one at most is open, and none at first.
+ */
+import type { Settings } from './settings.ts';
+import type { Workbench } from './workbench.ts';
+
+export type PanelName = 'outliner' | 'inspector';
+
+/** Where panels are drawers. */
+export const NARROW = '(max-width: 1023px), (max-height: 479px)';
+
+export function isNarrow(): boolean {
+  return globalThis.matchMedia?.(NARROW).matches ?? false;
+}
+
+export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
+  if (isNarrow()) return panels.drawer === panel;
+  return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;
+}
+
+export function openPanel(wb: Workbench, panel: PanelName, open: boolean): void {
+  const now = wb.settings.get();
+  if (isPanelOpen(now, panel) === open) return;
+  const beside = panel === 'outliner' ? { outlinerOpen: open } : { inspectorOpen: open };
+  const change = isNarrow() ? { drawer: open ? panel : ('none' as const) } : beside;
+  wb.settings.set({ ...now, panels: { ...now.panels, ...change } });
+}

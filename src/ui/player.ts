@@ -1,0 +1,44 @@
+/**
+ * The clock. While the transport plays, each frame moves it on by the seconds that went by between frames; and whenever
+ * its time changes, by play or by hand, the viewport is told and hand-set values that were not keyed go.
+ */
+import { dropUnkeyed } from '../edit/commands/pose.ts';
+import { advance } from '../edit/playback.ts';
+import type { Workbench } from './workbench.ts';
+
+/** A tab that was in the background for an hour goes on where it was, not an hour later. */
+const LONGEST_STEP_SECONDS = 1;
+
+/** Runs until the signal says otherwise. */
+export function startPlayer(wb: Pick<Workbench, 'store' | 'transport' | 'viewport'>, signal: AbortSignal): void {
+  let before: number | undefined;
+  let queued = 0;
+  const tick = (now: number) => {
+    queued = 0;
+    if (!wb.transport.get().playing) return;
+    const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (now - before) / 1000);
+    before = now;
+    queue();
+    wb.transport.update((p) => advance(p, elapsed));
+  };
+  const queue = () => {
+    if (queued === 0 && !signal.aborted) queued = requestAnimationFrame(tick);
+  };
+  const stop = wb.transport.subscribe((now, then) => {
+    if (now.playing && !then.playing) before = undefined;
+    if (now.playing) queue();
+    if (now.timeSeconds !== then.timeSeconds) showTime(wb, now.timeSeconds);
+  });
+  signal.addEventListener('abort', () => {
+    stop();
+    cancelAnimationFrame(queued);
+  });
+  if (wb.transport.get().playing) queue();
+  wb.viewport.seek(wb.transport.get().timeSeconds);
+}
+
+function showTime(wb: Pick<Workbench, 'store' | 'viewport'>, timeSeconds: number): void {
+  const document = dropUnkeyed(wb.store.document, timeSeconds);
+  if (document !== wb.store.document) wb.store.amend(document);
+  wb.viewport.seek(timeSeconds);
+}

@@ -1,0 +1,54 @@
+/**
+ * Ticks of the time ruler. Labels stand at 1, 2 or 5 times a power of ten, as near together as they have room; small
+ * ticks divide that by five or two. In frames nothing is finer than a frame.
+ */
+export interface Tick {
+  readonly timeSeconds: number;
+  /** Absent on the small ones. */
+  readonly label?: string;
+}
+
+export interface RulerScale {
+  readonly fromSeconds: number;
+  readonly toSeconds: number;
+  /** Pixels between them. */
+  readonly width: number;
+  /** Pixels that labels are apart at least. */
+  readonly spacing: number;
+  /** Frames a second to count in frames; absent for seconds. */
+  readonly framesPerSecond?: number;
+}
+
+/** Never more than this, whatever the scale: a window of no size must not hang the page. */
+const MOST_TICKS = 2000;
+
+export function rulerTicks(scale: RulerScale): Tick[] {
+  const { fromSeconds, toSeconds, width, spacing, framesPerSecond } = scale;
+  const unit = framesPerSecond ? 1 / framesPerSecond : 1;
+  const from = fromSeconds / unit;
+  const to = toSeconds / unit;
+  if (!(to > from) || !(width > 0) || !Number.isFinite(to - from)) return [];
+  const least = ((to - from) / width) * spacing;
+  const step = niceStep(framesPerSecond ? Math.max(1, least) : least);
+  const leading = Math.round(step / 10 ** Math.floor(Math.log10(step) + 1e-9));
+  const wanted = leading === 2 ? 2 : 5;
+  const parts = framesPerSecond && step / wanted < 1 ? Math.max(1, Math.round(step)) : wanted;
+  const small = step / parts;
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const first = Math.ceil(from / small - 1e-9);
+  const last = Math.min(Math.floor(to / small + 1e-9), first + MOST_TICKS);
+  const ticks: Tick[] = [];
+  for (let i = first; i <= last; i++) {
+    const timeSeconds = i * small * unit;
+    if (i % parts === 0) ticks.push({ timeSeconds, label: String(Number(((i / parts) * step).toFixed(decimals))) });
+    else ticks.push({ timeSeconds });
+  }
+  return ticks;
+}
+
+/** The smallest of 1, 2, 5, 10 … that is at least `least`. */
+export function niceStep(least: number): number {
+  const power = 10 ** Math.floor(Math.log10(least));
+  for (const factor of [1, 2, 5]) if (factor * power >= least * (1 - 1e-9)) return factor * power;
+  return 10 * power;
+}

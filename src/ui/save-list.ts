@@ -1,0 +1,65 @@
+/** The save dialog: each character, and every file it can be saved as. */
+import { type Character, shownClip, shownSkin } from '../model/document.ts';
+import { vertexCount } from '../model/skin.ts';
+import { canSave, SAVE_LABELS } from './actions/file-actions.ts';
+import type { DialogContent } from './dialog.ts';
+import { element } from './dom.ts';
+import { icon } from './icons.ts';
+import { plural } from './number-text.ts';
+import { SAVE_KINDS, type SaveKind, type Workbench } from './workbench.ts';
+
+export function saveList(wb: Workbench, close: () => void): DialogContent {
+  const body = element('div', { class: 'save-list' });
+  for (const character of wb.store.document.characters) {
+    const row = element('div', { class: 'save-files' });
+    for (const kind of SAVE_KINDS) {
+      if (!canSave(character, kind)) continue;
+      row.append(
+        saveButton(SAVE_LABELS[kind], contents(character, kind), () => {
+          close();
+          wb.files.save(character.id, kind);
+        }),
+      );
+    }
+    if (wb.files.saveAll) {
+      row.append(
+        saveButton('All of it (.zip)', 'every file that can be written', () => {
+          close();
+          wb.files.saveAll?.(character.id);
+        }),
+      );
+    }
+    body.append(element('section', {}, element('h3', {}, character.name), row));
+  }
+  if (!body.children.length) body.append(element('p', { class: 'empty' }, 'There is nothing to save yet.'));
+  return { title: 'Save', body, kind: 'save-dialog' };
+}
+
+function saveButton(label: string, detail: string, save: () => void): HTMLElement {
+  const made = element(
+    'button',
+    { type: 'button', class: 'save-file' },
+    icon('save'),
+    element('span', {}, label),
+    element('span', { class: 'faint' }, detail),
+  );
+  made.addEventListener('click', save);
+  return made;
+}
+
+function contents(character: Character, kind: SaveKind): string {
+  const skin = shownSkin(character);
+  const clip = shownClip(character);
+  switch (kind) {
+    case 'skel':
+      return plural(character.skeleton?.joints.length ?? 0, 'joint');
+    case 'skin':
+      return skin ? plural(vertexCount(skin), 'vertex', 'vertices') : '';
+    case 'morph':
+      return plural(character.morphs.length, 'morph');
+    case 'anim':
+      return clip ? `${clip.name}, ${plural(clip.channels.length, 'channel')}` : '';
+    case 'rig':
+      return 'which files belong together';
+  }
+}

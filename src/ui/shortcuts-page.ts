@@ -1,0 +1,143 @@
+/**
+ * The `?` page: every action by group, with its keys. Single keys can be given other keys or none, one by one or all
+ * at once; what someone changed is marked, and can be put back.
+ */
+import { type Action, actionLabel, GROUPS } from './actions/action.ts';
+import { actionsOf } from './actions.ts';
+import type { DialogContent } from './dialog.ts';
+import { button, element } from './dom.ts';
+import { icon } from './icons.ts';
+import { isMac } from './keys.ts';
+import { isSingleKey, shortcutsOf, shortcutText } from './shortcuts.ts';
+import type { Workbench } from './workbench.ts';
+
+export function shortcutsPage(wb: Workbench): DialogContent {
+  const body = element('div', { class: 'shortcuts' });
+  const show = () => body.replaceChildren(switches(wb, show), ...groups(wb, show), mouseGroup());
+  show();
+  return { title: 'Shortcuts', body, kind: 'shortcuts-dialog' };
+}
+
+function switches(wb: Workbench, refresh: () => void): HTMLElement {
+  const box = element('input', { type: 'checkbox' });
+  box.checked = wb.settings.get().singleKeys;
+  box.addEventListener('change', () => {
+    wb.settings.update((s) => ({ ...s, singleKeys: box.checked }));
+    refresh();
+  });
+  const reset = button('Put all keys back', { class: 'link' }, 'Put all keys back', () => {
+    wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
+    refresh();
+  });
+  reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
+  const hint = 'Press a single key below to give it another one, Delete to switch it off.';
+  return element(
+    'div',
+    { class: 'shortcut-switches' },
+    element('label', {}, box, 'Single keys'),
+    element('span', { class: 'faint' }, hint),
+    reset,
+  );
+}
+
+function groups(wb: Workbench, refresh: () => void): HTMLElement[] {
+  const actions = actionsOf(wb);
+  return GROUPS.map((group) => {
+    const section = element('section', {}, element('h3', {}, group));
+    for (const action of actions) {
+      if (action.group === group && action.shortcuts?.length) section.append(line(wb, action, refresh));
+    }
+    return section;
+  });
+}
+
+function line(wb: Workbench, action: Action, refresh: () => void): HTMLElement {
+  const { keys, singleKeys } = wb.settings.get();
+  const now = keys[action.id] ?? action.shortcuts ?? [];
+  const label = action.name ?? actionLabel(wb, action);
+  const cell = element('span', { class: 'shortcut-keys' });
+  for (const shortcut of now) {
+    const text = shortcutText(shortcut, isMac);
+    if (isSingleKey(shortcut)) cell.append(changeable(wb, action, shortcut, text, singleKeys, refresh));
+    else cell.append(element('kbd', {}, text));
+  }
+  if (!now.length) cell.append(changeable(wb, action, undefined, 'none', singleKeys, refresh));
+  if (action.id in keys) {
+    const back = button(`Put ${label} back`, { class: 'tool small' }, icon('close'), () => {
+      wb.settings.update((s) => ({ ...s, keys: without(s.keys, action.id) }));
+      refresh();
+    });
+    cell.append(back);
+  }
+  const where = action.panel ? ` (in the ${action.panel})` : '';
+  return element('div', { class: 'shortcut-line' }, element('span', {}, `${label}${where}`), cell);
+}
+
+/** A key that waits for another one once it is pressed. */
+function changeable(
+  wb: Workbench,
+  action: Action,
+  shortcut: string | undefined,
+  text: string,
+  enabled: boolean,
+  refresh: () => void,
+): HTMLElement {
+  const key = element('button', { type: 'button', class: 'key', 'aria-label': `${text}: press to change` }, text);
+  key.disabled = !enabled;
+  const give = (next: string | undefined) => {
+    const own = wb.settings.get().keys[action.id] ?? action.shortcuts ?? [];
+    const kept = own.filter((k) => k !== shortcut && k !== next);
+    wb.settings.update((s) => ({ ...s, keys: { ...s.keys, [action.id]: next ? [next, ...kept] : kept } }));
+    refresh();
+  };
+  key.addEventListener('click', () => {
+    key.textContent = 'press a key';
+    key.classList.add('waiting');
+    const wait = new AbortController();
+    const leave = () => {
+      wait.abort();
+      refresh();
+    };
+    key.addEventListener('blur', leave, { signal: wait.signal });
+    key.addEventListener(
+      'keydown',
+      (event) => {
+        if (/^(Shift|Control|Alt|Meta)$/.test(event.key)) return;
+        event.preventDefault();
+        event.stopPropagation();
+        if (event.key === 'Escape' || event.key === 'Tab') return leave();
+        wait.abort();
+        if (event.key === 'Delete' || event.key === 'Backspace') return give(undefined);
+        give(shortcutsOf(event, isMac).find(isSingleKey) ?? shortcut);
+      },
+      { signal: wait.signal },
+    );
+  });
+  return key;
+}
+
+function without<T>(record: Readonly<Record<string, T>>, key: string): Record<string, T> {
+  return Object.fromEntries(Object.entries(record).filter(([k]) => k !== key));
+}
+
+/** What the mouse does; no actions, for they begin at a place. */
+function mouseGroup(): HTMLElement {
+  const lines: readonly (readonly [string, string])[] = [
+    ['Orbit', 'drag'],
+    ['Pan', 'right drag'],
+    ['Dolly', 'wheel'],
+    ['Pick a joint or vertex', 'click'],
+    ['Zoom the time ruler', 'wheel'],
+    ['Pan the time ruler', 'Shift+wheel'],
+    ['Fit the time ruler', 'double click'],
+    ['Fine steps on a slider', 'Alt+↑ ↓'],
+  ];
+  return element(
+    'section',
+    {},
+    element('h3', {}, 'Mouse'),
+    ...lines.map(([what, how]) =>
+      element('div', { class: 'shortcut-line' }, element('span', {}, what), element('span', { class: 'faint' }, how)),
+    ),
+  );
+}

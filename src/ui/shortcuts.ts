@@ -1,0 +1,138 @@
+/**
+ * Keys. A shortcut is written as people say it, the platform's own key for commands always as `Ctrl`:
+ *
+ *     shortcut = { "Ctrl+" | "Alt+" | "Shift+" } key          on a Mac, Ctrl is Cmd
+ *     key      = letter | digit | sign | "Space" | "Left" | "Home" | "F2" | …
+ *
+ * A key goes to the focused control first, then to the panel that has the focus, then to the page, and never to two of
+ * them. Controls and panels that use a key say so with `preventDefault`; what `swallows` lists is the browser's own.
+ */
+import type { Settings } from './settings.ts';
+
+/** As much of a KeyboardEvent as deciding takes. */
+export interface KeyLike {
+  readonly key: string;
+  readonly code: string;
+  readonly ctrlKey: boolean;
+  readonly metaKey: boolean;
+  readonly altKey: boolean;
+  readonly shiftKey: boolean;
+}
+
+const NAMES: Readonly<Record<string, string>> = {
+  ' ': 'Space',
+  ArrowLeft: 'Left',
+  ArrowRight: 'Right',
+  ArrowUp: 'Up',
+  ArrowDown: 'Down',
+};
+
+/**
+ * What was pressed, as shortcuts, the likeliest first. A sign such as `?` has no Shift of its own, for keyboards differ
+ * in how it is typed; a digit is also found by its place on the keyboard, for Shift makes a sign of it.
+ */
+export function shortcutsOf(event: KeyLike, mac: boolean): string[] {
+  if (mac ? event.ctrlKey : event.metaKey) return [];
+  const mod = (mac ? event.metaKey : event.ctrlKey) ? 'Ctrl+' : '';
+  const alt = event.altKey ? 'Alt+' : '';
+  const shift = event.shiftKey ? 'Shift+' : '';
+  const found: string[] = [];
+  const key = NAMES[event.key] ?? event.key;
+  const isLetter = key.length === 1 && key.toLowerCase() !== key.toUpperCase();
+  const isSign = key.length === 1 && !isLetter;
+  if (key !== 'Dead' && key !== 'Unidentified') {
+    found.push(isSign ? mod + alt + key : mod + alt + shift + (isLetter ? key.toUpperCase() : key));
+  }
+  const digit = /^(?:Digit|Numpad)(\d)$/.exec(event.code)?.[1];
+  if (digit) found.push(mod + alt + shift + digit);
+  // Alt makes another letter of a letter on a Mac.
+  const letter = /^Key([A-Z])$/.exec(event.code)?.[1];
+  if (letter && event.altKey) found.push(mod + alt + shift + letter);
+  return [...new Set(found)];
+}
+
+/** Whether it is one typed character, which can be remapped and switched off. */
+export function isSingleKey(shortcut: string): boolean {
+  return !/Ctrl\+|Alt\+/.test(shortcut) && /^(Shift\+)?(.|Space)$/u.test(shortcut);
+}
+
+/** What a menu shows: `Ctrl+Shift+Z`, or `⇧⌘Z` on a Mac. */
+export function shortcutText(shortcut: string, mac: boolean): string {
+  const parts = shortcut.split(/\+(?=.)/);
+  const words = parts.map((part) => KEY_TEXT[part] ?? part);
+  if (!mac) return words.join('+');
+  const order = ['Ctrl', 'Alt', 'Shift'];
+  const modifiers = order.filter((m) => parts.includes(m)).map((m) => MAC_TEXT[m]);
+  return [...modifiers.reverse(), words.at(-1)].join('');
+}
+
+const KEY_TEXT: Readonly<Record<string, string>> = { Left: '←', Right: '→', Up: '↑', Down: '↓', Delete: 'Del' };
+const MAC_TEXT: Readonly<Record<string, string>> = { Ctrl: '⌘', Alt: '⌥', Shift: '⇧' };
+
+/** As `aria-keyshortcuts` wants it. */
+export function ariaShortcut(shortcut: string, mac: boolean): string {
+  const names: Record<string, string> = {
+    Ctrl: mac ? 'Meta' : 'Control',
+    Left: 'ArrowLeft',
+    Right: 'ArrowRight',
+    Up: 'ArrowUp',
+    Down: 'ArrowDown',
+  };
+  return shortcut
+    .split(/\+(?=.)/)
+    .map((part) => names[part] ?? part)
+    .join('+');
+}
+
+/** Something that keys can be bound to. */
+export interface Bindable {
+  readonly id: string;
+  readonly shortcuts?: readonly string[];
+  /** Only while this panel has the focus; the page's otherwise. */
+  readonly panel?: string;
+}
+
+/** The keys of an action as they are now, with what the person changed. */
+export function shortcutsFor(action: Bindable, settings: Pick<Settings, 'keys' | 'singleKeys'>): readonly string[] {
+  const keys = settings.keys[action.id] ?? action.shortcuts ?? [];
+  return settings.singleKeys ? keys : keys.filter((key) => !isSingleKey(key));
+}
+
+/**
+ * The action that a key means: one of the focused panel before one of the page. Of two with the same key the one that
+ * was remapped wins, so that a key someone chose does what they chose.
+ */
+export function actionFor<A extends Bindable>(
+  pressed: readonly string[],
+  actions: readonly A[],
+  panel: string | undefined,
+  settings: Pick<Settings, 'keys' | 'singleKeys'>,
+): A | undefined {
+  for (const shortcut of pressed) {
+    const having = actions.filter((a) => shortcutsFor(a, settings).includes(shortcut));
+    for (const scope of panel === undefined ? [undefined] : [panel, undefined]) {
+      const inScope = having.filter((a) => a.panel === scope);
+      const found = inScope.find((a) => a.id in settings.keys) ?? inScope[0];
+      if (found) return found;
+    }
+  }
+  return undefined;
+}
+
+/** What kind of control has the focus, as far as keys go. */
+export type FocusKind = 'text' | 'select' | 'press' | 'none';
+
+/** Commands that a text field has itself, with Ctrl. */
+const TEXT_COMMANDS = new Set(['A', 'C', 'V', 'X', 'Z', 'Y', 'Left', 'Right', 'Up', 'Down', 'Home', 'End']);
+
+/** Whether the focused control uses the key itself, so that nobody else may have it. */
+export function swallows(focus: FocusKind, event: KeyLike, mac: boolean): boolean {
+  if (focus === 'none') return false;
+  const key = NAMES[event.key] ?? event.key;
+  if (focus === 'press') return key === 'Space' || key === 'Enter';
+  if (/^F\d+$/.test(key)) return false;
+  const command = mac ? event.metaKey : event.ctrlKey;
+  // AltGr types characters, and browsers report it as Ctrl+Alt.
+  if (!command || event.altKey) return true;
+  return TEXT_COMMANDS.has(key.length === 1 ? key.toUpperCase() : key) || key === 'Backspace' || key === 'Delete';
+}

@@ -1,0 +1,103 @@
+/**
+ * The keys that the transport shows and jumps between: those of the selected character's take, or of all takes that are
+ * shown; with a joint selected, its own are the ones that count.
+ *
+ * Times on the transport are a clip's times less the character's offset. Nothing is merged or sorted beforehand: a clip
+ * of millions of keys costs a binary search a channel here, and one pass over its times when drawn (`key-buckets.ts`).
+ */
+import type { Channel } from '../model/clip.ts';
+import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
+import { firstDofs } from '../model/dofs.ts';
+import type { Selection } from '../model/session.ts';
+import { dofsOf } from '../model/skeleton.ts';
+
+/** A channel's key times, and what is taken off them to have the transport's. */
+export interface ShownChannel {
+  /** Seconds, ascending. */
+  readonly times: Float64Array;
+  readonly offsetSeconds: number;
+  /** Of the selected joint, or of everything where no joint is selected. */
+  readonly meant: boolean;
+}
+
+/** Channels that have keys at all. */
+export function shownKeys(document: Document, selection: Selection): ShownChannel[] {
+  const selected = findCharacter(document, selection.characterId);
+  const characters = selected && shownClip(selected) ? [selected] : document.characters;
+  const shown: ShownChannel[] = [];
+  for (const character of characters) {
+    const clip = shownClip(character);
+    if (!clip) continue;
+    const isMeant = meantChannels(character, character === selected ? selection.joint : undefined, clip.channels);
+    clip.channels.forEach(({ times }, i) => {
+      if (times.length) shown.push({ times, offsetSeconds: character.timeOffsetSeconds, meant: isMeant(i) });
+    });
+  }
+  return shown;
+}
+
+function meantChannels(character: Character, joint: number | undefined, channels: readonly Channel[]) {
+  const all = () => true;
+  const selected = joint === undefined ? undefined : character.skeleton?.joints[joint];
+  if (!selected || !character.skeleton || joint === undefined) return all;
+  // The root translation is the root joint's, as it is in the inspector.
+  const first = joint === 0 ? 0 : firstDofs(character.skeleton)[joint];
+  const end = firstDofs(character.skeleton)[joint] + dofsOf(selected.motion).length;
+  const isMeant = (channel: number) => channel >= first && channel < end;
+  // A joint without a single key would leave nothing to jump to.
+  return channels.some((c, i) => isMeant(i) && c.times.length > 0) ? isMeant : all;
+}
+
+/** Two times nearer than this are one: a key is not found again from where it was jumped to. */
+const SAME_SECONDS = 1e-7;
+
+/** The transport's time of the last meant key before `timeSeconds`. */
+export function previousKey(channels: readonly ShownChannel[], timeSeconds: number): number | undefined {
+  let best: number | undefined;
+  for (const { times, offsetSeconds, meant } of channels) {
+    if (!meant) continue;
+    const index = countBefore(times, timeSeconds + offsetSeconds - SAME_SECONDS) - 1;
+    if (index < 0) continue;
+    const time = times[index] - offsetSeconds;
+    if (best === undefined || time > best) best = time;
+  }
+  return best;
+}
+
+/** The transport's time of the first meant key after `timeSeconds`. */
+export function nextKey(channels: readonly ShownChannel[], timeSeconds: number): number | undefined {
+  let best: number | undefined;
+  for (const { times, offsetSeconds, meant } of channels) {
+    if (!meant) continue;
+    const index = countBefore(times, timeSeconds + offsetSeconds + SAME_SECONDS);
+    if (index >= times.length) continue;
+    const time = times[index] - offsetSeconds;
+    if (best === undefined || time < best) best = time;
+  }
+  return best;
+}
+
+/** How many of the ascending `times` are below `limit`. */
+export function countBefore(times: Float64Array, limit: number): number {
+  let low = 0;
+  let high = times.length;
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (times[middle] < limit) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** From the first start to the last end of all takes that are shown, on the transport. */
+export function clipsRange(document: Document): readonly [number, number] | undefined {
+  let range: [number, number] | undefined;
+  for (const character of document.characters) {
+    const clip = shownClip(character);
+    if (!clip) continue;
+    const start = clip.range[0] - character.timeOffsetSeconds;
+    const end = clip.range[1] - character.timeOffsetSeconds;
+    range = range ? [Math.min(range[0], start), Math.max(range[1], end)] : [start, end];
+  }
+  return range;
+}

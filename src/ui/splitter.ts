@@ -1,0 +1,64 @@
+/** The edges between panels: dragged, or moved with the arrow keys; the sizes are remembered. */
+import { element } from './dom.ts';
+import type { Panels } from './settings.ts';
+import type { Workbench } from './workbench.ts';
+
+type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight';
+
+const LIMITS: Readonly<Record<Size, { readonly min: number; readonly max: number }>> = {
+  outlinerWidth: { min: 180, max: 560 },
+  inspectorWidth: { min: 240, max: 640 },
+  filesHeight: { min: 64, max: 640 },
+};
+
+/** Whether the panel grows when the edge goes right or down. */
+const GROWS: Readonly<Record<Size, 1 | -1>> = { outlinerWidth: 1, inspectorWidth: -1, filesHeight: -1 };
+const KEY_STEP = 16;
+
+export function clampSize(size: Size, value: number): number {
+  return Math.round(Math.min(LIMITS[size].max, Math.max(LIMITS[size].min, value)));
+}
+
+export function splitter(wb: Workbench, size: Size, label: string): HTMLElement {
+  const vertical = size !== 'filesHeight';
+  const edge = element('div', {
+    role: 'separator',
+    class: `splitter splitter-${size}`,
+    tabindex: 0,
+    'aria-label': label,
+    'aria-orientation': vertical ? 'vertical' : 'horizontal',
+    'aria-valuemin': LIMITS[size].min,
+    'aria-valuemax': LIMITS[size].max,
+  });
+  const set = (value: number) => {
+    const change: Partial<Panels> = { [size]: clampSize(size, value) };
+    wb.settings.update((s) => ({ ...s, panels: { ...s.panels, ...change } }));
+  };
+  const show = () => edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size]));
+  wb.settings.subscribe(show);
+  show();
+
+  edge.addEventListener('pointerdown', (event) => {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    edge.setPointerCapture(event.pointerId);
+    const from = vertical ? event.clientX : event.clientY;
+    const base = wb.settings.get().panels[size];
+    const move = (e: PointerEvent) => set(base + GROWS[size] * ((vertical ? e.clientX : e.clientY) - from));
+    edge.classList.add('dragging');
+    edge.addEventListener('pointermove', move);
+    const end = () => {
+      edge.classList.remove('dragging');
+      edge.removeEventListener('pointermove', move);
+    };
+    edge.addEventListener('lostpointercapture', end, { once: true });
+  });
+  edge.addEventListener('keydown', (event) => {
+    const steps: Record<string, number> = vertical ? { ArrowLeft: -1, ArrowRight: 1 } : { ArrowUp: -1, ArrowDown: 1 };
+    const step = steps[event.key];
+    if (!step) return;
+    event.preventDefault();
+    set(wb.settings.get().panels[size] + GROWS[size] * step * KEY_STEP);
+  });
+  return edge;
+}

@@ -1,0 +1,214 @@
+/** The strip below the viewport: buttons, loop, rate, time, range, and the scrubber. */
+import { LOOP_MODES } from '../edit/playback.ts';
+import { LOOP_LABELS, RATES, rateText } from './actions/play-actions.ts';
+import { actionsOf, runAction } from './actions.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from './dom.ts';
+import { oncePerFrame } from './frame.ts';
+import { type IconName, icon } from './icons.ts';
+import { isMac } from './keys.ts';
+import { type MenuEntry, menuButton } from './menu.ts';
+import { itemOf } from './menu-entries.ts';
+import { NumberField } from './number-field.ts';
+import { seconds, shown } from './number-text.ts';
+import type { Scrubber } from './scrubber.ts';
+import { shortcutsFor, shortcutText } from './shortcuts.ts';
+import type { Workbench } from './workbench.ts';
+
+export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
+  return element(
+    'section',
+    { class: 'transport', 'aria-label': 'Transport', 'data-panel': 'transport' },
+    element('div', { class: 'transport-row' }, buttons(wb), loopModes(wb), rate(wb), ...times(wb), ...range(wb)),
+    scrubber.element,
+  );
+}
+
+function buttons(wb: Workbench): HTMLElement {
+  const make = (id: string, label: string, name: IconName, extra = '') => {
+    const made = keepsFocusElsewhere(button(label, { class: `tool ${extra}` }, icon(name), () => tryRun(wb, id)));
+    // Names the key in the tooltip; it may have been changed.
+    made.addEventListener('pointerenter', () => {
+      const action = actionsOf(wb).find((a) => a.id === id);
+      const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
+      const name = made.getAttribute('aria-label') ?? label;
+      made.title = shortcut ? `${name} (${shortcutText(shortcut, isMac)})` : name;
+    });
+    return made;
+  };
+  const play = make('play.toggle', 'Play', 'play', 'play-button');
+  const showPlaying = (playing: boolean) => {
+    play.replaceChildren(icon(playing ? 'pause' : 'play'));
+    setAttribute(play, 'aria-label', playing ? 'Pause' : 'Play');
+    play.classList.toggle('is-playing', playing);
+  };
+  wb.transport.subscribe((now, before) => {
+    if (now.playing !== before.playing) showPlaying(now.playing);
+  });
+  showPlaying(wb.transport.get().playing);
+  return element(
+    'div',
+    { class: 'tools', role: 'group', 'aria-label': 'Playback' },
+    make('play.toStart', 'To start of range', 'start'),
+    make('play.previousKey', 'To previous key', 'previousKey'),
+    make('play.stepBack', 'Step back one frame', 'back'),
+    play,
+    make('play.stepForward', 'Step forward one frame', 'forward'),
+    make('play.nextKey', 'To next key', 'nextKey'),
+    make('play.toEnd', 'To end of range', 'end'),
+  );
+}
+
+/** A button for what may be impossible just now, such as a key to jump to. */
+function tryRun(wb: Workbench, id: string): void {
+  const action = actionsOf(wb).find((a) => a.id === id);
+  if (action && (action.enabled?.(wb) ?? true)) action.run(wb);
+}
+
+function loopModes(wb: Workbench): HTMLElement {
+  const made = LOOP_MODES.map((mode) => ({
+    mode,
+    button: keepsFocusElsewhere(
+      button(LOOP_LABELS[mode], { class: 'tool', role: 'radio' }, icon(mode), () => runAction(wb, `play.loop.${mode}`)),
+    ),
+  }));
+  const show = () => {
+    for (const { mode, button } of made) {
+      const chosen = wb.transport.get().loop === mode;
+      button.setAttribute('aria-checked', String(chosen));
+      button.tabIndex = chosen ? 0 : -1;
+    }
+  };
+  const group = element('div', { class: 'tools segmented loop-modes', role: 'radiogroup', 'aria-label': 'Loop' });
+  group.append(...made.map((m) => m.button));
+  group.addEventListener('keydown', (event) => {
+    const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    if (!step) return;
+    event.preventDefault();
+    const now = LOOP_MODES.indexOf(wb.transport.get().loop);
+    const next = (now + step + LOOP_MODES.length) % LOOP_MODES.length;
+    runAction(wb, `play.loop.${LOOP_MODES[next]}`);
+    made[next].button.focus();
+  });
+  wb.transport.subscribe((now, before) => {
+    if (now.loop !== before.loop) show();
+  });
+  show();
+  return group;
+}
+
+function rate(wb: Workbench): HTMLElement {
+  const made = element('button', { type: 'button', class: 'plain rate' });
+  const show = () => {
+    const text = rateText(wb.transport.get().rate);
+    made.textContent = text;
+    made.title = 'Rate';
+    made.setAttribute('aria-label', `Rate ${text}`);
+  };
+  menuButton(made, 'Rate', (): MenuEntry[] => {
+    const actions = actionsOf(wb);
+    return RATES.flatMap((r) => actions.filter((a) => a.id === `play.rate.${r}`).map((a) => itemOf(wb, a)));
+  });
+  wb.transport.subscribe((now, before) => {
+    if (now.rate !== before.rate) show();
+  });
+  show();
+  return keepsFocusElsewhere(made);
+}
+
+function times(wb: Workbench): HTMLElement[] {
+  const at = (timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  const time = new NumberField({
+    label: 'Time in seconds',
+    class: 'time-field',
+    text: (value) => (wb.transport.get().playing ? value.toFixed(3) : seconds(value)),
+    commit: at,
+    step: 0.01,
+  });
+  const frame = new NumberField({
+    label: 'Frame',
+    class: 'frame-field',
+    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : shown(value, 3)),
+    commit: (value) => at(value / wb.transport.get().framesPerSecond),
+    step: 1,
+  });
+  const fps = new NumberField({
+    label: 'Frames per second',
+    class: 'fps-field',
+    text: (value) => shown(value, 3),
+    commit(framesPerSecond) {
+      if (framesPerSecond >= 1 && framesPerSecond <= 1000) wb.transport.update((p) => ({ ...p, framesPerSecond }));
+    },
+    step: 1,
+  });
+  const show = oncePerFrame(() => {
+    const { timeSeconds, framesPerSecond } = wb.transport.get();
+    time.show(timeSeconds);
+    frame.show(noNoise(timeSeconds * framesPerSecond));
+    fps.show(framesPerSecond);
+  });
+  const refresh = oncePerFrame(() => {
+    time.refresh();
+    frame.refresh();
+  });
+  wb.transport.subscribe((now, before) => {
+    show();
+    if (now.playing !== before.playing) refresh();
+  });
+  show();
+  const showUnit = () => {
+    const inFrames = wb.settings.get().timeDisplay === 'frames';
+    time.element.parentElement?.classList.toggle('secondary', inFrames);
+    frame.element.parentElement?.classList.toggle('secondary', !inFrames);
+  };
+  const fields = [labelled('Time', time.element, 's'), labelled('Frame', frame.element), labelled('fps', fps.element)];
+  wb.settings.subscribe(showUnit);
+  showUnit();
+  return [element('div', { class: 'fields times' }, ...fields)];
+}
+
+function range(wb: Workbench): HTMLElement[] {
+  const inFrames = () => wb.settings.get().timeDisplay === 'frames';
+  const perUnit = () => (inFrames() ? wb.transport.get().framesPerSecond : 1);
+  const end = (label: string, make: (value: number, now: readonly [number, number]) => readonly [number, number]) =>
+    new NumberField({
+      label,
+      class: 'range-field',
+      text: (value) => shown(value, 4),
+      commit: (value) => wb.transport.update((p) => ({ ...p, range: make(value / perUnit(), p.range) })),
+    });
+  const first = end('Range begins', (value, now) => [value, Math.max(value, now[1])]);
+  const last = end('Range ends', (value, now) => [Math.min(value, now[0]), value]);
+  const show = () => {
+    const [from, to] = wb.transport.get().range;
+    first.show(noNoise(from * perUnit()));
+    last.show(noNoise(to * perUnit()));
+  };
+  wb.transport.subscribe(show);
+  wb.settings.subscribe(show);
+  show();
+  return [
+    element(
+      'div',
+      { class: 'fields range-fields' },
+      labelled('Range', first.element),
+      element('span', { class: 'faint' }, '–'),
+      last.element,
+    ),
+  ];
+}
+
+/** Frames of a time that is a whole frame but for the last bit are that frame. */
+function noNoise(value: number): number {
+  const rounded = Math.round(value);
+  return Math.abs(value - rounded) < 1e-9 * Math.max(1, Math.abs(value)) ? rounded : value;
+}
+
+function labelled(label: string, field: HTMLElement, unit?: string): HTMLElement {
+  return element(
+    'label',
+    { class: 'field' },
+    element('span', { class: 'faint' }, label),
+    field,
+    unit && element('span', { class: 'faint' }, unit),
+  );
+}

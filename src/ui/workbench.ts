@@ -1,0 +1,68 @@
+/**
+ * What every panel is given: the document's store, the viewport, and the page's own state beside them. `main.ts` builds
+ * it; panels know nothing of files, workers or addresses, for those arrive as functions.
+ */
+import type { Playback } from '../edit/playback.ts';
+import type { Store } from '../edit/store.ts';
+import type { Viewport } from '../view/viewport.ts';
+import type { Messages } from './messages.ts';
+import type { Observable } from './observable.ts';
+import type { Settings } from './settings.ts';
+
+/** What the page asks of the viewport, so that a test can stand in for it. */
+export type Stage = Pick<
+  Viewport,
+  'show' | 'seek' | 'pick' | 'frameAll' | 'frameSelection' | 'lookFrom' | 'setTheme' | 'character' | 'canvas' | 'stats'
+>;
+
+export interface Workbench {
+  readonly store: Store;
+  readonly viewport: Stage;
+  /** The element that the viewport was built in; the page gives it its place. */
+  readonly viewportElement: HTMLElement;
+  readonly transport: Observable<Playback>;
+  readonly settings: Observable<Settings>;
+  readonly messages: Messages;
+  /** A file on its way in. */
+  readonly loading: Observable<Loading | undefined>;
+  /** The one dialog that is open. */
+  readonly dialog: Observable<DialogName | undefined>;
+  readonly files: FileActions;
+}
+
+export type DialogName = 'shortcuts' | 'search' | 'save' | 'about';
+
+export interface Loading {
+  /** Name of the file being read. */
+  readonly label: string;
+  /** Bytes. */
+  readonly done: number;
+  /** 0 while it is not known. */
+  readonly of: number;
+  cancel(): void;
+}
+
+export type SaveKind = 'skel' | 'skin' | 'morph' | 'anim' | 'rig';
+export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+
+export interface SampleEntry {
+  readonly id: string;
+  readonly label: string;
+  readonly description: string;
+}
+
+/** What is absent is left out of the menus. */
+export interface FileActions {
+  /** The browser's file dialog. */
+  open(): void;
+  openFolder?(): void;
+  openSample(id: string): void;
+  /** Read whenever a menu opens, so the list may arrive late. */
+  readonly samples: readonly SampleEntry[];
+  drop(data: DataTransfer): void;
+  paste(data: DataTransfer): void;
+  save(characterId: string, kind: SaveKind): void;
+  /** A character as one zip. */
+  saveAll?(characterId: string): void;
+  reload?(): void;
+}

@@ -1,0 +1,155 @@
+import { describe, expect, it } from 'vitest';
+import { GROUPS, MENUS } from '../../src/ui/actions/action.ts';
+import { ACTIONS, actionsOf, runAction } from '../../src/ui/actions.ts';
+import { findActions } from '../../src/ui/command-search.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from './builders.ts';
+
+describe('the list of actions', () => {
+  it('has no id twice', () => {
+    const ids = ACTIONS.map((a) => a.id);
+    expect(new Set(ids).size).toBe(ids.length);
+  });
+
+  it('has no key twice in one panel', () => {
+    const taken = ACTIONS.flatMap((a) => (a.shortcuts ?? []).map((key) => `${a.panel ?? 'page'} ${key}`));
+    expect(taken.filter((key, i) => taken.indexOf(key) !== i)).toEqual([]);
+  });
+
+  it('leaves the keys that browsers keep to themselves', () => {
+    const theirs = ['Ctrl+T', 'Ctrl+N', 'Ctrl+W', 'Ctrl+Tab', 'Ctrl+Shift+T', 'Ctrl+Shift+N'];
+    expect(ACTIONS.flatMap((a) => a.shortcuts ?? []).filter((key) => theirs.includes(key))).toEqual([]);
+  });
+
+  it('puts every action into a menu that exists, or gives it a key', () => {
+    for (const action of ACTIONS) {
+      const menu = action.menu?.split('/')[0];
+      if (menu) expect(MENUS).toContain(menu);
+      else expect(action.shortcuts?.length, action.id).toBeGreaterThan(0);
+      expect(GROUPS).toContain(action.group);
+    }
+  });
+
+  it('fills every menu', () => {
+    const { wb } = workbench();
+    for (const menu of MENUS) expect(actionsOf(wb).some((a) => a.menu?.split('/')[0] === menu)).toBe(true);
+  });
+
+  it('has the page’s samples, and not what the page has no function for', () => {
+    const { wb } = workbench();
+    const ids = actionsOf(wb).map((a) => a.id);
+    expect(ids).toContain('sample.walker');
+    expect(ids).not.toContain('file.reload');
+    expect(ids).not.toContain('save.all');
+  });
+
+  it('can all be asked about without a character', () => {
+    const { wb } = workbench();
+    for (const action of actionsOf(wb)) {
+      expect(() => [action.enabled?.(wb), action.checked?.(wb)], action.id).not.toThrow();
+    }
+  });
+});
+
+describe('runAction', () => {
+  const walker = () =>
+    workbench(
+      documentOf(
+        character({
+          skeleton: skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]),
+          clips: [clip([0, 2], channel(0, 0.5, 1))],
+        }),
+      ),
+      { range: [0, 2] },
+    );
+
+  it('says so when there is no such action, or it can’t be done', () => {
+    const { wb } = workbench();
+    expect(() => runAction(wb, 'nothing.atAll')).toThrow('no action');
+    expect(() => runAction(wb, 'edit.undo')).toThrow('can’t be done'.replace('’', "'"));
+  });
+
+  it('steps from joint to joint', () => {
+    const { wb } = walker();
+    const joints = ['select.parent', 'select.child', 'select.nextSibling', 'select.child', 'select.parent'].map(
+      (id) => {
+        runAction(wb, id);
+        return wb.store.selection.joint;
+      },
+    );
+    // The root first; its first child; that one's sibling, which has no child; and up again.
+    expect(joints).toEqual([0, 1, 3, 3, 0]);
+  });
+
+  it('goes from key to key and stops there', () => {
+    const { wb } = walker();
+    runAction(wb, 'play.toggle');
+    runAction(wb, 'play.nextKey');
+    expect(wb.transport.get()).toMatchObject({ timeSeconds: 0.5, playing: false });
+    runAction(wb, 'play.nextKey');
+    runAction(wb, 'play.nextKey');
+    expect(wb.transport.get().timeSeconds).toBe(1);
+    runAction(wb, 'play.previousKey');
+    expect(wb.transport.get().timeSeconds).toBe(0.5);
+  });
+
+  it('sets the range at the time shown, and back to the takes', () => {
+    const { wb } = walker();
+    wb.transport.update((p) => ({ ...p, timeSeconds: 3 }));
+    runAction(wb, 'play.setIn');
+    expect(wb.transport.get().range).toEqual([3, 3]);
+    runAction(wb, 'play.wholeRange');
+    expect(wb.transport.get().range).toEqual([0, 2]);
+  });
+
+  it('undoes a reset by name', () => {
+    const { wb } = walker();
+    runAction(wb, 'pose.holdLimits');
+    expect(wb.store.document.characters[0].clampsToLimits).toBe(false);
+    const undo = actionsOf(wb).find((a) => a.id === 'edit.undo');
+    expect(typeof undo?.label === 'function' && undo.label(wb)).toBe('Undo ignore limits');
+    runAction(wb, 'edit.undo');
+    expect(wb.store.document.characters[0].clampsToLimits).toBe(true);
+  });
+
+  it('folds panels, each by itself and both together', () => {
+    const { wb } = workbench();
+    const open = () => {
+      const { outlinerOpen, inspectorOpen } = wb.settings.get().panels;
+      return [outlinerOpen, inspectorOpen];
+    };
+    const after = ['page.outliner', 'page.viewportOnly', 'page.viewportOnly', 'page.inspector'].map((id) => {
+      runAction(wb, id);
+      return open();
+    });
+    expect(after).toEqual([
+      [false, true],
+      [false, false],
+      [true, true],
+      [true, false],
+    ]);
+  });
+
+  it('saves what the character has', () => {
+    const { wb, saved } = walker();
+    runAction(wb, 'save.skel');
+    expect(saved).toEqual(['c1.skel']);
+    expect(() => runAction(wb, 'save.skin')).toThrow();
+  });
+});
+
+describe('findActions', () => {
+  const found = (typed: string) =>
+    findActions(['Frame all', 'Step one frame', 'Next key', 'Names'], typed, (label) => label);
+
+  it('wants every word, anywhere', () => {
+    expect(found('fra')).toEqual(['Frame all', 'Step one frame']);
+    expect(found('frame st')).toEqual(['Step one frame']);
+    expect(found('xyz')).toEqual([]);
+    expect(found('')).toHaveLength(4);
+  });
+
+  it('puts words that begin so first', () => {
+    expect(found('ame')).toEqual(['Frame all', 'Step one frame', 'Names']);
+    expect(found('na')).toEqual(['Names']);
+  });
+});

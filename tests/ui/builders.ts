@@ -1,0 +1,103 @@
+/** Small documents and a workbench without a page, for the tests of `ui`. */
+import type { Playback } from '../../src/edit/playback.ts';
+import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
+import { Store } from '../../src/edit/store.ts';
+import type { Channel, ChannelClip } from '../../src/model/clip.ts';
+import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
+import { filePose } from '../../src/model/dofs.ts';
+import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { Messages } from '../../src/ui/messages.ts';
+import { observable } from '../../src/ui/observable.ts';
+import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
+import type { DialogName, Loading, Workbench } from '../../src/ui/workbench.ts';
+
+export function joint(name: string, parent: number): Joint {
+  return {
+    name,
+    parent,
+    offset: [0, 1, 0],
+    box: DEFAULT_BOX,
+    motion: DEFAULT_MOTION,
+    limits: [UNLIMITED, UNLIMITED, UNLIMITED],
+    pose: [0, 0, 0],
+  };
+}
+
+/** `['hips', -1]`, `['leg', 0]` … in depth-first order. */
+export function skeleton(...joints: readonly (readonly [string, number])[]): Skeleton {
+  return { name: 'test', joints: joints.map(([name, parent]) => joint(name, parent)) };
+}
+
+export function channel(...times: number[]): Channel {
+  const column = () => ({ kinds: new Uint8Array(times.length), slopes: new Float64Array(times.length) });
+  return {
+    extrapolateIn: 'constant',
+    extrapolateOut: 'constant',
+    times: Float64Array.from(times),
+    values: new Float64Array(times.length),
+    tangentsIn: column(),
+    tangentsOut: column(),
+  };
+}
+
+export function clip(range: readonly [number, number], ...channels: Channel[]): ChannelClip {
+  return { kind: 'channels', name: 'walk', range, channels };
+}
+
+export function character(change: Partial<Character> = {}): Character {
+  const base: Character = {
+    id: 'c1',
+    name: 'wasp',
+    skins: [],
+    shownSkin: 0,
+    morphs: [],
+    textures: [],
+    clips: [],
+    shownClip: 0,
+    pose: filePose(change.skeleton, change.morphs?.length ?? 0),
+    clampsToLimits: true,
+    placements: [DEFAULT_PLACEMENT],
+    timeOffsetSeconds: 0,
+    sources: [],
+  };
+  return { ...base, ...change };
+}
+
+export function documentOf(...characters: Character[]): Document {
+  return { ...EMPTY_DOCUMENT, characters };
+}
+
+/** Records what the viewport is told instead of drawing it. */
+export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial<Playback> = {}) {
+  const seeks: number[] = [];
+  const saved: string[] = [];
+  const viewport = {
+    seek: (seconds: number) => void seeks.push(seconds),
+    show: () => {},
+    pick: () => undefined,
+    frameAll: () => {},
+    frameSelection: () => {},
+    lookFrom: () => {},
+    setTheme: () => {},
+    character: () => undefined,
+  };
+  const wb = {
+    store: new Store(document),
+    transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
+    settings: observable(DEFAULT_SETTINGS),
+    messages: new Messages(),
+    loading: observable<Loading | undefined>(undefined),
+    dialog: observable<DialogName | undefined>(undefined),
+    files: {
+      open: () => {},
+      openSample: () => {},
+      samples: [{ id: 'walker', label: 'Walker', description: 'walks' }],
+      drop: () => {},
+      paste: () => {},
+      save: (id: string, kind: string) => void saved.push(`${id}.${kind}`),
+    },
+    viewport,
+  };
+  // What no test touches, the canvas and the element around it, needs a browser.
+  return { wb: wb as unknown as Workbench, seeks, saved };
+}

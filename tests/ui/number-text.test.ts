@@ -1,0 +1,70 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { aligned, bytes, count, exact, parseNumber, plural, seconds, shown } from '../../src/ui/number-text.ts';
+
+describe('exact', () => {
+  it('reads back the same', () => {
+    fc.assert(
+      fc.property(fc.double({ noNaN: true, noDefaultInfinity: true }), (value) => {
+        expect(parseNumber(exact(value))).toBe(value === 0 ? 0 : value);
+      }),
+    );
+  });
+});
+
+describe('shown', () => {
+  it.each([
+    [0, '0'],
+    [-0, '0'],
+    [1.5, '1.5'],
+    [1.23456, '1.2346'],
+    [-0.00001, '-1.0e-5'],
+    [1e-15, '0'],
+    [123456789, '1.2346e+8'],
+    [100, '100'],
+    [Number.NaN, 'NaN'],
+  ])('%s is %s', (value, text) => {
+    expect(shown(value)).toBe(text);
+  });
+
+  it('keeps the zeros of whole numbers', () => {
+    expect(shown(1200, 0)).toBe('1200');
+  });
+});
+
+it('lines numbers up', () => {
+  expect([0.5, -1, 1e-9, -1e-9].map((v) => aligned(v, 3))).toEqual(['0.500', '-1.000', '0.000', '0.000']);
+  expect([Infinity, -Infinity, Number.NaN].map((v) => aligned(v))).toEqual(['∞', '−∞', 'NaN']);
+});
+
+describe('parseNumber', () => {
+  it.each([
+    ['1.5', 1.5],
+    [' 1,5 ', 1.5],
+    ['−2', -2],
+    ['+.5', 0.5],
+    ['1e-3', 1e-3],
+    ['2.', 2],
+  ])('reads %s', (text, value) => {
+    expect(parseNumber(text)).toBe(value);
+  });
+
+  it.each(['', '-', 'x', '1x', '1.2.3', '0x10', 'Infinity', '1e999', '12°3'])('takes %s for no number', (text) => {
+    expect(parseNumber(text)).toBeUndefined();
+  });
+});
+
+it('counts', () => {
+  expect(count(1234567)).toBe('1,234,567');
+  expect(plural(1, 'vertex', 'vertices')).toBe('1 vertex');
+  expect(plural(2, 'vertex', 'vertices')).toBe('2 vertices');
+  expect([12, 1, 3400, 52e6, 999_600, 5e12].map(bytes)).toEqual([
+    '12 bytes',
+    '1 byte',
+    '3.4 kB',
+    '52 MB',
+    '1.0 MB',
+    '5000 GB',
+  ]);
+  expect(seconds(1.2)).toBe('1.2');
+});

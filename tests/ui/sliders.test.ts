@@ -1,0 +1,67 @@
+import { describe, expect, it } from 'vitest';
+import type { CharacterDof } from '../../src/model/dofs.ts';
+import { UNLIMITED } from '../../src/model/skeleton.ts';
+import { limitText, reachOf, sliderOptions } from '../../src/ui/inspector/dof-rows.ts';
+import { clampSize } from '../../src/ui/splitter.ts';
+import { character, skeleton } from './builders.ts';
+
+const arm = character({ skeleton: skeleton(['hips', -1], ['arm', 0], ['hand', 1]) });
+const rx: CharacterDof = { name: 'rx', unit: 'angle', joint: 0, limit: UNLIMITED };
+const limited: CharacterDof = { ...rx, limit: { min: -Math.PI / 6, max: Math.PI / 4 } };
+
+describe('sliderOptions', () => {
+  it('spans a full turn without limits, in the unit that is shown', () => {
+    expect(sliderOptions(rx, arm, 'degrees').span).toEqual([-180, 180]);
+    expect(sliderOptions(rx, arm, 'radians').span?.[1]).toBeCloseTo(Math.PI, 12);
+    expect(sliderOptions(rx, arm, 'degrees').bounds).toBeUndefined();
+  });
+
+  it('spans the limits while they hold, and lets nothing else be typed', () => {
+    expect(sliderOptions(limited, arm, 'degrees')).toMatchObject({
+      span: [-30, 45],
+      bounds: [-30, 45],
+      limits: [-30, 45],
+    });
+  });
+
+  it('spans a full turn with the limits marked while they don’t', () => {
+    const free = { ...arm, clampsToLimits: false };
+    const options = sliderOptions(limited, free, 'degrees');
+    expect(options).toMatchObject({ span: [-180, 180], limits: [-30, 45] });
+    expect(options.bounds).toBeUndefined();
+  });
+
+  it('shows a DOF that is locked by its limits', () => {
+    const locked = sliderOptions({ ...rx, limit: { min: 0, max: 0 } }, arm, 'degrees');
+    expect(locked).toMatchObject({ span: [-180, 180], bounds: [0, 0], limits: [0, 0] });
+  });
+
+  it('takes crossed limits for none', () => {
+    const crossed = { ...rx, limit: { min: 1, max: -1 } };
+    expect(sliderOptions(crossed, arm, 'degrees')).toMatchObject({ span: [-180, 180] });
+    expect(limitText(crossed, arm, 'radians')).toContain('crossed');
+  });
+
+  it('spans the character’s reach for lengths, and 0 to 1 for weights', () => {
+    expect(sliderOptions({ ...rx, unit: 'length' }, arm, 'degrees').span).toEqual([-2, 2]);
+    expect(sliderOptions({ ...rx, unit: 'weight' }, arm, 'degrees').span).toEqual([0, 1]);
+  });
+});
+
+it('has a reach for anything', () => {
+  expect(reachOf(arm.skeleton)).toBe(2);
+  expect(reachOf(undefined)).toBe(1);
+  expect(reachOf({ name: 'none', joints: [] })).toBe(1);
+});
+
+it('says what limits there are', () => {
+  expect(limitText(limited, arm, 'degrees')).toBe('limits -30° to 45°');
+  expect(limitText(limited, { clampsToLimits: false }, 'degrees')).toBe('limits -30° to 45°, not held');
+  expect(limitText(rx, arm, 'degrees')).toBe('no limits');
+});
+
+it('keeps panels at a usable size', () => {
+  expect(clampSize('outlinerWidth', 3)).toBe(180);
+  expect(clampSize('outlinerWidth', 300.4)).toBe(300);
+  expect(clampSize('inspectorWidth', 9999)).toBe(640);
+});
