@@ -107,6 +107,7 @@ export function openFiles(
     if (isBroken(file)) continue;
     const target =
       characters.find((c) => hasSource(c, file.source)) ??
+      (file.kind === 'morph' ? withSkinFor(file.source, characters) : undefined) ??
       findCharacter({ ...base, characters }, selectedId) ??
       (base.characters.length === 1 ? characters.find((c) => c.id === base.characters[0].id) : undefined) ??
       (file.kind === 'morph' ? onlySkinned(characters) : undefined);
@@ -149,6 +150,21 @@ export function openFiles(
     opened: [...opened],
     label: openLabel(changed.length ? changed : files),
   };
+}
+
+/** The character of the skin whose name is the longest beginning of a morph's: `head1.morph` → `head.skin`. */
+function withSkinFor(source: SourceFile, characters: readonly Character[]): Character | undefined {
+  let best: Character | undefined;
+  let length = 0;
+  for (const character of characters) {
+    for (const { name } of character.skins) {
+      const fit = prefixFit(name, stemOf(source));
+      if (fit <= length) continue;
+      best = character;
+      length = fit;
+    }
+  }
+  return best;
 }
 
 /** The character that a morph without any other hint is for. */

@@ -12,6 +12,9 @@ import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
 /** Does every joint that the skin is attached to exist? */
 export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Diagnostic[] {
   const joints = skeleton.joints.length;
+  const bindings = bindingCount(skin);
+  // No vertex is attached to a joint past the bindings: usually nothing has to be looked at.
+  if (bindings > 0 && bindings <= joints) return [];
   const culprit = skin.attachments ? firstNotBelow(skin.attachments.joints, joints) : -1;
   if (skin.attachments && culprit >= 0) {
     const { start, joints: jointOf } = skin.attachments;
@@ -19,7 +22,6 @@ export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Dia
     const message = `Vertex ${vertex} is attached to joint ${jointOf[culprit]}, but ${named(skeleton)} has ${count(joints, 'joint')}${joints ? ` (0 to ${joints - 1})` : ''}.`;
     return [{ severity: 'error', code: 'joint-missing', message, ...nowhere(fileName) }];
   }
-  const bindings = bindingCount(skin);
   if (bindings <= joints) return [];
   const message = `The skin has ${count(bindings, 'binding')}, but ${named(skeleton)} has ${count(joints, 'joint')}.`;
   const assumed = 'the bindings beyond those are not used by any vertex, and ignored';

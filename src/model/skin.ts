@@ -29,7 +29,7 @@ export interface Skin {
 export interface Attachments {
   /** One more than there are vertices. */
   readonly start: Uint32Array;
-  /** Depth-first joint indices. */
+  /** Depth-first joint indices, each below the number of bindings where there are any. */
   readonly joints: Uint32Array;
   readonly weights: Float64Array;
 }

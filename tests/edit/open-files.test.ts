@@ -86,6 +86,21 @@ describe('files opened together', () => {
     expect(only(document).morphs).toHaveLength(1);
   });
 
+  it('need no skeleton: morphs go to the skin whose name begins theirs', () => {
+    const { document } = open([
+      skelFile('wasp.skel', skeleton(2, 'wasp')),
+      skinFile('wasp.skin', skin('wasp')),
+      skelFile('other.skel', skeleton(1, 'other')),
+      morphFile('head1.morph', morph('head1')),
+      skinFile('head.skin', skin('head')),
+    ]);
+    expect(document.characters.map((c) => [c.name, c.morphs.length])).toEqual([
+      ['wasp', 0],
+      ['other', 0],
+      ['head', 1],
+    ]);
+  });
+
   it('are bound by a rig, morphs in its order, with what it does not name added after', () => {
     const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: ['smile.morph', 'blink.morph'] };
     const { document } = open([
