@@ -23,10 +23,7 @@ const transport = observable(DEFAULT_PLAYBACK);
 const messages = new Messages();
 const loading = observable<Loading | undefined>(undefined);
 const viewportElement = document.createElement('div');
-const viewport = new Viewport(viewportElement, {
-  textureFailed: (_id, texture) =>
-    messages.note(`The texture ${texture.name} is no picture that this browser can read; drawn untextured.`, 'warning'),
-});
+const viewport = viewportIn(viewportElement);
 const worker = new WorkerClient(() => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' }));
 const opener = new Opener({ store, transport, messages, loading, viewport, worker });
 const samples = listSamples(document.baseURI);
@@ -48,6 +45,12 @@ mountWorkbench(root, workbench);
 transport.subscribe((now) => viewport.setPlayedRange(now.range));
 window.marrow = scriptingApi(workbench, opener);
 
+// What nobody caught is said in the page, not only in a console that few have open.
+window.addEventListener('error', ({ message }) => messages.note(`Something went wrong: ${message}`, 'error'));
+window.addEventListener('unhandledrejection', ({ reason }) =>
+  messages.note(`Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`, 'error'),
+);
+
 const named = filesInQuery(location.search);
 if (named.length) opener.open((signal) => fetchFiles(named, document.baseURI, signal));
 else {
@@ -58,4 +61,22 @@ else {
     },
     { asOpeningSample: true },
   );
+}
+
+/** Says so in the page where there is no WebGL2, and gives up. */
+function viewportIn(element: HTMLElement): Viewport {
+  try {
+    return new Viewport(element, {
+      textureFailed: (_id, texture) =>
+        messages.note(
+          `The texture ${texture.name} is no picture that this browser can read; drawn untextured.`,
+          'warning',
+        ),
+    });
+  } catch (error) {
+    document.body.textContent =
+      'Marrow draws with WebGL 2, which this browser does not offer just now. Hardware acceleration may be switched ' +
+      'off in its settings.';
+    throw error;
+  }
 }

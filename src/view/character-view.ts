@@ -245,7 +245,10 @@ export class CharacterView {
     this.boneSet?.root?.removeFromParent();
     this.boneSet = character.skeleton && new Bones(character.skeleton);
     const root = this.boneSet?.root;
-    if (root) this.object.add(root);
+    if (!root) return;
+    // Nothing of a bone is drawn: invisible, they are not asked about in every pass of every frame.
+    root.visible = false;
+    this.object.add(root);
   }
 
   private rebuildSkin(character: Character, model: Skin | undefined): void {

@@ -1,0 +1,191 @@
+/**
+ * Readers against a bare loop that puts the same bytes' numbers into a Float32Array and checks nothing, and against
+ * line splitting as three.js's loaders do it. Read the ratios, not the times: to hold are 1.5 times the bare loop for
+ * numbers of up to 15 digits, and 3 times for 17.
+ *
+ * The inputs are made here, in memory, the same in every run.
+ */
+import { bench, describe } from 'vitest';
+import { animReader } from '../../src/formats/anim/read.ts';
+import type { Reader } from '../../src/formats/reader.ts';
+import { skinReader } from '../../src/formats/skin/read.ts';
+
+/** Few and long: an iteration takes up to seconds. */
+const LONG = { time: 0, iterations: 5, warmupTime: 0, warmupIterations: 2 };
+const LONGEST = { time: 0, iterations: 2, warmupTime: 0, warmupIterations: 0 };
+/** About what a File's stream gives. */
+const PIECE = 65536;
+
+/** A linear congruential generator: the same numbers in every run. */
+function random(): () => number {
+  let state = 1;
+  return () => {
+    state = (Math.imul(state, 1103515245) + 12345) & 0x7fffffff;
+    return state / 0x7fffffff;
+  };
+}
+
+function skinBytes(vertices: number, print: (x: number) => string): Uint8Array {
+  const next = random();
+  const row = () => `\t${print(2 * next() - 1)} ${print(2 * next() - 1)} ${print(2 * next() - 1)}`;
+  const weights = () => {
+    const k = 1 + Math.floor(4 * next());
+    let rest = 1;
+    let line = `\t${k}`;
+    for (let i = 0; i < k; i++) {
+      const weight = i === k - 1 ? rest : rest * next();
+      rest -= weight;
+      line += ` ${Math.floor(24 * next())} ${print(weight)}`;
+    }
+    return line;
+  };
+  const index = () => Math.floor(vertices * next());
+  const triangle = () => `\t${index()} ${index()} ${index()}`;
+  const matrix = () => `\tmatrix {\n\t\t1 0 0\n\t\t0 1 0\n\t\t0 0 1\n\t${row()}\n\t}`;
+  return joined([
+    ...block('positions', vertices, row),
+    ...block('normals', vertices, row),
+    ...block('skinweights', vertices, weights),
+    ...block('triangles', 2 * vertices, triangle),
+    ...block('bindings', 24, matrix),
+  ]);
+}
+
+function animBytes(channels: number, keys: number): Uint8Array {
+  const next = random();
+  const words = ['flat', 'linear', 'smooth'];
+  const tangent = () => (next() < 0.2 ? next().toFixed(4) : words[Math.floor(3 * next())]);
+  const lines = [`animation {\n\trange 0 ${keys}\n\tnumchannels ${channels}`];
+  for (let c = 0; c < channels; c++) {
+    lines.push(`\tchannel {\n\t\textrapolate constant cycle\n\t\tkeys ${keys} {`);
+    for (let k = 0; k < keys; k++) {
+      lines.push(`\t\t\t${(k / 30).toFixed(6)} ${next().toFixed(6)} ${tangent()} ${tangent()}`);
+    }
+    lines.push('\t\t}\n\t}');
+  }
+  lines.push('}\n');
+  return joined(lines);
+}
+
+function block(what: string, count: number, line: () => string): string[] {
+  return [`${what} ${count} {`, ...Array.from({ length: count }, line), '}'];
+}
+
+/** Without ever making one string of all lines. */
+function joined(lines: readonly string[]): Uint8Array {
+  const encoder = new TextEncoder();
+  const pieces: Uint8Array[] = [];
+  for (let i = 0; i < lines.length; i += 65536) {
+    pieces.push(encoder.encode(`${lines.slice(i, i + 65536).join('\n')}\n`));
+  }
+  const all = new Uint8Array(pieces.reduce((sum, p) => sum + p.length, 0));
+  let at = 0;
+  for (const piece of pieces) {
+    all.set(piece, at);
+    at += piece.length;
+  }
+  return all;
+}
+
+/** The bare loop. Trusts that everything is a number, and rounds as it goes. */
+function bareLoop(bytes: Uint8Array, count: number): Float32Array {
+  const out = new Float32Array(count);
+  const end = bytes.length;
+  let n = 0;
+  let i = 0;
+  while (i < end) {
+    let c = bytes[i];
+    if ((c < 48 || c > 57) && c !== 45 && c !== 46) {
+      i++;
+      continue;
+    }
+    let sign = 1;
+    if (c === 45) {
+      sign = -1;
+      c = bytes[++i];
+    }
+    let v = 0;
+    while (c >= 48 && c <= 57) {
+      v = v * 10 + (c - 48);
+      c = bytes[++i];
+    }
+    if (c === 46) {
+      let f = 0.1;
+      c = bytes[++i];
+      while (c >= 48 && c <= 57) {
+        v += f * (c - 48);
+        f *= 0.1;
+        c = bytes[++i];
+      }
+    }
+    if (c === 101) {
+      let exponent = 0;
+      c = bytes[++i];
+      const negative = c === 45;
+      if (negative || c === 43) c = bytes[++i];
+      while (c >= 48 && c <= 57) {
+        exponent = exponent * 10 + (c - 48);
+        c = bytes[++i];
+      }
+      v *= 10 ** (negative ? -exponent : exponent);
+    }
+    out[n++] = sign * v;
+  }
+  return out;
+}
+
+/** As three.js's loaders do it. */
+function splitLines(bytes: Uint8Array): number {
+  const lines = new TextDecoder().decode(bytes).split('\n');
+  let sum = 0;
+  for (const line of lines) {
+    const words = line.trim().split(/\s+/);
+    for (const word of words) sum += Number.parseFloat(word) || 0;
+  }
+  return sum;
+}
+
+function countNumbers(bytes: Uint8Array): number {
+  let n = 0;
+  let inside = false;
+  for (const c of bytes) {
+    const isDigit = c >= 48 && c <= 57;
+    if (isDigit && !inside) n++;
+    inside = isDigit || c === 46 || c === 45 || c === 101 || c === 43;
+  }
+  return n;
+}
+
+function readInPieces(reader: Reader<unknown>, bytes: Uint8Array, size: number): void {
+  for (let from = 0; from < bytes.length; from += size) reader.feed(bytes.subarray(from, from + size));
+  const { value, diagnostics } = reader.end();
+  if (!value) throw new Error(diagnostics[0]?.message);
+}
+
+const megabytes = (bytes: Uint8Array) => `${Math.round(bytes.length / 1e6)} MB`;
+
+const SKINS = [
+  { name: '6 decimals', vertices: 1_000_000, print: (x: number) => x.toFixed(6) },
+  { name: '15 digits', vertices: 300_000, print: (x: number) => x.toPrecision(15) },
+  { name: '16 and 17 digits', vertices: 300_000, print: (x: number) => String(x) },
+] as const;
+
+for (const { name, vertices, print } of SKINS) {
+  const bytes = skinBytes(vertices, print);
+  const count = countNumbers(bytes);
+  describe(`.skin of ${vertices} vertices, ${name}, ${megabytes(bytes)}`, () => {
+    bench('bare loop', () => void bareLoop(bytes, count), LONG);
+    bench('reader, one piece', () => readInPieces(skinReader('x.skin'), bytes, bytes.length), LONG);
+    bench('reader, pieces of 64 KB', () => readInPieces(skinReader('x.skin'), bytes, PIECE), LONG);
+    bench('lines split', () => void splitLines(bytes), LONGEST);
+  });
+}
+
+const clip = animBytes(60, 10_000);
+const clipNumbers = countNumbers(clip);
+describe(`.anim of 60 channels of 10,000 keys, ${megabytes(clip)}`, () => {
+  bench('bare loop', () => void bareLoop(clip, clipNumbers), LONG);
+  bench('reader, one piece', () => readInPieces(animReader('x.anim'), clip, clip.length), LONG);
+  bench('reader, pieces of 64 KB', () => readInPieces(animReader('x.anim'), clip, PIECE), LONG);
+  bench('lines split', () => void splitLines(clip), LONGEST);
+});
