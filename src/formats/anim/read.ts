@@ -1,0 +1,182 @@
+/**
+ * `.anim`: channels of keys.
+ *
+ *     anim    = "animation" "{" { range t0 t1 | numchannels n | channel } "}"
+ *     channel = "channel" "{" { extrapolate IN OUT | keys k "{" { time value tan_in tan_out } "}" } "}"
+ */
+import { type Channel, type ChannelClip, EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
+import {
+  braceTooMany,
+  checkCount,
+  checkRows,
+  countAndBrace,
+  number,
+  openBrace,
+  type Part,
+  skipStrange,
+  stemOf,
+  warnRepeated,
+} from '../grammar.ts';
+import { NOWHERE, WHOLE_FILE } from '../places.ts';
+import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
+import type { Mark, Tokens } from '../tokens.ts';
+import { KeySink, type Keys, NO_KEYS } from './keys.ts';
+
+/** A reader for a `.anim`. */
+export function animReader(fileName: string): Reader<ChannelClip> {
+  return grammarReader(fileName, animFile);
+}
+
+/** Reads a whole `.anim`. */
+export function readAnim(bytes: Uint8Array | string, fileName: string): ReadResult<ChannelClip> {
+  return readWhole(animReader(fileName), bytes);
+}
+
+const KEYWORDS = new Set(['animation', 'range', 'numchannels', 'channel', 'extrapolate', 'keys']);
+
+interface Parts {
+  range?: readonly [number, number];
+  readonly channels: Channel[];
+}
+
+function* animFile(t: Tokens): Part<ChannelClip> {
+  let parts: Parts | undefined;
+  let place: Mark | undefined;
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === 'end') break;
+    if (kind === '}') braceTooMany(t);
+    else if (t.keyword() === 'animation') {
+      if (parts) warnRepeated(t, 'animation');
+      place = t.mark();
+      parts = yield* body(t, place);
+    } else yield* skipStrange(t, 'an .anim file', 'animation');
+  }
+  if (!parts) t.report.error('animation-missing', 'Expected animation { … }, found none.', WHOLE_FILE);
+  else if (parts.channels.length === 0) {
+    t.report.error(
+      'channel-missing',
+      'Expected at least one channel, found none.',
+      place ? t.placeOf(place) : WHOLE_FILE,
+    );
+  }
+  const channels = parts?.channels ?? [];
+  return { kind: 'channels', name: stemOf(t.fileName), range: parts?.range ?? rangeOfKeys(t, channels), channels };
+}
+
+/** Where no range is given: first to last key. */
+function rangeOfKeys(t: Tokens, channels: readonly Channel[]): readonly [number, number] {
+  let first = Number.POSITIVE_INFINITY;
+  let last = Number.NEGATIVE_INFINITY;
+  for (const { times } of channels) {
+    if (times.length === 0) continue;
+    first = Math.min(first, times[0]);
+    last = Math.max(last, times[times.length - 1]);
+  }
+  const range: readonly [number, number] = first <= last ? [first, last] : [0, 0];
+  if (channels.length > 0) {
+    t.report.warn('range-missing', 'Expected range t0 t1, found none.', NOWHERE, `used ${range[0]} to ${range[1]}`);
+  }
+  return range;
+}
+
+function* body(t: Tokens, opened: Mark): Part<Parts> {
+  const parts: Parts = { channels: [] };
+  const sink = new KeySink();
+  let declared: number | undefined;
+  yield* openBrace(t, 'animation');
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === '}') break;
+    if (kind === 'end') t.failAtEnd(opened, 'the animation');
+    switch (t.keyword()) {
+      case 'range':
+        if (parts.range) warnRepeated(t, 'range');
+        parts.range = yield* range(t);
+        break;
+      case 'numchannels':
+        declared = yield* channelCount(t);
+        break;
+      case 'channel':
+        parts.channels.push(yield* channel(t, sink, parts.channels.length));
+        break;
+      default:
+        yield* skipStrange(t, 'an animation', 'range, numchannels or channel');
+    }
+  }
+  checkCount(t, 'channels', declared, parts.channels.length);
+  return parts;
+}
+
+function* range(t: Tokens): Part<readonly [number, number]> {
+  const place = t.mark();
+  const first = yield* number(t, 'the first second of the range', KEYWORDS);
+  const last = first === undefined ? undefined : yield* number(t, 'the last second of the range', KEYWORDS);
+  if (first === undefined || last === undefined) return [0, 0];
+  if (first <= last) return [first, last];
+  const message = `Expected a range from the earlier to the later time, found ${first} to ${last}.`;
+  t.report.warn('range-reversed', message, t.placeOf(place), 'swapped');
+  return [last, first];
+}
+
+function* channelCount(t: Tokens): Part<number | undefined> {
+  const count = yield* number(t, 'the number of channels', KEYWORDS);
+  if (count === undefined || count % 1 === 0) return count;
+  t.error('count-fractional', `Expected a whole number of channels, found ${t.found()}.`);
+  return undefined;
+}
+
+/** `{ extrapolate IN OUT keys k { … } }` */
+function* channel(t: Tokens, sink: KeySink, index: number): Part<Channel> {
+  yield* openBrace(t, 'channel');
+  let extrapolation: readonly [Extrapolation, Extrapolation] | undefined;
+  let keys: Keys | undefined;
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === '}') break;
+    if (kind === 'end') t.failAtEnd(undefined, `channel ${index}`);
+    const word = t.keyword();
+    if (word === 'extrapolate') {
+      if (extrapolation) warnRepeated(t, word);
+      const before = yield* extrapolate(t, 'before the first key');
+      const after = before && (yield* extrapolate(t, 'after the last key'));
+      extrapolation = [before ?? 'constant', after ?? 'constant'];
+    } else if (word === 'keys') {
+      if (keys) warnRepeated(t, word);
+      keys = yield* keyRows(t, sink);
+    } else if (word === 'channel' || word === 'numchannels' || word === 'range') {
+      t.braceMissing(`channel ${index}`);
+      break;
+    } else yield* skipStrange(t, 'a channel', 'extrapolate or keys');
+  }
+  if (!keys) {
+    t.warnOnce('keys-missing', '', () => 'Expected keys in a channel, found none.', 'the channel is 0');
+  }
+  if (!extrapolation) {
+    const message = 'Expected extrapolate IN OUT in a channel, found none.';
+    t.warnOnce('extrapolate-missing', '', () => message, 'constant on both sides');
+  }
+  const [extrapolateIn, extrapolateOut] = extrapolation ?? ['constant', 'constant'];
+  return { extrapolateIn, extrapolateOut, ...(keys ?? NO_KEYS) };
+}
+
+/** One extrapolation; undefined where the word is missing, which is reported. */
+function* extrapolate(t: Tokens, side: string): Part<Extrapolation | undefined> {
+  yield* t.next();
+  const word = t.keyword();
+  const known = EXTRAPOLATIONS.find((e) => e === word);
+  if (known) return known;
+  t.error('extrapolation-unknown', `Expected ${EXTRAPOLATIONS.join(', ')} ${side}, found ${t.found()}.`);
+  if (t.kind === 'word' && !KEYWORDS.has(word)) return 'constant';
+  t.again();
+  return undefined;
+}
+
+/** `k { time value tan_in tan_out … }` */
+function* keyRows(t: Tokens, sink: KeySink): Part<Keys> {
+  const declared = yield* countAndBrace(t, 'keys', KEYWORDS);
+  sink.begin();
+  yield* t.numbers(sink, 'keys', KEYWORDS);
+  checkRows(t, 'keys', 4, declared, sink.found);
+  return sink.columns(t);
+}

@@ -1,0 +1,32 @@
+/** Writes `.anim`. */
+import { type Channel, type ChannelClip, FIXED, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
+import type { WriteResult } from '../reader.ts';
+import { Text } from '../write-text.ts';
+
+/** `fileName` is what diagnostics name. */
+export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
+  const text = new Text(fileName);
+  text.line(0, 'animation {');
+  text.line(1, `range ${text.numbers(clip.range)}`);
+  text.line(1, `numchannels ${clip.channels.length}`);
+  for (const channel of clip.channels) writeChannel(text, channel);
+  text.line(0, '}');
+  return text.result();
+}
+
+function writeChannel(text: Text, channel: Channel): void {
+  const { times, values, tangentsIn, tangentsOut } = channel;
+  text.line(1, 'channel {');
+  text.line(2, `extrapolate ${channel.extrapolateIn} ${channel.extrapolateOut}`);
+  text.line(2, `keys ${times.length} {`);
+  for (let k = 0; k < times.length; k++) {
+    const tangents = `${tangent(text, tangentsIn, k)} ${tangent(text, tangentsOut, k)}`;
+    text.line(3, `${text.number(times[k])} ${text.number(values[k])} ${tangents}`);
+  }
+  text.line(2, '}');
+  text.line(1, '}');
+}
+
+function tangent(text: Text, { kinds, slopes }: Tangents, key: number): string {
+  return kinds[key] === FIXED ? text.number(slopes[key]) : (TANGENT_KINDS[kinds[key]] ?? 'flat');
+}

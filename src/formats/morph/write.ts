@@ -1,0 +1,21 @@
+/** Writes `.morph`. A block without rows is left out. */
+import type { Morph, MorphRows } from '../../model/morph.ts';
+import type { WriteResult } from '../reader.ts';
+import { Text } from '../write-text.ts';
+
+/** `fileName` is what diagnostics name. */
+export function writeMorph(morph: Morph, fileName = ''): WriteResult {
+  const text = new Text(fileName);
+  writeRows(text, 'positions', morph.positions);
+  writeRows(text, 'normals', morph.normals);
+  return text.result();
+}
+
+function writeRows(text: Text, what: string, { indices, values }: MorphRows): void {
+  if (indices.length === 0) return;
+  text.line(0, `${what} ${indices.length} {`);
+  for (let i = 0; i < indices.length; i++) {
+    text.line(1, `${indices[i]} ${text.numbers([values[3 * i], values[3 * i + 1], values[3 * i + 2]])}`);
+  }
+  text.line(0, '}');
+}

@@ -1,0 +1,103 @@
+/**
+ * What is found wrong while a file is read: up to 100 of each severity, the rest only counted; equal ones about unknown
+ * tokens folded into one with a count. Without the caps, a hundred megabytes of commas in place of decimal points
+ * would bring ten million messages.
+ */
+import type { Diagnostic, Excerpt, Severity } from '../model/diagnostic.ts';
+import { excerptOf, type Place } from './places.ts';
+
+/** How many of each severity are kept for a file. */
+export const KEPT = 100;
+
+/** Thrown inside a reader when nothing after this place can be read; only `grammarReader` catches it. */
+export class ParseError extends Error {
+  override readonly name = 'ParseError';
+}
+
+interface Entry {
+  readonly severity: Severity;
+  readonly code: string;
+  readonly message: string;
+  readonly place: Place;
+  readonly assumed: string | undefined;
+  /** How often it was found. */
+  count: number;
+}
+
+export class Report {
+  private readonly entries: Entry[] = [];
+  private readonly folded = new Map<string, Entry>();
+  private readonly counts: Record<Severity, number> = { error: 0, warning: 0, info: 0 };
+
+  constructor(private readonly file: string) {}
+
+  get hasErrors(): boolean {
+    return this.counts.error > 0;
+  }
+
+  /** Whether another one of this severity would be kept, and is worth finding the place of. */
+  hasRoom(severity: Severity): boolean {
+    return this.counts[severity] < KEPT;
+  }
+
+  error(code: string, message: string, place: Place): void {
+    this.add('error', code, message, place);
+  }
+
+  warn(code: string, message: string, place: Place, assumed?: string): void {
+    this.add('warning', code, message, place, assumed);
+  }
+
+  info(code: string, message: string, place: Place, assumed?: string): void {
+    this.add('info', code, message, place, assumed);
+  }
+
+  /** Whether a warning that is equal to this one was there already; then it is counted with that. */
+  foldsInto(code: string, key: string): boolean {
+    const earlier = this.folded.get(`${code} ${key}`);
+    if (earlier) earlier.count++;
+    return earlier !== undefined;
+  }
+
+  /** A warning that may come often in one file; ask `foldsInto` first. `key` tells which ones are equal. */
+  warnFolded(code: string, key: string, message: string, place: Place, assumed: string): void {
+    const entry = this.add('warning', code, message, place, assumed);
+    if (entry) this.folded.set(`${code} ${key}`, entry);
+  }
+
+  private add(severity: Severity, code: string, message: string, place: Place, assumed?: string): Entry | undefined {
+    if (++this.counts[severity] > KEPT) return undefined;
+    const entry: Entry = { severity, code, message, place, assumed, count: 1 };
+    this.entries.push(entry);
+    return entry;
+  }
+
+  /** All that is kept, from the top of the file to the bottom, then what has no place, then what was only counted. */
+  finish(): Diagnostic[] {
+    const line = (d: Diagnostic) => d.line || Number.POSITIVE_INFINITY;
+    const all = this.entries.map((entry) => this.diagnostic(entry));
+    all.sort((a, b) => (line(a) === line(b) ? a.column - b.column : line(a) - line(b)));
+    for (const severity of ['error', 'warning', 'info'] as const) {
+      const more = this.counts[severity] - KEPT;
+      if (more <= 0) continue;
+      const what = severity === 'info' ? 'remarks' : `${severity}s`;
+      const code = `more-${what}`;
+      all.push({ severity, code, message: `And ${more} more ${what}.`, file: this.file, line: 0, column: 0 });
+    }
+    return all;
+  }
+
+  private diagnostic({ severity, code, message, place, assumed, count }: Entry): Diagnostic {
+    const excerpt: Excerpt | undefined = excerptOf(place);
+    return {
+      severity,
+      code,
+      message: count > 1 ? `${message} (${count} times in this file)` : message,
+      file: this.file,
+      line: place.line,
+      column: place.column,
+      ...(assumed === undefined ? {} : { assumed }),
+      ...(excerpt === undefined ? {} : { excerpt }),
+    };
+  }
+}

@@ -1,0 +1,221 @@
+/**
+ * `.skel`, hierarchy form.
+ *
+ *     skel   = { joint }                                   several roots: each its own skeleton
+ *     joint  = JOINTTYPE [NAME] "{" { token } "}"
+ *     token  = offset x y z | boxmin x y z | boxmax x y z | pose v … | rotxlimit min max | … | limit DOF min max
+ *            | a token of the type's own (joint-types.ts) | joint
+ *
+ * Joints are nested as deeply as the file likes: they are kept on a stack of our own. What depends on several tokens,
+ * which come in any order, is checked at the joint's `}`.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import {
+  DEFAULT_BOX,
+  dofsOf,
+  isUnlimited,
+  type Joint,
+  type Limit,
+  type Motion,
+  type Skeleton,
+  UNLIMITED,
+} from '../../model/skeleton.ts';
+import { braceTooMany, number, numberRun, numbers, openBrace, type Part, skipStrange, stemOf } from '../grammar.ts';
+import { WHOLE_FILE } from '../places.ts';
+import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
+import { ParseError } from '../report.ts';
+import type { Mark, Tokens } from '../tokens.ts';
+import { JOINT_TYPES, type JointType, jointTypeOf, LIMIT_TOKENS } from './joint-types.ts';
+
+/** A reader for a `.skel`: a skeleton for each root. */
+export function skelReader(fileName: string): Reader<readonly Skeleton[]> {
+  return grammarReader(fileName, skeletons);
+}
+
+/** Reads a whole `.skel`. */
+export function readSkel(bytes: Uint8Array | string, fileName: string): ReadResult<readonly Skeleton[]> {
+  return readWhole(skelReader(fileName), bytes);
+}
+
+const LIMITS_BY_TOKEN = new Map(Object.entries(LIMIT_TOKENS).map(([dof, token]) => [token, dof]));
+
+const KEYWORDS = new Set([
+  ...['offset', 'boxmin', 'boxmax', 'pose', 'limit'],
+  ...LIMITS_BY_TOKEN.keys(),
+  ...JOINT_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...Object.keys(tokens)]),
+]);
+
+/** More numbers than any joint has DOFs: a pose is kept that far, and only counted beyond. */
+const KEPT_POSE = 16;
+
+/** A joint whose `}` has not come yet. */
+interface OpenJoint {
+  readonly index: number;
+  readonly parent: number;
+  readonly name: string;
+  readonly type: JointType;
+  readonly place: Mark;
+  offset: Vec3;
+  boxMin: Vec3;
+  boxMax: Vec3;
+  motion: Motion;
+  /** As they came: the last one for a DOF counts. */
+  readonly limits: { readonly dof: string; readonly limit: Limit; readonly place: Mark }[];
+  pose?: { readonly values: number[]; readonly found: number; readonly place: Mark };
+}
+
+function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
+  const roots: (readonly Joint[])[] = [];
+  for (let isFirst = true; ; isFirst = false) {
+    const kind = yield* t.next();
+    if (kind === 'end') break;
+    if (kind === '}') {
+      braceTooMany(t);
+      continue;
+    }
+    const type = jointTypeOf(t.keyword());
+    if (type) {
+      if (roots.length === 1) {
+        const message = 'A second root: a skeleton has one, so each root becomes a skeleton of its own.';
+        t.report.info('several-roots', message, t.place());
+      }
+      roots.push(yield* tree(t, type));
+    } else if (isFirst && !Number.isNaN(t.value())) {
+      // The axis-angle form begins with a number; its reader belongs here.
+      t.error('axis-angle-form', 'Expected a joint, found a number: the axis-angle form of .skel is not read yet.');
+      throw new ParseError('axis-angle-form');
+    } else yield* skipStrange(t, 'a .skel file', 'a joint such as balljoint');
+  }
+  if (roots.length === 0) t.report.error('joint-missing', 'Expected at least one joint, found none.', WHOLE_FILE);
+  const stem = stemOf(t.fileName);
+  return roots.map((joints, i) => ({ name: i === 0 ? stem : `${stem}_${i + 1}`, joints }));
+}
+
+/** A root and all below it. Its joint type is at hand. */
+function* tree(t: Tokens, rootType: JointType): Part<readonly Joint[]> {
+  const joints: Joint[] = [];
+  let count = 0;
+  const stack: OpenJoint[] = [];
+  const open = function* (type: JointType): Part<void> {
+    stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1));
+  };
+  yield* open(rootType);
+  for (let joint = stack.at(-1); joint; joint = stack.at(-1)) {
+    const kind = yield* t.next();
+    if (kind === '}') {
+      joints[joint.index] = close(t, joint);
+      stack.pop();
+    } else if (kind === 'end') t.failAtEnd(joint.place, describe(joint));
+    else {
+      const word = t.keyword();
+      const type = jointTypeOf(word);
+      if (type) yield* open(type);
+      else if (!(yield* token(t, joint, word))) yield* skipStrange(t, describe(joint), 'a joint or its tokens');
+    }
+  }
+  return joints;
+}
+
+/** `[NAME] "{"` */
+function* head(t: Tokens, type: JointType, index: number, parent: number): Part<OpenJoint> {
+  const place = t.mark();
+  let name = '';
+  if ((yield* t.next()) === 'word') name = t.text();
+  else t.again();
+  yield* openBrace(t, name ? `the name ${name}` : type.keyword);
+  const { min, max } = DEFAULT_BOX;
+  return {
+    ...{ index, parent, name, type, place, motion: type.motion },
+    ...{ offset: [0, 0, 0], boxMin: min, boxMax: max, limits: [] },
+  };
+}
+
+/** One token of a joint and its values; whether it is one. */
+function* token(t: Tokens, joint: OpenJoint, word: string): Part<boolean> {
+  switch (word) {
+    case 'offset':
+      joint.offset = yield* vector(t, word);
+      return true;
+    case 'boxmin':
+      joint.boxMin = yield* vector(t, word);
+      return true;
+    case 'boxmax':
+      joint.boxMax = yield* vector(t, word);
+      return true;
+    case 'pose': {
+      const place = t.mark();
+      const { all, found } = yield* numberRun(t, KEPT_POSE, 'a value of the pose', KEYWORDS);
+      joint.pose = { values: all, found, place };
+      return true;
+    }
+    case 'limit':
+      yield* t.next();
+      if (t.kind === 'word' && Number.isNaN(t.value())) yield* limit(t, joint, t.text().toLowerCase());
+      else {
+        t.error('name-expected', `Expected the name of a DOF after limit, found ${t.found()}.`);
+        if (t.kind !== 'word') t.again();
+        else yield* numberRun(t, 0, 'a limit', KEYWORDS);
+      }
+      return true;
+  }
+  const dof = LIMITS_BY_TOKEN.get(word);
+  if (dof !== undefined) {
+    yield* limit(t, joint, dof);
+    return true;
+  }
+  const own = Object.hasOwn(joint.type.tokens, word) ? joint.type.tokens[word] : undefined;
+  if (!own) return false;
+  joint.motion = yield* own(t, joint.motion, KEYWORDS);
+  return true;
+}
+
+function* vector(t: Tokens, token: string): Part<Vec3> {
+  const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of ${token}`, KEYWORDS);
+  return [x, y, z];
+}
+
+/** `min max` */
+function* limit(t: Tokens, joint: OpenJoint, dof: string): Part<void> {
+  const place = t.mark();
+  const min = yield* number(t, `the lower limit of ${dof}`, KEYWORDS);
+  if (min === undefined) return;
+  const max = yield* number(t, `the upper limit of ${dof}`, KEYWORDS);
+  if (max === undefined) return;
+  joint.limits.push({ dof, limit: { min, max }, place });
+  if (min > max) {
+    const message = `Expected the lower limit of ${dof} first, found ${min} and ${max}.`;
+    t.report.warn('limits-crossed', message, t.placeOf(place), 'kept as written, and ignored when clamping');
+  }
+}
+
+/** The joint's `}` is at hand: everything about it is known. */
+function close(t: Tokens, joint: OpenJoint): Joint {
+  const { name, parent, offset, motion, pose, limits: given } = joint;
+  const dofs = dofsOf(motion);
+  const limits = dofs.map((dof) => given.findLast((g) => g.dof === dof.name)?.limit ?? UNLIMITED);
+  for (const { dof, place } of given) {
+    if (dofs.some((d) => d.name === dof)) continue;
+    const message = `Expected a DOF of a ${joint.type.keyword} (${dofs.map((d) => d.name).join(' ')}), found ${dof}.`;
+    t.report.warn('dof-unknown', message, t.placeOf(place), 'limit ignored');
+  }
+  const values = dofs.map((_, i) => pose?.values[i] ?? 0);
+  if (pose && pose.found !== dofs.length) {
+    const message = `Expected ${dofs.length} values for the pose of a ${joint.type.keyword}, found ${pose.found}.`;
+    if (pose.found < dofs.length) t.report.error('number-expected', message, t.placeOf(pose.place));
+    else t.report.warn('pose-too-long', message, t.placeOf(pose.place), `used the first ${dofs.length}`);
+  }
+  const outside = dofs.filter((_, i) => isOutside(values[i], limits[i]));
+  if (outside.length > 0) {
+    const message = `The pose of ${describe(joint)} is out of its limits in ${outside.map((d) => d.name).join(', ')}.`;
+    t.report.info('pose-out-of-limits', message, t.placeOf(pose?.place ?? joint.place), 'clamped when shown');
+  }
+  return { name, parent, offset, box: { min: joint.boxMin, max: joint.boxMax }, motion, limits, pose: values };
+}
+
+function isOutside(value: number, limit: Limit): boolean {
+  return !isUnlimited(limit) && limit.min <= limit.max && (value < limit.min || value > limit.max);
+}
+
+function describe({ type, name }: OpenJoint): string {
+  return name ? `${type.keyword} ${name}` : `a ${type.keyword}`;
+}

@@ -1,0 +1,257 @@
+/**
+ * `.skin`: a mesh, what its vertices hang on, and where the joints were when it was bound.
+ *
+ *     skin = { positions N "{" { x y z } "}"  |  normals N "{" { x y z } "}"  |  texcoords N "{" { u v } "}"
+ *            | skinweights N "{" { k j0 w0 … } "}"  |  triangles M "{" { a b c } "}"
+ *            | bindings J "{" { matrix "{" a b c d "}" } "}"  |  material [NAME] "{" texture FILE "}" }    in any order
+ *
+ * A matrix lists its columns a b c d, three numbers each. What concerns several blocks is checked at the end.
+ */
+import { isSingular } from '../../math/mat4.ts';
+import type { Material, Skin } from '../../model/skin.ts';
+import {
+  braceTooMany,
+  checkCount,
+  checkRows,
+  countAndBrace,
+  Numbers,
+  openBrace,
+  type Part,
+  rows,
+  skipStrange,
+  stemOf,
+  warnRepeated,
+} from '../grammar.ts';
+import { NOWHERE, WHOLE_FILE } from '../places.ts';
+import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
+import type { Mark, Tokens } from '../tokens.ts';
+import { AttachmentSink, TriangleSink } from './sinks.ts';
+
+/** A reader for a `.skin`. */
+export function skinReader(fileName: string): Reader<Skin> {
+  return grammarReader(fileName, skinFile);
+}
+
+/** Reads a whole `.skin`. */
+export function readSkin(bytes: Uint8Array | string, fileName: string): ReadResult<Skin> {
+  return readWhole(skinReader(fileName), bytes);
+}
+
+const KEYWORDS = new Set([
+  ...['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'material', 'matrix', 'texture'],
+]);
+
+/** A name with blanks ends with one of these. */
+const TEXTURE = /\.(bmp|png|jpe?g|webp|gif|tga|tiff?)$/i;
+
+/** A block of one row a vertex, and where it was, for when it turns out not to fit. */
+interface Block {
+  readonly values: Float64Array;
+  readonly place: Mark;
+}
+
+interface Parts {
+  positions?: Block;
+  normals?: Block;
+  texcoords?: Block;
+  attachments?: AttachmentSink;
+  attachmentsAt?: Mark;
+  triangles?: TriangleSink;
+  bindings?: Float64Array;
+  material?: Material;
+}
+
+function* skinFile(t: Tokens): Part<Skin> {
+  const parts: Parts = {};
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === 'end') break;
+    if (kind === '}') braceTooMany(t);
+    else yield* block(t, parts);
+  }
+  return skinOf(t, parts);
+}
+
+function* block(t: Tokens, parts: Parts): Part<void> {
+  const word = t.keyword();
+  switch (word) {
+    case 'positions':
+    case 'normals':
+    case 'texcoords': {
+      if (parts[word]) warnRepeated(t, word);
+      const place = t.mark();
+      parts[word] = { values: yield* rows(t, word, word === 'texcoords' ? 2 : 3, KEYWORDS), place };
+      return;
+    }
+    case 'skinweights':
+      if (parts.attachments) warnRepeated(t, word);
+      parts.attachmentsAt = t.mark();
+      parts.attachments = yield* skinweights(t);
+      return;
+    case 'triangles':
+      if (parts.triangles) warnRepeated(t, word);
+      parts.triangles = yield* triangles(t, parts.positions);
+      return;
+    case 'bindings':
+      if (parts.bindings) warnRepeated(t, word);
+      parts.bindings = yield* bindings(t);
+      return;
+    case 'material':
+      if (parts.material) warnRepeated(t, word);
+      parts.material = yield* material(t);
+      return;
+    default:
+      yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or the like');
+  }
+}
+
+function* skinweights(t: Tokens): Part<AttachmentSink> {
+  const declared = yield* countAndBrace(t, 'skinweights', KEYWORDS);
+  const sink = new AttachmentSink(t, declared ?? 0);
+  yield* t.numbers(sink, 'skinweights', KEYWORDS);
+  sink.tell(t);
+  if (t.kind !== '}') return sink;
+  if (sink.missing > 0) {
+    const message = `The last row of skinweights lacks ${sink.missing} numbers: a row is k and k times a joint and a weight.`;
+    t.error('row-incomplete', message + sink.hint());
+  } else checkCount(t, 'skinweights', declared, sink.rows);
+  return sink;
+}
+
+function* triangles(t: Tokens, positions: Block | undefined): Part<TriangleSink> {
+  const declared = yield* countAndBrace(t, 'triangles', KEYWORDS);
+  const sink = new TriangleSink(t, 3 * (declared ?? 0), positions && Math.floor(positions.values.length / 3));
+  yield* t.numbers(sink, 'triangles', KEYWORDS);
+  sink.tell(t);
+  checkRows(t, 'triangles', 3, declared, sink.found);
+  return sink;
+}
+
+/** `J { matrix { a b c d } … }` */
+function* bindings(t: Tokens): Part<Float64Array> {
+  const opened = t.mark();
+  const declared = yield* countAndBrace(t, 'bindings', KEYWORDS);
+  const all: Float64Array[] = [];
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === '}') break;
+    if (kind === 'end') t.failAtEnd(opened, 'the bindings');
+    if (t.keyword() === 'matrix') all.push(yield* matrix(t, all.length));
+    else if (KEYWORDS.has(t.keyword())) {
+      t.braceMissing('bindings');
+      break;
+    } else yield* skipStrange(t, 'the bindings', 'matrix');
+  }
+  if (t.kind === '}') checkCount(t, 'bindings', declared, all.length);
+  const flat = new Float64Array(16 * all.length);
+  all.forEach((m, i) => {
+    flat.set(m, 16 * i);
+  });
+  return flat;
+}
+
+/** `{ a b c d }`, the columns, three numbers each. The identity where it is wrong. */
+function* matrix(t: Tokens, joint: number): Part<Float64Array> {
+  const what = `the binding of joint ${joint}`;
+  const place = t.mark();
+  yield* openBrace(t, 'matrix');
+  const sink = new Numbers(t, 12);
+  yield* t.numbers(sink, what, KEYWORDS);
+  const m = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+  if (sink.count !== 12) {
+    if (t.kind === '}') {
+      t.error('matrix-size', `Expected 12 numbers for ${what}, four columns of three, found ${sink.count}.`);
+    }
+    return m;
+  }
+  for (let column = 0; column < 4; column++) {
+    for (let row = 0; row < 3; row++) m[4 * column + row] = sink.values[3 * column + row];
+  }
+  if (isSingular(m)) {
+    const message = `The matrix of ${what} has no inverse: its columns lie in one plane, or one of them is 0.`;
+    t.report.error('binding-singular', message, t.placeOf(place));
+  }
+  return m;
+}
+
+/** `[NAME] { texture FILE }` */
+function* material(t: Tokens): Part<Material> {
+  const opened = t.mark();
+  let name = '';
+  if ((yield* t.next()) === 'word') name = t.text();
+  else t.again();
+  yield* openBrace(t, 'the name of the material');
+  let texture: string | undefined;
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === '}') break;
+    if (kind === 'end') t.failAtEnd(opened, 'the material');
+    const word = t.keyword();
+    if (word === 'texture') {
+      if ((yield* t.next()) === 'word') texture = yield* t.file(TEXTURE, KEYWORDS);
+      else {
+        t.error('file-expected', `Expected a file name after texture, found ${t.found()}.`);
+        t.again();
+      }
+    } else if (KEYWORDS.has(word)) {
+      t.braceMissing('the material');
+      break;
+    } else yield* skipStrange(t, 'a material', 'texture');
+  }
+  return texture === undefined ? { name } : { name, texture };
+}
+
+/** The file is read: do its blocks fit together? */
+function skinOf(t: Tokens, parts: Parts): Skin {
+  const { report } = t;
+  const { attachments, triangles, material, bindings = new Float64Array(0) } = parts;
+  const positions = parts.positions?.values ?? new Float64Array(0);
+  const vertices = Math.floor(positions.length / 3);
+  if (vertices === 0) {
+    report.error(
+      'vertex-missing',
+      'Expected positions of at least one vertex, found none.',
+      parts.positions ? t.placeOf(parts.positions.place) : WHOLE_FILE,
+    );
+  }
+  const normals = fitting(t, parts.normals, 3, vertices, 'normals');
+  if (!normals && vertices > 0) {
+    report.info(
+      'normals-computed',
+      'There are no normals: they are computed from the triangles.',
+      NOWHERE,
+      'area-weighted',
+    );
+  }
+  const texcoords = fitting(t, parts.texcoords, 2, vertices, 'texcoords');
+  triangles?.tellOutOfRange(t, vertices);
+  attachments?.tellOutOfRange(t, bindings.length / 16);
+  // A row that is cut off is an error already, and the rows are not what was meant.
+  const misfits = attachments && attachments.missing === 0 && attachments.rows !== vertices && vertices > 0;
+  if (misfits && parts.attachmentsAt) {
+    const message = `Expected skinweights for ${vertices} vertices, found ${attachments.rows}.`;
+    const assumed = attachments.rows < vertices ? 'the others have no attachments' : `used the first ${vertices}`;
+    report.warn('skinweights-count', message, t.placeOf(parts.attachmentsAt), assumed);
+  }
+  return {
+    name: stemOf(t.fileName),
+    positions,
+    ...(normals && { normals }),
+    ...(texcoords && { texcoords }),
+    ...(material && { material }),
+    ...(attachments && { attachments: attachments.all(vertices) }),
+    triangles: triangles?.all() ?? new Uint32Array(0),
+    bindings,
+  };
+}
+
+/** A block if it has a row for each vertex. */
+function fitting(t: Tokens, block: Block | undefined, width: number, vertices: number, what: string) {
+  if (!block || block.values.length === width * vertices) return block?.values;
+  // Rows that are incomplete are an error already.
+  if (block.values.length % width === 0 && vertices > 0) {
+    const message = `Expected ${what} for ${vertices} vertices, found ${block.values.length / width}.`;
+    t.report.warn(`${what}-count`, message, t.placeOf(block.place), 'ignored');
+  }
+  return undefined;
+}

@@ -1,0 +1,254 @@
+/**
+ * Takers for the blocks of a `.skin` whose numbers are indices. They work through a few thousand numbers at a time,
+ * while these are in the cache and the bytes they came from are at hand, so that what is wrong gets its exact place.
+ */
+import type { Attachments } from '../../model/skin.ts';
+import { MAX_COUNT, nextLength, WrongIndices } from '../grammar.ts';
+import type { Place } from '../places.ts';
+import type { NumberSink, Tokens } from '../tokens.ts';
+import { Stairs } from './stairs.ts';
+
+/** Numbers worked through at a time. */
+const BATCH = 8192;
+/** Below this an index can be held. */
+const LIMIT = MAX_COUNT - 1;
+/** How far a vertex's weights may be off 1. */
+const SUM_TOLERANCE = 0.01;
+
+/** `triangles M { a b c … }` */
+export class TriangleSink implements NumberSink {
+  readonly values = new Float64Array(BATCH);
+  count = 0;
+  readonly usesUp = true;
+  found = 0;
+  private indices: Uint32Array;
+  private readonly wrong: WrongIndices;
+  /** Where the number of vertices is not known yet. */
+  private readonly stairs: Stairs | undefined;
+
+  /** `vertices`: how many there are, if the positions came already. */
+  constructor(
+    t: Tokens,
+    private readonly expected: number,
+    private readonly vertices: number | undefined,
+  ) {
+    this.indices = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expected)));
+    this.stairs = vertices === undefined ? new Stairs() : undefined;
+    this.wrong = new WrongIndices('the index of a vertex', () => range(vertices));
+  }
+
+  flush(t: Tokens): void {
+    const { values, count, stairs } = this;
+    this.indices = roomFor(this.indices, this.found + count, this.expected);
+    const { indices, found } = this;
+    const bound = this.vertices ?? LIMIT;
+    for (let i = 0; i < count; i++) {
+      const value = values[i];
+      const index = value >>> 0;
+      indices[found + i] = index;
+      if (index !== value || index >= bound) this.wrong.addSlot(value, t, i);
+      else if (stairs && index > stairs.max) {
+        stairs.add(index, t, i);
+      }
+    }
+    this.found += count;
+    this.count = 0;
+  }
+
+  /** After the block. */
+  tell(t: Tokens): void {
+    this.wrong.tell(t);
+  }
+
+  /** Once the number of vertices is known. */
+  tellOutOfRange(t: Tokens, vertices: number): void {
+    const first = this.stairs?.first(vertices);
+    if (!first) return;
+    const late = new WrongIndices('the index of a vertex', () => range(vertices));
+    late.add(first.value, first.place);
+    late.tell(t, countAtLeast(this.indices, this.found, vertices) - 1);
+  }
+
+  all(): Uint32Array {
+    return this.found === this.indices.length ? this.indices : this.indices.slice(0, this.found);
+  }
+}
+
+/** `skinweights N { k j0 w0 … }`: rows of any length, into the attachments of each vertex. */
+export class AttachmentSink implements NumberSink {
+  readonly values = new Float64Array(BATCH);
+  count = 0;
+  readonly usesUp = true;
+  /** Rows whose length was read. */
+  rows = 0;
+  /** Numbers that the last row still wants. */
+  missing = 0;
+  private start: Uint32Array;
+  private joints: Uint32Array;
+  private weights: Float64Array;
+  private attachments = 0;
+  private sum = 0;
+  private readonly wrongCounts = new WrongIndices('a number of attachments', () => ' from 0 up');
+  private readonly wrongJoints = new WrongIndices('the index of a joint', () => ' from 0 up');
+  private readonly stairs = new Stairs();
+  private offSums = 0;
+  private firstOff: { vertex: number; sum: number; place: Place } | undefined;
+  private bare = 0;
+  private firstBare: { vertex: number; place: Place } | undefined;
+
+  constructor(
+    t: Tokens,
+    private readonly expectedRows: number,
+  ) {
+    const rows = Math.min(t.numbersAtHand(), Math.max(64, expectedRows));
+    this.start = new Uint32Array(rows + 1);
+    this.joints = new Uint32Array(64);
+    this.weights = new Float64Array(64);
+  }
+
+  /** Room for what a flush may add. */
+  private grow(t: Tokens): void {
+    const { attachments, rows, expectedRows } = this;
+    this.start = roomFor(this.start, rows + this.count + 1, expectedRows + 1);
+    const needed = attachments + (this.count >> 1) + 1;
+    if (needed <= this.weights.length) return;
+    // As many as the rows so far let expect, at once if the bytes at hand could hold them.
+    const expected = rows > 0 ? Math.ceil((1.01 * attachments * expectedRows) / rows) : 0;
+    const atOnce = expected <= attachments + t.numbersAtHand() / 2 ? expected : needed;
+    this.joints = roomFor(this.joints, Math.max(needed, atOnce), expected);
+    const weights = new Float64Array(this.joints.length);
+    weights.set(this.weights.subarray(0, attachments));
+    this.weights = weights;
+  }
+
+  flush(t: Tokens): void {
+    const { values, count, stairs } = this;
+    this.grow(t);
+    const { start, joints, weights } = this;
+    let { rows, attachments, missing, sum } = this;
+    let isJoint = missing % 2 === 0;
+    let { max } = stairs;
+    let i = 0;
+    while (i < count) {
+      if (missing === 0) {
+        const k = values[i];
+        start[rows++] = attachments;
+        sum = 0;
+        isJoint = true;
+        // Compared as a double: a huge count is a row that the block's end cuts off.
+        if (k >= 1 && k % 1 === 0) missing = 2 * k;
+        else if (k !== 0) this.wrongCounts.addSlot(k, t, i);
+        else if (this.bare++ === 0) this.firstBare = { vertex: rows - 1, place: t.placeOfSlot(i) };
+        i++;
+        continue;
+      }
+      // The row, as far as it is here: perhaps the weight that was cut off its joint, pairs, perhaps a joint alone.
+      const stop = Math.min(count, i + missing);
+      missing -= stop - i;
+      if (!isJoint) {
+        sum += values[i];
+        weights[attachments++] = values[i++];
+        isJoint = true;
+      }
+      while (i < stop) {
+        const value = values[i];
+        const joint = value >>> 0;
+        joints[attachments] = joint;
+        if (joint > max || joint !== value) {
+          if (joint !== value || joint >= LIMIT) this.wrongJoints.addSlot(value, t, i);
+          else {
+            stairs.add(joint, t, i);
+            max = joint;
+          }
+        }
+        if (++i === stop) {
+          isJoint = false;
+          break;
+        }
+        const weight = values[i++];
+        sum += weight;
+        weights[attachments++] = weight;
+      }
+      if (missing === 0 && !(Math.abs(sum - 1) <= SUM_TOLERANCE) && this.offSums++ === 0) {
+        this.firstOff = { vertex: rows - 1, sum, place: t.placeOfSlot(i - 1) };
+      }
+    }
+    this.rows = rows;
+    this.attachments = attachments;
+    this.missing = missing;
+    this.sum = sum;
+    this.count = 0;
+  }
+
+  /** After the block. */
+  tell(t: Tokens): void {
+    this.wrongCounts.tell(t);
+    this.wrongJoints.tell(t);
+    if (this.firstOff) {
+      const { vertex, sum, place } = this.firstOff;
+      const others = this.offSums > 1 ? `, and ${this.offSums - 1} other vertices' are off too` : '';
+      const message = `Expected weights that sum to 1, found ${Number(sum.toPrecision(6))} for vertex ${vertex}${others}.`;
+      t.report.warn('weights-sum', message, place, 'used as given');
+    }
+    if (this.firstBare) {
+      const { vertex, place } = this.firstBare;
+      const others = this.bare > 1 ? `, and ${this.bare - 1} other vertices have none either` : '';
+      t.report.warn(
+        'attachments-missing',
+        `Vertex ${vertex} has no attachments${others}.`,
+        place,
+        'it stays where it is',
+      );
+    }
+  }
+
+  /** Where to look for a number that is missing: it makes the rest of the rows run into each other. */
+  hint(): string {
+    const line = this.firstOff?.place.line;
+    return line ? ` Weights first fail to sum to 1 on line ${line}: look there.` : '';
+  }
+
+  /** Once the number of bindings is known. */
+  tellOutOfRange(t: Tokens, bindings: number): void {
+    const first = this.stairs.first(bindings);
+    if (!first) return;
+    const late = new WrongIndices('the index of a joint', () => range(bindings, 'bindings'));
+    late.add(first.value, first.place);
+    late.tell(t, countAtLeast(this.joints, this.attachments, bindings) - 1);
+  }
+
+  /** For so many vertices: those past the rows have none, rows past the vertices are left out. */
+  all(vertices: number): Attachments {
+    const start = new Uint32Array(vertices + 1);
+    const rows = Math.min(vertices, this.rows);
+    start.set(this.start.subarray(0, rows));
+    const last = rows < this.rows ? this.start[rows] : this.attachments;
+    start.fill(last, rows);
+    return { start, joints: trimmed(this.joints, last), weights: trimmed(this.weights, last) };
+  }
+}
+
+/** The first `length` numbers: a view where little is left over, else a copy. */
+function trimmed<A extends Uint32Array | Float64Array>(array: A, length: number): A {
+  const isSnug = array.length - length <= array.length / 16;
+  // Both methods give the kind of array they are called on.
+  return (isSnug ? array.subarray(0, length) : array.slice(0, length)) as A;
+}
+
+function range(count: number | undefined, what = 'vertices'): string {
+  if (count === undefined) return ' from 0 up';
+  return count === 0 ? `, but there are no ${what}` : ` from 0 to ${count - 1} (there are ${count} ${what})`;
+}
+
+function countAtLeast(indices: Uint32Array, length: number, bound: number): number {
+  let n = 0;
+  for (let i = 0; i < length; i++) if (indices[i] >= bound) n++;
+  return n;
+}
+
+function roomFor(array: Uint32Array, needed: number, expected: number): Uint32Array {
+  if (needed <= array.length) return array;
+  const grown = new Uint32Array(nextLength(array.length, needed, expected));
+  grown.set(array);
+  return grown;
+}

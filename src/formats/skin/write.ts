@@ -1,0 +1,43 @@
+/** Writes `.skin`, its blocks in the order in which the course's files have them. */
+import type { Attachments, Skin } from '../../model/skin.ts';
+import type { WriteResult } from '../reader.ts';
+import { Text } from '../write-text.ts';
+
+/** `fileName` is what diagnostics name. */
+export function writeSkin(skin: Skin, fileName = ''): WriteResult {
+  const text = new Text(fileName);
+  const { positions, normals, texcoords, attachments, material, triangles, bindings } = skin;
+  text.rows('positions', 3, positions);
+  if (normals) text.rows('normals', 3, normals);
+  if (texcoords) text.rows('texcoords', 2, texcoords);
+  if (attachments) writeAttachments(text, attachments);
+  if (material) {
+    text.line(0, `material${text.name(material.name, 'material')} {`);
+    if (material.texture !== undefined) text.line(1, `texture ${text.file(material.texture, 'texture')}`);
+    text.line(0, '}');
+  }
+  text.rows('triangles', 3, triangles);
+  const joints = Math.floor(bindings.length / 16);
+  text.line(0, `bindings ${joints} {`);
+  for (let joint = 0; joint < joints; joint++) {
+    text.line(1, 'matrix {');
+    for (let column = 0; column < 4; column++) {
+      const at = 16 * joint + 4 * column;
+      text.line(2, text.numbers([bindings[at], bindings[at + 1], bindings[at + 2]]));
+    }
+    text.line(1, '}');
+  }
+  text.line(0, '}');
+  return text.result();
+}
+
+function writeAttachments(text: Text, { start, joints, weights }: Attachments): void {
+  const rows = start.length - 1;
+  text.line(0, `skinweights ${rows} {`);
+  for (let row = 0; row < rows; row++) {
+    let line = `${start[row + 1] - start[row]}`;
+    for (let i = start[row]; i < start[row + 1]; i++) line += ` ${joints[i]} ${text.number(weights[i])}`;
+    text.line(1, line);
+  }
+  text.line(0, '}');
+}

@@ -1,0 +1,548 @@
+/**
+ * Tokens over bytes that arrive in pieces, split anywhere: words, `{`, `}`, the end of the file; and number blocks,
+ * which `scan.ts` reads without making tokens of them.
+ *
+ *     separators   blank, tab, CR, LF        braces are tokens also when glued to a word        a UTF-8 BOM is skipped
+ *
+ * The grammar works on one piece of bytes at a time whose last byte is a separator or a brace, so every token in it is
+ * whole. What is left of a chunk behind that byte is carried over and completed by the head of the next one (a copy of
+ * a few bytes, never of a chunk); a separator of our own ends the last token of the file. Methods that may run out of
+ * bytes are generators and suspend there; after that, offsets into the piece before are void.
+ */
+import { parseDecimal } from './decimal.ts';
+import { NOWHERE, type Place, Places } from './places.ts';
+import { ParseError, Report } from './report.ts';
+import { AT_END, type BlockWords, CLOSED, FULL, type Scan, scanNumbers, tokenEnd } from './scan.ts';
+
+export type TokenKind = 'word' | '{' | '}' | 'end';
+
+/** Words that mean something where they stand, in lower case: a number that is missing doesn't swallow them. */
+export type Keywords = ReadonlySet<string>;
+
+/** Takes the numbers of a block as they come. */
+export interface NumberSink {
+  /** Filled from `count` on. Its length may not be 0 after a flush. */
+  values: Float64Array;
+  count: number;
+  /** Words that stand among the numbers. */
+  readonly words?: BlockWords;
+  /**
+   * Whether the sink uses the numbers up as they come, and then wants to be flushed before their bytes go, while
+   * `placeOfSlot` knows each number's place. Otherwise it is flushed when it is full.
+   */
+  readonly usesUp: boolean;
+  /** Makes room: uses the numbers up and sets `count` to 0, or grows. */
+  flush(t: Tokens): void;
+  /** The token at hand is neither a number nor a word it knows, and counts as 0. By default an error that says so. */
+  strange?(t: Tokens): void;
+}
+
+/** A token noted in case its place is wanted later; see `mark`. */
+export class Mark {
+  /** Known once the token's bytes are gone. */
+  place: Place | undefined;
+
+  constructor(
+    readonly offset: number,
+    readonly keepsLine: boolean,
+  ) {}
+}
+
+/** Only so many marks of a file keep the line around them, lest a file of a million joints keeps a million lines. */
+const MARKS_WITH_LINES = 10000;
+const LF = 10;
+const CR = 13;
+const QUOTE = 34;
+/** How far past a keyword a FILE's extension is looked for, in bytes: names are no longer. */
+const FILE_REACH = 1024;
+/** Characters of a token that a message repeats. */
+const QUOTED = 40;
+
+/** Keeps a byte-order mark that stands inside a name. */
+const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
+
+export class Tokens {
+  readonly report: Report;
+  /** The token at hand: bytes [start, stop) of the piece. */
+  kind: TokenKind = 'end';
+  private start = 0;
+  private stop = 0;
+  /** Whether it is the first of its line. */
+  startsLine = true;
+
+  private readonly places = new Places();
+  private bytes: Uint8Array = new Uint8Array(0);
+  private at = 0;
+  private end = 0;
+  private isLastPiece = false;
+  private isHeld = false;
+  private sawLineEnd = true;
+  /** The offset in the file of the next piece's first byte. */
+  private base = 0;
+  private isFirstPiece = true;
+  private carry = new Uint8Array(0);
+  private carried = 0;
+  /** From where the grammar wants the rest of a line in one piece; -1: it does not. */
+  private lineFrom = -1;
+  private marks: Mark[] = [];
+  private marksMade = 0;
+  /** The token at hand in lower case, once someone asked. */
+  private lowered: string | undefined;
+  /** The end of the line that `file` looked at last. */
+  private lineStop = -1;
+  private readonly scan: Scan = { at: 0, count: 0, lineFeeds: 0 };
+  /** A walk over the numbers that a sink holds: number `slot` begins at or after `slotAt`. */
+  private slotsFrom = 0;
+  private slotAt = 0;
+  private slot = 0;
+
+  constructor(readonly fileName: string) {
+    this.report = new Report(fileName);
+  }
+
+  // ——— bytes in ———
+
+  /** Takes a chunk; `resume` runs the grammar until it suspends. */
+  feed(chunk: Uint8Array, resume: () => void): void {
+    let from = 0;
+    while (from < chunk.length) {
+      const wantsLine = this.lineFrom >= 0;
+      if (this.carried > 0) {
+        // Completes what was cut.
+        const last = wantsLine ? nextLineEnd(chunk, from, chunk.length) : tokenEnd(chunk, from, chunk.length);
+        const until = Math.min(last + 1, chunk.length);
+        this.keep(chunk, from, until);
+        from = until;
+        if (last < chunk.length) this.runCarried(resume);
+      } else {
+        const until = (wantsLine ? lastLineEnd(chunk, from) : lastSeparator(chunk, from)) + 1;
+        if (until > from) this.run(chunk, from, until, resume);
+        else this.keep(chunk, from, chunk.length);
+        from = until > from ? until : chunk.length;
+      }
+    }
+  }
+
+  /** Ends the file: what is left is run with a separator behind it. */
+  finish(resume: () => void): void {
+    this.keep(Uint8Array.of(LF), 0, 1);
+    this.isLastPiece = true;
+    this.runCarried(resume);
+  }
+
+  private keep(chunk: Uint8Array, from: number, to: number): void {
+    const needed = this.carried + to - from;
+    if (needed > this.carry.length) {
+      // Twofold, so that even a file without any separator is copied a few times only.
+      const grown = new Uint8Array(Math.max(256, needed, 2 * this.carry.length));
+      grown.set(this.carry.subarray(0, this.carried));
+      this.carry = grown;
+    }
+    this.carry.set(chunk.subarray(from, to), this.carried);
+    this.carried = needed;
+  }
+
+  private runCarried(resume: () => void): void {
+    const piece = this.carry.slice(0, this.carried);
+    this.carried = 0;
+    this.run(piece, 0, piece.length, resume);
+  }
+
+  private run(bytes: Uint8Array, from: number, to: number, resume: () => void): void {
+    if (this.isFirstPiece) {
+      this.isFirstPiece = false;
+      if (bytes[from] === 0xef && bytes[from + 1] === 0xbb && bytes[from + 2] === 0xbf) {
+        from += 3;
+        this.base = 3;
+      }
+    }
+    this.bytes = bytes;
+    this.lineStop = -1;
+    this.at = this.slotsFrom = this.slotAt = from;
+    this.slot = 0;
+    this.end = to;
+    this.places.enter(bytes, from, this.isLastPiece ? to - 1 : to, this.base);
+    resume();
+    if (this.isLastPiece) return;
+    const done = this.lineFrom >= 0 ? this.lineFrom : to;
+    if (this.marks.length) {
+      for (const mark of this.marks) this.placeOf(mark);
+      this.marks = [];
+    }
+    this.places.leave(done);
+    this.base += done - from;
+    if (done < to) this.keep(bytes, done, to);
+  }
+
+  // ——— tokens ———
+
+  /** Moves to the next token. */
+  *next(): Generator<void, TokenKind, void> {
+    while (!this.step()) yield;
+    return this.kind;
+  }
+
+  /** Gives the token at hand again at the next `next()`. Nothing that suspends may come between. */
+  again(): void {
+    this.isHeld = true;
+  }
+
+  private step(): boolean {
+    if (this.isHeld) {
+      this.isHeld = false;
+      return true;
+    }
+    const { bytes, end } = this;
+    let i = this.at;
+    let c = 0;
+    for (; i < end; i++) {
+      c = bytes[i];
+      if (c === LF || c === CR) this.sawLineEnd = true;
+      else if (c !== 32 && c !== 9) break;
+    }
+    if (i >= end) {
+      this.at = i;
+      if (!this.isLastPiece) return false;
+      this.kind = 'end';
+      this.start = this.stop = end - 1;
+    } else {
+      this.start = i;
+      this.stop = c === 123 || c === 125 ? i + 1 : tokenEnd(bytes, i, end);
+      this.kind = c === 123 ? '{' : c === 125 ? '}' : 'word';
+      this.at = this.stop;
+    }
+    this.startsLine = this.sawLineEnd;
+    this.sawLineEnd = false;
+    this.lowered = undefined;
+    return true;
+  }
+
+  /** The text of the word at hand. */
+  text(): string {
+    return textOf(this.bytes, this.start, this.stop);
+  }
+
+  /** The word at hand in lower case; '' for anything but a short word. */
+  keyword(): string {
+    if (this.kind !== 'word' || this.stop - this.start > QUOTED) return '';
+    this.lowered ??= this.text().toLowerCase();
+    return this.lowered;
+  }
+
+  /** The number at hand; NaN for anything else, infinite when it is too large. */
+  value(): number {
+    return this.kind === 'word' ? parseDecimal(this.bytes, this.start, this.stop) : Number.NaN;
+  }
+
+  /** What was found, for a message. */
+  found(): string {
+    if (this.kind === 'end') return 'the end of the file';
+    let text = textOf(this.bytes, this.start, Math.min(this.stop, this.start + 4 * QUOTED));
+    if (text.length > QUOTED) text = `${text.slice(0, QUOTED)}…`;
+    return `"${text}"`;
+  }
+
+  /** Where the token at hand is. */
+  place(): Place {
+    return this.places.place(this.start);
+  }
+
+  /** Notes the token at hand: its place is found only if `placeOf` asks, or when its bytes go. */
+  mark(): Mark {
+    const mark = new Mark(this.start, this.marksMade++ < MARKS_WITH_LINES);
+    this.marks.push(mark);
+    return mark;
+  }
+
+  placeOf(mark: Mark): Place {
+    mark.place ??= this.places.place(mark.offset, mark.keepsLine);
+    return mark.place;
+  }
+
+  // ——— the rest of a line ———
+
+  /**
+   * Skips what an unknown keyword brings: the rest of its line, and if that opens a brace, everything to the matching
+   * one. A brace alone at the start of the next line counts as its own.
+   */
+  *skipUnknown(): Generator<void, void, void> {
+    const stopped = yield* this.skipTo(0, true);
+    if (stopped === 'skipped') return;
+    if (stopped === 'end') this.failAtEnd(undefined, 'a block that is skipped');
+    if ((yield* this.next()) === '{') yield* this.skipBlock();
+    else this.again();
+  }
+
+  /** Skips to the `}` of the `{` at hand. */
+  *skipBlock(): Generator<void, void, void> {
+    const opened = this.mark();
+    if ((yield* this.skipTo(1, false)) === 'end') this.failAtEnd(opened, 'a block that is skipped');
+  }
+
+  /** Stops after the `}` that brings the depth to 0, before one that would go below, or before a line end at depth 0. */
+  private *skipTo(depth: number, stopsAtLineEnd: boolean): Generator<void, 'skipped' | 'before' | 'end', void> {
+    for (;;) {
+      const { bytes, end } = this;
+      for (let i = this.at; i < end; i++) {
+        const c = bytes[i];
+        if (c === 123) depth++;
+        else if (c === 125 && depth === 1) {
+          this.at = i + 1;
+          return 'skipped';
+        } else if (depth === 0 && (c === 125 || (stopsAtLineEnd && (c === LF || c === CR)))) {
+          this.at = i;
+          return 'before';
+        } else if (c === 125) depth--;
+      }
+      this.at = end;
+      if (this.isLastPiece) {
+        this.step();
+        return 'end';
+      }
+      yield;
+    }
+  }
+
+  /**
+   * From the word at hand on: a FILE. That is one token; or what is "in quotes"; or the rest of the line. A name with
+   * blanks and without quotes ends with the first token that has one of the extensions, or else before a brace, a
+   * keyword, or the end of the line.
+   */
+  *file(extensions: RegExp, keywords: Keywords): Generator<void, string, void> {
+    this.at = this.start;
+    while (this.lineStop < this.at) {
+      const lineStop = nextLineEnd(this.bytes, this.at, this.end);
+      if (lineStop < this.end) this.lineStop = lineStop;
+      else {
+        this.lineFrom = this.at;
+        yield;
+        this.lineFrom = -1;
+      }
+    }
+    const { bytes, lineStop } = this;
+    // The word may lie in another piece by now.
+    let from = this.at;
+    this.start = from;
+    this.stop = tokenEnd(bytes, from, lineStop);
+    if (bytes[from] === QUOTE) {
+      let close = from + 1;
+      while (close < lineStop && bytes[close] !== QUOTE) close++;
+      if (close < lineStop) {
+        this.at = tokenEnd(bytes, close + 1, lineStop);
+        if (this.at > close + 1)
+          this.warn('quote-unexpected', 'Expected a blank behind "file name".', 'ignored the rest');
+        return textOf(bytes, from + 1, close);
+      }
+      this.error('quote-missing', 'A " that is never closed on its line: expected "file name".');
+      from++;
+    }
+    let stop = from;
+    let isOpen = true;
+    let reach = lineStop;
+    for (let i = from; i < reach; ) {
+      const c = bytes[i];
+      if (c === 32 || c === 9) {
+        i++;
+        continue;
+      }
+      const end = tokenEnd(bytes, i, lineStop);
+      // A brace ends it; but a first token is there, for the caller saw a word.
+      if (end === i) break;
+      const word = textOf(bytes, i, end);
+      if (isOpen && i > from && keywords.has(word.toLowerCase())) {
+        isOpen = false;
+        reach = Math.min(reach, i + FILE_REACH);
+      }
+      if (isOpen) stop = end;
+      if (extensions.test(word)) {
+        stop = end;
+        break;
+      }
+      i = end;
+    }
+    this.at = stop;
+    return textOf(bytes, from, stop);
+  }
+
+  // ——— numbers ———
+
+  /** How many numbers the bytes at hand can hold at most: what a declared count is allowed to allocate. */
+  numbersAtHand(): number {
+    return (this.end - this.at) / 2 + 1;
+  }
+
+  /**
+   * Reads the numbers of a block into a sink, up to its `}`, which is then the token at hand. A keyword or the end of
+   * the file in their midst is a missing `}`.
+   */
+  *numbers(sink: NumberSink, what: string, keywords: Keywords): Generator<void, void, void> {
+    const { scan } = this;
+    if (this.isHeld) {
+      this.isHeld = false;
+      this.at = this.start;
+    }
+    this.holdSlots();
+    for (;;) {
+      scan.at = this.at;
+      scan.count = sink.count;
+      const why = scanNumbers(this.bytes, this.end, sink.values, scan, sink.words);
+      this.places.passed(this.at, scan.at, scan.lineFeeds);
+      this.at = scan.at;
+      sink.count = scan.count;
+      if (why === FULL) this.flush(sink);
+      else if (why === AT_END) {
+        if (sink.usesUp) this.flush(sink);
+        if (this.isLastPiece) {
+          this.step();
+          this.braceMissing(what);
+          return;
+        }
+        yield;
+        this.holdSlots();
+      } else {
+        // Before what follows is told, so that everything is told in the order of the file.
+        if (sink.usesUp) this.flush(sink);
+        this.step();
+        if (why === CLOSED) return;
+        if (this.kind === '{') {
+          this.error('brace-unexpected', `Expected a number among ${what}, found "{".`);
+          this.holdSlots();
+        } else if (keywords.has(this.keyword())) {
+          this.braceMissing(what);
+          return;
+        } else {
+          if (sink.strange) sink.strange(this);
+          else this.notANumber(`a number among ${what}`);
+          sink.values[sink.count++] = 0;
+        }
+      }
+    }
+  }
+
+  /** Only in a sink's `flush`: where the number `values[slot]` is. Fastest in ascending order. */
+  placeOfSlot(slot: number): Place {
+    return this.places.place(this.offsetOfSlot(slot));
+  }
+
+  /** Only its line. */
+  lineOfSlot(slot: number): number {
+    return this.places.lineAt(this.offsetOfSlot(slot));
+  }
+
+  private offsetOfSlot(slot: number): number {
+    if (slot < this.slot) {
+      this.slot = 0;
+      this.slotAt = this.slotsFrom;
+    }
+    const { bytes, end } = this;
+    let at = this.slotAt;
+    for (;;) {
+      while (at < end && (bytes[at] === 32 || bytes[at] === LF || bytes[at] === 9 || bytes[at] === CR)) at++;
+      if (this.slot === slot) break;
+      at = tokenEnd(bytes, at, end);
+      this.slot++;
+    }
+    this.slotAt = at;
+    return at;
+  }
+
+  private holdSlots(): void {
+    this.slotsFrom = this.slotAt = this.at;
+    this.slot = 0;
+  }
+
+  private flush(sink: NumberSink): void {
+    sink.flush(this);
+    this.holdSlots();
+  }
+
+  // ——— complaints that every format has ———
+
+  /** An error at the token at hand. */
+  error(code: string, message: string): void {
+    // Beyond what is kept, a place is not worth finding.
+    this.report.error(code, message, this.report.hasRoom('error') ? this.place() : NOWHERE);
+  }
+
+  /** A warning there. */
+  warn(code: string, message: string, assumed?: string): void {
+    this.report.warn(code, message, this.report.hasRoom('warning') ? this.place() : NOWHERE, assumed);
+  }
+
+  /** A warning there that may come often: `key` tells which ones are equal, and `message` is asked for the first. */
+  warnOnce(code: string, key: string, message: () => string, assumed: string): void {
+    if (this.report.foldsInto(code, key)) return;
+    const place = this.report.hasRoom('warning') ? this.place() : NOWHERE;
+    this.report.warnFolded(code, key, message(), place, assumed);
+  }
+
+  /** The word at hand stands where a number belongs: says what is wrong with it. */
+  notANumber(expected: string): void {
+    const { code, why } = this.report.hasRoom('error') ? whyNoNumber(this.text()) : TOO_MANY;
+    this.error(code, `Expected ${expected}, found ${this.found()}${why}.`);
+  }
+
+  /** Something else stands where a `}` belongs; it is given again. */
+  braceMissing(what: string): void {
+    this.error('brace-missing', `Expected "}" after ${what}, found ${this.found()}.`);
+    this.again();
+  }
+
+  /** The end of the file is at hand, and a `}` is missing: nothing can be read on. */
+  failAtEnd(opened: Mark | undefined, what: string): never {
+    const where = opened ? `, opened on line ${this.placeOf(opened).line}` : '';
+    this.error('brace-missing', `Expected "}" to close ${what}${where}, found the end of the file.`);
+    throw new ParseError('brace-missing');
+  }
+}
+
+const TOO_MANY = { code: 'not-a-number', why: '' };
+
+/** What to tell about a word that should be a number. */
+function whyNoNumber(text: string): { code: string; why: string } {
+  const code = 'not-a-number';
+  const word = text.slice(0, 400).toLowerCase();
+  if (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/.test(word)) {
+    return { code: 'number-too-large', why: ': too large for a number' };
+  }
+  if (/^[+-]?nan/.test(word)) return { code, why: ', which is no value' };
+  if (/^[+-]?inf/.test(word)) return { code, why: ': a number must be finite' };
+  if (/^[+-]?0x/.test(word)) return { code, why: ': a number must be decimal, not hexadecimal' };
+  if (/^[+-]?\d*,\d*(e[+-]?\d+)?$/.test(word)) return { code, why: ': the decimal sign is a point, not a comma' };
+  if (/^[+-]?(\d|\.\d)/.test(word)) return { code, why: ', which goes on after the number' };
+  return { code, why: '' };
+}
+
+/** Bytes [start, end) as text. A decoder costs more to call than a keyword to read. */
+function textOf(bytes: Uint8Array, start: number, end: number): string {
+  if (end - start > QUOTED) return UTF8.decode(bytes.subarray(start, end));
+  let text = '';
+  for (let i = start; i < end; i++) {
+    if (bytes[i] >= 0x80) return UTF8.decode(bytes.subarray(start, end));
+    text += String.fromCharCode(bytes[i]);
+  }
+  return text;
+}
+
+/** The first CR or LF from `i` on, `end` when there is none. */
+function nextLineEnd(bytes: Uint8Array, i: number, end: number): number {
+  while (i < end && bytes[i] !== LF && bytes[i] !== CR) i++;
+  return i;
+}
+
+/** The last CR or LF not before `from`; `from - 1` when there is none. */
+function lastLineEnd(bytes: Uint8Array, from: number): number {
+  let i = bytes.length - 1;
+  while (i >= from && bytes[i] !== LF && bytes[i] !== CR) i--;
+  return i;
+}
+
+/** The last separator or brace not before `from`; `from - 1` when there is none. */
+function lastSeparator(bytes: Uint8Array, from: number): number {
+  let i = bytes.length - 1;
+  for (; i >= from; i--) {
+    const c = bytes[i];
+    if (c === 32 || c === LF || c === 9 || c === CR || c === 125 || c === 123) break;
+  }
+  return i;
+}

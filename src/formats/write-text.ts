@@ -1,0 +1,88 @@
+/**
+ * What the writers share: numbers as the shortest decimals that read back the same, names made fit for the format, text
+ * put together from pieces.
+ *
+ * Tabs, LF, one blank between numbers, as the course's own files have it. Rejected: columns padded to one width; it
+ * needs two passes, makes files a third larger, and the shortest decimals would not line up by their points anyway.
+ */
+import type { Diagnostic } from '../model/diagnostic.ts';
+import { NOWHERE } from './places.ts';
+import type { WriteResult } from './reader.ts';
+import { Report } from './report.ts';
+
+/** Pieces joined at a time: a million rows are joined in a thousand steps, not held as a million strings. */
+const BATCH = 1024;
+/** Deeper nesting is not indented further: a chain of 100,000 joints would be 10 GB of tabs. */
+const DEEPEST = 40;
+
+export class Text {
+  private readonly report: Report;
+  private lines: string[] = [];
+  private readonly done: string[] = [];
+
+  constructor(fileName: string) {
+    this.report = new Report(fileName);
+  }
+
+  line(depth: number, text: string): void {
+    this.lines.push('\t'.repeat(Math.min(depth, DEEPEST)) + text);
+    if (this.lines.length < BATCH) return;
+    this.done.push(`${this.lines.join('\n')}\n`);
+    this.lines = [];
+  }
+
+  /** `what N {`, rows of `width` numbers, `}`. */
+  rows(what: string, width: number, values: ArrayLike<number>): void {
+    const count = Math.floor(values.length / width);
+    this.line(0, `${what} ${count} {`);
+    for (let i = 0; i < count; i++) {
+      let row = this.number(values[width * i]);
+      for (let k = 1; k < width; k++) row += ` ${this.number(values[width * i + k])}`;
+      this.line(1, row);
+    }
+    this.line(0, '}');
+  }
+
+  numbers(values: readonly number[]): string {
+    return values.map((v) => this.number(v)).join(' ');
+  }
+
+  /** The shortest decimal that reads back the same; -0 too. What is not finite has no decimal: 0, and a warning. */
+  number(value: number): string {
+    if (value === 0) return Object.is(value, -0) ? '-0' : '0';
+    if (value - value === 0) return `${value}`;
+    this.report.warn('number-not-finite', `A number is ${value}, which the format can't hold.`, NOWHERE, 'wrote 0');
+    return '0';
+  }
+
+  /** A name as one token, with the blank before it; nothing for an empty one. */
+  name(name: string, what: string): string {
+    if (name === '') return '';
+    return ` ${this.changed(name, wellFormed(name).replace(/[ \t\r\n{}]/g, '_'), what)}`;
+  }
+
+  /** A file name: as it is where one token can hold it, else in quotes. */
+  file(name: string, what: string): string {
+    const fit = this.changed(name, wellFormed(name).replace(/[\r\n"]/g, '_'), what);
+    return /^[^ \t{}]+$/.test(fit) ? fit : `"${fit}"`;
+  }
+
+  private changed(name: string, fit: string, what: string): string {
+    if (fit !== name) {
+      const message = `The ${what} ${JSON.stringify(name)} can't be written so.`;
+      this.report.info('name-changed', message, NOWHERE, `wrote ${JSON.stringify(fit)}`);
+    }
+    return fit;
+  }
+
+  result(): WriteResult {
+    const rest = this.lines.length ? `${this.lines.join('\n')}\n` : '';
+    const diagnostics: readonly Diagnostic[] = this.report.finish();
+    return { text: this.done.join('') + rest, diagnostics };
+  }
+}
+
+/** Half a surrogate pair has no UTF-8. */
+function wellFormed(name: string): string {
+  return name.replace(/\p{Surrogate}/gu, '_');
+}

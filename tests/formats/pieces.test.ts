@@ -1,0 +1,140 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { FORMATS } from '../../src/formats/registry.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import { bytesOf, read, readInPieces } from './read-in-pieces.ts';
+import { ALL_FILES } from './shared-files.ts';
+
+const NAMES = FORMATS.map(({ extensions }) => `x.${extensions[0]}`);
+
+const VOCABULARY = [
+  ...['{', '}', '{{', '}}', ' ', '\n', '\r', '\r\n', '\r\r\n', '\t', '"', '"a b"', 'x', 'ü', '骨', '\uFEFF', '\0'],
+  ...['balljoint', 'offset', 'pose', 'limit', 'rx', 'rotxlimit', 'boxmin', 'order', 'xzy', 'foo', 'foo {', 'name{'],
+  ...['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'matrix', 'material', 'texture'],
+  ...['animation', 'range', 'numchannels', 'channel', 'extrapolate', 'constant', 'bounce', 'keys', 'flat', 'smooth'],
+  ...['rig', 'skeleton', 'skin', 'morphs', 'a.skel', 'b c.skin', 'd.morph'],
+  ...[
+    '0',
+    '1',
+    '-1',
+    '2',
+    '3',
+    '0.5',
+    '1e9',
+    '1e999',
+    'nan',
+    '1,5',
+    '12x5',
+    '1e-7',
+    '0.12345678901234567',
+    '4294967296',
+  ],
+];
+
+const text = fc
+  .array(fc.tuple(fc.constantFrom(...VOCABULARY), fc.constantFrom(' ', '', '\n')), { maxLength: 60 })
+  .map((parts) => bytesOf(parts.flat().join('')));
+const bytes = fc.oneof(text, fc.uint8Array({ maxLength: 200 }));
+const cuts = (length: number) =>
+  fc.oneof(fc.constant(Array.from({ length }, (_, i) => i)), fc.array(fc.nat(length), { maxLength: 12 }));
+
+describe('a file in pieces', () => {
+  it.each(NAMES)('%s: reads the same as in one, whatever it holds, and never throws', (name) => {
+    const property = fc.property(
+      bytes.chain((b) => fc.tuple(fc.constant(b), cuts(b.length))),
+      ([b, at]) => {
+        expect(readInPieces(name, b, at)).toEqual(read(name, b));
+      },
+    );
+    fc.assert(property, { numRuns: 1500 });
+  });
+
+  it('reads file names the same, wherever they are cut', () => {
+    const part = fc.constantFrom(
+      'skin',
+      'skeleton',
+      'morphs 2 {',
+      '}',
+      '"a b.skin"',
+      '"a',
+      '"',
+      'b c.morph',
+      'd',
+      '\n',
+      '"x"y',
+    );
+    const property = fc.property(
+      fc.array(part, { maxLength: 12 }),
+      fc.array(fc.nat(80), { maxLength: 9 }),
+      (parts, at) => {
+        const b = bytesOf(`rig x { ${parts.join(' ')} }`);
+        const cuts = [at.filter((c) => c <= b.length), Array.from({ length: b.length }, (_, i) => i)];
+        for (const each of cuts) expect(readInPieces('x.rig', b, each)).toEqual(read('x.rig', b));
+      },
+    );
+    fc.assert(property, { numRuns: 1000 });
+  });
+
+  it('has the same excerpts when a line is far longer than what is shown, or than a piece', () => {
+    const long = fc.tuple(fc.nat(900), fc.constantFrom('a', 'ü', '骨', '\u{1F9B4}'), fc.nat(900));
+    const property = fc.property(long, fc.array(fc.nat(6000), { maxLength: 20 }), ([before, filler, after], at) => {
+      const b = bytesOf(`balljoint ${filler.repeat(before)} { offset 0 x 0 boo ${filler.repeat(after)}\n}`);
+      const whole = read('x.skel', b);
+      expect(
+        readInPieces(
+          'x.skel',
+          b,
+          at.filter((c) => c <= b.length),
+        ),
+      ).toEqual(whole);
+      for (const { excerpt } of whole.diagnostics) {
+        expect(excerpt?.text.length).toBeLessThanOrEqual(200);
+        expect(excerpt?.text.slice(excerpt.caret)).toMatch(/^(x 0|boo)/);
+      }
+    });
+    fc.assert(property, { numRuns: 300 });
+  });
+});
+
+describeShared('the files at hand in pieces', () => {
+  it.each(ALL_FILES)('%s reads the same in pieces, also when it is damaged', (path) => {
+    const original = sharedBytes(path);
+    const damage = fc.oneof(
+      fc.record({ at: fc.nat(original.length), cut: fc.constant(0), put: fc.constantFrom(...VOCABULARY) }),
+      fc.record({ at: fc.nat(original.length), cut: fc.nat(40), put: fc.constant('') }),
+      fc.record({ at: fc.nat(original.length), cut: fc.constant(original.length), put: fc.constant('') }),
+    );
+    const property = fc.property(
+      fc.array(damage, { maxLength: 3 }),
+      fc.array(fc.nat(), { maxLength: 6 }),
+      (all, at) => {
+        let b = original;
+        for (const { at, cut, put } of all) b = spliced(b, Math.min(at, b.length), cut, bytesOf(put));
+        const whole = read(path, b);
+        expect(whole.value === undefined).toBe(whole.diagnostics.some((d) => d.severity === 'error'));
+        expect(
+          readInPieces(
+            path,
+            b,
+            at.map((c) => c % (b.length + 1)),
+          ),
+        ).toEqual(whole);
+        const lines = new TextDecoder().decode(b).split(/\r*\n|\r/).length;
+        for (const { line, excerpt } of whole.diagnostics) {
+          expect(line).toBeLessThanOrEqual(lines);
+          expect(excerpt?.text.length ?? 0).toBeLessThanOrEqual(200);
+        }
+      },
+    );
+    fc.assert(property, { numRuns: original.length > 50000 ? 6 : 40 });
+  });
+});
+
+function spliced(bytes: Uint8Array, at: number, cut: number, put: Uint8Array): Uint8Array {
+  const after = bytes.subarray(Math.min(bytes.length, at + cut));
+  const result = new Uint8Array(at + put.length + after.length);
+  result.set(bytes.subarray(0, at));
+  result.set(put, at);
+  result.set(after, at + put.length);
+  return result;
+}

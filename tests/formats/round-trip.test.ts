@@ -1,0 +1,88 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { formatOf } from '../../src/formats/registry.ts';
+import type { FileContent } from '../../src/model/files.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+import * as arbitrary from './arbitraries.ts';
+import { read } from './read-in-pieces.ts';
+import { GOOD_FILES } from './shared-files.ts';
+
+function write(fileName: string, content: FileContent): string {
+  const written = formatOf(fileName)?.write(content, fileName);
+  if (!written) throw new Error(`${fileName} can't hold ${content.kind}`);
+  expect(written.diagnostics).toEqual([]);
+  return written.text;
+}
+
+/** Writes, reads, writes: the same model, the same bytes. */
+function expectRoundTrip(fileName: string, content: FileContent): void {
+  const text = write(fileName, content);
+  const { value, diagnostics } = read(fileName, text);
+  expect(diagnostics.filter((d) => d.severity === 'error')).toEqual([]);
+  expect(value).toEqual(content);
+  if (value) expect(write(fileName, value)).toBe(text);
+}
+
+describe('any model that is written and read', () => {
+  const RUNS = { numRuns: 400 };
+
+  it('is the same skeleton', () => {
+    const several = fc
+      .array(arbitrary.skeleton, { minLength: 1, maxLength: 3 })
+      .map((all) => all.map((s, i) => ({ ...s, name: i === 0 ? 'x' : `x_${i + 1}` })));
+    fc.assert(
+      fc.property(several, (skeletons) => expectRoundTrip('x.skel', { kind: 'skel', skeletons })),
+      RUNS,
+    );
+  });
+
+  it('is the same skin', () => {
+    fc.assert(
+      fc.property(arbitrary.skin, (skin) => expectRoundTrip('x.skin', { kind: 'skin', skin })),
+      RUNS,
+    );
+  });
+
+  it('is the same morph', () => {
+    fc.assert(
+      fc.property(arbitrary.morph, (morph) => expectRoundTrip('x.morph', { kind: 'morph', morph })),
+      RUNS,
+    );
+  });
+
+  it('is the same clip', () => {
+    fc.assert(
+      fc.property(arbitrary.clip, (clip) => expectRoundTrip('x.anim', { kind: 'anim', clip })),
+      RUNS,
+    );
+  });
+
+  it('is the same rig', () => {
+    fc.assert(
+      fc.property(arbitrary.rig, (rig) => expectRoundTrip('x.rig', { kind: 'rig', rig })),
+      RUNS,
+    );
+  });
+});
+
+describeShared('a file at hand that is read and written', () => {
+  it.each(GOOD_FILES)('%s gives the same model again', (path) => {
+    const { value } = read(path, sharedBytes(path));
+    expect(value).toBeDefined();
+    if (value) expectRoundTrip(path, value);
+  });
+});
+
+describe('a name that a format can not hold', () => {
+  it('is written as one that reads back the same from then on', () => {
+    const name = fc.string({ unit: 'binary', minLength: 1, maxLength: 8 });
+    fc.assert(
+      fc.property(name, name, (rigName, skin) => {
+        const format = formatOf('x.rig');
+        const first = format?.write({ kind: 'rig', rig: { name: rigName, skin, morphs: [skin] } }, 'x.rig');
+        const { value } = read('x.rig', first?.text ?? '');
+        expect(value && format?.write(value, 'x.rig')).toEqual({ text: first?.text, diagnostics: [] });
+      }),
+    );
+  });
+});
