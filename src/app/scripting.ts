@@ -2,6 +2,7 @@
  * The page from the console: `window.marrow`. Teachers and tests drive the workbench with it; it is built on the same
  * functions as the menus, so what a script does can be undone and what it reads is what is drawn.
  */
+import { finiteNumber } from '../edit/arguments.ts';
 import { COMMANDS_BY_ID } from '../edit/commands/all.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
@@ -78,7 +79,10 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
   };
   return {
     open: (files) => opener.open(() => Array.from(files, given)),
-    seek: (timeSeconds) => transport.update((now) => ({ ...now, timeSeconds, playing: false })),
+    seek(seconds) {
+      const timeSeconds = finiteNumber(seconds, 'A time');
+      transport.update((now) => ({ ...now, timeSeconds, playing: false }));
+    },
     play: () => transport.update(play),
     pause: () => transport.update((now) => ({ ...now, playing: false })),
     characters: () => store.document.characters.map((c) => infoOf(c, viewport.character(c.id)?.dofs)),

@@ -8,8 +8,16 @@
  *
  * Files with errors take part, so that a character is never put together around a hole.
  */
-import type { Diagnostic } from '../model/diagnostic.ts';
-import { type BrokenFile, folderOf, type ParsedFile, sameName, stemOf } from '../model/files.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import {
+  type BrokenFile,
+  baseName,
+  folderOf,
+  type ParsedFile,
+  type SourceFile,
+  sameName,
+  stemOf,
+} from '../model/files.ts';
 
 /** A file that was given, read or not. */
 export type GivenFile = ParsedFile | (BrokenFile & { readonly broken: true });
@@ -97,6 +105,15 @@ export function groupFiles(files: readonly GivenFile[]): Grouping {
   return { groups, loose, textures: files.filter((f) => f.kind === 'texture'), idleRigs, diagnostics };
 }
 
+/** Whether the file is a `.rig` that names the other as a part. */
+export function namesFile(file: ParsedFile, other: SourceFile): boolean {
+  if (file.kind !== 'rig') return false;
+  const { skeleton, skin, morphs, animation } = file.rig;
+  return [skeleton, skin, animation, ...morphs].some(
+    (part) => part !== undefined && sameName(baseName(part), other.name),
+  );
+}
+
 /** How well a skeleton's stem fits a part's: the length of the prefix; 0 for no fit. */
 export function prefixFit(skeletonStem: string, partStem: string): number {
   return partStem.toLowerCase().startsWith(skeletonStem.toLowerCase()) ? skeletonStem.length : 0;
@@ -129,10 +146,6 @@ function lookUp(files: readonly GivenFile[], rig: GivenFile, kind: GivenFile['ki
   return fits.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits[0];
 }
 
-export function baseName(name: string): string {
-  return name.slice(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
-}
-
 const PART_NAMES = {
   skel: 'skeleton',
   skin: 'skin',
@@ -143,13 +156,7 @@ const PART_NAMES = {
 };
 
 function partNotGiven(rig: ParsedFile, kind: GivenFile['kind'], name: string): Diagnostic {
-  return {
-    severity: 'warning',
-    code: 'part-not-given',
-    message: `The ${PART_NAMES[kind]} "${name}" that the rig names was not among the files given.`,
-    file: rig.source.name,
-    line: 0,
-    column: 0,
-    assumed: 'the rig goes without it',
-  };
+  const message = `The ${PART_NAMES[kind]} "${name}" that the rig names was not among the files given.`;
+  const assumed = kind === 'morph' ? 'the morphs after it move up one' : 'the rig goes without it';
+  return withoutPlace('warning', 'part-not-given', message, rig.source.name, assumed);
 }

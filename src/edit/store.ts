@@ -5,7 +5,7 @@
  * costs what its step changed, and going back can't be wrong. (ProseMirror needs inverses for collaboration; we don't.)
  */
 import type { Document } from '../model/document.ts';
-import { EMPTY_DOCUMENT } from '../model/document.ts';
+import { EMPTY_DOCUMENT, findCharacter } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
 
@@ -85,7 +85,7 @@ export class Store {
   apply<Args>(command: Command<Args>, args: Args): void {
     this.gesture?.commit();
     const next = command.run(this.document, args);
-    this.step(command.label(this.document, args), { document: next, selection: this.selection });
+    this.step(command.label(this.document, args), { document: next, selection: selectionIn(next, this.selection) });
   }
 
   /** A document made elsewhere (files opened), with the selection that goes with it, as one step. */
@@ -168,4 +168,10 @@ export class Store {
     this.present = next;
     for (const listener of this.listeners) listener(next, before);
   }
+}
+
+/** Nothing stays selected of a character that is gone. */
+function selectionIn(document: Document, selection: Selection): Selection {
+  const { characterId } = selection;
+  return characterId === undefined || findCharacter(document, characterId) ? selection : NOTHING_SELECTED;
 }

@@ -35,7 +35,9 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
     evaluateClip(compileClip(clip), timeSeconds + character.timeOffsetSeconds, out, driven);
   }
   if (unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT) {
-    for (const d of unkeyed.dofs) if (d < count) out[d] = pose[d] ?? 0;
+    for (let i = 0; i < unkeyed.dofs.length; i++) {
+      if (unkeyed.dofs[i] < count) out[unkeyed.dofs[i]] = unkeyed.values[i];
+    }
   }
   if (skeleton && character.clampsToLimits) clampDofs(compileSkeleton(skeleton), out);
 }

@@ -13,9 +13,9 @@
  * in a clean file).
  */
 import type { Excerpt } from '../model/diagnostic.ts';
+import { lineEnd } from './pieces.ts';
+import { CR, LF } from './scan.ts';
 
-const LF = 10;
-const CR = 13;
 /** Characters of a line that are shown. */
 const SHOWN = 200;
 /** Bytes kept on either side of a place: as many characters as are shown, four bytes each. */
@@ -85,7 +85,7 @@ export class Places {
     this.startPendingCrs = this.pendingCrs;
     this.lineStart = -1;
     this.stretches.length = this.stretch = 0;
-    if (this.unfinished.length) this.unfinished = this.unfinished.filter((u) => !this.continue(u));
+    if (this.unfinished.length) this.unfinished = this.unfinished.filter((u) => !this.extend(u));
   }
 
   /** Bytes [from, to) of the piece at hand are known to have so many LFs and no CR; -1: no one knows. */
@@ -131,7 +131,7 @@ export class Places {
   }
 
   /** Completes an excerpt with the piece at hand; whether it is complete. */
-  private continue(u: Unfinished): boolean {
+  private extend(u: Unfinished): boolean {
     const { place, wants } = u;
     const had = place.after ?? NOTHING;
     const start = this.from + wants - this.base;
@@ -250,12 +250,6 @@ const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
 function isLowSurrogate(text: string, at: number): boolean {
   const c = text.charCodeAt(at);
   return c >= 0xdc00 && c <= 0xdfff;
-}
-
-function lineEnd(bytes: Uint8Array, from: number, limit: number): number {
-  let i = from;
-  while (i < limit && bytes[i] !== LF && bytes[i] !== CR) i++;
-  return i;
 }
 
 function joined(a: Uint8Array, b: Uint8Array): Uint8Array {

@@ -1,7 +1,7 @@
 /**
  * The inner loop of every number block: bytes in, doubles out, no string and no call a number.
  *
- * The caller sees to it that the last byte is a separator or a brace (see `tokens.ts`), so that a token needs no check
+ * The caller sees to it that the last byte is a separator or a brace (see `pieces.ts`), so that a token needs no check
  * against the end of the bytes.
  *
  * Digits are gathered in 32-bit integers, nine at a time: those before the point, the first nine behind it, nine more.
@@ -19,6 +19,8 @@
  */
 import { POWERS, parseDecimal, wide } from './decimal.ts';
 
+export const LF = 10;
+export const CR = 13;
 /** Integers up to here are exact doubles. */
 const EXACT = Number.MAX_SAFE_INTEGER;
 /** The loop's own name for it: some module loaders look an imported one up at every use. */

@@ -4,15 +4,15 @@
  *
  *     separators   blank, tab, CR, LF        braces are tokens also when glued to a word        a UTF-8 BOM is skipped
  *
- * The grammar works on one piece of bytes at a time whose last byte is a separator or a brace, so every token in it is
- * whole. What is left of a chunk behind that byte is carried over and completed by the head of the next one (a copy of
- * a few bytes, never of a chunk); a separator of our own ends the last token of the file. Methods that may run out of
+ * The grammar works on one piece of bytes at a time, cut between tokens by `pieces.ts`. Methods that may run out of
  * bytes are generators and suspend there; after that, offsets into the piece before are void.
  */
 import { parseDecimal } from './decimal.ts';
+import { lineEnd, Pieces } from './pieces.ts';
 import { NOWHERE, type Place, Places } from './places.ts';
 import { ParseError, Report } from './report.ts';
-import { AT_END, type BlockWords, CLOSED, FULL, type Scan, scanNumbers, tokenEnd } from './scan.ts';
+import { AT_END, type BlockWords, CLOSED, CR, FULL, LF, type Scan, scanNumbers, tokenEnd } from './scan.ts';
+import { LONGEST_KEYWORD, textOf, whyNoNumber } from './words.ts';
 
 export type TokenKind = 'word' | '{' | '}' | 'end';
 
@@ -50,16 +50,9 @@ export class Mark {
 
 /** Only so many marks of a file keep the line around them, lest a file of a million joints keeps a million lines. */
 const MARKS_WITH_LINES = 10000;
-const LF = 10;
-const CR = 13;
 const QUOTE = 34;
 /** How far past a keyword a FILE's extension is looked for, in bytes: names are no longer. */
 const FILE_REACH = 1024;
-/** Characters of a token that a message repeats. */
-const QUOTED = 40;
-
-/** Keeps a byte-order mark that stands inside a name. */
-const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
 
 export class Tokens {
   readonly report: Report;
@@ -80,8 +73,7 @@ export class Tokens {
   /** The offset in the file of the next piece's first byte. */
   private base = 0;
   private isFirstPiece = true;
-  private carry = new Uint8Array(0);
-  private carried = 0;
+  private readonly pieces = new Pieces();
   /** From where the grammar wants the rest of a line in one piece; -1: it does not. */
   private lineFrom = -1;
   private marks: Mark[] = [];
@@ -104,51 +96,16 @@ export class Tokens {
 
   /** Takes a chunk; `resume` runs the grammar until it suspends. */
   feed(chunk: Uint8Array, resume: () => void): void {
-    let from = 0;
-    while (from < chunk.length) {
-      const wantsLine = this.lineFrom >= 0;
-      if (this.carried > 0) {
-        // Completes what was cut.
-        const last = wantsLine ? nextLineEnd(chunk, from, chunk.length) : tokenEnd(chunk, from, chunk.length);
-        const until = Math.min(last + 1, chunk.length);
-        this.keep(chunk, from, until);
-        from = until;
-        if (last < chunk.length) this.runCarried(resume);
-      } else {
-        const until = (wantsLine ? lastLineEnd(chunk, from) : lastSeparator(chunk, from)) + 1;
-        if (until > from) this.run(chunk, from, until, resume);
-        else this.keep(chunk, from, chunk.length);
-        from = until > from ? until : chunk.length;
-      }
-    }
+    this.pieces.feed(chunk, (bytes, from, to) => this.take(bytes, from, to, resume));
   }
 
-  /** Ends the file: what is left is run with a separator behind it. */
+  /** Ends the file. */
   finish(resume: () => void): void {
-    this.keep(Uint8Array.of(LF), 0, 1);
     this.isLastPiece = true;
-    this.runCarried(resume);
+    this.pieces.finish((bytes, from, to) => this.take(bytes, from, to, resume));
   }
 
-  private keep(chunk: Uint8Array, from: number, to: number): void {
-    const needed = this.carried + to - from;
-    if (needed > this.carry.length) {
-      // Twofold, so that even a file without any separator is copied a few times only.
-      const grown = new Uint8Array(Math.max(256, needed, 2 * this.carry.length));
-      grown.set(this.carry.subarray(0, this.carried));
-      this.carry = grown;
-    }
-    this.carry.set(chunk.subarray(from, to), this.carried);
-    this.carried = needed;
-  }
-
-  private runCarried(resume: () => void): void {
-    const piece = this.carry.slice(0, this.carried);
-    this.carried = 0;
-    this.run(piece, 0, piece.length, resume);
-  }
-
-  private run(bytes: Uint8Array, from: number, to: number, resume: () => void): void {
+  private take(bytes: Uint8Array, from: number, to: number, resume: () => void): number {
     if (this.isFirstPiece) {
       this.isFirstPiece = false;
       if (bytes[from] === 0xef && bytes[from + 1] === 0xbb && bytes[from + 2] === 0xbf) {
@@ -161,17 +118,16 @@ export class Tokens {
     this.at = this.slotsFrom = this.slotAt = from;
     this.slot = 0;
     this.end = to;
+    // The last piece's last byte is ours.
     this.places.enter(bytes, from, this.isLastPiece ? to - 1 : to, this.base);
     resume();
-    if (this.isLastPiece) return;
+    if (this.isLastPiece) return to;
     const done = this.lineFrom >= 0 ? this.lineFrom : to;
-    if (this.marks.length) {
-      for (const mark of this.marks) this.placeOf(mark);
-      this.marks = [];
-    }
+    for (const mark of this.marks) this.placeOf(mark);
+    this.marks = [];
     this.places.leave(done);
     this.base += done - from;
-    if (done < to) this.keep(bytes, done, to);
+    return done;
   }
 
   // ——— tokens ———
@@ -224,7 +180,7 @@ export class Tokens {
 
   /** The word at hand in lower case; '' for anything but a short word. */
   keyword(): string {
-    if (this.kind !== 'word' || this.stop - this.start > QUOTED) return '';
+    if (this.kind !== 'word' || this.stop - this.start > LONGEST_KEYWORD) return '';
     this.lowered ??= this.text().toLowerCase();
     return this.lowered;
   }
@@ -237,8 +193,8 @@ export class Tokens {
   /** What was found, for a message. */
   found(): string {
     if (this.kind === 'end') return 'the end of the file';
-    let text = textOf(this.bytes, this.start, Math.min(this.stop, this.start + 4 * QUOTED));
-    if (text.length > QUOTED) text = `${text.slice(0, QUOTED)}…`;
+    let text = textOf(this.bytes, this.start, Math.min(this.stop, this.start + 4 * LONGEST_KEYWORD));
+    if (text.length > LONGEST_KEYWORD) text = `${text.slice(0, LONGEST_KEYWORD)}…`;
     return `"${text}"`;
   }
 
@@ -311,7 +267,7 @@ export class Tokens {
   *file(extensions: RegExp, keywords: Keywords): Generator<void, string, void> {
     this.at = this.start;
     while (this.lineStop < this.at) {
-      const lineStop = nextLineEnd(this.bytes, this.at, this.end);
+      const lineStop = lineEnd(this.bytes, this.at, this.end);
       if (lineStop < this.end) this.lineStop = lineStop;
       else {
         this.lineFrom = this.at;
@@ -497,52 +453,3 @@ export class Tokens {
 }
 
 const TOO_MANY = { code: 'not-a-number', why: '' };
-
-/** What to tell about a word that should be a number. */
-function whyNoNumber(text: string): { code: string; why: string } {
-  const code = 'not-a-number';
-  const word = text.slice(0, 400).toLowerCase();
-  if (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/.test(word)) {
-    return { code: 'number-too-large', why: ': too large for a number' };
-  }
-  if (/^[+-]?nan/.test(word)) return { code, why: ', which is no value' };
-  if (/^[+-]?inf/.test(word)) return { code, why: ': a number must be finite' };
-  if (/^[+-]?0x/.test(word)) return { code, why: ': a number must be decimal, not hexadecimal' };
-  if (/^[+-]?\d*,\d*(e[+-]?\d+)?$/.test(word)) return { code, why: ': the decimal sign is a point, not a comma' };
-  if (/^[+-]?(\d|\.\d)/.test(word)) return { code, why: ', which goes on after the number' };
-  return { code, why: '' };
-}
-
-/** Bytes [start, end) as text. A decoder costs more to call than a keyword to read. */
-function textOf(bytes: Uint8Array, start: number, end: number): string {
-  if (end - start > QUOTED) return UTF8.decode(bytes.subarray(start, end));
-  let text = '';
-  for (let i = start; i < end; i++) {
-    if (bytes[i] >= 0x80) return UTF8.decode(bytes.subarray(start, end));
-    text += String.fromCharCode(bytes[i]);
-  }
-  return text;
-}
-
-/** The first CR or LF from `i` on, `end` when there is none. */
-function nextLineEnd(bytes: Uint8Array, i: number, end: number): number {
-  while (i < end && bytes[i] !== LF && bytes[i] !== CR) i++;
-  return i;
-}
-
-/** The last CR or LF not before `from`; `from - 1` when there is none. */
-function lastLineEnd(bytes: Uint8Array, from: number): number {
-  let i = bytes.length - 1;
-  while (i >= from && bytes[i] !== LF && bytes[i] !== CR) i--;
-  return i;
-}
-
-/** The last separator or brace not before `from`; `from - 1` when there is none. */
-function lastSeparator(bytes: Uint8Array, from: number): number {
-  let i = bytes.length - 1;
-  for (; i >= from; i--) {
-    const c = bytes[i];
-    if (c === 32 || c === LF || c === 9 || c === CR || c === 125 || c === 123) break;
-  }
-  return i;
-}

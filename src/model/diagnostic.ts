@@ -30,6 +30,17 @@ export interface Excerpt {
   readonly caret: number;
 }
 
+/** A diagnostic of a file as a whole, or of one that could not be read. */
+export function withoutPlace(
+  severity: Severity,
+  code: string,
+  message: string,
+  file: string,
+  assumed?: string,
+): Diagnostic {
+  return { severity, code, message, file, line: 0, column: 0, ...(assumed !== undefined && { assumed }) };
+}
+
 export function hasErrors(diagnostics: readonly Diagnostic[]): boolean {
   return diagnostics.some((d) => d.severity === 'error');
 }

@@ -15,6 +15,8 @@ export interface Document {
   readonly unused: readonly UnusedFile[];
   /** The opening sample stands until the first file is opened. */
   readonly isOpeningSample: boolean;
+  /** How many characters were ever made here: the next one's id, and no other's again. */
+  readonly charactersMade: number;
 }
 
 /** A skeleton, a skin, or both, with what moves them. A skin or a clip alone is one too, and waits for a skeleton. */
@@ -48,6 +50,8 @@ export interface Unkeyed {
   readonly timeSeconds: number;
   /** Indices of DOFs (see `dofs.ts`), ascending. */
   readonly dofs: readonly number[];
+  /** One for each of `dofs`. The pose knows nothing of them: they go without a trace. */
+  readonly values: readonly number[];
 }
 
 export interface Placement {
@@ -63,7 +67,12 @@ export interface UnusedFile {
   readonly why: string;
 }
 
-export const EMPTY_DOCUMENT: Document = { characters: [], unused: [], isOpeningSample: false };
+export const EMPTY_DOCUMENT: Document = {
+  characters: [],
+  unused: [],
+  isOpeningSample: false,
+  charactersMade: 0,
+};
 export const DEFAULT_PLACEMENT: Placement = { position: [0, 0, 0], turn: [0, 0, 0], scale: 1 };
 
 export function shownSkin(character: Character): Skin | undefined {

@@ -40,6 +40,11 @@ export interface BrokenFile {
   readonly source: SourceFile;
 }
 
+/** The name without folders, whichever way their slashes lean. */
+export function baseName(name: string): string {
+  return name.slice(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
+}
+
 /** `cse169/wasp_walk.anim` → `wasp_walk`. */
 export function stemOf(source: SourceFile): string {
   const dot = source.name.lastIndexOf('.');

@@ -23,7 +23,7 @@ import {
 } from 'three';
 import { posedBounds } from '../evaluate/bounds.ts';
 import { type Character, shownSkin } from '../model/document.ts';
-import { type Texture as Picture, sameName } from '../model/files.ts';
+import { baseName, type Texture as Picture, sameName } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
@@ -335,11 +335,6 @@ function sizeOf(skin: Skin, morphs: readonly Morph[]): number {
   return morphs.reduce((sum, { positions, normals }) => {
     return sum + (positions.indices.length + normals.indices.length) / 4;
   }, vertexCount(skin));
-}
-
-/** The course's files name textures with folders of any system. */
-function baseName(path: string): string {
-  return path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
 }
 
 function messageOf(error: unknown): string {

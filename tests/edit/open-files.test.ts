@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { removeCharacter } from '../../src/edit/commands/characters.ts';
 import { openFiles } from '../../src/edit/open-files.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { BrokenFile, ParsedFile } from '../../src/model/files.ts';
@@ -169,7 +170,10 @@ describe('a file that does not fit', () => {
       skelFile('other.skel', skeleton(1, 'other')),
     ]);
     expect(only(document).name).toBe('other');
-    expect(diagnostics).toMatchObject([{ severity: 'error', code: 'joint-missing', file: 'hero.skin' }]);
+    expect(diagnostics).toMatchObject([
+      { severity: 'error', code: 'joint-missing', file: 'hero.skin' },
+      { severity: 'info', code: 'held-back', file: 'hero.skel' },
+    ]);
   });
 
   it('changes nothing that was there', () => {
@@ -204,7 +208,86 @@ describe('a file that does not fit', () => {
   });
 });
 
+describe('files that lay unused', () => {
+  const tube = open([skelFile('tube.skel', skeleton(2, 'tube'))]).document;
+  const waiting = open([morphFile('head1.morph', morph('head1', 99))], tube);
+
+  it('are said, and kept', () => {
+    expect(waiting.diagnostics).toMatchObject([{ severity: 'info', code: 'file-unused', file: 'head1.morph' }]);
+    expect(waiting.document.unused).toHaveLength(1);
+    expect(waiting.document.characters).toBe(tube.characters);
+  });
+
+  it('don’t get in the way of what has nothing to do with them', () => {
+    const { document, diagnostics } = open(
+      [skelFile('wasp.skel', skeleton(2, 'wasp')), skinFile('wasp.skin', skin('wasp'))],
+      waiting.document,
+    );
+    expect(document.characters.map((c) => c.name)).toEqual(['tube', 'wasp']);
+    expect(diagnostics).toEqual([]);
+    expect(document.unused).toHaveLength(1);
+  });
+
+  it('go on waiting, silently, where they would fit by name but not in fact', () => {
+    const { document, diagnostics } = open([skinFile('head.skin', skin('head'))], waiting.document, 'c1');
+    expect(diagnostics).toEqual([]);
+    expect(document.unused).toHaveLength(1);
+  });
+
+  it('are still there when the opening sample goes', () => {
+    const sample = { ...tube, isOpeningSample: true };
+    const dropped = open([morphFile('head1.morph', morph('head1'))], sample);
+    expect(dropped.document.isOpeningSample).toBe(true);
+    const { document } = open(
+      [skelFile('head.skel', skeleton(1, 'head')), skinFile('head.skin', skin('head'))],
+      dropped.document,
+    );
+    expect(only(document).morphs).toHaveLength(1);
+  });
+
+  it('come with a rig that names them', () => {
+    const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: ['head1.morph'] };
+    const first = open([morphFile('head1.morph', morph('head1'))]).document;
+    const files = [
+      skelFile('bones.skel', skeleton()),
+      skinFile('body.skin', skin()),
+      file('x.rig', { kind: 'rig', rig }),
+    ];
+    const { document, diagnostics } = open(files, first);
+    expect(only(document).morphs).toHaveLength(1);
+    expect(diagnostics).toEqual([]);
+  });
+});
+
 describe('files opened later', () => {
+  it('never go to a character that comes with them because one of the same id was selected once', () => {
+    const gone = removeCharacter.run(open([skelFile('a.skel', skeleton(2, 'a'))]).document, { characterId: 'c1' });
+    const { document } = open(
+      [
+        skelFile('x/b.skel', skeleton(2, 'b')),
+        skelFile('y/d.skel', skeleton(2, 'd')),
+        animFile('z/s.anim', clip('s', [])),
+      ],
+      gone,
+      'c1',
+    );
+    expect(document.characters.map((c) => [c.id, c.name, c.clips.length])).toEqual([
+      ['c2', 'b', 0],
+      ['c3', 'd', 0],
+      ['c4', 's', 1],
+    ]);
+  });
+
+  it('are two parts where two of one name come together', () => {
+    const { document } = open([
+      skelFile('hero.skel', skeleton()),
+      skinFile('hero.skin', skin()),
+      morphFile('a/hero_m.morph', morph('hero_m')),
+      morphFile('b/hero_m.morph', morph('hero_m')),
+    ]);
+    expect(only(document).morphs).toHaveLength(2);
+  });
+
   const hero = open([skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin())]).document;
 
   it('go to the selected character when they come alone', () => {

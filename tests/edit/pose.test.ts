@@ -52,13 +52,23 @@ describe('what is set by hand over a clip', () => {
 
   it('is unkeyed for that moment, where a channel drives it', () => {
     const once = set(playing, 3, 0.25, 1.5);
-    expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [3] });
-    expect(set(once, 0, 2, 1.5).characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [0, 3] });
-    expect(set(once, 0, 2, 1.6).characters[0].unkeyed).toEqual({ timeSeconds: 1.6, dofs: [0] });
+    expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [3], values: [0.25] });
+    expect(set(once, 0, 2, 1.5).characters[0].unkeyed).toEqual({
+      timeSeconds: 1.5,
+      dofs: [0, 3],
+      values: [2, 0.25],
+    });
+    expect(set(once, 0, 2, 1.6).characters[0].unkeyed).toEqual({ timeSeconds: 1.6, dofs: [0], values: [2] });
   });
 
   it('is part of the pose where none does', () => {
     expect(set(playing, 5, 0, 1.5).characters[0].unkeyed).toBeUndefined();
+  });
+
+  it('is no part of the pose, and leaves no trace when it goes', () => {
+    const once = set(playing, 3, 0.25, 1.5);
+    expect(poseOf(once)).toEqual(poseOf(playing));
+    expect(dropUnkeyed(once, 2).characters[0]).toEqual(playing.characters[0]);
   });
 
   it('goes when time moves on', () => {

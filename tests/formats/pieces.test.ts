@@ -96,6 +96,52 @@ describe('a file in pieces', () => {
   });
 });
 
+describe('a hostile file', () => {
+  const HOSTILE = [
+    '{',
+    '}',
+    '} ',
+    'x',
+    'x\n',
+    '"',
+    '"a" ',
+    '\r',
+    '\0',
+    '骨',
+    'balljoint x{',
+    'texture a ',
+    'positions 1e9 {',
+  ];
+  const START = [
+    '',
+    'balljoint x { pose ',
+    'positions 1e9 { ',
+    'skinweights 9 { ',
+    'rig x { morphs 9 { ',
+    'material x { ',
+  ];
+
+  it.each(NAMES)(
+    '%s: a hundred thousand times the same takes no longer than it has to',
+    (name) => {
+      for (const start of START)
+        for (const each of HOSTILE) {
+          const bytes = bytesOf(start + each.repeat(100000 / each.length));
+          const whole = read(name, bytes);
+          expect(whole.diagnostics.length).toBeLessThan(205);
+          expect(
+            readInPieces(
+              name,
+              bytes,
+              Array.from({ length: 99 }, (_, i) => 1000 * i),
+            ),
+          ).toEqual(whole);
+        }
+    },
+    60_000,
+  );
+});
+
 describeShared('the files at hand in pieces', () => {
   it.each(ALL_FILES)('%s reads the same in pieces, also when it is damaged', (path) => {
     const original = sharedBytes(path);

@@ -1,5 +1,6 @@
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { read, told } from './read-in-pieces.ts';
+import { bytesOf, read, readInPieces, told } from './read-in-pieces.ts';
 
 /** Where a file's only unknown keyword `?` is said to be. */
 function placeOf(text: string): string {
@@ -46,6 +47,33 @@ describe('lines and columns', () => {
     const rows = Array.from({ length: 5000 }, (_, i) => `  0 1 ${i === 4321 ? 7 : 2}`).join('\n');
     const { diagnostics } = read('x.skin', `positions 3 { 0 0 0 1 0 0 0 1 0 }\ntriangles 5000 {\n${rows}\n}`);
     expect(diagnostics.find((d) => d.severity === 'error')).toMatchObject({ line: 4324, column: 7 });
+  });
+});
+
+describe('the place of anything', () => {
+  it('is what counting in the text gives, whatever stands before it and however it is cut', () => {
+    const filler = fc.constantFrom('\n', '\r', '\r\n', '\r\r\n', ' ', '\t', '1 ', '0.25\n', ' 3\r\n', '-7\r');
+    const block = fc.array(filler, { maxLength: 400 }).map((parts) => ` ${parts.join('')} `);
+    const name = fc.constantFrom('a', 'ü', '骨', '\u{1F9B4}');
+    const property = fc.property(
+      name,
+      block,
+      block,
+      fc.array(fc.nat(1500), { maxLength: 8 }),
+      (a, before, after, at) => {
+        const text = `${a} {} positions 0 {${before}x${after}}`;
+        const bytes = bytesOf(text);
+        const { diagnostics } = readInPieces(
+          'x.skin',
+          bytes,
+          at.filter((c) => c <= bytes.length),
+        );
+        const lines = text.slice(0, text.indexOf('x', text.indexOf('{', 5))).split(/\r*\n|\r/);
+        const [line, column] = [lines.length, [...(lines.at(-1) ?? '')].length + 1];
+        expect(diagnostics.find((d) => d.code === 'not-a-number')).toMatchObject({ line, column });
+      },
+    );
+    fc.assert(property, { numRuns: 500 });
   });
 });
 

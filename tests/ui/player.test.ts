@@ -60,7 +60,7 @@ it('drops values set by hand and not keyed when time moves, without an undo step
   const { wb } = workbench(documentOf(character({ skeleton: legs, clips: [driven] })), { range: [0, 1] });
   startPlayer(wb, new AbortController().signal);
   wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 1 }], timeSeconds: 0 });
-  expect(wb.store.document.characters[0].unkeyed).toEqual({ timeSeconds: 0, dofs: [3] });
+  expect(wb.store.document.characters[0].unkeyed).toEqual({ timeSeconds: 0, dofs: [3], values: [1] });
   wb.transport.update((p) => ({ ...p, timeSeconds: 0.5 }));
   expect(wb.store.document.characters[0].unkeyed).toBeUndefined();
   expect(wb.store.undoLabel).toBe('Set rx of hips');

@@ -127,12 +127,16 @@ describe('the track of a character', () => {
   });
 
   it('shows a value set by hand at its moment only', () => {
-    const model = character({ clips: [clip('go', [1, 2])], shownClip: 0, unkeyed: { timeSeconds: 0.5, dofs: [1] } });
-    const played = new PosePlayer({ ...model, pose: model.pose.map(() => 9), clampsToLimits: false });
+    const model = character({
+      clips: [clip('go', [1, 2])],
+      shownClip: 0,
+      unkeyed: { timeSeconds: 0.5, dofs: [1], values: [9] },
+    });
+    const played = new PosePlayer({ ...model, pose: model.pose.map(() => 7), clampsToLimits: false });
     played.seek(0.5);
-    expect([...played.dofs.subarray(0, 3)]).toEqual([1, 9, 9]);
+    expect([...played.dofs.subarray(0, 3)]).toEqual([1, 9, 7]);
     played.seek(0.6);
-    expect([...played.dofs.subarray(0, 3)]).toEqual([1, 2, 9]);
+    expect([...played.dofs.subarray(0, 3)]).toEqual([1, 2, 7]);
   });
 
   it('sees an edit of the pose without being made anew', () => {

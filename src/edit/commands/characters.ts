@@ -1,5 +1,6 @@
 /** Characters as wholes: which are there, what of them is shown, and where they stand. */
 import type { Character, Document, Placement } from '../../model/document.ts';
+import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from './pose.ts';
@@ -21,7 +22,7 @@ export const renameCharacter: Command<OfCharacter & { readonly name: string }> =
   id: 'character.rename',
   label: (document, { characterId }) => `Rename ${nameOf(document, characterId)}`,
   run: (document, { characterId, name }) =>
-    changeCharacter(document, characterId, (c) => (c.name === name ? c : { ...c, name })),
+    changeCharacter(document, characterId, (c) => (c.name === text(name, 'The name') ? c : { ...c, name })),
 };
 
 /** Draws another of a character's alternative skins. */
@@ -31,7 +32,7 @@ export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
     `Show skin ${requireCharacter(document, characterId).skins[skin]?.name ?? skin}`,
   run: (document, { characterId, skin }) =>
     changeCharacter(document, characterId, (c) => {
-      inRange(skin, 0, c.skins.length, 'skin');
+      indexIn(skin, 0, c.skins.length, 'skin');
       return c.shownSkin === skin ? c : { ...c, shownSkin: skin };
     }),
 };
@@ -43,7 +44,7 @@ export const showClip: Command<OfCharacter & { readonly clip: number }> = {
     clip < 0 ? 'Show no take' : `Show take ${requireCharacter(document, characterId).clips[clip]?.name ?? clip}`,
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
-      inRange(clip, -1, c.clips.length, 'take');
+      indexIn(clip, -1, c.clips.length, 'take');
       return c.shownClip === clip ? c : { ...withoutUnkeyed(c), shownClip: clip };
     }),
 };
@@ -52,7 +53,7 @@ export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> 
   id: 'character.setTimeOffset',
   label: (document, { characterId }) => `Offset ${nameOf(document, characterId)} in time`,
   run(document, { characterId, seconds }) {
-    finite(seconds, 'time offset');
+    finiteNumber(seconds, 'The time offset');
     return changeCharacter(document, characterId, (c) =>
       c.timeOffsetSeconds === seconds ? c : { ...c, timeOffsetSeconds: seconds },
     );
@@ -65,7 +66,7 @@ export const placeCharacter: Command<OfCharacter & { readonly index: number; rea
   label: (document, { characterId }) => `Place ${nameOf(document, characterId)}`,
   run: (document, { characterId, index, placement }) =>
     changeCharacter(document, characterId, (c) => {
-      inRange(index, 0, c.placements.length, 'placement');
+      indexIn(index, 0, c.placements.length, 'placement');
       checkPlacement(placement);
       return { ...c, placements: c.placements.map((p, i) => (i === index ? placement : p)) };
     }),
@@ -87,7 +88,7 @@ export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
   label: (document, { characterId }) => `Remove copy of ${nameOf(document, characterId)}`,
   run: (document, { characterId, index }) =>
     changeCharacter(document, characterId, (c: Character) => {
-      inRange(index, 0, c.placements.length, 'placement');
+      indexIn(index, 0, c.placements.length, 'placement');
       if (c.placements.length === 1) throw new CommandError('The last copy stays; remove the character instead.');
       return { ...c, placements: c.placements.filter((_, i) => i !== index) };
     }),
@@ -97,16 +98,14 @@ function nameOf(document: Document, id: string): string {
   return requireCharacter(document, id).name;
 }
 
-function inRange(index: number, from: number, to: number, what: string): void {
-  if (Number.isInteger(index) && index >= from && index < to) return;
-  throw new CommandError(`There is no ${what} number ${index}; there are ${to}.`);
-}
-
-function checkPlacement({ position, turn, scale }: Placement): void {
-  for (const value of [...position, ...turn, scale]) finite(value, 'placement');
-  if (scale <= 0) throw new CommandError(`A scale has to be above 0; ${scale} was given.`);
-}
-
-function finite(value: number, what: string): void {
-  if (!Number.isFinite(value)) throw new CommandError(`A ${what} needs a finite number; ${value} is none.`);
+function checkPlacement(placement: Placement): void {
+  const { position, turn, scale } = placement ?? {};
+  for (const [what, value] of [
+    ['position', position],
+    ['turn', turn],
+  ] as const) {
+    const numbers = listOf(value, `The placement's ${what}`);
+    for (let i = 0; i < 3; i++) finiteNumber(numbers[i], `The placement's ${what}`);
+  }
+  if (finiteNumber(scale, 'The scale') <= 0) throw new CommandError(`A scale has to be above 0; ${scale} was given.`);
 }

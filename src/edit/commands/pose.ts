@@ -2,6 +2,7 @@
 import { isDriven } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
+import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Command, CommandError } from '../store.ts';
 
@@ -33,13 +34,14 @@ export const setDofs: Command<SetDofs> = {
     changeCharacter(document, characterId, (character) => {
       const all = characterDofs(character.skeleton, character.morphs);
       const values = new Map<number, number>();
+      listOf(dofs, '"dofs"');
       for (const { index, value } of dofs) {
         const dof = all[index];
         if (!dof) throw new CommandError(`${character.name} has ${all.length} DOFs; there is no number ${index}.`);
-        if (!Number.isFinite(value)) throw new CommandError(`A DOF needs a finite number; ${value} is none.`);
+        finiteNumber(value, `The value of DOF ${index}`);
         values.set(index, character.clampsToLimits ? clamp(dof, value) : value);
       }
-      return pose(character, values, timeSeconds);
+      return pose(character, values, finiteNumber(timeSeconds, '"timeSeconds"'));
     }),
 };
 
@@ -55,8 +57,9 @@ export const resetPose: Command<ResetPose> = {
   label: (_document, { to }) => (to === 'file' ? 'Reset to file pose' : 'Reset to zero pose'),
   run: (document, { characterId, to, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
-      const make = to === 'file' ? filePose : restPose;
-      return pose(character, new Map(make(character.skeleton, character.morphs.length).entries()), timeSeconds);
+      const make = oneOf(to, ['file', 'zero'], '"to"') === 'file' ? filePose : restPose;
+      const values = new Map(make(character.skeleton, character.morphs.length).entries());
+      return pose(character, values, finiteNumber(timeSeconds, '"timeSeconds"'));
     }),
 };
 
@@ -64,7 +67,9 @@ export const setClamping: Command<{ readonly characterId: string; readonly clamp
   id: 'pose.setClamping',
   label: (_document, { clamps }) => (clamps ? 'Hold limits' : 'Ignore limits'),
   run: (document, { characterId, clamps }) =>
-    changeCharacter(document, characterId, (c) => (c.clampsToLimits === clamps ? c : { ...c, clampsToLimits: clamps })),
+    changeCharacter(document, characterId, (c) =>
+      c.clampsToLimits === oneOf(clamps, [true, false], '"clamps"') ? c : { ...c, clampsToLimits: clamps },
+    ),
 };
 
 /** The document without what was set by hand at another time than this; the same object where there is nothing. */
@@ -80,15 +85,29 @@ export function withoutUnkeyed(character: Character): Character {
   return rest;
 }
 
+/** What channels drive is changed for this moment only, beside the pose; the rest is the pose. */
 function pose(character: Character, values: ReadonlyMap<number, number>, timeSeconds: number): Character {
-  const before = character.unkeyed?.timeSeconds === timeSeconds ? character.unkeyed.dofs : [];
-  const driven = [...values.keys()].filter((index) => isDriven(character, index));
-  const unkeyed = [...new Set([...before, ...driven])].sort((a, b) => a - b);
-  const changed = character.pose.map((value, index) => values.get(index) ?? value);
-  const sameValues = changed.every((value, index) => value === character.pose[index]);
-  if (sameValues && unkeyed.length === before.length) return character;
-  const next = { ...withoutUnkeyed(character), pose: changed };
-  return unkeyed.length ? { ...next, unkeyed: { timeSeconds, dofs: unkeyed } } : next;
+  const { unkeyed } = character;
+  const byHand = new Map<number, number>();
+  if (unkeyed?.timeSeconds === timeSeconds) {
+    for (const [i, dof] of unkeyed.dofs.entries()) byHand.set(dof, unkeyed.values[i]);
+  }
+  let changed = false;
+  const posed = [...character.pose];
+  for (const [dof, value] of values) {
+    if (isDriven(character, dof)) {
+      changed ||= byHand.get(dof) !== value;
+      byHand.set(dof, value);
+    } else {
+      changed ||= posed[dof] !== value;
+      posed[dof] = value;
+    }
+  }
+  if (!changed) return character;
+  const next = { ...withoutUnkeyed(character), pose: posed };
+  if (byHand.size === 0) return next;
+  const dofs = [...byHand.keys()].sort((a, b) => a - b);
+  return { ...next, unkeyed: { timeSeconds, dofs, values: dofs.map((dof) => byHand.get(dof) ?? 0) } };
 }
 
 function clamp({ limit, unit }: CharacterDof, value: number): number {

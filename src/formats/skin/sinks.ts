@@ -100,8 +100,7 @@ export class AttachmentSink implements NumberSink {
     t: Tokens,
     private readonly expectedRows: number,
   ) {
-    const rows = Math.min(t.numbersAtHand(), Math.max(64, expectedRows));
-    this.start = new Uint32Array(rows + 1);
+    this.start = new Uint32Array(Math.min(t.numbersAtHand(), Math.max(64, expectedRows)) + BATCH + 1);
     this.joints = new Uint32Array(64);
     this.weights = new Float64Array(64);
   }
@@ -109,7 +108,8 @@ export class AttachmentSink implements NumberSink {
   /** Room for what a flush may add. */
   private grow(t: Tokens): void {
     const { attachments, rows, expectedRows } = this;
-    this.start = roomFor(this.start, rows + this.count + 1, expectedRows + 1);
+    // Every number may be a row.
+    this.start = roomFor(this.start, rows + this.count + 1, expectedRows + BATCH + 1);
     const needed = attachments + (this.count >> 1) + 1;
     if (needed <= this.weights.length) return;
     // As many as the rows so far let expect, at once if the bytes at hand could hold them.

@@ -1,0 +1,38 @@
+/**
+ * Arguments of commands may come from the console or a script, where no compiler looked at them. Each check refuses
+ * with a `CommandError` that says what was expected.
+ */
+import { CommandError } from './store.ts';
+
+export function finiteNumber(value: unknown, what: string): number {
+  if (typeof value === 'number' && Number.isFinite(value)) return value;
+  throw new CommandError(`${what} has to be a finite number; ${described(value)} was given.`);
+}
+
+export function listOf(value: unknown, what: string): readonly unknown[] {
+  if (Array.isArray(value)) return value;
+  throw new CommandError(`${what} has to be a list; ${described(value)} was given.`);
+}
+
+export function oneOf<T>(value: unknown, allowed: readonly T[], what: string): T {
+  const found = allowed.find((a) => a === value);
+  if (found !== undefined) return found;
+  throw new CommandError(
+    `${what} has to be one of ${allowed.map(described).join(', ')}; ${described(value)} was given.`,
+  );
+}
+
+export function text(value: unknown, what: string): string {
+  if (typeof value === 'string' && value.trim() !== '') return value;
+  throw new CommandError(`${what} has to be a text; ${described(value)} was given.`);
+}
+
+/** An index from `from` up to, not including, `to`. */
+export function indexIn(value: unknown, from: number, to: number, what: string): number {
+  if (typeof value === 'number' && Number.isInteger(value) && value >= from && value < to) return value;
+  throw new CommandError(`There is no ${what} number ${described(value)}; there are ${to}.`);
+}
+
+function described(value: unknown): string {
+  return typeof value === 'string' ? JSON.stringify(value) : value === undefined ? 'nothing' : String(value);
+}

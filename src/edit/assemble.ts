@@ -1,0 +1,127 @@
+/** Putting a character together from the files that belong to it, and telling what among its parts does not fit. */
+import { checkClip, checkMorph, checkSkin } from '../evaluate/binding.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Character, DEFAULT_PLACEMENT, shownClip, shownSkin } from '../model/document.ts';
+import { filePose, jointDofCount } from '../model/dofs.ts';
+import { baseName, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { withoutUnkeyed } from './commands/pose.ts';
+
+export function newCharacter(id: string, name: string): Character {
+  return {
+    id,
+    name,
+    skins: [],
+    shownSkin: 0,
+    morphs: [],
+    textures: [],
+    clips: [],
+    shownClip: -1,
+    pose: filePose(undefined, 0),
+    clampsToLimits: true,
+    placements: [DEFAULT_PLACEMENT],
+    timeOffsetSeconds: 0,
+    sources: [],
+  };
+}
+
+/** The new skeleton's own pose; root translation and morph weights stay. */
+export function withSkeleton(character: Character, skeleton: Skeleton): Character {
+  const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
+  const joints = filePose(skeleton, 0).slice(3);
+  return { ...withoutUnkeyed(character), skeleton, pose: [...character.pose.slice(0, 3), ...joints, ...weights] };
+}
+
+/**
+ * Adds a part, or replaces the one that came from a file of the same name; what is new is what is shown.
+ * @param before the character as it was before these files: among them, two of one name are two parts
+ */
+export function withPart(character: Character, file: ParsedFile, before: Character | undefined): Character {
+  const replaced = (s: SourceFile) => sameName(s.name, file.source.name) && (before?.sources.includes(s) ?? false);
+  const next = { ...character, sources: [...character.sources.filter((s) => !replaced(s)), file.source] };
+  switch (file.kind) {
+    case 'skin': {
+      const at = replacedIndex(next.skins, before?.skins, file.skin.name);
+      return { ...next, skins: put(next.skins, at, file.skin), shownSkin: at < 0 ? next.skins.length : at };
+    }
+    case 'morph': {
+      const at = replacedIndex(next.morphs, before?.morphs, file.morph.name);
+      const pose = at < 0 ? [...next.pose, 0] : next.pose;
+      return { ...withoutUnkeyed(next), morphs: put(next.morphs, at, file.morph), pose };
+    }
+    case 'anim': {
+      const at = replacedIndex(next.clips, before?.clips, file.clip.name);
+      const clips = put(next.clips, at, file.clip);
+      return { ...withoutUnkeyed(next), clips, shownClip: at < 0 ? next.clips.length : at };
+    }
+    case 'skel':
+    case 'rig':
+    case 'texture':
+      return next;
+  }
+}
+
+interface Named {
+  readonly name: string;
+}
+
+/** Where among the parts stands the one of that name that was there before; -1 where none does. */
+function replacedIndex(parts: readonly Named[], before: readonly Named[] | undefined, name: string): number {
+  return parts.findIndex((part) => part.name === name && before?.includes(part));
+}
+
+function put<T>(list: readonly T[], at: number, item: T): readonly T[] {
+  return at < 0 ? [...list, item] : list.map((old, i) => (i === at ? item : old));
+}
+
+/** Gives a character's skins the textures that they name; the same character where there is nothing to give. */
+export function withTextures(character: Character, given: readonly ParsedFile[]): Character {
+  const skinFolders = character.sources.filter((s) => s.name.toLowerCase().endsWith('.skin')).map(folderOf);
+  let next = character;
+  for (const skin of character.skins) {
+    const wanted = skin.material?.texture;
+    if (wanted === undefined) continue;
+    const fits = given.filter((f) => f.kind === 'texture' && sameName(f.source.name, baseName(wanted)));
+    const file = fits.find((f) => skinFolders.includes(folderOf(f.source))) ?? fits[0];
+    if (file?.kind !== 'texture' || next.textures.includes(file.texture)) continue;
+    next = {
+      ...next,
+      textures: [...next.textures.filter((t) => !sameName(t.name, file.texture.name)), file.texture],
+      sources: [...next.sources.filter((s) => !sameName(s.name, file.source.name)), file.source],
+    };
+  }
+  return next;
+}
+
+/** What does not fit among a character's parts; only parts that are new, or whose counterpart is. */
+export function checkParts(before: Character | undefined, after: Character): Diagnostic[] {
+  const problems: Diagnostic[] = [];
+  const newSkeleton = before?.skeleton !== after.skeleton;
+  for (const skin of after.skins) {
+    const isNew = !before?.skins.includes(skin);
+    const file = fileOf(after, skin, '.skin');
+    if (after.skeleton && (isNew || newSkeleton)) problems.push(...checkSkin(skin, after.skeleton, file));
+    const texture = skin.material?.texture;
+    if (isNew && texture !== undefined && !after.textures.some((t) => sameName(t.name, baseName(texture)))) {
+      const message = `The texture "${texture}" that the skin names was not among the files given.`;
+      problems.push(withoutPlace('warning', 'texture-not-given', message, file, 'drawn untextured'));
+    }
+  }
+  const skin = shownSkin(after);
+  for (const morph of after.morphs) {
+    const isNew = !before?.morphs.includes(morph) || (skin && !before.skins.includes(skin));
+    if (skin && isNew) problems.push(...checkMorph(morph, skin, fileOf(after, morph, '.morph')));
+  }
+  const clip = shownClip(after);
+  const needsAnother = newSkeleton && jointDofCount(before?.skeleton) !== jointDofCount(after.skeleton);
+  if (clip && after.skeleton && (needsAnother || !before?.clips.includes(clip))) {
+    problems.push(...checkClip(clip, after.skeleton, after.morphs.length, fileOf(after, clip, '.anim')));
+  }
+  return problems;
+}
+
+/** The file that a part came from. */
+function fileOf({ sources }: Character, { name }: Named, ending: string): string {
+  const source = sources.find((s) => stemOf(s) === name && s.name.toLowerCase().endsWith(ending));
+  return source?.name ?? `${name}${ending}`;
+}

@@ -1,0 +1,33 @@
+/** Words out of bytes, and what to say about one that should have been a number. */
+
+/** Longer words are cut in messages, and are no keywords. */
+export const LONGEST_KEYWORD = 40;
+
+/** Keeps a byte-order mark that stands inside a name. */
+const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
+
+/** Bytes [start, end) as text. A decoder costs more to call than a keyword to read. */
+export function textOf(bytes: Uint8Array, start: number, end: number): string {
+  if (end - start > LONGEST_KEYWORD) return UTF8.decode(bytes.subarray(start, end));
+  let text = '';
+  for (let i = start; i < end; i++) {
+    if (bytes[i] >= 0x80) return UTF8.decode(bytes.subarray(start, end));
+    text += String.fromCharCode(bytes[i]);
+  }
+  return text;
+}
+
+/** The code of the error, and the end of its sentence. */
+export function whyNoNumber(text: string): { code: string; why: string } {
+  const code = 'not-a-number';
+  const word = text.slice(0, 400).toLowerCase();
+  if (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/.test(word)) {
+    return { code: 'number-too-large', why: ': too large for a number' };
+  }
+  if (/^[+-]?nan/.test(word)) return { code, why: ', which is no value' };
+  if (/^[+-]?inf/.test(word)) return { code, why: ': a number must be finite' };
+  if (/^[+-]?0x/.test(word)) return { code, why: ': a number must be decimal, not hexadecimal' };
+  if (/^[+-]?\d*,\d*(e[+-]?\d+)?$/.test(word)) return { code, why: ': the decimal sign is a point, not a comma' };
+  if (/^[+-]?(\d|\.\d)/.test(word)) return { code, why: ', which goes on after the number' };
+  return { code, why: '' };
+}
