@@ -7,6 +7,7 @@
  * The grammar works on one piece of bytes at a time, cut between tokens by `pieces.ts`. Methods that may run out of
  * bytes are generators and suspend there; after that, offsets into the piece before are void.
  */
+import type { Severity } from '../model/diagnostic.ts';
 import { parseDecimal } from './decimal.ts';
 import { lineEnd, Pieces } from './pieces.ts';
 import { NOWHERE, type Place, Places } from './places.ts';
@@ -210,7 +211,9 @@ export class Tokens {
     return mark;
   }
 
-  placeOf(mark: Mark): Place {
+  /** For a diagnostic of that severity: without a search where it would only be counted. */
+  placeOf(mark: Mark, severity?: Severity): Place {
+    if (severity && !mark.place && !this.report.hasRoom(severity)) return NOWHERE;
     mark.place ??= this.places.place(mark.offset, mark.keepsLine);
     return mark.place;
   }

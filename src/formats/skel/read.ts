@@ -184,7 +184,7 @@ function* limit(t: Tokens, joint: OpenJoint, dof: string): Part<void> {
   joint.limits.push({ dof, limit: { min, max }, place });
   if (min > max) {
     const message = `Expected the lower limit of ${dof} first, found ${min} and ${max}.`;
-    t.report.warn('limits-crossed', message, t.placeOf(place), 'kept as written, and ignored when clamping');
+    t.report.warn('limits-crossed', message, t.placeOf(place, 'warning'), 'kept as written, and ignored when clamping');
   }
 }
 
@@ -196,18 +196,18 @@ function close(t: Tokens, joint: OpenJoint): Joint {
   for (const { dof, place } of given) {
     if (dofs.some((d) => d.name === dof)) continue;
     const message = `Expected a DOF of a ${joint.type.keyword} (${dofs.map((d) => d.name).join(' ')}), found ${dof}.`;
-    t.report.warn('dof-unknown', message, t.placeOf(place), 'limit ignored');
+    t.report.warn('dof-unknown', message, t.placeOf(place, 'warning'), 'limit ignored');
   }
   const values = dofs.map((_, i) => pose?.values[i] ?? 0);
   if (pose && pose.found !== dofs.length) {
     const message = `Expected ${dofs.length} values for the pose of a ${joint.type.keyword}, found ${pose.found}.`;
-    if (pose.found < dofs.length) t.report.error('number-expected', message, t.placeOf(pose.place));
-    else t.report.warn('pose-too-long', message, t.placeOf(pose.place), `used the first ${dofs.length}`);
+    if (pose.found < dofs.length) t.report.error('number-expected', message, t.placeOf(pose.place, 'error'));
+    else t.report.warn('pose-too-long', message, t.placeOf(pose.place, 'warning'), `used the first ${dofs.length}`);
   }
   const outside = dofs.filter((_, i) => isOutside(values[i], limits[i]));
   if (outside.length > 0) {
     const message = `The pose of ${describe(joint)} is out of its limits in ${outside.map((d) => d.name).join(', ')}.`;
-    t.report.info('pose-out-of-limits', message, t.placeOf(pose?.place ?? joint.place), 'clamped when shown');
+    t.report.info('pose-out-of-limits', message, t.placeOf(pose?.place ?? joint.place, 'info'), 'clamped when shown');
   }
   return { name, parent, offset, box: { min: joint.boxMin, max: joint.boxMax }, motion, limits, pose: values };
 }
