@@ -7,7 +7,7 @@ import type { Messages } from '../ui/messages.ts';
 import type { FileActions, SampleEntry } from '../ui/workbench.ts';
 import type { Opener } from './opening.ts';
 import { fetchSample, type Sample } from './samples.ts';
-import { saveCharacter } from './saving.ts';
+import { saveCharacter, zipCharacter } from './saving.ts';
 
 interface Parts {
   readonly store: Store;
@@ -52,6 +52,13 @@ export function fileActions({ store, messages, opener, samples }: Parts): FileAc
     },
     drop: take,
     paste: take,
+    saveAll(characterId) {
+      const character = findCharacter(store.document, characterId);
+      if (!character) return;
+      const { name, bytes } = zipCharacter(character);
+      download(name, bytes);
+      messages.note(`Saved ${name}.`);
+    },
     save(characterId, kind) {
       const character = findCharacter(store.document, characterId);
       const saved = character ? saveCharacter(character, kind) : [];

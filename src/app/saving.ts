@@ -1,5 +1,6 @@
 /** A character's parts as files again, each in the format of its kind. */
 import { formatOf } from '../formats/registry.ts';
+import { zipFiles } from '../io/zip-files.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
 import { firstDofs } from '../model/dofs.ts';
@@ -22,6 +23,20 @@ export function saveCharacter(character: Character, kind: FileKind): readonly Sa
     if (written) saved.push({ name, ...written });
   }
   return saved;
+}
+
+const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+
+/** Everything of a character, its textures too: what opens again as it is. */
+export function zipCharacter(character: Character): { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> } {
+  const texts = KINDS.flatMap((kind) => saveCharacter(character, kind)).map(({ name, text }) => ({
+    name,
+    content: text,
+  }));
+  const textures = character.textures.map(({ name, bytes }) => ({ name, content: bytes }));
+  // A name may be anything; what the file system would take for a folder is no part of it.
+  const folder = character.name.replace(/[/\\:]/g, '_') || 'character';
+  return { name: `${folder}.zip`, bytes: zipFiles(folder, [...texts, ...textures]) };
 }
 
 /** What a character would be saved as, under the names of the files it came from. */

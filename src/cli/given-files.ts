@@ -52,7 +52,10 @@ export function givenFiles(): Plugin {
           'content-length': stats.size,
           'cache-control': 'no-store',
         });
-        createReadStream(file).pipe(response);
+        // A file that went away meanwhile ends this answer, not the server.
+        createReadStream(file)
+          .on('error', () => response.destroy())
+          .pipe(response);
       });
       if (table.size === 0) return;
       const printUrls = server.printUrls;

@@ -4,7 +4,7 @@
  */
 import type { Action } from './actions/action.ts';
 import { EDIT_ACTIONS } from './actions/edit-actions.ts';
-import { FILE_ACTIONS, isSupplied, sampleActions } from './actions/file-actions.ts';
+import { FILE_ACTIONS, sampleActions } from './actions/file-actions.ts';
 import { PAGE_ACTIONS } from './actions/page-actions.ts';
 import { PLAY_ACTIONS } from './actions/play-actions.ts';
 import { VIEW_ACTIONS } from './actions/view-actions.ts';
@@ -19,9 +19,9 @@ export const ACTIONS: readonly Action[] = [
   ...PAGE_ACTIONS,
 ];
 
-/** All of them on this page: with its samples, and without what it was given no function for. */
+/** All of them on this page, with its samples. */
 export function actionsOf(wb: Workbench): Action[] {
-  return [...ACTIONS.filter((a) => isSupplied(wb, a.id)), ...sampleActions(wb)];
+  return [...ACTIONS, ...sampleActions(wb)];
 }
 
 /** Runs an action by its id, as a menu would. Throws where there is none, or where it can't run just now. */

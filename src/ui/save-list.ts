@@ -21,14 +21,12 @@ export function saveList(wb: Workbench, close: () => void): DialogContent {
         }),
       );
     }
-    if (wb.files.saveAll) {
-      row.append(
-        saveButton('All of it (.zip)', 'every file that can be written', () => {
-          close();
-          wb.files.saveAll?.(character.id);
-        }),
-      );
-    }
+    row.append(
+      saveButton('All of it (.zip)', 'with textures', () => {
+        close();
+        wb.files.saveAll(character.id);
+      }),
+    );
     body.append(element('section', {}, element('h3', {}, character.name), row));
   }
   if (!body.children.length) body.append(element('p', { class: 'empty' }, 'There is nothing to save yet.'));

@@ -51,11 +51,11 @@ export interface SampleEntry {
   readonly description: string;
 }
 
-/** What is absent is left out of the menus. */
+/** What the page can do with files. */
 export interface FileActions {
   /** The browser's file dialog. */
   open(): void;
-  openFolder?(): void;
+  openFolder(): void;
   openSample(id: string): void;
   /** Read whenever a menu opens, so the list may arrive late. */
   readonly samples: readonly SampleEntry[];
@@ -63,6 +63,5 @@ export interface FileActions {
   paste(data: DataTransfer): void;
   save(characterId: string, kind: SaveKind): void;
   /** A character as one zip. */
-  saveAll?(characterId: string): void;
-  reload?(): void;
+  saveAll(characterId: string): void;
 }

@@ -1,5 +1,6 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
+import { expectClose } from '../helpers/close.ts';
 import { dropFiles, withPage } from '../helpers/page.ts';
 import { conformance, describeShared, sharedBytes } from '../helpers/shared.ts';
 
@@ -133,11 +134,3 @@ describeShared('the page with the course’s files', () => {
       expect(await names(page)).toEqual(['wasp']);
     }));
 });
-
-function expectClose(got: readonly number[], expected: readonly number[], tolerance: number): void {
-  expect(got).toHaveLength(expected.length);
-  const far = got.findIndex(
-    (value, i) => !(Math.abs(value - expected[i]) <= tolerance * Math.max(1, Math.abs(expected[i]))),
-  );
-  if (far >= 0) expect.fail(`number ${far} is ${got[far]}, expected ${expected[far]}`);
-}

@@ -45,16 +45,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     group: 'Files',
     menu: 'Open',
     icon: 'folder',
-    run: (wb) => wb.files.openFolder?.(),
-  },
-  {
-    id: 'file.reload',
-    label: 'Reload from disk',
-    group: 'Files',
-    menu: 'Open',
-    section: 1,
-    shortcuts: ['Ctrl+Shift+R'],
-    run: (wb) => wb.files.reload?.(),
+    run: (wb) => wb.files.openFolder(),
   },
   {
     id: 'save.list',
@@ -92,7 +83,7 @@ export const FILE_ACTIONS: readonly Action[] = [
     enabled: hasCharacters,
     run(wb) {
       const character = currentCharacter(wb);
-      if (character) wb.files.saveAll?.(character.id);
+      if (character) wb.files.saveAll(character.id);
     },
   },
 ];
@@ -107,12 +98,4 @@ export function sampleActions(wb: Workbench): Action[] {
     menu: 'Samples',
     run: () => wb.files.openSample(sample.id),
   }));
-}
-
-/** Actions whose function was not supplied have no place in menus. */
-export function isSupplied(wb: Workbench, id: string): boolean {
-  if (id === 'file.openFolder') return wb.files.openFolder !== undefined;
-  if (id === 'file.reload') return wb.files.reload !== undefined;
-  if (id === 'save.all') return wb.files.saveAll !== undefined;
-  return true;
 }

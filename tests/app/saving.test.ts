@@ -1,0 +1,51 @@
+import { describe, expect, it } from 'vitest';
+import { saveCharacter, zipCharacter } from '../../src/app/saving.ts';
+import { openFiles } from '../../src/edit/open-files.ts';
+import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
+import { parse } from '../../src/worker/parse.ts';
+import { character, clip, morph, skeleton, skin } from '../helpers/builders.ts';
+
+const hero = character({
+  skins: [skin('hero', 1, { material: { name: 'face', texture: 'face.png' } })],
+  morphs: [morph('hero_smile')],
+  clips: [clip('hero_walk', new Array(10).fill(0.5), [0, 2])],
+  shownClip: 0,
+  textures: [{ name: 'face.png', mime: 'image/png', bytes: Uint8Array.of(1, 2, 3) }],
+});
+
+describe('saving a character', () => {
+  it('gives each part the name of the file it came from', () => {
+    const names = (['skel', 'skin', 'morph', 'anim', 'rig'] as const).flatMap((k) => saveCharacter(hero, k));
+    expect(names.map((f) => f.name)).toEqual([
+      'hero.skel',
+      'hero.skin',
+      'hero_smile.morph',
+      'hero_walk.anim',
+      'hero.rig',
+    ]);
+  });
+
+  it('writes the pose as it is now', () => {
+    const posed = { ...hero, pose: hero.pose.map((v, i) => (i === 4 ? 0.25 : v)) };
+    expect(saveCharacter(posed, 'skel')[0].text).toContain('0.25');
+  });
+
+  it('has nothing of what is not there', () => {
+    expect(saveCharacter(character({ skeleton: skeleton() }), 'skin')).toEqual([]);
+  });
+
+  it('zips a whole character, which opens again as it was', async () => {
+    const { name, bytes } = zipCharacter(hero);
+    expect(name).toBe('hero.zip');
+    const { files, diagnostics } = await parse({ files: [{ path: name, blob: new Blob([bytes]) }] }, () => undefined);
+    expect(diagnostics).toEqual([]);
+    const { document } = openFiles(EMPTY_DOCUMENT, files);
+    expect(document.characters).toHaveLength(1);
+    const [again] = document.characters;
+    expect(again.skeleton).toEqual(hero.skeleton);
+    expect(again.skins).toEqual(hero.skins);
+    expect(again.morphs).toEqual(hero.morphs);
+    expect(again.clips).toEqual(hero.clips);
+    expect(again.textures).toEqual(hero.textures);
+  });
+});
