@@ -16,8 +16,8 @@ export function followRange(store: Store, transport: Observable<Playback>): void
     clips = next;
     transport.update((playback) => {
       if (sameRange(was, next) || !sameRange(playback.range, was ?? playback.range)) return playback;
-      // Without a clip there is nothing to play, and the moment stays.
-      if (!next) return { ...playback, range: [0, 0], playing: false };
+      // Without a clip there is nothing to play, and no moment is another.
+      if (!next) return { ...playback, range: [0, 0], timeSeconds: 0, playing: false };
       return { ...playback, range: next };
     });
   });

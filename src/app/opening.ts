@@ -7,7 +7,7 @@ import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { type Document, findCharacter, shownClip } from '../model/document.ts';
+import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Observable } from '../ui/observable.ts';
@@ -93,8 +93,9 @@ export class Opener {
       store.amend({ ...document, isOpeningSample: true });
       store.select(selection);
     } else store.replace(label, { document, selection });
-    // A part that was replaced keeps time and camera: someone is editing a file beside the page.
-    if (opened.some((id) => !findCharacter(before, id))) viewport.frameAll();
+    // A part that was replaced keeps time and camera: someone is editing a file beside the page. What arrives for the
+    // first time may be of another size than what was there.
+    if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) viewport.frameAll();
     // The range is that of the clips by now (`follow-range.ts`); what is new starts from its beginning.
     if (opened.some((id) => hasNewClip(before, document, id))) {
       transport.update((now) => play({ ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 }));
@@ -112,6 +113,13 @@ function selectionAfter(document: Document, opened: readonly string[], selection
   }
   if (joint !== undefined && joint >= (kept.skeleton?.joints.length ?? 0)) return { characterId: kept.id };
   return selection;
+}
+
+/** Whether a character is new, or has a kind of part that it had none of. */
+function hasGrown(before: Character | undefined, after: Character | undefined): boolean {
+  if (!before || !after) return true;
+  const first = (was: readonly unknown[], is: readonly unknown[]) => was.length === 0 && is.length > 0;
+  return before.skeleton === undefined || first(before.skins, after.skins) || first(before.clips, after.clips);
 }
 
 /** Whether a character plays a clip now that it did not have at all before. */

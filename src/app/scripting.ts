@@ -78,7 +78,10 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
     return found;
   };
   return {
-    open: (files) => opener.open(() => Array.from(files, given)),
+    async open(files) {
+      const blobs = Array.from(files, given);
+      return opener.open(() => blobs);
+    },
     seek(seconds) {
       const timeSeconds = finiteNumber(seconds, 'A time');
       transport.update((now) => ({ ...now, timeSeconds, playing: false }));
@@ -99,7 +102,11 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
   };
 }
 
+/** What a console gives is not typed: anything else is refused with a sentence. */
 function given(file: ScriptFile): GivenBlob {
+  if (typeof file?.name !== 'string' || !(file instanceof Blob || 'content' in file)) {
+    throw new TypeError('Each file has to be a File, or an object with a name and its content.');
+  }
   if (file instanceof Blob) return { path: file.webkitRelativePath || file.name, blob: file };
   return { path: file.name, blob: new Blob([file.content]) };
 }

@@ -119,7 +119,11 @@ class Opening {
       // Several roots are several characters; what else is in the group belongs to the first.
       const own = root === 0 ? parts : parts.filter((p) => p.kind === 'skel');
       let next = before ?? this.make(group.name ?? skeleton?.name ?? stemOf(parts[0].source));
-      if (skeleton) next = withSkeleton(next, skeleton);
+      if (skeleton) {
+        // What waited was called after its clip or skin.
+        const name = next.skeleton ? next.name : (group.name ?? skeleton.name);
+        next = withSkeleton({ ...next, name }, skeleton);
+      }
       for (const part of own) next = withPart(next, part, before);
       // Of several alternatives that are all new, the first is shown.
       if (!before) next = { ...next, shownSkin: 0, shownClip: next.clips.length ? 0 : -1 };

@@ -15,6 +15,8 @@ export interface Playback {
   readonly loop: LoopMode;
   /** Seconds shown per second passed, −4 to 4. */
   readonly rate: number;
+  /** On the way back of a ping-pong; the rate itself stays as it was set. */
+  readonly turned: boolean;
   /** Of the display in frames, and of steps by a frame. */
   readonly framesPerSecond: number;
 }
@@ -25,36 +27,38 @@ export const DEFAULT_PLAYBACK: Playback = {
   range: [0, 0],
   loop: 'loop',
   rate: 1,
+  turned: false,
   framesPerSecond: 30,
 };
 
 /**
- * The transport after `elapsedSeconds` of the clock. `once` stops at the end it runs into; `pingpong` turns the rate
- * round at both ends, so that a pause in the middle goes on the same way.
+ * The transport after `elapsedSeconds` of the clock. `once` stops at the end it runs into; `pingpong` turns round at
+ * both ends, and a pause in the middle goes on the same way.
  */
 export function advance(playback: Playback, elapsedSeconds: number): Playback {
   if (!playback.playing || elapsedSeconds === 0) return playback;
-  const [start, end] = playback.range;
+  const { loop, range } = playback;
+  const [start, end] = range;
   const length = end - start;
-  const timeSeconds = playback.timeSeconds + elapsedSeconds * playback.rate;
-  if (playback.loop === 'continue') return { ...playback, timeSeconds };
-  if (length <= 0) return { ...playback, timeSeconds: start, playing: playback.loop !== 'once' };
+  const rate = loop === 'pingpong' && playback.turned ? -playback.rate : playback.rate;
+  const timeSeconds = playback.timeSeconds + elapsedSeconds * rate;
+  if (loop === 'continue') return { ...playback, timeSeconds };
+  if (length <= 0) return { ...playback, timeSeconds: start, playing: loop !== 'once' };
   if (timeSeconds >= start && timeSeconds <= end) return { ...playback, timeSeconds };
-  switch (playback.loop) {
+  switch (loop) {
     case 'once':
       // Playing away from the range would never end; playing back into it goes on.
-      if (playback.rate > 0 ? timeSeconds < start : timeSeconds > end) return { ...playback, timeSeconds };
-      return { ...playback, timeSeconds: playback.rate > 0 ? end : start, playing: false };
+      if (rate > 0 ? timeSeconds < start : timeSeconds > end) return { ...playback, timeSeconds };
+      return { ...playback, timeSeconds: rate > 0 ? end : start, playing: false };
     case 'loop':
       return { ...playback, timeSeconds: start + modulo(timeSeconds - start, length) };
     case 'pingpong': {
       const along = modulo(timeSeconds - start, 2 * length);
-      const back = along > length;
-      const turned = Math.floor((timeSeconds - start) / length) % 2 !== 0;
+      const turns = Math.floor((timeSeconds - start) / length) % 2 !== 0;
       return {
         ...playback,
-        timeSeconds: start + (back ? 2 * length - along : along),
-        rate: turned ? -playback.rate : playback.rate,
+        timeSeconds: start + (along > length ? 2 * length - along : along),
+        turned: turns ? !playback.turned : playback.turned,
       };
     }
   }
@@ -65,7 +69,7 @@ export function play(playback: Playback): Playback {
   const [start, end] = playback.range;
   const atEnd = playback.rate >= 0 ? playback.timeSeconds >= end : playback.timeSeconds <= start;
   const timeSeconds = playback.loop === 'once' && atEnd ? (playback.rate >= 0 ? start : end) : playback.timeSeconds;
-  return { ...playback, timeSeconds, playing: true };
+  return { ...playback, timeSeconds, playing: true, turned: playback.loop === 'pingpong' && playback.turned };
 }
 
 /** Steps by whole frames, onto the frame grid: from between two frames to the nearer side's next one. */

@@ -334,6 +334,7 @@ describe('files opened later', () => {
     const now = only(document);
     expect(now.clips).toEqual([walk]);
     expect(now.skeleton?.joints).toHaveLength(2);
+    expect(now.name).toBe('hero');
   });
 
   it('never attach to the opening sample, which makes way', () => {
