@@ -161,6 +161,38 @@ describe('vertices as the GPU makes them', () => {
   it('had no complaint from WebGL', () => expect(problems).toEqual([]));
 });
 
+describe('light', () => {
+  /** A square of four triangles around its middle, which faces +z; one corner's normal may be the other way round. */
+  const square = (corner: string): Case => ({
+    skin: `
+positions 5 { -1 -1 0  1 -1 0  1 1 0  -1 1 0  0 0 0.1 }
+normals 5 { ${corner}  0.3 -0.3 0.9  0.3 0.3 0.9  -0.3 0.3 0.9  0 0 1 }
+skinweights 0 { }
+triangles 4 { 0 1 4  1 2 4  2 3 4  3 0 4 }
+bindings 0 { }`,
+    pose: [0, 0, 0],
+  });
+
+  it('falls on a corner whose normal points inward as if it pointed outward, without a tear', async () => {
+    const right = await ask.turned(square('-0.3 -0.3 0.9'), false);
+    const wrong = await ask.turned(square('0.3 0.3 -0.9'), false);
+    expect(right.drawn).toBeGreaterThan(1000);
+    expect(differing(right, wrong, 0)).toBe(0);
+    // Not so by winding alone.
+    const plain = await ask.turned(square('0.3 0.3 -0.9'), true);
+    expect(differing(right, plain)).toBeGreaterThan(0.1 * right.drawn);
+  });
+
+  it('falls on either winding, and on triangles wound differently, alike', async () => {
+    const right = await ask.turned(square('-0.3 -0.3 0.9'), false);
+    for (const winding of ['reversed', 'mixed'] as const) {
+      expect(differing(right, await ask.turned({ ...square('-0.3 -0.3 0.9'), winding }, false), 0)).toBe(0);
+    }
+  });
+
+  it('had no complaint from WebGL', () => expect(problems).toEqual([]));
+});
+
 const file = (path: string) => readFileSync(sharedPath(path), 'latin1');
 /** The files in a pose that moves every joint, or at rest. */
 function course(skel: string, skin: string, { bend = 0.5, far = 0, weights = [] as readonly number[] } = {}): Case {

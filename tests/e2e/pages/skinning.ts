@@ -243,7 +243,8 @@ function pictures(what: Case): { readonly skinned: Picture; readonly rigid: Pict
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
   geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
-  geometry.setIndex(new BufferAttribute(skin.triangles, 1));
+  geometry.setIndex(mesh.geometry.getIndex());
+  geometry.setAttribute('turned', mesh.geometry.getAttribute('turned'));
   const material = mesh.material.clone();
   const rigid = new Mesh(geometry, withExactSkinning(material));
   rigid.castShadow = true;
@@ -283,7 +284,7 @@ async function styled(what: Case, display: Partial<Display>, heatJoint?: number)
   return taken;
 }
 
-/** Shading normals in the space of the view, as colours: 0.5 + 0.5 n. `plain`: as three.js turns them, by winding. */
+/** Shading normals in the space of the view, as colours: 0.5 + 0.5 n. `plain`: as three.js turns them, by the file's winding. */
 function turned(what: Case, plain: boolean): Picture {
   const view = new CharacterView(renderer);
   view.show(characterOf(what), DEFAULT_DISPLAY, undefined);
@@ -319,6 +320,7 @@ void main() {
 }`,
   });
   mesh.material = plain ? material : withExactSkinning(material, mesh.gpu);
+  if (plain) mesh.geometry.setIndex(new BufferAttribute(mesh.gpu.skin.triangles, 1));
   const scene = new Scene();
   scene.add(view.object);
   const camera = cameraFor(view.localBox.getCenter(new Vector3()), view.localBox.getSize(new Vector3()).length() / 2);
