@@ -69,7 +69,11 @@ export class Opener {
       const result = openFiles(store.document, output.files, output.broken, store.selection.characterId);
       const diagnostics = [...output.diagnostics, ...result.diagnostics];
       this.put(result.document, result.opened, result.label, options);
-      messages.report(diagnostics);
+      // Files that are well now have nothing to say any more.
+      messages.report(
+        diagnostics,
+        output.files.map((f) => f.source.name),
+      );
       return diagnostics;
     } catch (error) {
       if (abort.signal.aborted) {

@@ -13,7 +13,7 @@ import { element } from './dom.ts';
 import { FactList, type FactView } from './fact-list.ts';
 import { atMostEvery } from './frame.ts';
 import { movedVertices } from './moved-vertices.ts';
-import { count, plural } from './number-text.ts';
+import { plural } from './number-text.ts';
 import { vertexFacts } from './vertex-facts.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -84,7 +84,7 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
   if (!skeleton) throw new Error('A joint without a skeleton.');
   const joint = skeleton.joints[index];
   const list = new FactList(joint.name || 'no name');
-  list.fact('Index', `${index} of ${count(skeleton.joints.length)}`);
+  list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
   list.fact('Type', motionText(joint.motion));
   list.fact('Parent', joint.parent < 0 ? 'none, it is the root' : parentLink(wb, character, joint.parent));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);

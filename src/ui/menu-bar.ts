@@ -9,6 +9,7 @@ import { type Menu, openMenu } from './menu.ts';
 import { menuEntries } from './menu-entries.ts';
 import { bytes, plural } from './number-text.ts';
 import { isPanelOpen, NARROW } from './panels.ts';
+import { keepTooltip } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
 
 export function menuBar(wb: Workbench): HTMLElement {
@@ -86,6 +87,7 @@ function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' 
   const show = () => {
     made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), name)));
   };
+  keepTooltip(wb, made, id, () => `${label} panel`);
   wb.settings.subscribe(show);
   window.matchMedia(NARROW).addEventListener('change', show);
   show();

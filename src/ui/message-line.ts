@@ -1,9 +1,13 @@
-/** The worst message that nobody has read, as a line over the viewport's foot. It stays until it is put away. */
+/**
+ * The newest message that nobody has read, as a line over the viewport's foot. It stays until it is put away; only a
+ * confirmation goes by itself.
+ */
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
-import type { Message } from './messages.ts';
 import { plural } from './number-text.ts';
 import type { Workbench } from './workbench.ts';
+
+const PASSING_MS = 4000;
 
 export function messageLine(wb: Workbench): HTMLElement {
   const { messages } = wb;
@@ -11,8 +15,14 @@ export function messageLine(wb: Workbench): HTMLElement {
   const region = element('div', { class: 'message-line', role: 'status', 'aria-live': 'polite' });
   const show = () => {
     const unread = messages.list.get().filter((m) => m.unread);
-    const first = mostUrgent(unread);
-    region.hidden = first === undefined;
+    const passing = messages.passing.get();
+    const first = unread.at(-1);
+    region.hidden = first === undefined && passing === undefined;
+    if (passing !== undefined) {
+      region.className = 'message-line severity-info';
+      region.replaceChildren(icon('info'), element('span', { class: 'message-text' }, passing));
+      return;
+    }
     if (!first) {
       region.replaceChildren();
       return;
@@ -33,15 +43,12 @@ export function messageLine(wb: Workbench): HTMLElement {
     );
   };
   messages.list.subscribe(show);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  messages.passing.subscribe((text) => {
+    clearTimeout(timer);
+    if (text !== undefined) timer = setTimeout(() => messages.passing.set(undefined), PASSING_MS);
+    show();
+  });
   show();
   return region;
-}
-
-/** Errors before warnings before notes; of equals the newest. */
-function mostUrgent(messages: readonly Message[]): Message | undefined {
-  for (const severity of ['error', 'warning', 'info'] as const) {
-    const found = messages.findLast((m) => m.severity === severity);
-    if (found) return found;
-  }
-  return undefined;
 }

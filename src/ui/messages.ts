@@ -19,19 +19,30 @@ export interface Message {
 export class Messages {
   /** Oldest first. */
   readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
+  /** A confirmation that nobody need keep: shown for a moment, never listed. */
+  readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
   /** Counts how often someone asked to see the list. */
   readonly listAsked: Observable<number> = observable(0);
   private nextId = 1;
 
-  /** A notice in one sentence. */
+  /** A notice in one sentence. A mere info passes by itself; anything worse is listed. */
   note(text: string, severity: Severity = 'info'): void {
-    this.add({ text, severity, diagnostics: [] });
+    if (severity === 'info') this.passing.set(text);
+    else this.add({ text, severity, diagnostics: [] });
   }
 
-  /** The problems of one opening, grouped by file. Mere infos are listed without a line of their own. */
-  report(diagnostics: readonly Diagnostic[]): void {
-    for (const [file, found] of groupByFile(diagnostics)) {
-      const severity = worst(found);
+  /**
+   * The problems of one opening, grouped by file, the worst last and so the newest. Mere infos are listed without a line
+   * of their own. What was said of the same files before goes.
+   *
+   * @param files names of all files that were opened: those that are well now lose their messages too
+   */
+  report(diagnostics: readonly Diagnostic[], files: readonly string[] = []): void {
+    const well = new Set(files);
+    this.keep((m) => m.diagnostics.length === 0 || !well.has(m.diagnostics[0].file));
+    const groups = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, severity: worst(found) }));
+    groups.sort((a, b) => RISING.indexOf(a.severity) - RISING.indexOf(b.severity));
+    for (const { file, found, severity } of groups) {
       this.add({ text: summary(file, found), severity, diagnostics: found }, severity !== 'info');
     }
   }
@@ -43,7 +54,7 @@ export class Messages {
 
   /** Takes messages off the list: they have been dealt with. */
   dismiss(id: number): void {
-    this.list.update((all) => all.filter((m) => m.id !== id));
+    this.keep((m) => m.id !== id);
   }
 
   dismissAll(): void {
@@ -63,12 +74,24 @@ export class Messages {
 
   private add(message: Omit<Message, 'id' | 'unread'>, unread = true): void {
     const id = this.nextId++;
-    // The same notice again is not two.
-    this.list.update((all) => [
-      ...all.filter((m) => m.diagnostics.length > 0 || m.text !== message.text),
-      { ...message, id, unread },
-    ]);
+    if (unread) this.passing.set(undefined);
+    // The same notice again is not two, and a file that is read again is judged anew.
+    this.list.update((all) => [...all.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
   }
+
+  private keep(wanted: (message: Message) => boolean): void {
+    if (!this.list.get().every(wanted)) this.list.update((all) => all.filter(wanted));
+  }
+}
+
+const RISING: readonly Severity[] = ['info', 'warning', 'error'];
+
+/** Whether two messages are about the same file, or are the same notice. */
+function isAbout(a: Omit<Message, 'id' | 'unread'>, b: Omit<Message, 'id' | 'unread'>): boolean {
+  if (a.diagnostics.length === 0 || b.diagnostics.length === 0) {
+    return a.diagnostics.length === b.diagnostics.length && a.text === b.text;
+  }
+  return a.diagnostics[0].file === b.diagnostics[0].file;
 }
 
 function groupByFile(diagnostics: readonly Diagnostic[]): Map<string, Diagnostic[]> {

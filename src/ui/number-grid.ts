@@ -4,7 +4,7 @@
  */
 import { copyText } from './clipboard.ts';
 import { element, setText } from './dom.ts';
-import { aligned, exact } from './number-text.ts';
+import { exact, fitted } from './number-text.ts';
 
 export interface GridOptions {
   readonly label: string;
@@ -18,6 +18,8 @@ export interface GridOptions {
 }
 
 const COPIED_MS = 700;
+/** What a quarter of the narrowest inspector has room for. */
+const CHARACTERS = 8;
 
 export class NumberGrid {
   readonly element: HTMLTableElement;
@@ -55,8 +57,8 @@ export class NumberGrid {
     const index = row * this.options.columns + column;
     if (Object.is(this.values[index], value)) return;
     this.values[index] = value;
-    setText(this.cells[index], aligned(value, this.decimals));
-    this.cells[index].title = `${exact(value)}  (click to copy)`;
+    setText(this.cells[index], fitted(value, this.decimals, CHARACTERS));
+    this.cells[index].title = `${exactOrNone(value)}  (click to copy)`;
   }
 
   /** A 4×4 matrix that lies column-major at `offset`, shown with its columns as columns. */
@@ -73,7 +75,7 @@ export class NumberGrid {
     const { rows, columns, rowLabels } = this.options;
     const lines: string[] = [];
     for (let r = 0; r < rows; r++) {
-      const numbers = Array.from(this.values.subarray(r * columns, (r + 1) * columns), exact).join(' ');
+      const numbers = Array.from(this.values.subarray(r * columns, (r + 1) * columns), exactOrNone).join(' ');
       lines.push(rowLabels ? `${rowLabels[r]} ${numbers}` : numbers);
     }
     return lines.join('\n');
@@ -112,11 +114,16 @@ export class NumberGrid {
 
   private copy(index: number): void {
     const cell = this.cells[index];
-    void copyText(exact(this.values[index])).then((done) => {
+    void copyText(exactOrNone(this.values[index])).then((done) => {
       cell.classList.toggle('copied', done);
       setTimeout(() => cell.classList.remove('copied'), COPIED_MS);
     });
   }
+}
+
+/** A limit that is none is copied as a word: `Infinity` is a number in no file. */
+function exactOrNone(value: number): string {
+  return Math.abs(value) === Infinity ? 'none' : exact(value);
 }
 
 function axisClass(text: string): string | undefined {

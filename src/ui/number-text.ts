@@ -30,6 +30,12 @@ export function aligned(value: number, decimals = 4): string {
   return Number(fixed) === 0 ? (0).toFixed(decimals) : fixed;
 }
 
+/** `aligned` with fewer decimals for larger numbers, so that a column of `characters` holds it. */
+export function fitted(value: number, decimals: number, characters: number): string {
+  const whole = Math.max(0, Math.floor(Math.log10(Math.abs(value)))) + (value < 0 ? 3 : 2);
+  return aligned(value, Number.isFinite(whole) ? Math.max(1, Math.min(decimals, characters - whole)) : decimals);
+}
+
 /** Times on screen: up to 6 decimals of a second. */
 export function seconds(value: number): string {
   return shown(value, 6);

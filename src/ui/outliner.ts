@@ -26,6 +26,7 @@ export function outliner(wb: Workbench): HTMLElement {
   const search = searchBox();
   const empty = element('p', { class: 'empty' });
   let renaming: string | undefined;
+  let firstMatch: OutlineRow | undefined;
 
   const tree = new Tree('Characters and joints', {
     toggle(row, open) {
@@ -33,7 +34,8 @@ export function outliner(wb: Workbench): HTMLElement {
       show();
     },
     select: (row) => select(wb, row),
-    activate: (row) => activate(wb, row, startRename),
+    activate: (row) => activate(wb, row),
+    doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
     draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(row)),
   });
@@ -51,6 +53,7 @@ export function outliner(wb: Workbench): HTMLElement {
     const { document } = wb.store;
     const query = search.input.value;
     const rows = outlineRows(document, (key, otherwise) => folds.get(key) ?? otherwise, query);
+    firstMatch = query.trim() ? rows.find((row) => !row.onTheWay) : undefined;
     empty.hidden = rows.length > 0;
     tree.element.hidden = rows.length === 0;
     empty.textContent = document.characters.length && query ? `Nothing here is called “${query}”.` : EMPTY;
@@ -98,7 +101,8 @@ export function outliner(wb: Workbench): HTMLElement {
 
   search.input.addEventListener('input', show);
   search.input.addEventListener('keydown', (event) => {
-    if (event.key === 'ArrowDown') tree.element.focus();
+    if (event.isComposing) return;
+    if (event.key === 'ArrowDown' || (event.key === 'Enter' && firstMatch)) tree.goTo(firstMatch);
     else if (event.key === 'Escape' && search.input.value) {
       search.input.value = '';
       show();
@@ -155,12 +159,12 @@ function select(wb: Workbench, { kind, characterId, index }: OutlineRow): void {
   else if (kind === 'character' || wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
 }
 
-function activate(wb: Workbench, row: OutlineRow, rename: (row: OutlineRow) => void): void {
+function activate(wb: Workbench, row: OutlineRow): void {
   const { kind, characterId, index } = row;
-  if (kind === 'character') rename(row);
-  else if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
+  if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
   else if (kind === 'clip') wb.store.apply(showClip, { characterId, clip: index });
-  else if (kind === 'joint') wb.viewport.frameSelection(wb.store.selection);
+  else if (kind === 'character') wb.viewport.frameSelection({ characterId });
+  else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
 }
 
 const CHARACTER_ACTIONS = ['character.copy', 'pose.resetToFile', 'pose.resetToZero', 'pose.holdLimits'];

@@ -8,24 +8,31 @@ import type { DialogContent } from './dialog.ts';
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
 import { isMac } from './keys.ts';
-import { isSingleKey, shortcutsOf, shortcutText } from './shortcuts.ts';
+import { isSingleKey, shortcutsOf, shortcutText, withKeys } from './shortcuts.ts';
 import type { Workbench } from './workbench.ts';
+
+/** Builds the page anew, with a sentence about what has just happened. */
+type Refresh = (news?: string) => void;
 
 export function shortcutsPage(wb: Workbench): DialogContent {
   const body = element('div', { class: 'shortcuts' });
-  const show = () => body.replaceChildren(switches(wb, show), ...groups(wb, show), mouseGroup());
+  const said = element('p', { class: 'shortcut-said', role: 'status' });
+  const show = (news = '') => {
+    said.textContent = news;
+    body.replaceChildren(switches(wb, said, show), ...groups(wb, show), mouseGroup());
+  };
   show();
   return { title: 'Shortcuts', body, kind: 'shortcuts-dialog' };
 }
 
-function switches(wb: Workbench, refresh: () => void): HTMLElement {
+function switches(wb: Workbench, said: HTMLElement, refresh: Refresh): HTMLElement {
   const box = element('input', { type: 'checkbox' });
   box.checked = wb.settings.get().singleKeys;
   box.addEventListener('change', () => {
     wb.settings.update((s) => ({ ...s, singleKeys: box.checked }));
     refresh();
   });
-  const reset = button('Put all keys back', { class: 'link' }, 'Put all keys back', () => {
+  const reset = button('Reset all keys to default', { class: 'link' }, 'Reset all to default', () => {
     wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
     refresh();
   });
@@ -37,10 +44,11 @@ function switches(wb: Workbench, refresh: () => void): HTMLElement {
     element('label', {}, box, 'Single keys'),
     element('span', { class: 'faint' }, hint),
     reset,
+    said,
   );
 }
 
-function groups(wb: Workbench, refresh: () => void): HTMLElement[] {
+function groups(wb: Workbench, refresh: Refresh): HTMLElement[] {
   const actions = actionsOf(wb);
   return GROUPS.map((group) => {
     const section = element('section', {}, element('h3', {}, group));
@@ -51,7 +59,7 @@ function groups(wb: Workbench, refresh: () => void): HTMLElement[] {
   });
 }
 
-function line(wb: Workbench, action: Action, refresh: () => void): HTMLElement {
+function line(wb: Workbench, action: Action, refresh: Refresh): HTMLElement {
   const { keys, singleKeys } = wb.settings.get();
   const now = keys[action.id] ?? action.shortcuts ?? [];
   const label = action.name ?? actionLabel(wb, action);
@@ -63,9 +71,10 @@ function line(wb: Workbench, action: Action, refresh: () => void): HTMLElement {
   }
   if (!now.length) cell.append(changeable(wb, action, undefined, 'none', singleKeys, refresh));
   if (action.id in keys) {
-    const back = button(`Put ${label} back`, { class: 'tool small' }, icon('close'), () => {
+    const back = button(`Reset ${label} to default`, { class: 'tool small' }, icon('close'), () => {
+      const news = give(wb, action, action.shortcuts ?? []);
       wb.settings.update((s) => ({ ...s, keys: without(s.keys, action.id) }));
-      refresh();
+      refresh(news);
     });
     cell.append(back);
   }
@@ -80,15 +89,14 @@ function changeable(
   shortcut: string | undefined,
   text: string,
   enabled: boolean,
-  refresh: () => void,
+  refresh: Refresh,
 ): HTMLElement {
   const key = element('button', { type: 'button', class: 'key', 'aria-label': `${text}: press to change` }, text);
   key.disabled = !enabled;
-  const give = (next: string | undefined) => {
+  const replaceBy = (next: string | undefined) => {
     const own = wb.settings.get().keys[action.id] ?? action.shortcuts ?? [];
     const kept = own.filter((k) => k !== shortcut && k !== next);
-    wb.settings.update((s) => ({ ...s, keys: { ...s.keys, [action.id]: next ? [next, ...kept] : kept } }));
-    refresh();
+    refresh(give(wb, action, next ? [next, ...kept] : kept));
   };
   key.addEventListener('click', () => {
     key.textContent = 'press a key';
@@ -107,13 +115,28 @@ function changeable(
         event.stopPropagation();
         if (event.key === 'Escape' || event.key === 'Tab') return leave();
         wait.abort();
-        if (event.key === 'Delete' || event.key === 'Backspace') return give(undefined);
-        give(shortcutsOf(event, isMac).find(isSingleKey) ?? shortcut);
+        if (event.key === 'Delete' || event.key === 'Backspace') return replaceBy(undefined);
+        const next = shortcutsOf(event, isMac).find(isSingleKey);
+        if (next) replaceBy(next);
+        else refresh('Only a single key can be given here: a letter, a digit or a sign, with or without Shift.');
       },
       { signal: wait.signal },
     );
   });
   return key;
+}
+
+/** Gives an action keys; whoever had them has to say so. */
+function give(wb: Workbench, action: Action, own: readonly string[]): string {
+  const { keys, losers } = withKeys(actionsOf(wb), wb.settings.get().keys, action, own);
+  wb.settings.update((s) => ({ ...s, keys }));
+  const name = (a: Action) => `“${a.name ?? actionLabel(wb, a)}”`;
+  const lost = losers.map((loser) => {
+    const had = loser.shortcuts?.find((key) => own.includes(key)) ?? own[0];
+    const left = keys[loser.id].length ? '' : ', which has no key now';
+    return `${shortcutText(had, isMac)} was taken from ${name(loser)}${left}.`;
+  });
+  return lost.join(' ');
 }
 
 function without<T>(record: Readonly<Record<string, T>>, key: string): Record<string, T> {
@@ -124,7 +147,7 @@ function without<T>(record: Readonly<Record<string, T>>, key: string): Record<st
 function mouseGroup(): HTMLElement {
   const lines: readonly (readonly [string, string])[] = [
     ['Orbit', 'drag'],
-    ['Pan', 'right drag'],
+    ['Pan', 'right drag or Shift+drag'],
     ['Dolly', 'wheel'],
     ['Pick a joint or vertex', 'click'],
     ['Zoom the time ruler', 'wheel'],

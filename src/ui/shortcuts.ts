@@ -119,6 +119,28 @@ export function actionFor<A extends Bindable>(
   return undefined;
 }
 
+/**
+ * Gives an action these keys, and takes them from whoever has them in the same scope: one key does one thing.
+ *
+ * @returns all changed keys, and who lost one
+ */
+export function withKeys<A extends Bindable>(
+  actions: readonly A[],
+  keys: Settings['keys'],
+  action: A,
+  own: readonly string[],
+): { readonly keys: Settings['keys']; readonly losers: readonly A[] } {
+  const given = { ...keys, [action.id]: own };
+  const losers = actions.filter((other) => {
+    if (other.id === action.id || other.panel !== action.panel) return false;
+    const has = keys[other.id] ?? other.shortcuts ?? [];
+    const left = has.filter((key) => !own.includes(key));
+    if (left.length < has.length) given[other.id] = left;
+    return left.length < has.length;
+  });
+  return { keys: given, losers };
+}
+
 /** What kind of control has the focus, as far as keys go. */
 export type FocusKind = 'text' | 'select' | 'press' | 'none';
 

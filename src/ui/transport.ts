@@ -5,13 +5,12 @@ import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setAttribute } from './dom.ts';
 import { oncePerFrame } from './frame.ts';
 import { type IconName, icon } from './icons.ts';
-import { isMac } from './keys.ts';
 import { type MenuEntry, menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { NumberField } from './number-field.ts';
 import { seconds, shown } from './number-text.ts';
 import type { Scrubber } from './scrubber.ts';
-import { shortcutsFor, shortcutText } from './shortcuts.ts';
+import { keepTooltip, withKey } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
 
 export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
@@ -26,19 +25,15 @@ export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
 function buttons(wb: Workbench): HTMLElement {
   const make = (id: string, label: string, name: IconName, extra = '') => {
     const made = keepsFocusElsewhere(button(label, { class: `tool ${extra}` }, icon(name), () => tryRun(wb, id)));
-    // Names the key in the tooltip; it may have been changed.
-    made.addEventListener('pointerenter', () => {
-      const action = actionsOf(wb).find((a) => a.id === id);
-      const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
-      const name = made.getAttribute('aria-label') ?? label;
-      made.title = shortcut ? `${name} (${shortcutText(shortcut, isMac)})` : name;
-    });
+    keepTooltip(wb, made, id, () => made.getAttribute('aria-label') ?? label);
     return made;
   };
   const play = make('play.toggle', 'Play', 'play', 'play-button');
+  const playTitle = keepTooltip(wb, play, 'play.toggle', () => play.getAttribute('aria-label') ?? 'Play');
   const showPlaying = (playing: boolean) => {
     play.replaceChildren(icon(playing ? 'pause' : 'play'));
     setAttribute(play, 'aria-label', playing ? 'Pause' : 'Play');
+    playTitle();
     play.classList.toggle('is-playing', playing);
   };
   wb.transport.subscribe((now, before) => {
@@ -71,6 +66,8 @@ function loopModes(wb: Workbench): HTMLElement {
       button(LOOP_LABELS[mode], { class: 'tool', role: 'radio' }, icon(mode), () => runAction(wb, `play.loop.${mode}`)),
     ),
   }));
+  // One key goes through all of them.
+  for (const { mode, button } of made) keepTooltip(wb, button, 'play.nextLoop', () => LOOP_LABELS[mode]);
   const show = () => {
     for (const { mode, button } of made) {
       const chosen = wb.transport.get().loop === mode;
@@ -183,17 +180,31 @@ function range(wb: Workbench): HTMLElement[] {
     first.show(noNoise(from * perUnit()));
     last.show(noNoise(to * perUnit()));
   };
+  const begins = labelled('Range', first.element);
+  // The fields' own tooltips give their numbers in full; the keys stand at the word.
+  const showKeys = () => {
+    const keys = [
+      ['play.setIn', 'Begins here'],
+      ['play.setOut', 'Ends here'],
+      ['play.wholeRange', 'Whole take'],
+    ].map(([id, text]) =>
+      withKey(
+        wb,
+        actionsOf(wb).find((a) => a.id === id),
+        text,
+      ),
+    );
+    setAttribute(begins, 'title', `Range. ${keys.join(', ')}`);
+  };
   wb.transport.subscribe(show);
-  wb.settings.subscribe(show);
+  wb.settings.subscribe(() => {
+    show();
+    showKeys();
+  });
   show();
+  showKeys();
   return [
-    element(
-      'div',
-      { class: 'fields range-fields' },
-      labelled('Range', first.element),
-      element('span', { class: 'faint' }, '–'),
-      last.element,
-    ),
+    element('div', { class: 'fields range-fields' }, begins, element('span', { class: 'faint' }, '–'), last.element),
   ];
 }
 

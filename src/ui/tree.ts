@@ -10,8 +10,9 @@ export interface TreeEvents {
   toggle(row: OutlineRow, open: boolean): void;
   /** The row that was gone to, by arrow keys or a click. */
   select(row: OutlineRow): void;
-  /** Enter, double click; a single click on an alternative that is not shown. */
+  /** Enter; a single click on an alternative that is not shown. */
   activate(row: OutlineRow): void;
+  doubleClick(row: OutlineRow): void;
   menu(row: OutlineRow, at: { readonly x: number; readonly y: number }): void;
   /** Fills the row's icon and label; the tree does the rest. */
   draw(row: OutlineRow): Node[];
@@ -63,6 +64,12 @@ export class Tree {
       this.reveal(key);
     }
     this.mark();
+  }
+
+  /** As if it had been gone to with the arrow keys; no row is no row. */
+  goTo(row: OutlineRow | undefined): void {
+    this.element.focus();
+    this.moveTo(row);
   }
 
   get focused(): OutlineRow | undefined {
@@ -163,7 +170,7 @@ export class Tree {
 
   private onDoubleClick(event: MouseEvent): void {
     const row = this.rowAt(event);
-    if (row && row.kind !== 'group' && row.shown === undefined) this.events.activate(row);
+    if (row && row.kind !== 'group' && row.shown === undefined) this.events.doubleClick(row);
   }
 
   private onContextMenu(event: MouseEvent): void {
@@ -176,9 +183,10 @@ export class Tree {
 
   private moveTo(row: OutlineRow | undefined): void {
     if (!row) return;
+    this.events.select(row);
+    // Last, for what is selected may be another row: the character of a skin.
     this.focusedKey = row.key;
     this.reveal(row.key);
-    this.events.select(row);
     this.mark();
   }
 
@@ -187,8 +195,6 @@ export class Tree {
     const index = Math.max(0, this.placeOf(this.focusedKey));
     const row = this.rows[index];
     if (!row) return;
-    // Space only where there is something to choose: elsewhere it plays, as everywhere on the page.
-    if (event.key === ' ' && row.kind !== 'group' && row.shown === undefined) return;
     const page = Math.max(1, Math.floor(this.element.clientHeight / this.rowHeight) - 1);
     switch (event.key) {
       case 'ArrowDown':
@@ -217,8 +223,8 @@ export class Tree {
         if (row.expanded) this.events.toggle(row, false);
         else this.moveTo(this.above(index));
         break;
+      // Not Space: it plays, as everywhere on the page.
       case 'Enter':
-      case ' ':
         if (row.kind === 'group') this.events.toggle(row, !row.expanded);
         else this.events.activate(row);
         break;

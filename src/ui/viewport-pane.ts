@@ -2,16 +2,16 @@
  * The middle of the page: the viewport, kept in step with the document, a strip of what is drawn over its top edge, and
  * the message line over its foot. A click picks; a drag is the camera's.
  */
-import { NOTHING_SELECTED } from '../model/session.ts';
-import { SKIN_STYLES } from './actions/view-actions.ts';
+import { type Document, shownSkin } from '../model/document.ts';
+import { type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
+import { BOX_STYLES, SKIN_STYLES } from './actions/view-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
-import { button, element, keepsFocusElsewhere } from './dom.ts';
+import { button, element, keepsFocusElsewhere, setText } from './dom.ts';
 import { icon } from './icons.ts';
-import { isMac } from './keys.ts';
 import { menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { messageLine } from './message-line.ts';
-import { shortcutsFor, shortcutText } from './shortcuts.ts';
+import { keepTooltip } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
 
 /** A press that moved further was a drag. */
@@ -38,13 +38,13 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   });
   pickOnClick(wb, signal);
   show();
-  const hint = emptyHint(wb);
   return element(
     'main',
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
     viewportElement,
-    hint,
+    emptyHint(wb),
     displayStrip(wb),
+    missingNote(wb),
     messageLine(wb),
   );
 }
@@ -76,7 +76,7 @@ function pickOnClick(wb: Workbench, signal: AbortSignal): void {
 function displayStrip(wb: Workbench): HTMLElement {
   const actions = actionsOf(wb);
   const strip = element('div', { class: 'display-strip tools', role: 'toolbar', 'aria-label': 'What is drawn' });
-  const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool' }));
+  const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool skin-tool' }));
   const boxes = keepsFocusElsewhere(button('Boxes', { class: 'tool' }, icon('boxes'), () => {}));
   const within = (prefix: string) => actions.filter((a) => a.id.startsWith(prefix));
   menuButton(skin, 'Skin', () => within('draw.skin.').map((a) => itemOf(wb, a)));
@@ -89,18 +89,27 @@ function displayStrip(wb: Workbench): HTMLElement {
     const made = keepsFocusElsewhere(
       button(action.label, { class: 'tool' }, icon(action.icon), () => runAction(wb, action.id)),
     );
-    const [shortcut] = shortcutsFor(action, wb.settings.get());
-    if (shortcut) made.title = `${action.label} (${shortcutText(shortcut, isMac)})`;
+    const { label } = action;
+    keepTooltip(wb, made, action.id, () => label);
     shown.push(() => made.setAttribute('aria-pressed', String(action.checked?.(wb) ?? false)));
     strip.append(made);
   }
+  const nameOf = <T>(styles: readonly (readonly [T, string])[], style: T) =>
+    styles.find(([s]) => s === style)?.[1] ?? '';
+  const boxStyle = () => nameOf(BOX_STYLES, wb.settings.get().display.boxes).toLowerCase();
+  const skinTitle = keepTooltip(wb, skin, 'draw.nextSkin', () => 'Skin');
+  const boxesTitle = keepTooltip(wb, boxes, 'draw.nextBoxes', () => `Boxes: ${boxStyle()}`);
   const show = () => {
     const { display } = wb.settings.get();
-    const label = SKIN_STYLES.find(([style]) => style === display.skin)?.[1] ?? '';
-    skin.replaceChildren(icon('skin'), display.skin === 'heat' ? 'Influence' : label, icon('fold'));
+    const label = nameOf(SKIN_STYLES, display.skin);
+    const short = display.skin === 'heat' ? 'Influence' : label;
+    skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
     skin.setAttribute('aria-label', `Skin: ${label}`);
-    skin.title = 'Skin';
-    boxes.setAttribute('aria-pressed', String(display.boxes !== 'hidden'));
+    skinTitle();
+    // Unless skinned is the rest state: lit, it would promise boxes where none are drawn.
+    boxes.setAttribute('aria-pressed', String(display.boxes === 'wire' || display.boxes === 'solid'));
+    boxes.setAttribute('aria-label', `Boxes: ${boxStyle()}`);
+    boxesTitle();
     for (const update of shown) update();
   };
   wb.settings.subscribe(show);
@@ -123,4 +132,26 @@ function emptyHint(wb: Workbench): HTMLElement {
   wb.store.subscribe(show);
   show();
   return hint;
+}
+
+/** What has to come before anything, or what was asked for, can be seen. */
+function missingNote(wb: Workbench): HTMLElement {
+  const note = element('p', { class: 'stage-note', role: 'status' });
+  const show = () => {
+    const text = whatIsMissing(wb.store.document, wb.store.selection, wb.settings.get().display);
+    note.hidden = text === '';
+    setText(note, text);
+  };
+  wb.store.subscribe(show);
+  wb.settings.subscribe(show);
+  show();
+  return note;
+}
+
+/** A sentence, or nothing. */
+export function whatIsMissing(document: Document, selection: Selection, display: Display): string {
+  const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.clips.length > 0);
+  if (alone) return `${alone.name} has an animation only: drop its .skel`;
+  const needsJoint = display.skin === 'heat' && selection.joint === undefined;
+  return needsJoint && document.characters.some(shownSkin) ? 'Pick a joint to see its influence' : '';
 }

@@ -15,7 +15,7 @@ function diagnostic(change: Partial<Diagnostic> = {}): Diagnostic {
 }
 
 describe('Messages', () => {
-  it('makes one message of a file’s problems, the worst of them first', () => {
+  it('makes one message of a file’s problems, and of the worst file the newest', () => {
     const messages = new Messages();
     messages.report([
       diagnostic({ severity: 'warning', message: 'Odd.' }),
@@ -23,8 +23,8 @@ describe('Messages', () => {
       diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd too.' }),
     ]);
     expect(messages.list.get()).toMatchObject([
-      { severity: 'error', unread: true, text: 'a.skel: 1 error, 1 warning. Expected a number, found "x".' },
       { severity: 'warning', unread: true, text: 'b.skin: Odd too.' },
+      { severity: 'error', unread: true, text: 'a.skel: 1 error, 1 warning. Expected a number, found "x".' },
     ]);
   });
 
@@ -36,7 +36,7 @@ describe('Messages', () => {
 
   it('keeps a message until it is dismissed', () => {
     const messages = new Messages();
-    messages.note('Copied.');
+    messages.note('Not allowed.', 'warning');
     const [{ id }] = messages.list.get();
     messages.markRead(id);
     expect(messages.list.get()).toMatchObject([{ unread: false }]);
@@ -46,9 +46,27 @@ describe('Messages', () => {
 
   it('says the same notice once', () => {
     const messages = new Messages();
-    messages.note('Not allowed.');
-    messages.note('Not allowed.');
+    messages.note('Not allowed.', 'warning');
+    messages.note('Not allowed.', 'warning');
     expect(messages.list.get()).toHaveLength(1);
+  });
+
+  it('lets a confirmation pass without listing it', () => {
+    const messages = new Messages();
+    messages.note('Saved wasp.skel.');
+    expect(messages.passing.get()).toBe('Saved wasp.skel.');
+    expect(messages.list.get()).toEqual([]);
+    messages.report([diagnostic()]);
+    expect(messages.passing.get()).toBeUndefined();
+  });
+
+  it('forgets what it said of a file when the file is reported again', () => {
+    const messages = new Messages();
+    messages.report([diagnostic(), diagnostic({ file: 'b.skin' })]);
+    messages.report([diagnostic({ severity: 'warning', message: 'Odd.' })]);
+    expect(messages.list.get().map((m) => m.text)).toEqual(['b.skin: Expected a number, found "x".', 'a.skel: Odd.']);
+    messages.report([], ['b.skin']);
+    expect(messages.list.get().map((m) => m.text)).toEqual(['a.skel: Odd.']);
   });
 });
 
@@ -63,8 +81,8 @@ describe('as text', () => {
   it('names no place where there is none', () => {
     expect(diagnosticText(diagnostic({ line: 0, column: 0 }))).toMatch(/^a\.skel: error/);
     const messages = new Messages();
-    messages.note('Copied.');
-    expect(messagesText(messages.list.get())).toBe('info: Copied.');
+    messages.note('Not allowed.', 'warning');
+    expect(messagesText(messages.list.get())).toBe('warning: Not allowed.');
   });
 
   it('keeps tabs in front of the caret', () => {

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { aligned, bytes, count, exact, parseNumber, plural, seconds, shown } from '../../src/ui/number-text.ts';
+import { aligned, bytes, count, exact, fitted, parseNumber, plural, seconds, shown } from '../../src/ui/number-text.ts';
 
 describe('exact', () => {
   it('reads back the same', () => {
@@ -67,4 +67,16 @@ it('counts', () => {
     '5000 GB',
   ]);
   expect(seconds(1.2)).toBe('1.2');
+});
+
+describe('fitted', () => {
+  it.each([
+    [-1.23456, '-1.2346'],
+    [-114.59156, '-114.592'],
+    [12345.678, '12345.68'],
+    [0, '0.0000'],
+    [-Infinity, '−∞'],
+  ])('cuts %d to what eight characters hold', (value, text) => {
+    expect(fitted(value, 4, 8)).toBe(text);
+  });
 });

@@ -8,6 +8,7 @@ import {
   shortcutsOf,
   shortcutText,
   swallows,
+  withKeys,
 } from '../../src/ui/shortcuts.ts';
 
 const NO_MODIFIERS = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: false };
@@ -119,5 +120,29 @@ describe('swallows', () => {
   it('leaves a button its Space and Enter only', () => {
     expect(swallows('press', press(' '), false)).toBe(true);
     expect(swallows('press', press('f'), false)).toBe(false);
+  });
+});
+
+describe('withKeys', () => {
+  const bones = { id: 'bones', shortcuts: ['B'] };
+  const names = { id: 'names', shortcuts: ['N', 'M'] };
+  const remove = { id: 'remove', shortcuts: ['B'], panel: 'outliner' };
+  const all = [bones, names, remove];
+
+  it('takes a key from the action that has it in the same scope, and says from which', () => {
+    const { keys, losers } = withKeys(all, {}, names, ['B', 'M']);
+    expect(keys).toEqual({ names: ['B', 'M'], bones: [] });
+    expect(losers).toEqual([bones]);
+  });
+
+  it('leaves the loser its other keys', () => {
+    expect(withKeys(all, {}, bones, ['M']).keys).toEqual({ bones: ['M'], names: ['N'] });
+  });
+
+  it('takes nothing where nobody has the key', () => {
+    expect(withKeys(all, { names: ['Q'] }, bones, ['N'])).toEqual({
+      keys: { names: ['Q'], bones: ['N'] },
+      losers: [],
+    });
   });
 });

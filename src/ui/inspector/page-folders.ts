@@ -42,7 +42,7 @@ export function displayFolder(wb: Workbench, folder: GUI): void {
       .name(label)
       .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
   }
-  folder.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('As at first');
+  folder.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
   wb.settings.subscribe((now, before) => {
     if (now.display === before.display) return;
     Object.assign(binding, now.display);
