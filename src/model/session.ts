@@ -13,7 +13,7 @@ export interface Selection {
 export const NOTHING_SELECTED: Selection = {};
 
 export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'heat';
-/** `bare`: wire, for characters that no skin is drawn of. */
+/** `bare`: solid, for characters that no skin is drawn of. */
 export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 
 /** What is drawn, for all characters. */

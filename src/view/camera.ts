@@ -22,7 +22,10 @@ import { Grid } from './grid.ts';
 
 export type Side = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
 
-/** Azimuth and polar angle (from +y) that look from each side. A character's left is at +x when it faces +z. */
+/**
+ * Azimuth and polar angle (from +y) that look from each side. A character's left is at +x when it faces +z. From above,
+ * x is to the right and −z up; from below, x to the right and z up.
+ */
 export const SIDES: Readonly<Record<Side, readonly [azimuth: number, polar: number]>> = {
   front: [0, Math.PI / 2],
   back: [Math.PI, Math.PI / 2],
@@ -167,10 +170,7 @@ export class CameraRig {
 
   lookFrom(side: Side): void {
     const to = this.goal();
-    const [azimuth, polar] = SIDES[side];
-    // From above and below, the turn stays what it nearly was: one of the four with the axes along the picture's edges.
-    to.azimuth = side === 'top' || side === 'bottom' ? (Math.PI / 2) * Math.round(to.azimuth / (Math.PI / 2)) : azimuth;
-    to.polar = polar;
+    [to.azimuth, to.polar] = SIDES[side];
     this.go(to, true);
   }
 

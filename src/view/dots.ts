@@ -1,5 +1,6 @@
 /**
- * Round markers of a size in pixels, one for each instance, with a thin ring around so that they read on any ground.
+ * Round markers of a size in pixels, dots or circles, one for each instance, with a thin ring around so that they read
+ * on any ground.
  * Quads rather than WebGL points, whose largest size differs between machines.
  */
 import { BufferAttribute, BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
@@ -9,6 +10,8 @@ export interface DotOptions {
   /** Diameter in CSS pixels, ring included. */
   readonly size: number;
   readonly depthTest: boolean;
+  /** Open in the middle: a circle around what it marks, told apart from a dot at a glance. */
+  readonly hollow?: boolean;
 }
 
 /** Instances take place and visibility from their matrices: translation, and any scale that is not 0. */
@@ -22,7 +25,7 @@ export function dots(capacity: number, options: DotOptions): InstancedMesh<Buffe
   return mesh;
 }
 
-function dotMaterial({ size, depthTest }: DotOptions): ShaderMaterial {
+function dotMaterial({ size, depthTest, hollow = false }: DotOptions): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
     depthTest,
@@ -31,6 +34,7 @@ function dotMaterial({ size, depthTest }: DotOptions): ShaderMaterial {
     uniforms: {
       resolution: LINE_RESOLUTION,
       size: { value: size },
+      hollow: { value: hollow ? 1 : 0 },
       color: { value: rawColor('#ffffff') },
       ring: { value: rawColor('#000000') },
     },
@@ -47,6 +51,7 @@ function dotMaterial({ size, depthTest }: DotOptions): ShaderMaterial {
     `,
     fragmentShader: /* glsl */ `
       uniform float size;
+      uniform float hollow;
       uniform vec3 color;
       uniform vec3 ring;
       varying vec2 vAt;
@@ -55,6 +60,9 @@ function dotMaterial({ size, depthTest }: DotOptions): ShaderMaterial {
         float soft = fwidth(r);
         float inside = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 0.5);
         float core = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 2.0);
+        // A hollow one: the colour 3 pixels wide, and the thin ring within as well as around.
+        core *= mix(1.0, smoothstep(-soft, soft, r - 0.5 * size + 5.0), hollow);
+        inside *= mix(1.0, smoothstep(-soft, soft, r - 0.5 * size + 6.0), hollow);
         gl_FragColor = vec4(mix(ring, color, core), inside * mix(0.7, 1.0, core));
       }
     `,

@@ -12,6 +12,7 @@ import {
   Color,
   CylinderGeometry,
   DynamicDrawUsage,
+  GreaterDepth,
   Group,
   InstancedBufferAttribute,
   InstancedMesh,
@@ -85,9 +86,11 @@ export function sizesFor(skeleton: Skeleton): JointSizes {
   return sizes;
 }
 
-/** A kind's mesh, made anew when it has to hold more. */
+/** A kind's mesh, made anew when it has to hold more; and the same once more where something covers it, if asked. */
 class Kind {
   mesh: InstancedMesh;
+  /** Drawn only where it is behind something opaque: bones show through a skin. */
+  covered: InstancedMesh | undefined;
   private tint: InstancedBufferAttribute | undefined;
 
   constructor(
@@ -96,9 +99,11 @@ class Kind {
     readonly idMaterial: ShaderMaterial | undefined,
     private readonly tinted: boolean,
     parent: Group,
+    private readonly coveredMaterial?: Material,
   ) {
     this.mesh = this.create(1);
     parent.add(this.mesh);
+    this.cover();
   }
 
   /** Room for `count` instances. */
@@ -110,8 +115,10 @@ class Kind {
       this.mesh = this.create(count);
       Object.assign(this.mesh, { visible, castShadow, renderOrder });
       parent?.add(this.mesh);
+      this.cover();
     }
     this.mesh.count = count;
+    if (this.covered) this.covered.count = count;
   }
 
   /** Colour of one instance, sRGB for tinted lines. */
@@ -123,6 +130,7 @@ class Kind {
   painted(): void {
     if (this.tint) this.tint.needsUpdate = true;
     if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+    if (this.covered) this.covered.instanceColor = this.mesh.instanceColor;
   }
 
   get matrices(): Float32Array {
@@ -136,6 +144,25 @@ class Kind {
     this.geometry.dispose();
     this.material.dispose();
     this.idMaterial?.dispose();
+    this.covered?.removeFromParent();
+    this.covered?.dispose();
+    this.coveredMaterial?.dispose();
+  }
+
+  /** Makes the covered mesh anew, with the arrays of the mesh. */
+  private cover(): void {
+    if (!this.coveredMaterial) return;
+    const before = this.covered;
+    before?.removeFromParent();
+    before?.dispose();
+    const covered = new InstancedMesh(this.geometry, this.coveredMaterial, 0);
+    covered.instanceMatrix = this.mesh.instanceMatrix;
+    covered.frustumCulled = false;
+    covered.matrixAutoUpdate = false;
+    covered.renderOrder = COVERED_ORDER;
+    covered.visible = before?.visible ?? false;
+    this.mesh.parent?.add(covered);
+    this.covered = covered;
   }
 
   private create(count: number): InstancedMesh {
@@ -154,6 +181,10 @@ class Kind {
 
 /** How solid a joint behind a skin shows through, where it is selected. */
 const MARKER_OPACITY = 0.5;
+/** Likewise bones and axes that are shown under a skin. */
+const COVERED_OPACITY = 0.55;
+/** After all that may cover them, and before the markers. */
+const COVERED_ORDER = 15;
 
 export class SkeletonDrawing {
   readonly object = new Group();
@@ -181,6 +212,9 @@ export class SkeletonDrawing {
     this.axisColors = axes;
     const bone = new CylinderGeometry(0.45, 1, 1, 12, 1).translate(0, 0.5, 0);
     const lit = () => new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
+    const behind = { transparent: true, depthFunc: GreaterDepth, depthWrite: false } as const;
+    const through = () =>
+      new MeshStandardMaterial({ roughness: 0.62, metalness: 0, opacity: COVERED_OPACITY, ...behind });
     const flat = new MeshStandardMaterial({ roughness: 0.75, metalness: 0, flatShading: true });
     this.kinds = {
       edges: new Kind(
@@ -191,9 +225,16 @@ export class SkeletonDrawing {
         this.object,
       ),
       faces: new Kind(new BoxGeometry(1, 1, 1), flat, meshIdMaterial(), false, this.object),
-      balls: new Kind(new SphereGeometry(1, 16, 10), lit(), meshIdMaterial(), false, this.object),
-      bones: new Kind(bone, lit(), meshIdMaterial(), false, this.object),
-      axes: new Kind(axes, lineMaterial({ width: 1.75, segmentColors: true }), undefined, false, this.object),
+      balls: new Kind(new SphereGeometry(1, 16, 10), lit(), meshIdMaterial(), false, this.object, through()),
+      bones: new Kind(bone, lit(), meshIdMaterial(), false, this.object, through()),
+      axes: new Kind(
+        axes,
+        lineMaterial({ width: 1.75, segmentColors: true }),
+        undefined,
+        false,
+        this.object,
+        lineMaterial({ width: 1.75, segmentColors: true, opacity: COVERED_OPACITY }, behind),
+      ),
     };
     const onTop = { depthTest: false, depthWrite: false };
     this.markerEdges = new Kind(
@@ -237,11 +278,12 @@ export class SkeletonDrawing {
 
     const { edges, faces, balls, bones, axes } = this.kinds;
     edges.mesh.visible = this.drawn.some((drawn) => this.drawsBoxes(drawn));
-    faces.mesh.visible = display.boxes === 'solid';
+    faces.mesh.visible = edges.mesh.visible && display.boxes !== 'wire';
     balls.mesh.visible = bones.mesh.visible = display.bones;
     axes.mesh.visible = display.axes;
     for (const kind of Object.values(this.kinds)) {
       if (kind.mesh.visible) kind.resize(next);
+      if (kind.covered) kind.covered.visible = kind.mesh.visible && this.isCovered;
       kind.mesh.castShadow = display.shadow && kind.mesh.material instanceof MeshStandardMaterial;
       kind.mesh.receiveShadow = kind.mesh.castShadow;
     }
@@ -363,6 +405,7 @@ export class SkeletonDrawing {
     const axesShown = axes.mesh.visible;
     const markersShown = this.markerDots.visible;
     const markerEdgesShown = this.markerEdges.mesh.visible;
+    for (const { covered } of [balls, bones, axes]) if (covered) covered.visible = false;
     axes.mesh.visible = this.markerDots.visible = this.markerEdges.mesh.visible = this.markerAxes.mesh.visible = false;
     for (const kind of [edges, faces, balls, bones]) {
       if (!kind.idMaterial) continue;
@@ -375,6 +418,8 @@ export class SkeletonDrawing {
       for (const kind of [edges, faces, balls, bones]) kind.mesh.material = kind.material;
       faces.mesh.visible = facesShown;
       axes.mesh.visible = axesShown;
+      for (const { covered, mesh } of [balls, bones, axes])
+        if (covered) covered.visible = mesh.visible && this.isCovered;
       this.markerDots.visible = this.markerAxes.mesh.visible = markersShown;
       this.markerEdges.mesh.visible = markerEdgesShown;
     }
@@ -390,6 +435,11 @@ export class SkeletonDrawing {
     this.markerDots.geometry.dispose();
     this.markerDots.material.dispose();
     this.markerDots.dispose();
+  }
+
+  /** Whether a skin hides joints. */
+  private get isCovered(): boolean {
+    return isOpaque(this.display.skin) && this.drawn.some((d) => d.hasSkin);
   }
 
   private get selected(): DrawnSkeleton | undefined {
@@ -430,8 +480,7 @@ export class SkeletonDrawing {
     const line = rawColor(theme.boxEdge);
     // Edges of solid boxes only help to tell their faces apart.
     // And where a skin covers them, what sticks out of it is beside the point.
-    const covered = isOpaque(display.skin) && this.drawn.some((d) => d.hasSkin);
-    const opacity = theme.boxEdgeOpacity * (display.boxes === 'solid' || covered ? 0.5 : 1);
+    const opacity = theme.boxEdgeOpacity * (display.boxes === 'solid' || this.isCovered ? 0.5 : 1);
     const colors = {
       box: new Color(theme.box),
       bone: new Color(theme.bone),

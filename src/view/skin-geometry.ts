@@ -7,6 +7,8 @@
  *
  * A vertex without attachments hangs on the identity that ends the bone matrices; so do all without a skeleton. A skin
  * without any attachments hangs on the root.
+ *
+ * Triangles are wound consistently, and `turned` says which normals disagree with that: see `facing.ts`.
  */
 import {
   BufferAttribute,
@@ -18,6 +20,7 @@ import {
   RGFormat,
 } from 'three';
 import { type Skin, vertexCount } from '../model/skin.ts';
+import { facingOf } from './facing.ts';
 import type { Sliced } from './slices.ts';
 
 /** How many attachments the attributes hold. */
@@ -49,8 +52,12 @@ export function* packSkin(skin: Skin, normals: Float64Array, identity: number, i
     geometry.setAttribute('uv', new BufferAttribute(new Float32Array(skin.texcoords), 2));
     yield 0.3;
   }
-  // The model's own array: three.js only reads it.
-  geometry.setIndex(new BufferAttribute(skin.triangles, 1));
+  const facing = facingOf(skin.triangles, skin.positions, normals);
+  let step = facing.next();
+  for (; !step.done; step = facing.next()) yield 0.3 + 0.3 * step.value;
+  // The model's own array, where it is consistent: three.js only reads it.
+  geometry.setIndex(new BufferAttribute(step.value.triangles, 1));
+  geometry.setAttribute('turned', new BufferAttribute(step.value.turned, 1));
   const attachmentTexture = yield* packAttachments(skin, identity, isPosed, geometry);
   return { geometry, attachmentTexture };
 }
@@ -82,7 +89,7 @@ function* packAttachments(
       }
       more += count - here;
     } else weights[o] = 1;
-    if (v % STRIDE === STRIDE - 1) yield 0.3 + (0.6 * v) / vertices;
+    if (v % STRIDE === STRIDE - 1) yield 0.6 + (0.3 * v) / vertices;
   }
   geometry.setAttribute('skinIndex', new BufferAttribute(indices, IN_ATTRIBUTES));
   geometry.setAttribute('skinWeight', new BufferAttribute(weights, IN_ATTRIBUTES));

@@ -261,40 +261,50 @@ ${BONE_MATRIX}${more ? MORE_ATTACHMENTS : ''}
 }
 
 /**
- * Lighting by the file's normals, turned toward the viewer. three.js turns them by winding, which means nothing in real
- * files. Here a normal is turned round where it disagrees with the geometric normal that faces the viewer, which is
- * what the position's derivatives over the screen give; so it is right for any winding, and for normals that point
- * inward. What then still leans away from the viewer, as smooth normals do near a silhouette, is bent back to where it
- * is just not seen from behind: no pixel is dark, and nothing jumps. Where there is no normal (zero length, or
- * neighbours that cancel out) the geometric one is taken.
+ * Lighting by the file's normals, turned toward the viewer. `facing.ts` has made corners agree with the side that a
+ * triangle is wound for, so which side is seen decides, once for a whole triangle, as in three.js; only where a matrix
+ * mirrors, the other side it is. What then still leans away from the viewer, as smooth normals do near a silhouette, is
+ * bent back to where it is just not seen from behind, which is continuous: no pixel is dark, and nothing jumps within a
+ * triangle. Where there is no normal (zero length, or neighbours that cancel out) the geometric one is taken, which is
+ * what the position's derivatives over the screen give.
  *
- * Rejected: turning round all that leans away, without the geometric normal; silhouettes then get speckles lit from
- * the wrong side.
+ * Rejected: deciding in each pixel by the geometric normal, which tears a triangle that has one bad corner; turning
+ * round all that leans away, which gives silhouettes speckles lit from the wrong side.
  */
 const LIGHTING_CHUNKS: Readonly<Record<string, string>> = {
+  normal_pars_vertex: /* glsl */ `${ShaderChunk.normal_pars_vertex}
+// 1 where the normal disagrees with how its triangles are wound; 0 where a geometry does not have it.
+attribute float turned;
+`,
   normal_vertex: edited('normal_vertex', [
     [
       'vNormal = normalize( transformedNormal );',
       `float transformedLength = length( transformedNormal );
-	vNormal = transformedLength > 0.0 ? transformedNormal / transformedLength : vec3( 0.0 );`,
+	vNormal = transformedLength > 0.0 ? transformedNormal / transformedLength : vec3( 0.0 );
+	vNormal *= 1.0 - 2.0 * turned;
+#ifdef USE_SKINNING
+	// What mirrors turns windings round, but no normals.
+	if ( determinant( mat3( boneMatX ) ) < 0.0 ) vNormal = - vNormal;
+#endif`,
     ],
   ]),
   normal_pars_fragment: /* glsl */ `${ShaderChunk.normal_pars_fragment}
 // A normal of any length turned toward the viewer; position is the negative of that in the space of the view.
-vec3 turnedToViewer( const in vec3 normal, const in vec3 position ) {
+vec3 turnedToViewer( const in vec3 normal, const in vec3 position, const in float face ) {
 	vec3 towardViewer = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : normalize( position );
-	vec3 seen = cross( dFdx( position ), dFdy( position ) );
-	float seenLength = length( seen );
-	seen = seenLength > 0.0 ? seen / seenLength : towardViewer;
 	float normalLength = length( normal );
-	if ( normalLength < 1e-6 ) return seen;
-	vec3 turned = dot( normal, seen ) < 0.0 ? - normal / normalLength : normal / normalLength;
+	if ( normalLength < 1e-6 ) {
+		vec3 seen = cross( dFdx( position ), dFdy( position ) );
+		float seenLength = length( seen );
+		return seenLength > 0.0 ? seen / seenLength : towardViewer;
+	}
+	vec3 turned = normal * face / normalLength;
 	float facing = dot( turned, towardViewer );
 	return facing < 0.0 ? normalize( turned - ( facing - 1e-3 ) * towardViewer ) : turned;
 }
 `,
   normal_fragment_begin: edited('normal_fragment_begin', [
-    ['normal *= faceDirection;', 'normal = turnedToViewer( vNormal, vViewPosition );'],
+    ['normal *= faceDirection;', 'normal = turnedToViewer( vNormal, vViewPosition, faceDirection );'],
   ]),
 };
 

@@ -32,6 +32,8 @@ export interface StageTheme {
   readonly boxEdgeOpacity: number;
   readonly selected: string;
   readonly selectedLabel: string;
+  /** The circle around a picked vertex: the accent, told apart from its joint's dot. */
+  readonly vertex: string;
   readonly hovered: string;
   readonly shadow: string;
   readonly shadowOpacity: number;
@@ -58,6 +60,7 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     boxEdgeOpacity: 0.6,
     selected: '#ff9a3c',
     selectedLabel: '#ffad5e',
+    vertex: '#a594ff',
     hovered: '#ffd9ad',
     shadow: '#000000',
     shadowOpacity: 0.62,
@@ -81,6 +84,7 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     boxEdgeOpacity: 0.62,
     selected: '#e8700a',
     selectedLabel: '#9c4600',
+    vertex: '#5b46d6',
     hovered: '#f2a861',
     shadow: '#1d2733',
     shadowOpacity: 0.34,

@@ -72,7 +72,7 @@ export class Viewport {
   private readonly grid = new Grid();
   private readonly skeletons = new SkeletonDrawing();
   private readonly trail = new Trail();
-  private readonly vertexDots = dots(1, { size: 8, depthTest: false });
+  private readonly vertexDots = dots(1, { size: 17, depthTest: false, hollow: true });
   private readonly labels = new Labels();
   private readonly orientation: Orientation;
   private readonly picker: Picker;
@@ -249,7 +249,7 @@ export class Viewport {
     this.labels.setTheme(theme);
     this.orientation.setTheme(theme);
     this.trail.setTheme(theme);
-    this.vertexDots.material.uniforms.color.value.copy(rawColor(theme.selected));
+    this.vertexDots.material.uniforms.color.value.copy(rawColor(theme.vertex));
     this.vertexDots.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
     for (const { view } of this.shown.values()) view.setTheme(name);
     this.showSkeletons();
