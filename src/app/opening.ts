@@ -6,7 +6,7 @@ import { openFiles } from '../edit/open-files.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import type { Messages } from '../ui/messages.ts';
@@ -141,12 +141,6 @@ function shownClipOf(document: Document, id: string) {
 
 function failure(error: unknown): Diagnostic {
   const message = error instanceof Error ? error.message : String(error);
-  return {
-    severity: 'error',
-    code: error instanceof WorkerError ? 'worker-failed' : 'open-failed',
-    message: `Nothing was opened. ${message}`,
-    file: '',
-    line: 0,
-    column: 0,
-  };
+  const code = error instanceof WorkerError ? 'worker-failed' : 'open-failed';
+  return withoutPlace('error', code, `Nothing was opened. ${message}`, '');
 }

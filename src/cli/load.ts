@@ -6,7 +6,7 @@ import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import { type Format, formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
 import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { BrokenFile, FileContent, FileKind, ParsedFile, SourceFile } from '../model/files.ts';
 import { UsageError } from './arguments.ts';
 import { findGiven, type GivenPath } from './paths.ts';
@@ -44,7 +44,7 @@ export function loadFiles(args: readonly string[], folder: string): Loaded {
   const given = findGiven(args, folder);
   for (const arg of given.missing) {
     const [name, kind] = [basename(arg), kindOf(arg)];
-    diagnostics.push(problem('error', 'file-missing', `There is no file "${arg}" in ${folder}.`, name));
+    diagnostics.push(withoutPlace('error', 'file-missing', `There is no file "${arg}" in ${folder}.`, name));
     all.push({ name, kind });
     if (kind !== 'unknown') broken.push({ kind, source: { name, path: arg, bytes: 0 } });
   }
@@ -82,7 +82,7 @@ function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     const message = `The file could not be read: ${reason}.`;
-    return { bytes: 0, diagnostics: [problem('error', 'file-unreadable', message, name)] };
+    return { bytes: 0, diagnostics: [withoutPlace('error', 'file-unreadable', message, name)] };
   }
 }
 
@@ -111,9 +111,5 @@ function kindOf(name: string): FileKind | 'unknown' {
 function unknownFormat(name: string): Diagnostic {
   const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS].map((extension) => `.${extension}`).join(' ');
   const message = `The command does not read this kind of file; it reads ${known}.`;
-  return { ...problem('warning', 'format-unknown', message, name), assumed: 'passed over' };
-}
-
-function problem(severity: Diagnostic['severity'], code: string, message: string, file: string): Diagnostic {
-  return { severity, code, message, file, line: 0, column: 0 };
+  return withoutPlace('warning', 'format-unknown', message, name, 'passed over');
 }

@@ -3,7 +3,7 @@
  * has a place in a file, the reader has found it already, so these have none (line 0).
  */
 import type { ChannelClip } from '../model/clip.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { jointDofCount, ROOT_TRANSLATION } from '../model/dofs.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skeleton } from '../model/skeleton.ts';
@@ -20,12 +20,12 @@ export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Dia
     const { start, joints: jointOf } = skin.attachments;
     const vertex = ownerOf(start, culprit);
     const message = `Vertex ${vertex} is attached to joint ${jointOf[culprit]}, but ${named(skeleton)} has ${count(joints, 'joint')}${joints ? ` (0 to ${joints - 1})` : ''}.`;
-    return [{ severity: 'error', code: 'joint-missing', message, ...nowhere(fileName) }];
+    return [withoutPlace('error', 'joint-missing', message, fileName)];
   }
   if (bindings <= joints) return [];
   const message = `The skin has ${count(bindings, 'binding')}, but ${named(skeleton)} has ${count(joints, 'joint')}.`;
   const assumed = 'the bindings beyond those are not used by any vertex, and ignored';
-  return [{ severity: 'warning', code: 'bindings-more', message, ...nowhere(fileName), assumed }];
+  return [withoutPlace('warning', 'bindings-more', message, fileName, assumed)];
 }
 
 /** Does every vertex that the morph moves exist? */
@@ -36,7 +36,7 @@ export function checkMorph(morph: Morph, skin: Skin, fileName: string): Diagnost
     const row = firstNotBelow(indices, vertices);
     if (row < 0) continue;
     const message = `Row ${row + 1} of the ${what} is for vertex ${indices[row]}, but ${named(skin)} has ${count(vertices, 'vertex', 'vertices')} (0 to ${vertices - 1}).`;
-    return [{ severity: 'error', code: 'vertex-missing', message, ...nowhere(fileName) }];
+    return [withoutPlace('error', 'vertex-missing', message, fileName)];
   }
   return [];
 }
@@ -52,23 +52,13 @@ export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: num
   const morphs = morphCount > 0 && given > forSkeleton ? ` and ${count(morphCount, 'morph')}` : '';
   const needed = morphs ? forAll : forSkeleton;
   const message = `The animation has ${count(given, 'channel')}, but ${named(skeleton)} needs ${needed}: 3 of the root translation, ${dofs} of its joints${morphs}.`;
-  return [
-    given < needed
-      ? {
-          severity: 'warning',
-          code: 'channels-fewer',
-          message,
-          ...nowhere(fileName),
-          assumed: 'what no channel drives stays as it is posed',
-        }
-      : {
-          severity: 'warning',
-          code: 'channels-more',
-          message,
-          ...nowhere(fileName),
-          assumed: `the last ${count(given - forAll, 'channel')} drive nothing`,
-        },
-  ];
+  if (given < needed) {
+    return [
+      withoutPlace('warning', 'channels-fewer', message, fileName, 'what no channel drives stays as it is posed'),
+    ];
+  }
+  const assumed = `the last ${count(given - forAll, 'channel')} drive nothing`;
+  return [withoutPlace('warning', 'channels-more', message, fileName, assumed)];
 }
 
 /** Index of the first entry that is `limit` or more; -1 where there is none. */
@@ -95,8 +85,4 @@ function named({ name }: { readonly name: string }): string {
 
 function count(n: number, one: string, many = `${one}s`): string {
   return `${n} ${n === 1 ? one : many}`;
-}
-
-function nowhere(file: string): { readonly file: string; readonly line: 0; readonly column: 0 } {
-  return { file, line: 0, column: 0 };
 }

@@ -6,7 +6,7 @@ import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
 import { formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
 import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, type Texture } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
@@ -117,24 +117,12 @@ async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void
 
 function unreadable(source: SourceFile, error: unknown): Diagnostic {
   const reason = error instanceof Error ? error.message : String(error);
-  return {
-    severity: 'error',
-    code: 'file-unreadable',
-    message: `The file could not be read: ${reason}. Try to open it again; it may have moved or be damaged.`,
-    file: source.name,
-    line: 0,
-    column: 0,
-  };
+  const message = `The file could not be read: ${reason}. Try to open it again; it may have moved or be damaged.`;
+  return withoutPlace('error', 'file-unreadable', message, source.name);
 }
 
 function unknownFormat(source: SourceFile, severity: 'info' | 'warning'): Diagnostic {
-  return {
-    severity,
-    code: 'format-unknown',
-    message: `Marrow does not read this kind of file; it reads ${[...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ')}.`,
-    file: source.name,
-    line: 0,
-    column: 0,
-    assumed: 'passed over',
-  };
+  const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
+  const message = `Marrow does not read this kind of file; it reads ${known}.`;
+  return withoutPlace(severity, 'format-unknown', message, source.name, 'passed over');
 }
