@@ -4,7 +4,7 @@
  */
 import type { Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
-import { type Document, shownClip } from '../model/document.ts';
+import { rangeOfClips } from '../model/document.ts';
 import type { Observable } from '../ui/observable.ts';
 
 export function followRange(store: Store, transport: Observable<Playback>): void {
@@ -21,19 +21,6 @@ export function followRange(store: Store, transport: Observable<Playback>): void
       return { ...playback, range: next };
     });
   });
-}
-
-/** From the first moment of any shown clip to the last; undefined without clips. */
-export function rangeOfClips(document: Document): readonly [number, number] | undefined {
-  let start = Number.POSITIVE_INFINITY;
-  let end = Number.NEGATIVE_INFINITY;
-  for (const character of document.characters) {
-    const clip = shownClip(character);
-    if (!clip) continue;
-    start = Math.min(start, clip.range[0] - character.timeOffsetSeconds);
-    end = Math.max(end, clip.range[1] - character.timeOffsetSeconds);
-  }
-  return start <= end ? [start, end] : undefined;
 }
 
 function sameRange(a: readonly [number, number] | undefined, b: readonly [number, number] | undefined): boolean {

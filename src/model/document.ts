@@ -86,3 +86,16 @@ export function shownClip(character: Character): ChannelClip | undefined {
 export function findCharacter(document: Document, id: string | undefined): Character | undefined {
   return document.characters.find((c) => c.id === id);
 }
+
+/** Seconds of the transport from the first moment of any shown clip to the last; undefined without clips. */
+export function rangeOfClips(document: Document): readonly [number, number] | undefined {
+  let start = Number.POSITIVE_INFINITY;
+  let end = Number.NEGATIVE_INFINITY;
+  for (const character of document.characters) {
+    const clip = shownClip(character);
+    if (!clip) continue;
+    start = Math.min(start, clip.range[0] - character.timeOffsetSeconds);
+    end = Math.max(end, clip.range[1] - character.timeOffsetSeconds);
+  }
+  return start <= end ? [start, end] : undefined;
+}

@@ -3,7 +3,7 @@
  * Shift (or a wheel to the side, or the middle button) it pans, double click fits. As a slider it takes arrow keys.
  */
 import { stepFrames } from '../edit/playback.ts';
-import { findCharacter } from '../model/document.ts';
+import { findCharacter, rangeOfClips } from '../model/document.ts';
 import { element } from './dom.ts';
 import { oncePerFrame } from './frame.ts';
 import { seconds, shown } from './number-text.ts';
@@ -36,7 +36,7 @@ export class Scrubber {
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
   constructor(private readonly wb: Workbench) {
-    this.window = fitWindow(wb.transport.get().range);
+    this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
     wb.transport.subscribe((now, before) => {
       if (now.range !== before.range) this.onRange();
@@ -69,15 +69,22 @@ export class Scrubber {
     this.drawSoon();
   }
 
-  /** The played range, with some room beside it. */
+  /** The played range and the clips, with some room beside them. */
   fit(): void {
     this.fitted = true;
-    this.window = fitWindow(this.wb.transport.get().range);
+    this.window = this.whole();
     this.redraw();
   }
 
+  /** A shorter range is still seen in the whole of what there is. */
+  private whole(): TimeWindow {
+    const { range } = this.wb.transport.get();
+    const clips = rangeOfClips(this.wb.store.document) ?? range;
+    return fitWindow([Math.min(range[0], clips[0]), Math.max(range[1], clips[1])]);
+  }
+
   private onRange(): void {
-    if (this.fitted && !this.dragging) this.window = fitWindow(this.wb.transport.get().range);
+    if (this.fitted && !this.dragging) this.window = this.whole();
     this.stale = true;
   }
 
