@@ -68,8 +68,7 @@ function compile(skin: Skin): CompiledSkin {
 }
 
 /**
- * Positions and normals (not normalised) with morphs blended in, before skinning. A vertex that a morph names twice
- * moves by both.
+ * Positions and normals (not normalised) with morphs blended in, before skinning.
  * @param weights the weight of morph m is `weights[weightOffset + m]`
  * @param outPositions x y z a vertex
  * @param outNormals x y z a vertex

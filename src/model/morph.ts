@@ -10,7 +10,7 @@ export interface Morph {
 }
 
 export interface MorphRows {
-  /** Vertices of the base skin. */
+  /** Vertices of the base skin, each once: of several rows for one vertex, the reader keeps the last. */
   readonly indices: Uint32Array;
   /** x y z for each of `indices`. */
   readonly values: Float64Array;

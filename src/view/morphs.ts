@@ -75,8 +75,7 @@ function differences({ indices, values }: MorphRows, base: Float64Array, name: s
   const out = new Float32Array(base.length);
   for (let row = 0; row < indices.length; row++) {
     const o = 3 * indices[row];
-    // A vertex named twice moves by both, as `evaluate/deform.ts` has it.
-    for (let i = 0; i < 3; i++) out[o + i] += values[3 * row + i] - base[o + i];
+    for (let i = 0; i < 3; i++) out[o + i] = values[3 * row + i] - base[o + i];
   }
   const attribute = new BufferAttribute(out, 3);
   attribute.name = name;
