@@ -11,6 +11,7 @@ import { Messages } from './ui/messages.ts';
 import { mountWorkbench } from './ui/mount.ts';
 import { observable } from './ui/observable.ts';
 import { rememberedSettings } from './ui/settings.ts';
+import { Timeline } from './ui/timeline/timeline.ts';
 import type { DialogName, Loading, Workbench } from './ui/workbench.ts';
 import { Viewport } from './view/viewport.ts';
 import { WorkerClient } from './worker/client.ts';
@@ -33,6 +34,7 @@ const workbench: Workbench = {
   viewport,
   viewportElement,
   transport,
+  timeline: new Timeline(),
   settings: rememberedSettings(() => localStorage),
   messages,
   loading,

@@ -8,6 +8,7 @@ import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
+import type { ParsedFile } from '../model/files.ts';
 import type { Selection } from '../model/session.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { Observable } from '../ui/observable.ts';
@@ -24,6 +25,14 @@ export interface OpeningParts {
   readonly worker: WorkerClient;
 }
 
+/** What one opening brought into the document. */
+export interface OpenedFiles {
+  /** As given: a zip is one of them. */
+  readonly given: readonly GivenBlob[];
+  /** What was read of them, in the document as these very objects. */
+  readonly files: readonly ParsedFile[];
+}
+
 /** Finds the files: they may have to be fetched, or folders walked, first. */
 export type FindFiles = (signal: AbortSignal) => Promise<readonly GivenBlob[]> | readonly GivenBlob[];
 
@@ -35,6 +44,7 @@ export interface OpenOptions {
 export class Opener {
   private readonly parts: OpeningParts;
   private last: Promise<unknown> = Promise.resolve();
+  private readonly listeners = new Set<(opened: OpenedFiles) => void>();
 
   constructor(parts: OpeningParts) {
     this.parts = parts;
@@ -45,6 +55,12 @@ export class Opener {
     const turn = this.last.then(() => this.openNow(find, options));
     this.last = turn;
     return turn;
+  }
+
+  /** Calls back after each opening that changed the document. Returns the way out. */
+  subscribe(listener: (opened: OpenedFiles) => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
   }
 
   private async openNow(find: FindFiles, options: OpenOptions): Promise<readonly Diagnostic[]> {
@@ -68,7 +84,9 @@ export class Opener {
       const { store } = this.parts;
       const result = openFiles(store.document, output.files, output.broken, store.selection.characterId);
       const diagnostics = [...output.diagnostics, ...result.diagnostics];
+      const isChange = result.document !== store.document;
       this.put(result.document, result.opened, result.label, options);
+      if (isChange) for (const listener of this.listeners) listener({ given: files, files: output.files });
       // Files that are well now have nothing to say any more.
       messages.report(
         diagnostics,

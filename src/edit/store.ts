@@ -4,19 +4,26 @@
  * History keeps whole documents rather than inverse steps. Documents share every part that did not change, so an entry
  * costs what its step changed, and going back can't be wrong. (ProseMirror needs inverses for collaboration; we don't.)
  */
+import type { ChannelClip } from '../model/clip.ts';
 import type { Document } from '../model/document.ts';
-import { EMPTY_DOCUMENT, findCharacter } from '../model/document.ts';
-import type { Selection } from '../model/session.ts';
+import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
+import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
 
 /** A change to the document, by name: menu entry, undo entry and scripted call in one. */
-export interface Command<Args> {
+export interface Command<Args, Result extends Document | Edit = Document> {
   /** Stable: `pose.setDof`. */
   readonly id: string;
   /** What the Edit menu says: "Set rx". */
   label(document: Document, args: Args): string;
   /** The document after the change; the very same object where nothing changes. Throws a `CommandError` to refuse. */
-  run(document: Document, args: Args): Document;
+  run(document: Document, args: Args): Result;
+}
+
+/** A change that also says which keys are selected after it: those it was about, wherever they are now. */
+export interface Edit {
+  readonly document: Document;
+  readonly keys: readonly ChannelKeys[];
 }
 
 /** A command that can't be done, with a sentence for the person who asked for it. */
@@ -39,7 +46,7 @@ interface Step {
 export interface Gesture {
   /** The document as it was when the gesture began: previews are made from it, so nothing drifts. */
   readonly base: Document;
-  preview(document: Document): void;
+  preview(change: Document | Edit): void;
   commit(): void;
   /** Everything as it was before. */
   cancel(): void;
@@ -82,10 +89,10 @@ export class Store {
   }
 
   /** One step. Nothing happens where the command changes nothing. */
-  apply<Args>(command: Command<Args>, args: Args): void {
+  apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     this.gesture?.commit();
-    const next = command.run(this.document, args);
-    this.step(command.label(this.document, args), { document: next, selection: selectionIn(next, this.selection) });
+    const next = stateAfter(this.present, command.run(this.document, args));
+    this.step(command.label(this.document, args), next);
   }
 
   /** A document made elsewhere (files opened), with the selection that goes with it, as one step. */
@@ -98,6 +105,7 @@ export class Store {
   begin(label: string): Gesture {
     this.gesture?.commit();
     const before = this.present;
+    let previewed = before.selection;
     const close = (end: () => void) => () => {
       if (this.gesture !== gesture) return;
       this.gesture = undefined;
@@ -105,8 +113,13 @@ export class Store {
     };
     const gesture: Gesture = {
       base: before.document,
-      preview: (document) => {
-        if (this.gesture === gesture) this.become({ document, selection: this.selection });
+      preview: (change) => {
+        // From what was selected at first: keys that a drag has passed over come back as it goes on.
+        const selection = this.selection === previewed ? before.selection : this.selection;
+        if (this.gesture !== gesture) return;
+        const next = stateAfter({ document: before.document, selection }, change);
+        previewed = next.selection;
+        this.become(next);
       },
       commit: close(() => {
         const after = this.present;
@@ -123,7 +136,7 @@ export class Store {
 
   /** Changes the document without a step of its own, for what is fleeting in it: undo goes on from before. */
   amend(document: Document): void {
-    this.become({ document, selection: this.selection });
+    this.become(stateAfter(this.present, document));
   }
 
   /** Selecting is no step, but undo brings back what was selected. */
@@ -170,8 +183,40 @@ export class Store {
   }
 }
 
-/** Nothing stays selected of a character that is gone. */
-function selectionIn(document: Document, selection: Selection): Selection {
+function isEdit(change: Document | Edit): change is Edit {
+  return 'document' in change;
+}
+
+/** The document of a change, whichever form it has. */
+export function documentIn(change: Document | Edit): Document {
+  return isEdit(change) ? change.document : change;
+}
+
+/** A document with what is still selected in it. */
+function stateAfter({ document: before, selection }: State, change: Document | Edit): State {
+  const edit = isEdit(change) ? change : undefined;
+  const document = documentIn(change);
   const { characterId } = selection;
-  return characterId === undefined || findCharacter(document, characterId) ? selection : NOTHING_SELECTED;
+  // Nothing stays selected of a character that is gone.
+  if (characterId === undefined) return { document, selection };
+  const character = findCharacter(document, characterId);
+  if (!character) return { document, selection: NOTHING_SELECTED };
+  if (edit) return { document, selection: withKeys(selection, edit.keys) };
+  if (!selection.keys || document === before) return { document, selection };
+  // Keys are known by index: they stay selected where their channel stays.
+  const was = clipOf(before, characterId)?.channels;
+  const now = clipOf(document, characterId)?.channels;
+  const kept = selection.keys.filter(({ channel }) => was?.[channel] !== undefined && was[channel] === now?.[channel]);
+  return { document, selection: kept.length === selection.keys.length ? selection : withKeys(selection, kept) };
+}
+
+function clipOf(document: Document, characterId: string): ChannelClip | undefined {
+  const character = findCharacter(document, characterId);
+  return character && shownClip(character);
+}
+
+/** The selection with these keys instead of its own. */
+export function withKeys(selection: Selection, keys: readonly ChannelKeys[]): Selection {
+  const { keys: _before, ...rest } = selection;
+  return keys.length ? { ...rest, keys } : rest;
 }

@@ -28,7 +28,10 @@ import {
   type Tangents,
 } from '../model/clip.ts';
 
-/** A clip ready to be evaluated. Its keys are those of the channels, one after the other. */
+/**
+ * A clip ready to be evaluated. Its keys are those of the channels, one after the other; a channel that stands at a
+ * value without keys has one here.
+ */
 export interface CompiledClip {
   readonly channelCount: number;
   /** One more than there are channels: channel c has the keys `firstKey[c]` up to (not including) `firstKey[c + 1]`. */
@@ -48,52 +51,91 @@ const LINEAR = EXTRAPOLATIONS.indexOf('linear');
 const CYCLE_OFFSET = EXTRAPOLATIONS.indexOf('cycle_offset');
 const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
 
-const compiled = new WeakMap<ChannelClip, CompiledClip>();
+/**
+ * Compiled forms live as long as someone plays them, not as long as their clip: the history keeps clips by the hundred,
+ * each of which would hold on to megabytes for the sake of the one channel that its step changed.
+ */
+const compiled = new WeakMap<ChannelClip, WeakRef<CompiledClip>>();
+/** Where a channel was compiled last: an edit of one channel copies all others from there. */
+const homes = new WeakMap<Channel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
 
-/** The clip's compiled form, made once for each clip. */
+/** The clip's compiled form, made anew only where nobody holds it any more. */
 export function compileClip(clip: ChannelClip): CompiledClip {
-  let made = compiled.get(clip);
-  if (!made) {
-    made = compileChannels(clip.channels);
-    compiled.set(clip, made);
-  }
+  const known = compiled.get(clip)?.deref();
+  if (known) return known;
+  const made = compileChannels(clip.channels);
+  const reference = new WeakRef(made);
+  compiled.set(clip, reference);
+  clip.channels.forEach((channel, index) => {
+    homes.set(channel, { clip: reference, index });
+  });
   return made;
 }
 
 /** Compiles channels that belong to no clip (not cached). */
 export function compileChannels(channels: readonly Channel[]): CompiledClip {
-  const keyCount = channels.reduce((sum, c) => sum + c.times.length, 0);
-  const firstKey = new Int32Array(channels.length + 1);
-  const times = new Float64Array(keyCount);
-  const cubics = new Float64Array(4 * keyCount);
-  const extrapolations = new Uint8Array(2 * channels.length);
-  const beyond = new Float64Array(4 * channels.length);
+  const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
+  const made: CompiledClip = {
+    channelCount: channels.length,
+    firstKey: new Int32Array(channels.length + 1),
+    times: new Float64Array(keyCount),
+    cubics: new Float64Array(4 * keyCount),
+    extrapolations: new Uint8Array(2 * channels.length),
+    beyond: new Float64Array(4 * channels.length),
+  };
   let next = 0;
   channels.forEach((channel, index) => {
-    const { values } = channel;
-    const last = channel.times.length - 1;
-    firstKey[index] = next;
-    times.set(channel.times, next);
-    for (let k = 0; k < last; k++) {
-      const h = channel.times[k + 1] - channel.times[k];
-      const m0 = slope(channel, k, channel.tangentsOut);
-      const m1 = slope(channel, k + 1, channel.tangentsIn);
-      hermiteCubic(values[k], m0, values[k + 1], m1, h, cubics, 4 * (next + k));
-    }
-    if (last >= 0) {
-      cubics[4 * (next + last)] = values[last];
-      const period = channel.times[last] - channel.times[0];
-      extrapolations[2 * index] = extrapolationCode(channel.extrapolateIn, period);
-      extrapolations[2 * index + 1] = extrapolationCode(channel.extrapolateOut, period);
-      beyond[4 * index] = period;
-      beyond[4 * index + 1] = values[last] - values[0];
-      beyond[4 * index + 2] = slope(channel, 0, channel.tangentsIn);
-      beyond[4 * index + 3] = slope(channel, last, channel.tangentsOut);
-    }
-    next += last + 1;
+    made.firstKey[index] = next;
+    const home = homes.get(channel);
+    const from = home?.clip.deref();
+    if (home && from) copyChannel(from, home.index, made, index);
+    else compileChannel(channel, made, index);
+    next += compiledKeyCount(channel);
   });
-  firstKey[channels.length] = next;
-  return { channelCount: channels.length, firstKey, times, cubics, extrapolations, beyond };
+  made.firstKey[channels.length] = next;
+  return made;
+}
+
+function compiledKeyCount({ times, rest }: Channel): number {
+  return times.length === 0 && rest !== undefined ? 1 : times.length;
+}
+
+/** Compiles one channel into its place, which begins at `firstKey[index]`. */
+function compileChannel(channel: Channel, to: CompiledClip, index: number): void {
+  const { cubics, extrapolations, beyond } = to;
+  const next = to.firstKey[index];
+  const { times, values } = channel;
+  const last = times.length - 1;
+  if (last < 0) {
+    // Constant on both sides of a key at 0 s, as all is that was not set.
+    if (channel.rest !== undefined) cubics[4 * next] = channel.rest;
+    return;
+  }
+  to.times.set(times, next);
+  for (let k = 0; k < last; k++) {
+    const h = times[k + 1] - times[k];
+    const m0 = slope(channel, k, channel.tangentsOut);
+    const m1 = slope(channel, k + 1, channel.tangentsIn);
+    hermiteCubic(values[k], m0, values[k + 1], m1, h, cubics, 4 * (next + k));
+  }
+  cubics[4 * (next + last)] = values[last];
+  const period = times[last] - times[0];
+  extrapolations[2 * index] = extrapolationCode(channel.extrapolateIn, period);
+  extrapolations[2 * index + 1] = extrapolationCode(channel.extrapolateOut, period);
+  beyond[4 * index] = period;
+  beyond[4 * index + 1] = values[last] - values[0];
+  beyond[4 * index + 2] = slope(channel, 0, channel.tangentsIn);
+  beyond[4 * index + 3] = slope(channel, last, channel.tangentsOut);
+}
+
+function copyChannel(from: CompiledClip, channel: number, to: CompiledClip, index: number): void {
+  const first = from.firstKey[channel];
+  const end = from.firstKey[channel + 1];
+  const next = to.firstKey[index];
+  to.times.set(from.times.subarray(first, end), next);
+  to.cubics.set(from.cubics.subarray(4 * first, 4 * end), 4 * next);
+  to.extrapolations.set(from.extrapolations.subarray(2 * channel, 2 * channel + 2), 2 * index);
+  to.beyond.set(from.beyond.subarray(4 * channel, 4 * channel + 4), 4 * index);
 }
 
 /** Without a period nothing can repeat. */
@@ -137,7 +179,7 @@ function secant(channel: Channel, from: number, to: number): number {
   return Number.isFinite(s) ? s : 0;
 }
 
-/** A channel's value at a time; 0 where it has no keys. O(log keys), without allocating. */
+/** A channel's value at a time; 0 where it has neither keys nor a rest. O(log keys), without allocating. */
 export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds: number): number {
   const { firstKey, times } = clip;
   const first = firstKey[channel];

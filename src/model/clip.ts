@@ -15,9 +15,14 @@ export type Clip = ChannelClip;
 
 /**
  * Keys in columns, sorted by time. Two keys at one time are a step, the later one holding from that time on.
- * A channel of no keys is 0.
+ * A channel of no keys is 0, or stands at its `rest`.
  */
 export interface Channel {
+  /**
+   * What a channel is while it has no keys; absent is 0. Files have no such thing: none is read with it, and it is
+   * written as a lone key. In an editor, what is not keyed stays where it was put.
+   */
+  readonly rest?: number;
   readonly extrapolateIn: Extrapolation;
   readonly extrapolateOut: Extrapolation;
   /** Seconds. */
@@ -45,3 +50,17 @@ export const FIXED = 3;
 
 export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
 export type Extrapolation = (typeof EXTRAPOLATIONS)[number];
+
+/** A channel without keys that stands at a value. */
+export function keylessChannel(rest = 0): Channel {
+  const none = { kinds: new Uint8Array(0), slopes: new Float64Array(0) };
+  return {
+    ...(rest !== 0 && { rest }),
+    extrapolateIn: 'constant',
+    extrapolateOut: 'constant',
+    times: new Float64Array(0),
+    values: new Float64Array(0),
+    tangentsIn: none,
+    tangentsOut: none,
+  };
+}

@@ -8,6 +8,15 @@ export interface Selection {
   readonly characterId?: string;
   readonly joint?: number;
   readonly vertex?: number;
+  /** Keys of the clip that the character shows; absent where none is selected. */
+  readonly keys?: readonly ChannelKeys[];
+}
+
+/** Some of a channel's keys. In a list of them each channel stands once, ascending, and none without a key. */
+export interface ChannelKeys {
+  readonly channel: number;
+  /** Ascending, each once. */
+  readonly indices: readonly number[];
 }
 
 export const NOTHING_SELECTED: Selection = {};

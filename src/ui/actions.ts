@@ -5,8 +5,11 @@
 import type { Action } from './actions/action.ts';
 import { EDIT_ACTIONS } from './actions/edit-actions.ts';
 import { FILE_ACTIONS, sampleActions } from './actions/file-actions.ts';
+import { KEY_ACTIONS } from './actions/key-actions.ts';
+import { KEYING_ACTIONS } from './actions/keying-actions.ts';
 import { PAGE_ACTIONS } from './actions/page-actions.ts';
 import { PLAY_ACTIONS } from './actions/play-actions.ts';
+import { TIMELINE_ACTIONS } from './actions/timeline-actions.ts';
 import { VIEW_ACTIONS } from './actions/view-actions.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -14,6 +17,9 @@ import type { Workbench } from './workbench.ts';
 export const ACTIONS: readonly Action[] = [
   ...FILE_ACTIONS,
   ...EDIT_ACTIONS,
+  ...KEYING_ACTIONS,
+  ...KEY_ACTIONS,
+  ...TIMELINE_ACTIONS,
   ...VIEW_ACTIONS,
   ...PLAY_ACTIONS,
   ...PAGE_ACTIONS,

@@ -2,7 +2,8 @@
  * One change by hand, from the first touch to the release: previews through a gesture of the store, one undo step at
  * the end, Escape puts everything back. Sliders, fields and handles all edit through this.
  */
-import { type Command, CommandError, type Gesture, type Store } from '../edit/store.ts';
+import { type Command, CommandError, documentIn, type Edit, type Gesture, type Store } from '../edit/store.ts';
+import type { Document } from '../model/document.ts';
 import type { Messages } from './messages.ts';
 
 export class HandEdit {
@@ -20,13 +21,13 @@ export class HandEdit {
   }
 
   /** Shows the document as the command would leave it. */
-  preview<Args>(command: Command<Args>, args: Args): void {
+  preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     if (this.wasCancelled) return;
     try {
       const gesture = this.gesture ?? this.begin(command.label(this.store.document, args));
       const next = command.run(gesture.base, args);
       gesture.preview(next);
-      if (this.store.document === next) return;
+      if (this.store.document === documentIn(next)) return;
       // Something else has ended the gesture meanwhile: this goes on as a new one.
       this.end();
       const again = this.begin(command.label(this.store.document, args));

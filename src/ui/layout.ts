@@ -4,7 +4,7 @@
  *     menu bar
  *     outliner | viewport | inspector        outliner and inspector fold away, and become drawers on a narrow page
  *     transport
- *     curves                                 (the channel editor's place: a row of the grid, empty until it comes)
+ *     timeline: curves or dope sheet         folds away; not there on a narrow page
  */
 import { element } from './dom.ts';
 import { isPanelOpen, NARROW, openPanel } from './panels.ts';
@@ -17,6 +17,7 @@ export interface Parts {
   readonly stage: HTMLElement;
   readonly inspector: HTMLElement;
   readonly transport: HTMLElement;
+  readonly timeline: HTMLElement;
 }
 
 export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: AbortSignal): void {
@@ -32,7 +33,7 @@ export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: A
     veil,
   );
   root.classList.add('page');
-  root.replaceChildren(parts.menuBar, body, parts.transport);
+  root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline);
 
   const narrow = window.matchMedia(NARROW);
   const show = () => {
@@ -41,6 +42,7 @@ export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: A
     root.style.setProperty('--outliner-width', `${clampSize('outlinerWidth', panels.outlinerWidth)}px`);
     root.style.setProperty('--inspector-width', `${clampSize('inspectorWidth', panels.inspectorWidth)}px`);
     root.style.setProperty('--files-height', `${clampSize('filesHeight', panels.filesHeight)}px`);
+    root.style.setProperty('--timeline-height', `${clampSize('timelineHeight', panels.timelineHeight)}px`);
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
       const open = isPanelOpen(settings, name);

@@ -7,8 +7,13 @@ import './styles/outliner.css';
 import './styles/inspector.css';
 import './styles/transport.css';
 import './styles/stage.css';
+import './styles/timeline.css';
+import './styles/curves.css';
+import './styles/dope.css';
 import './styles/dialogs.css';
+import { curvePanel } from './curves/panel.ts';
 import { startDialogs } from './dialogs.ts';
+import { dopePanel } from './dope/panel.ts';
 import { dropTarget } from './drop-target.ts';
 import { inspector } from './inspector.ts';
 import { listenToKeys } from './keys.ts';
@@ -18,6 +23,7 @@ import { outliner } from './outliner.ts';
 import { startPlayer } from './player.ts';
 import { Scrubber } from './scrubber.ts';
 import { followTheme } from './theme.ts';
+import { timelinePanel } from './timeline/panel.ts';
 import { transport } from './transport.ts';
 import { viewportPane } from './viewport-pane.ts';
 import type { Workbench } from './workbench.ts';
@@ -28,7 +34,11 @@ import type { Workbench } from './workbench.ts';
  */
 export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new AbortController().signal): void {
   const scrubber = new Scrubber(wb);
-  followTheme(wb, signal, () => scrubber.redraw(true));
+  const tabs = { curves: curvePanel(wb), dope: dopePanel(wb) };
+  followTheme(wb, signal, () => {
+    scrubber.redraw(true);
+    for (const tab of Object.values(tabs)) tab.recolour();
+  });
   const stage = viewportPane(wb, signal);
   layout(
     wb,
@@ -39,6 +49,7 @@ export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new Ab
       stage,
       inspector: inspector(wb),
       transport: transport(wb, scrubber),
+      timeline: timelinePanel(wb, tabs),
     },
     signal,
   );

@@ -5,7 +5,7 @@
 import type { Settings } from './settings.ts';
 import type { Workbench } from './workbench.ts';
 
-export type PanelName = 'outliner' | 'inspector';
+export type PanelName = 'outliner' | 'inspector' | 'timeline';
 
 /** Where panels are drawers. */
 export const NARROW = '(max-width: 1023px), (max-height: 479px)';
@@ -15,6 +15,8 @@ export function isNarrow(): boolean {
 }
 
 export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
+  // There is no room for it on a narrow page.
+  if (panel === 'timeline') return panels.timelineOpen && !isNarrow();
   if (isNarrow()) return panels.drawer === panel;
   return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;
 }
@@ -22,7 +24,7 @@ export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
 export function openPanel(wb: Workbench, panel: PanelName, open: boolean): void {
   const now = wb.settings.get();
   if (isPanelOpen(now, panel) === open) return;
-  const beside = panel === 'outliner' ? { outlinerOpen: open } : { inspectorOpen: open };
-  const change = isNarrow() ? { drawer: open ? panel : ('none' as const) } : beside;
+  const beside = { [`${panel}Open`]: open };
+  const change = isNarrow() && panel !== 'timeline' ? { drawer: open ? panel : ('none' as const) } : beside;
   wb.settings.set({ ...now, panels: { ...now.panels, ...change } });
 }

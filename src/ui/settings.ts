@@ -8,6 +8,7 @@ import { type Observable, observable } from './observable.ts';
 
 export const THEMES = ['system', 'light', 'dark'] as const;
 export const ANGLES = ['degrees', 'radians'] as const;
+export const NEW_KEY_TANGENTS = ['smooth', 'linear', 'flat'] as const;
 export const TIME_DISPLAYS = ['seconds', 'frames'] as const;
 
 export interface Settings {
@@ -16,6 +17,8 @@ export interface Settings {
   readonly angles: (typeof ANGLES)[number];
   readonly timeDisplay: (typeof TIME_DISPLAYS)[number];
   readonly panels: Panels;
+  /** Of keys made by keying; on both sides. */
+  readonly newKeyTangents: (typeof NEW_KEY_TANGENTS)[number];
   /** Folders of the inspector and groups of the outliner that were folded or unfolded by hand: true is open. */
   readonly folds: Readonly<Record<string, boolean>>;
   /** Shortcuts without Ctrl, Cmd or Alt; some people's speech input or switches can't live with them. */
@@ -30,8 +33,10 @@ export interface Panels {
   readonly inspectorWidth: number;
   /** Of the files and messages below the tree. */
   readonly filesHeight: number;
+  readonly timelineHeight: number;
   readonly outlinerOpen: boolean;
   readonly inspectorOpen: boolean;
+  readonly timelineOpen: boolean;
   /** The one that is open on a narrow page; not remembered. */
   readonly drawer: 'none' | 'outliner' | 'inspector';
 }
@@ -45,10 +50,13 @@ export const DEFAULT_SETTINGS: Settings = {
     outlinerWidth: 240,
     inspectorWidth: 312,
     filesHeight: 232,
+    timelineHeight: 264,
     outlinerOpen: true,
     inspectorOpen: true,
+    timelineOpen: true,
     drawer: 'none',
   },
+  newKeyTangents: 'smooth',
   folds: {},
   singleKeys: true,
   keys: {},
@@ -87,6 +95,7 @@ export function parseSettings(text: string | null): Settings {
     angles: oneOf(ANGLES, kept.angles, d.angles),
     timeDisplay: oneOf(TIME_DISPLAYS, kept.timeDisplay, d.timeDisplay),
     panels: { ...sameTypes(d.panels, asRecord(kept.panels)), drawer: d.panels.drawer },
+    newKeyTangents: oneOf(NEW_KEY_TANGENTS, kept.newKeyTangents, d.newKeyTangents),
     folds: Object.fromEntries(Object.entries(asRecord(kept.folds)).filter(isFold)),
     singleKeys: typeof singleKeys === 'boolean' ? singleKeys : d.singleKeys,
     keys: Object.fromEntries(Object.entries(asRecord(kept.keys)).filter(isKeys)),

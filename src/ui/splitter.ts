@@ -3,16 +3,22 @@ import { element } from './dom.ts';
 import type { Panels } from './settings.ts';
 import type { Workbench } from './workbench.ts';
 
-type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight';
+type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight' | 'timelineHeight';
 
 const LIMITS: Readonly<Record<Size, { readonly min: number; readonly max: number }>> = {
   outlinerWidth: { min: 180, max: 560 },
   inspectorWidth: { min: 240, max: 640 },
   filesHeight: { min: 64, max: 640 },
+  timelineHeight: { min: 120, max: 900 },
 };
 
 /** Whether the panel grows when the edge goes right or down. */
-const GROWS: Readonly<Record<Size, 1 | -1>> = { outlinerWidth: 1, inspectorWidth: -1, filesHeight: -1 };
+const GROWS: Readonly<Record<Size, 1 | -1>> = {
+  outlinerWidth: 1,
+  inspectorWidth: -1,
+  filesHeight: -1,
+  timelineHeight: -1,
+};
 const KEY_STEP = 16;
 
 export function clampSize(size: Size, value: number): number {
@@ -20,7 +26,7 @@ export function clampSize(size: Size, value: number): number {
 }
 
 export function splitter(wb: Workbench, size: Size, label: string): HTMLElement {
-  const vertical = size !== 'filesHeight';
+  const vertical = !size.endsWith('Height');
   const edge = element('div', {
     role: 'separator',
     class: `splitter splitter-${size}`,

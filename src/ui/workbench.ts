@@ -8,6 +8,7 @@ import type { Viewport } from '../view/viewport.ts';
 import type { Messages } from './messages.ts';
 import type { Observable } from './observable.ts';
 import type { Settings } from './settings.ts';
+import type { Timeline } from './timeline/timeline.ts';
 
 /** What the page asks of the viewport, so that a test can stand in for it. */
 export type Stage = Pick<
@@ -21,6 +22,8 @@ export interface Workbench {
   /** The element that the viewport was built in; the page gives it its place. */
   readonly viewportElement: HTMLElement;
   readonly transport: Observable<Playback>;
+  /** What the curve editor and the dope sheet show. */
+  readonly timeline: Timeline;
   readonly settings: Observable<Settings>;
   readonly messages: Messages;
   /** A file on its way in. */

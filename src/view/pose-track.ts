@@ -17,6 +17,7 @@
  *    bounces and stops by itself; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
  */
 import { type AnimationAction, AnimationClip, AnimationMixer, Interpolant, NumberKeyframeTrack, Object3D } from 'three';
+import { type CompiledClip, compileClip } from '../evaluate/curves.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { type Character, shownClip } from '../model/document.ts';
 
@@ -81,6 +82,7 @@ export class PosePlayer {
   /** Each DOF's value at the time of the last `seek`, in the order of `model/dofs.ts`. */
   readonly dofs: Float64Array;
   readonly clip: AnimationClip;
+  readonly curves: CompiledClip | undefined;
   private readonly mixer: AnimationMixer;
   private readonly action: AnimationAction;
 
@@ -91,6 +93,8 @@ export class PosePlayer {
     // three.js declares the three methods it puts here one by one; it only ever calls this one.
     Object.assign(track, { createInterpolant: () => new PoseInterpolant(track.times, track.values, this) });
     const clip = shownClip(character);
+    // Held here, or each frame might have to compile it again.
+    this.curves = clip && compileClip(clip);
     const duration = clip ? clip.range[1] - clip.range[0] : 0;
     this.clip = new AnimationClip(clip?.name ?? 'pose', duration > 0 ? duration : 1, [track]);
     const posed = new Posed(count);

@@ -9,6 +9,7 @@ import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } fro
 import { Messages } from '../../src/ui/messages.ts';
 import { observable } from '../../src/ui/observable.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
+import { Timeline } from '../../src/ui/timeline/timeline.ts';
 import type { DialogName, Loading, Workbench } from '../../src/ui/workbench.ts';
 
 export function joint(name: string, parent: number): Joint {
@@ -84,6 +85,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
   const wb = {
     store: new Store(document),
     transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
+    timeline: new Timeline(),
     settings: observable(DEFAULT_SETTINGS),
     messages: new Messages(),
     loading: observable<Loading | undefined>(undefined),

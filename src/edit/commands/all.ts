@@ -1,5 +1,6 @@
 /** Every command on the document by its id, for whoever asks by name: the console, scripts, tests. */
-import type { Command } from '../store.ts';
+import type { Document } from '../../model/document.ts';
+import type { Command, Edit } from '../store.ts';
 import {
   addCopy,
   placeCharacter,
@@ -13,7 +14,7 @@ import {
 import { resetPose, setClamping, setDofs } from './pose.ts';
 
 /** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */
-const COMMANDS: readonly Command<never>[] = [
+const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setDofs,
   resetPose,
   setClamping,
@@ -27,4 +28,6 @@ const COMMANDS: readonly Command<never>[] = [
   removeCopy,
 ];
 
-export const COMMANDS_BY_ID: ReadonlyMap<string, Command<never>> = new Map(COMMANDS.map((c) => [c.id, c]));
+export const COMMANDS_BY_ID: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(
+  COMMANDS.map((c) => [c.id, c]),
+);

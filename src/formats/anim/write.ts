@@ -1,4 +1,7 @@
-/** Writes `.anim`. */
+/**
+ * Writes `.anim`. A channel that stands at a value without keys becomes a lone key at the beginning of the range: the
+ * format knows no other way to say so.
+ */
 import { type Channel, type ChannelClip, FIXED, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
@@ -9,16 +12,18 @@ export function writeAnim(clip: ChannelClip, fileName = ''): WriteResult {
   text.line(0, 'animation {');
   text.line(1, `range ${text.numbers(clip.range)}`);
   text.line(1, `numchannels ${clip.channels.length}`);
-  for (const channel of clip.channels) writeChannel(text, channel);
+  for (const channel of clip.channels) writeChannel(text, channel, clip.range[0]);
   text.line(0, '}');
   return text.result();
 }
 
-function writeChannel(text: Text, channel: Channel): void {
-  const { times, values, tangentsIn, tangentsOut } = channel;
+function writeChannel(text: Text, channel: Channel, start: number): void {
+  const { times, values, tangentsIn, tangentsOut, rest } = channel;
   text.line(1, 'channel {');
   text.line(2, `extrapolate ${channel.extrapolateIn} ${channel.extrapolateOut}`);
-  text.line(2, `keys ${times.length} {`);
+  const standsStill = times.length === 0 && rest !== undefined;
+  text.line(2, `keys ${standsStill ? 1 : times.length} {`);
+  if (standsStill) text.line(3, `${text.number(start)} ${text.number(rest)} flat flat`);
   for (let k = 0; k < times.length; k++) {
     const tangents = `${tangent(text, tangentsIn, k)} ${tangent(text, tangentsOut, k)}`;
     text.line(3, `${text.number(times[k])} ${text.number(values[k])} ${tangents}`);

@@ -29,6 +29,17 @@ export const PAGE_ACTIONS: readonly Action[] = [
     run: (wb) => openPanel(wb, 'inspector', !isPanelOpen(wb.settings.get(), 'inspector')),
   },
   {
+    id: 'page.timeline',
+    label: 'Timeline',
+    group: 'Page',
+    menu: 'View',
+    section: 3,
+    shortcuts: ['C'],
+    icon: 'clip',
+    checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline'),
+    run: (wb) => openPanel(wb, 'timeline', !isPanelOpen(wb.settings.get(), 'timeline')),
+  },
+  {
     id: 'page.viewportOnly',
     label: 'Fold or unfold both panels',
     group: 'Page',

@@ -1,0 +1,80 @@
+/**
+ * Channels are columns; edits are easier to say key by key. Everything that makes a channel out of keys goes through
+ * here, so that columns always have one length and only fixed tangents have a slope.
+ */
+import { type Channel, FIXED, type Tangents } from '../../model/clip.ts';
+
+/** One side's tangent. */
+export interface Tangent {
+  /** Index into TANGENT_KINDS. */
+  readonly kind: number;
+  /** Value per second, where the kind is FIXED; 0 elsewhere. */
+  readonly slope: number;
+}
+
+export interface Key {
+  /** Seconds of the clip. */
+  readonly time: number;
+  readonly value: number;
+  readonly in: Tangent;
+  readonly out: Tangent;
+}
+
+export function tangent(kind: number, slope = 0): Tangent {
+  return { kind, slope: kind === FIXED ? slope : 0 };
+}
+
+export function keyAt(channel: Channel, index: number): Key {
+  return {
+    time: channel.times[index],
+    value: channel.values[index],
+    in: { kind: channel.tangentsIn.kinds[index], slope: channel.tangentsIn.slopes[index] },
+    out: { kind: channel.tangentsOut.kinds[index], slope: channel.tangentsOut.slopes[index] },
+  };
+}
+
+/** A channel like `channel` with these keys instead of its own; they are in order of time. */
+export function withKeyList(channel: Channel, keys: readonly Key[]): Channel {
+  const { rest: _rest, ...others } = channel;
+  return {
+    ...others,
+    times: Float64Array.from(keys, (k) => k.time),
+    values: Float64Array.from(keys, (k) => k.value),
+    tangentsIn: tangentColumns(keys.map((k) => k.in)),
+    tangentsOut: tangentColumns(keys.map((k) => k.out)),
+  };
+}
+
+/** The channel with only those of its keys, in the order given: a subset, or the same keys in another order. */
+export function takeKeys(channel: Channel, indices: ArrayLike<number>): Channel {
+  const count = indices.length;
+  const times = new Float64Array(count);
+  const values = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    times[i] = channel.times[indices[i]];
+    values[i] = channel.values[indices[i]];
+  }
+  return {
+    ...channel,
+    times,
+    values,
+    tangentsIn: takeTangents(channel.tangentsIn, indices),
+    tangentsOut: takeTangents(channel.tangentsOut, indices),
+  };
+}
+
+function takeTangents({ kinds, slopes }: Tangents, indices: ArrayLike<number>): Tangents {
+  const taken = { kinds: new Uint8Array(indices.length), slopes: new Float64Array(indices.length) };
+  for (let i = 0; i < indices.length; i++) {
+    taken.kinds[i] = kinds[indices[i]];
+    taken.slopes[i] = slopes[indices[i]];
+  }
+  return taken;
+}
+
+function tangentColumns(tangents: readonly Tangent[]): Tangents {
+  return {
+    kinds: Uint8Array.from(tangents, (t) => t.kind),
+    slopes: Float64Array.from(tangents, (t) => (t.kind === FIXED ? t.slope : 0)),
+  };
+}
