@@ -1,14 +1,16 @@
 /**
  * The one place where the document changes: a store of immutable states, and the history that undoes them.
  *
- * History keeps whole documents rather than inverse steps. Documents share every part that did not change, so an entry
- * costs what its step changed, and going back can't be wrong. (ProseMirror needs inverses for collaboration; we don't.)
+ * A step is known by the states on both sides of it rather than by an inverse command: going back can't be wrong. What
+ * is kept of them is their difference (`history.ts`), so a step costs what it changed. (ProseMirror needs inverses for
+ * collaboration; we don't.)
  */
 import type { ChannelClip } from '../model/clip.ts';
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
+import { History, type State } from './history.ts';
 
 /** A change to the document, by name: menu entry, undo entry and scripted call in one. */
 export interface Command<Args, Result extends Document | Edit = Document> {
@@ -31,17 +33,6 @@ export class CommandError extends Error {
   override readonly name = 'CommandError';
 }
 
-export interface State {
-  readonly document: Document;
-  readonly selection: Selection;
-}
-
-/** A named step, with what it takes to go back before it. */
-interface Step {
-  readonly label: string;
-  readonly before: State;
-}
-
 /** A drag: previews replace each other, and all of them are one step when committed. */
 export interface Gesture {
   /** The document as it was when the gesture began: previews are made from it, so nothing drifts. */
@@ -56,8 +47,7 @@ type Listener = (now: State, before: State) => void;
 
 export class Store {
   private present: State;
-  private undoSteps: readonly Step[] = [];
-  private redoSteps: readonly { readonly label: string; readonly after: State }[] = [];
+  private readonly history = new History();
   private gesture: Gesture | undefined;
   private readonly listeners = new Set<Listener>();
 
@@ -75,11 +65,11 @@ export class Store {
 
   /** Name of the step that `undo` takes back. */
   get undoLabel(): string | undefined {
-    return this.undoSteps.at(-1)?.label;
+    return this.history.undoLabel;
   }
 
   get redoLabel(): string | undefined {
-    return this.redoSteps.at(-1)?.label;
+    return this.history.redoLabel;
   }
 
   /** Calls back after each change, with the state before it: identity tells what changed. Returns the way out. */
@@ -124,8 +114,7 @@ export class Store {
       commit: close(() => {
         const after = this.present;
         if (after.document === before.document) return;
-        this.undoSteps = [...this.undoSteps, { label, before }];
-        this.redoSteps = [];
+        this.history.remember(label, before, after);
         this.become(after);
       }),
       cancel: close(() => this.become(before)),
@@ -146,28 +135,20 @@ export class Store {
 
   undo(): boolean {
     this.gesture?.commit();
-    const step = this.undoSteps.at(-1);
-    if (!step) return false;
-    this.undoSteps = this.undoSteps.slice(0, -1);
-    this.redoSteps = [...this.redoSteps, { label: step.label, after: this.present }];
-    this.become(step.before);
-    return true;
+    const before = this.history.undo(this.present);
+    if (before) this.become(before);
+    return before !== undefined;
   }
 
   redo(): boolean {
     this.gesture?.commit();
-    const step = this.redoSteps.at(-1);
-    if (!step) return false;
-    this.redoSteps = this.redoSteps.slice(0, -1);
-    this.undoSteps = [...this.undoSteps, { label: step.label, before: this.present }];
-    this.become(step.after);
-    return true;
+    const after = this.history.redo(this.present);
+    if (after) this.become(after);
+    return after !== undefined;
   }
 
   private step(label: string, next: State): void {
-    if (next.document === this.document) return;
-    this.undoSteps = [...this.undoSteps, { label, before: this.present }];
-    this.redoSteps = [];
+    if (next.document !== this.document) this.history.remember(label, this.present, next);
     this.become(next);
   }
 
@@ -201,7 +182,8 @@ function stateAfter({ document: before, selection }: State, change: Document | E
   if (characterId === undefined) return { document, selection };
   const character = findCharacter(document, characterId);
   if (!character) return { document, selection: NOTHING_SELECTED };
-  if (edit) return { document, selection: withKeys(selection, edit.keys) };
+  const isOther = document !== before && clipOf(before, characterId) === clipOf(document, characterId);
+  if (edit && !isOther) return { document, selection: withKeys(selection, edit.keys) };
   if (!selection.keys || document === before) return { document, selection };
   // Keys are known by index: they stay selected where their channel stays.
   const was = clipOf(before, characterId)?.channels;
@@ -215,8 +197,21 @@ function clipOf(document: Document, characterId: string): ChannelClip | undefine
   return character && shownClip(character);
 }
 
-/** The selection with these keys instead of its own. */
+/** The selection with these keys instead of its own; the same object where they are the same keys. */
 export function withKeys(selection: Selection, keys: readonly ChannelKeys[]): Selection {
+  if (sameKeys(selection.keys ?? [], keys)) return selection;
   const { keys: _before, ...rest } = selection;
   return keys.length ? { ...rest, keys } : rest;
+}
+
+function sameKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): boolean {
+  if (a === b) return true;
+  return (
+    a.length === b.length &&
+    a.every(({ channel, indices }, i) => {
+      const other = b[i];
+      if (channel !== other.channel || indices.length !== other.indices.length) return false;
+      return indices === other.indices || indices.every((index, k) => index === other.indices[k]);
+    })
+  );
 }

@@ -1,0 +1,133 @@
+/**
+ * What it takes to come from one plain value to another: for a history that keeps no more than what is different.
+ *
+ * Immutable documents share every object that did not change, so at first sight a step costs nothing to keep. But a
+ * document of the past also holds on to all that changed *later*, and a channel is columns: moving one key of a
+ * hundred thousand makes new ones. A thousand such steps would hold a thousand copies. So a past value is kept as its
+ * difference to the one after it, which is at hand when the history is walked back step by step:
+ *
+ *     from      ▒▒▒▒▒▒▒▒▒▒ 1 2 ▒▒▒▒▒▒▒▒▒
+ *     target    ▒▒▒▒▒▒▒▒▒▒ 7 7 7 ▒▒▒▒▒▒▒▒▒      kept: 7 7 7, and where it goes
+ *
+ * It is read off the two values and knows nothing of commands. (An inverse for each command would be a second truth
+ * about what that command does.)
+ */
+
+/** How to make a value out of the one it is kept against. */
+export type Delta =
+  /** Anything, whole. */
+  | { readonly kind: 'value'; readonly value: unknown }
+  /** A plain object: properties that are others, and those that are not there. */
+  | { readonly kind: 'object'; readonly changed: readonly Change<string>[]; readonly gone: readonly string[] }
+  /** A list as long as before. */
+  | { readonly kind: 'items'; readonly changed: readonly Change<number>[] }
+  /** A list or typed array: so many elements from the beginning, others, so many from the end. */
+  | { readonly kind: 'stretch'; readonly head: number; readonly middle: Sequence; readonly tail: number };
+
+interface Change<Key> {
+  readonly key: Key;
+  readonly delta: Delta;
+}
+
+type Numbers = Float64Array | Float32Array | Uint32Array | Int32Array | Uint8Array;
+type Sequence = readonly unknown[] | Numbers;
+
+/** undefined where both are the same value. */
+export function deltaTo(target: unknown, from: unknown): Delta | undefined {
+  if (Object.is(target, from)) return undefined;
+  if (isNumbers(target) && isNumbers(from) && target.constructor === from.constructor) return stretch(target, from);
+  if (Array.isArray(target) && Array.isArray(from)) {
+    return target.length === from.length ? items(target, from) : stretch(target, from);
+  }
+  if (isRecord(target) && isRecord(from)) return properties(target, from);
+  return { kind: 'value', value: target };
+}
+
+/** The target again. What is equal in both is shared with `from`. */
+export function applyDelta(from: unknown, delta: Delta | undefined): unknown {
+  switch (delta?.kind) {
+    case undefined:
+      return from;
+    case 'value':
+      return delta.value;
+    case 'object': {
+      const made: Record<string, unknown> = isRecord(from) ? { ...from } : {};
+      for (const { key, delta: change } of delta.changed) made[key] = applyDelta(made[key], change);
+      for (const key of delta.gone) delete made[key];
+      return made;
+    }
+    case 'items': {
+      const made: unknown[] = Array.isArray(from) ? [...from] : [];
+      for (const { key, delta: change } of delta.changed) made[key] = applyDelta(made[key], change);
+      return made;
+    }
+    case 'stretch':
+      return joined(from, delta.head, delta.middle, delta.tail);
+  }
+}
+
+function properties(target: Readonly<Record<string, unknown>>, from: Readonly<Record<string, unknown>>) {
+  const changed: Change<string>[] = [];
+  for (const key of Object.keys(target)) {
+    // A property that is undefined is another thing than none.
+    const delta = key in from ? deltaTo(target[key], from[key]) : whole(target[key]);
+    if (delta) changed.push({ key, delta });
+  }
+  const gone = Object.keys(from).filter((key) => !(key in target));
+  return changed.length || gone.length ? { kind: 'object' as const, changed, gone } : undefined;
+}
+
+function items(target: readonly unknown[], from: readonly unknown[]): Delta | undefined {
+  const changed: Change<number>[] = [];
+  for (let key = 0; key < target.length; key++) {
+    const delta = deltaTo(target[key], from[key]);
+    if (delta) changed.push({ key, delta });
+  }
+  return changed.length ? { kind: 'items', changed } : undefined;
+}
+
+function stretch(target: Sequence, from: Sequence): Delta | undefined {
+  const most = Math.min(target.length, from.length);
+  let head = 0;
+  while (head < most && Object.is(target[head], from[head])) head++;
+  if (head === target.length && head === from.length) return undefined;
+  let tail = 0;
+  while (tail < most - head && Object.is(target[target.length - 1 - tail], from[from.length - 1 - tail])) tail++;
+  if (head + tail === 0) return whole(target);
+  return { kind: 'stretch', head, middle: target.slice(head, target.length - tail), tail };
+}
+
+function joined(from: unknown, head: number, middle: Sequence, tail: number): unknown {
+  if (!isNumbers(middle)) {
+    const list: readonly unknown[] = Array.isArray(from) ? from : [];
+    return [...list.slice(0, head), ...middle, ...list.slice(list.length - tail)];
+  }
+  // All five are made from a length; TypeScript knows a constructor only as a function.
+  const Made = middle.constructor as new (length: number) => Numbers;
+  const made = new Made(head + middle.length + tail);
+  made.set(middle, head);
+  if (isNumbers(from)) {
+    made.set(from.subarray(0, head));
+    made.set(from.subarray(from.length - tail), head + middle.length);
+  }
+  return made;
+}
+
+function whole(value: unknown): Delta {
+  return { kind: 'value', value };
+}
+
+function isNumbers(value: unknown): value is Numbers {
+  return (
+    value instanceof Float64Array ||
+    value instanceof Float32Array ||
+    value instanceof Uint32Array ||
+    value instanceof Int32Array ||
+    value instanceof Uint8Array
+  );
+}
+
+/** Plain data only: anything else is kept whole. */
+function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
+}

@@ -1,0 +1,97 @@
+/** What undo costs: the history may hold what its steps changed, and nothing else. */
+import { describe, expect, it } from 'vitest';
+import { type Command, type Edit, Store } from '../../src/edit/store.ts';
+import type { ChannelClip } from '../../src/model/clip.ts';
+import type { Document } from '../../src/model/document.ts';
+import { character, clip, documentOf, skin } from '../helpers/builders.ts';
+
+const KEYS = 100_000;
+
+/** A clip with one channel of many keys. */
+function longClip(count = KEYS): ChannelClip {
+  const short = clip('long', [0]);
+  const column = () => ({ kinds: new Uint8Array(count), slopes: new Float64Array(count) });
+  const times = Float64Array.from({ length: count }, (_, i) => i);
+  const channel = { ...short.channels[0], times, values: times.slice(), tangentsIn: column(), tangentsOut: column() };
+  return { ...short, channels: [channel] };
+}
+
+/** As a command on one key does it: a column anew, everything else shared. */
+const setValue: Command<{ readonly key: number; readonly value: number }, Edit> = {
+  id: 'test.setValue',
+  label: () => 'Set value',
+  run(document, { key, value }) {
+    const [first] = document.characters;
+    const [channel] = first.clips[0].channels;
+    const values = channel.values.slice();
+    values[key] = value;
+    const clips = [{ ...first.clips[0], channels: [{ ...channel, values }] }];
+    return { document: { ...document, characters: [{ ...first, clips }] }, keys: [{ channel: 0, indices: [key] }] };
+  },
+};
+
+const rename: Command<string> = {
+  id: 'test.rename',
+  label: () => 'Rename',
+  run: (document, name) => ({ ...document, characters: document.characters.map((c) => ({ ...c, name })) }),
+};
+
+/** Bytes of all buffers that can be reached from an object, without those that can be reached from another. */
+function bytesHeld(from: unknown, without: unknown): number {
+  const seen = new Set<unknown>();
+  const visit = (value: unknown): number => {
+    if (typeof value !== 'object' || value === null || seen.has(value)) return 0;
+    seen.add(value);
+    if (ArrayBuffer.isView(value)) return visit(value.buffer);
+    if (value instanceof ArrayBuffer) return value.byteLength;
+    return Object.values(value).reduce<number>((sum, inside) => sum + visit(inside), 0);
+  };
+  visit(without);
+  return visit(from);
+}
+
+describe('the history', () => {
+  const start = documentOf(character({ skins: [skin()], clips: [longClip()], shownClip: 0 }));
+
+  it('holds what its steps changed, however long the channels and however many the steps', () => {
+    const store = new Store(start);
+    for (let i = 0; i < 200; i++) {
+      store.apply(setValue, { key: (i * 7919) % KEYS, value: i });
+      // A step in between that changes something else must not hold on to the columns as they were then.
+      store.apply(rename, `name ${i}`);
+    }
+    const held = bytesHeld(store, store.document);
+    expect(held).toBeGreaterThan(0);
+    expect(held).toBeLessThan(200 * 64);
+  });
+
+  it('goes all the way back and forth through long channels, selection included', () => {
+    const store = new Store(documentOf(character({ clips: [longClip(400)], shownClip: 0 })));
+    store.select({ characterId: 'c1' });
+    const states: { readonly document: Document; readonly keys: unknown }[] = [];
+    const now = () => ({ document: structuredClone(store.document), keys: store.selection.keys });
+    for (let i = 0; i < 20; i++) {
+      states.push(now());
+      store.apply(setValue, { key: i * 20, value: -i });
+    }
+    const last = now();
+    for (const before of [...states].reverse()) {
+      expect(store.undo()).toBe(true);
+      expect(now()).toEqual(before);
+    }
+    for (const after of [...states.slice(1), last]) {
+      expect(store.redo()).toBe(true);
+      expect(store.document).toEqual(after.document);
+    }
+  });
+
+  it('keeps what was amended since the last step', () => {
+    const store = new Store(start);
+    store.apply(rename, 'b');
+    store.amend({ ...store.document, isOpeningSample: true });
+    store.undo();
+    expect(store.document).toEqual({ ...start, isOpeningSample: true });
+    store.redo();
+    expect(store.document.characters[0].name).toBe('b');
+  });
+});
