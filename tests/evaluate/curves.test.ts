@@ -8,7 +8,7 @@ import {
   resolvedSlopes,
 } from '../../src/evaluate/curves.ts';
 import type { Channel, Extrapolation } from '../../src/model/clip.ts';
-import { EXTRAPOLATIONS, FIXED, TANGENT_KINDS } from '../../src/model/clip.ts';
+import { EXTRAPOLATIONS, FIXED, keylessChannel, TANGENT_KINDS } from '../../src/model/clip.ts';
 import { expectClose } from '../helpers/close.ts';
 import { referenceClip } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
@@ -326,6 +326,31 @@ describe('a compiled clip', () => {
   it('is made once', () => {
     expect(compileClip(clip)).toBe(compileClip(clip));
     expect(compileClip({ ...clip })).not.toBe(compileClip(clip));
+  });
+
+  it('is the same after an edit of one channel as if all of it were compiled anew', () => {
+    const any = fc.record({ ks: keys(0), before: extrapolation, after: extrapolation });
+    fc.assert(
+      fc.property(fc.array(any, { minLength: 1, maxLength: 5 }), any, fc.nat(), (list, other, at) => {
+        const made = (c: typeof other) => channel(c.ks, c.before, c.after);
+        const before = { ...clip, channels: list.map(made) };
+        const kept = compileClip(before);
+        const channels = before.channels.with(at % list.length, made(other));
+        const fresh = structuredClone(channels);
+        expect(compileClip({ ...clip, channels })).toEqual(compileChannels(fresh));
+        expect(kept.channelCount).toBe(list.length);
+      }),
+    );
+  });
+
+  it('stands at the rest of a channel without keys, at any time', () => {
+    const resting = { ...clip, channels: [keylessChannel(), keylessChannel(2.5), channel([[1, 7]])] };
+    const out = new Float64Array(3);
+    for (const time of [-1e6, -1, 0, 0.5, 1e6]) {
+      evaluateClip(compileClip(resting), time, out);
+      expect([...out]).toEqual([0, 2.5, 7]);
+      expect(evaluateChannel(compileClip(resting), 1, time)).toBe(2.5);
+    }
   });
 
   it('fills as many channels as asked', () => {

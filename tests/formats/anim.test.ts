@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import { compileClip, evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
-import { FIXED, FLAT, LINEAR, SMOOTH } from '../../src/model/clip.ts';
+import { writeAnim } from '../../src/formats/anim/write.ts';
+import { FIXED, FLAT, keylessChannel, LINEAR, SMOOTH } from '../../src/model/clip.ts';
 import { told } from './read-in-pieces.ts';
 
 const anim = (text: string) => readAnim(text, 'walk.anim');
@@ -88,6 +90,19 @@ describe('reading .anim', () => {
     );
     expect(value?.range).toEqual([-1, 4]);
     expect(told({ diagnostics })).toEqual(['warning range-missing 0:0']);
+  });
+
+  it('tells of a file that ends in the middle of a word once for each thing that is wrong', () => {
+    const { diagnostics } = readAnim('animation { range 0 1 channel { extrapolate co', 'a.anim');
+    expect(diagnostics.map((d) => d.code)).toEqual(['extrapolation-unknown', 'brace-missing']);
+  });
+
+  it('stands still, in a file too, where a channel has a value and no keys', () => {
+    const made = { kind: 'channels' as const, name: 'a', range: [2, 3] as const, channels: [keylessChannel(0.25)] };
+    const { text } = writeAnim(made);
+    expect(text).toMatch(/keys 1 \{\s+2 0.25 flat flat\s+\}/);
+    const read = readAnim(text, 'a.anim').value;
+    expect(read && evaluateChannel(compileClip(read), 0, -7)).toBe(0.25);
   });
 
   it('skips what it does not know', () => {

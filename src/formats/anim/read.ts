@@ -166,7 +166,10 @@ function* extrapolate(t: Tokens, side: string): Part<Extrapolation | undefined> 
   const word = t.keyword();
   const known = EXTRAPOLATIONS.find((e) => e === word);
   if (known) return known;
-  t.error('extrapolation-unknown', `Expected ${EXTRAPOLATIONS.join(', ')} ${side}, found ${t.found()}.`);
+  // A file that ends here is told of at its missing brace.
+  if (t.kind !== 'end') {
+    t.error('extrapolation-unknown', `Expected ${EXTRAPOLATIONS.join(', ')} ${side}, found ${t.found()}.`);
+  }
   if (t.kind === 'word' && !KEYWORDS.has(word)) return 'constant';
   t.again();
   return undefined;
