@@ -5,7 +5,7 @@ import { type Character, DEFAULT_PLACEMENT, shownClip, shownSkin } from '../mode
 import { filePose, jointDofCount } from '../model/dofs.ts';
 import { baseName, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { withoutUnkeyed } from './commands/pose.ts';
+import { withoutUnkeyed } from './unkeyed.ts';
 
 export function newCharacter(id: string, name: string): Character {
   return {

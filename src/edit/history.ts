@@ -44,7 +44,14 @@ export class History {
     this.future = undefined;
   }
 
-  /** @param present may differ from what the last step led to in what is no step; that stays as it is now */
+  /** The present was replaced without a step: what is kept against it is kept against the new one from now on. */
+  rebase(present: State, next: State): void {
+    const again = (step: Step) => stepTo(otherSide(step, present), next, step.label, step.next);
+    this.past = this.past && again(this.past);
+    this.future = this.future && again(this.future);
+  }
+
+  /** @param present what the last step, or the last rebase, led to */
   undo(present: State): State | undefined {
     const step = this.past;
     if (!step) return undefined;

@@ -24,7 +24,8 @@ export interface Playback {
 export const DEFAULT_PLAYBACK: Playback = {
   timeSeconds: 0,
   playing: false,
-  range: [0, 0],
+  // Time to pose in before there is any clip.
+  range: [0, 2],
   loop: 'loop',
   rate: 1,
   turned: false,

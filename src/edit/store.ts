@@ -125,7 +125,10 @@ export class Store {
 
   /** Changes the document without a step of its own, for what is fleeting in it: undo goes on from before. */
   amend(document: Document): void {
-    this.become(stateAfter(this.present, document));
+    const next = stateAfter(this.present, document);
+    // The middle of a gesture is no place to go back to.
+    if (!this.gesture) this.history.rebase(this.present, next);
+    this.become(next);
   }
 
   /** Selecting is no step, but undo brings back what was selected. */
@@ -185,10 +188,10 @@ function stateAfter({ document: before, selection }: State, change: Document | E
   const isOther = document !== before && clipOf(before, characterId) === clipOf(document, characterId);
   if (edit && !isOther) return { document, selection: withKeys(selection, edit.keys) };
   if (!selection.keys || document === before) return { document, selection };
-  // Keys are known by index: they stay selected where their channel stays.
+  // Keys are known by index: they stay selected where their channel's column of times stays.
   const was = clipOf(before, characterId)?.channels;
   const now = clipOf(document, characterId)?.channels;
-  const kept = selection.keys.filter(({ channel }) => was?.[channel] !== undefined && was[channel] === now?.[channel]);
+  const kept = selection.keys.filter(({ channel }) => was?.[channel] && was[channel].times === now?.[channel]?.times);
   return { document, selection: kept.length === selection.keys.length ? selection : withKeys(selection, kept) };
 }
 

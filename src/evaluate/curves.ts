@@ -160,6 +160,11 @@ export function resolvedSlopes(channel: Channel): Slopes {
   return slopes;
 }
 
+/** The slope that one side of a key's tangents comes to, in value per second. */
+export function keySlope(channel: Channel, key: number, side: 'in' | 'out'): number {
+  return slope(channel, key, side === 'in' ? channel.tangentsIn : channel.tangentsOut);
+}
+
 /** Slope of key `k` on the side whose tangents are given. */
 function slope(channel: Channel, k: number, side: Tangents): number {
   const last = channel.times.length - 1;
@@ -257,19 +262,74 @@ function repeated(clip: CompiledClip, channel: number, code: number, first: numb
   const { times, beyond } = clip;
   const start = times[first];
   const stop = times[end - 1];
-  const length = beyond[4 * channel];
-  let period = Math.floor((time - start) / length);
-  let since = time - start - period * length;
-  // A boundary that rounding missed by a few units in the last place is that boundary: 10 frames are 10 frames.
-  const rounding = 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(start), Math.abs(stop));
-  if (since >= length - rounding) {
-    period++;
-    since = 0;
-  } else if (since < rounding) since = 0;
+  const period = locate(start, stop, beyond[4 * channel], time);
   if (code === BOUNCE) {
     const mirrored = period % 2 !== 0;
-    return inside(clip, first, end, mirrored ? Math.max(start, stop - since) : Math.min(stop, start + since));
+    return inside(
+      clip,
+      first,
+      end,
+      mirrored ? Math.max(start, stop - sinceStart[0]) : Math.min(stop, start + sinceStart[0]),
+    );
   }
-  const value = inside(clip, first, end, Math.min(stop, start + since));
+  const value = inside(clip, first, end, Math.min(stop, start + sinceStart[0]));
   return code === CYCLE_OFFSET ? value + period * beyond[4 * channel + 1] : value;
+}
+
+/** How far into its repetition a time is; scratch of `locate`. */
+const sinceStart = new Float64Array(1);
+
+/** In which repetition a time is, and in `sinceStart` how far into it. */
+function locate(start: number, stop: number, length: number, time: number): number {
+  let period = Math.floor((time - start) / length);
+  let rest = time - start - period * length;
+  // A boundary that rounding missed by a few units in the last place is that boundary: 10 frames are 10 frames.
+  const rounding = 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(start), Math.abs(stop));
+  if (rest >= length - rounding) {
+    period++;
+    rest = 0;
+  } else if (rest < rounding) rest = 0;
+  sinceStart[0] = rest;
+  return period;
+}
+
+/**
+ * A channel's slope at a time, in value per second: the derivative of `evaluateChannel`. Where the curve has a corner
+ * or a step, at a key or where a repetition begins, `side` says whether the one before or after it is meant.
+ */
+export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: number, side: 'in' | 'out'): number {
+  const { firstKey, times, beyond } = clip;
+  const first = firstKey[channel];
+  const end = firstKey[channel + 1];
+  if (first === end || !Number.isFinite(timeSeconds)) return 0;
+  const start = times[first];
+  const stop = times[end - 1];
+  const isBefore = side === 'in' ? timeSeconds <= start : timeSeconds < start;
+  const isAfter = side === 'in' ? timeSeconds > stop : timeSeconds >= stop;
+  if (!isBefore && !isAfter) return slopeInside(clip, first, end, timeSeconds, side);
+  const code = clip.extrapolations[2 * channel + (isBefore ? 0 : 1)];
+  if (code === CONSTANT) return 0;
+  if (code === LINEAR) return beyond[4 * channel + (isBefore ? 2 : 3)];
+  const length = beyond[4 * channel];
+  let period = locate(start, stop, length, timeSeconds);
+  if (side === 'in' && sinceStart[0] === 0) {
+    // Before a boundary is the end of the repetition that comes to it.
+    period--;
+    sinceStart[0] = length;
+  }
+  if (code === BOUNCE && period % 2 !== 0) {
+    const mirrored = Math.min(stop, Math.max(start, stop - sinceStart[0]));
+    return -slopeInside(clip, first, end, mirrored, side === 'in' ? 'out' : 'in');
+  }
+  return slopeInside(clip, first, end, Math.min(stop, start + sinceStart[0]), side);
+}
+
+/** At a time that has a segment on that side. */
+function slopeInside(clip: CompiledClip, first: number, end: number, time: number, side: 'in' | 'out'): number {
+  const { times, cubics } = clip;
+  let key = lastNotAbove(times, first, end, time);
+  if (side === 'in') while (key > first && times[key] >= time) key--;
+  const o = 4 * key;
+  const t = time - times[key];
+  return (3 * cubics[o + 3] * t + 2 * cubics[o + 2]) * t + cubics[o + 1];
 }

@@ -2,10 +2,11 @@
  * A character's pose at a time, from what has a say in it, later ones on top:
  *
  *     1. the pose as set       every DOF
- *     2. the clip shown        what its channels drive; needs a skeleton, for channels are counted by its DOFs
+ *     2. the clip shown        what has a channel there; needs a skeleton, for channels are counted by its DOFs
  *     3. DOFs set by hand      over the clip, at the moment they were set and no other
  *     4. limits                of the joints, unless the character's switch is off
  */
+import type { Channel } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import { ROOT_TRANSLATION } from '../model/dofs.ts';
@@ -42,8 +43,12 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
   if (skeleton && character.clampsToLimits) clampDofs(compileSkeleton(skeleton), out);
 }
 
-/** Whether a channel of the clip shown drives the DOF. */
+/** The channel that has the say over a DOF, whether it has keys or only stands at a value; none where the pose has. */
+export function channelOf(character: Character, dof: number): Channel | undefined {
+  return character.skeleton && dofCountOf(character) > dof ? shownClip(character)?.channels[dof] : undefined;
+}
+
+/** Whether keys of the clip shown drive the DOF. */
 export function isDriven(character: Character, dof: number): boolean {
-  const clip = shownClip(character);
-  return clip !== undefined && character.skeleton !== undefined && dof >= 0 && dof < clip.channels.length;
+  return (channelOf(character, dof)?.times.length ?? 0) > 0;
 }

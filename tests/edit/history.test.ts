@@ -85,13 +85,18 @@ describe('the history', () => {
     }
   });
 
-  it('keeps what was amended since the last step', () => {
+  it('goes back to the very document before a step, whatever was amended since', () => {
     const store = new Store(start);
     store.apply(rename, 'b');
-    store.amend({ ...store.document, isOpeningSample: true });
+    const amended = { ...store.document, isOpeningSample: true };
+    store.amend(amended);
     store.undo();
-    expect(store.document).toEqual({ ...start, isOpeningSample: true });
+    expect(store.document).toBe(start);
     store.redo();
-    expect(store.document.characters[0].name).toBe('b');
+    expect(store.document).toEqual(amended);
+    store.undo();
+    store.amend({ ...start, charactersMade: 9 });
+    store.redo();
+    expect(store.document).toEqual(amended);
   });
 });

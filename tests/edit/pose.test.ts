@@ -1,5 +1,9 @@
 import { describe, expect, it } from 'vitest';
-import { dropUnkeyed, resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
+import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
+import { documentIn } from '../../src/edit/store.ts';
+import { dropUnkeyed } from '../../src/edit/unkeyed.ts';
+import { poseAt } from '../../src/evaluate/pose.ts';
+import { keylessChannel } from '../../src/model/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 
 const limited = joint(-1, {
@@ -13,7 +17,7 @@ const limited = joint(-1, {
 });
 const still = documentOf(character({ skeleton: { name: 's', joints: [limited] }, morphs: [morph('smile')] }));
 const set = (document: typeof still, index: number, value: number, timeSeconds = 0) =>
-  setDofs.run(document, { characterId: 'c1', dofs: [{ index, value }], timeSeconds });
+  documentIn(setDofs.run(document, { characterId: 'c1', dofs: [{ index, value }], timeSeconds }));
 const poseOf = (document: typeof still) => document.characters[0].pose;
 
 describe('pose.setDofs', () => {
@@ -78,10 +82,87 @@ describe('what is set by hand over a clip', () => {
   });
 });
 
+describe('what is set by hand where a channel has no keys', () => {
+  const take = clip('walk', [0, 0, 0, 0.5]);
+  const channels = [...take.channels, keylessChannel(0.25), keylessChannel()];
+  const playing = documentOf(
+    character({
+      skeleton: { name: 's', joints: [limited] },
+      morphs: [morph('smile')],
+      clips: [{ ...take, channels }, take],
+      shownClip: 0,
+    }),
+  );
+  const channelsOf = (document: typeof playing) => document.characters[0].clips[0].channels;
+
+  it('is where the channel stands from then on, at every time', () => {
+    const once = set(playing, 4, 0.75, 1.5);
+    expect(once.characters[0].unkeyed).toBeUndefined();
+    expect(channelsOf(once)[4].rest).toBe(0.75);
+    const shown = new Float64Array(7);
+    for (const time of [0, 1.5, 9]) {
+      poseAt(once.characters[0], time, shown);
+      expect(shown[4]).toBe(0.75);
+    }
+  });
+
+  it('is the take’s alone: neither the pose beneath nor the other channels know of it', () => {
+    const once = set(playing, 4, 0.75);
+    expect(once.characters[0].pose).toBe(playing.characters[0].pose);
+    expect(once.characters[0].clips[1]).toBe(take);
+    expect(channelsOf(once).filter((c, i) => c !== channelsOf(playing)[i])).toHaveLength(1);
+  });
+
+  it('shows, though it was set by hand over keys that are gone', () => {
+    const byHand = set(playing, 3, 0.9, 2);
+    const [hero] = byHand.characters;
+    const keyless = documentOf({ ...hero, clips: [{ ...take, channels: take.channels.with(3, keylessChannel()) }] });
+    expect(set(keyless, 3, 0.1, 2).characters[0].unkeyed).toBeUndefined();
+  });
+
+  it('is 0 without a word about it, as a channel without keys is', () => {
+    expect(channelsOf(set(playing, 4, 0))[4]).toEqual(keylessChannel());
+    expect(set(playing, 4, 0.25)).toBe(playing);
+  });
+
+  it('goes each its own way in one step', () => {
+    const values = [0.9, 0.8, 0.7].map((value, i) => ({ index: [3, 4, 6][i], value }));
+    const once = documentIn(setDofs.run(playing, { characterId: 'c1', dofs: values, timeSeconds: 2 }));
+    expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 2, dofs: [3], values: [0.9] });
+    expect(channelsOf(once)[4].rest).toBe(0.8);
+    expect(poseOf(once)[6]).toBe(0.7);
+  });
+});
+
+describe('with auto-key', () => {
+  const key = { tangents: 'linear' as const };
+
+  it('a value is a key at that moment, whoever had the say before', () => {
+    const change = { characterId: 'c1', dofs: [{ index: 3, value: 5 }], timeSeconds: 0.5, key };
+    const result = setDofs.run(still, change);
+    const [hero] = documentIn(result).characters;
+    const [channel] = hero.clips[0].channels.slice(3);
+    // Within the limits, as without it.
+    expect([[...channel.times], [...channel.values]]).toEqual([[0.5], [1]]);
+    expect(hero.clips[0].channels.filter((c) => c.times.length > 0)).toHaveLength(1);
+    expect(hero.unkeyed).toBeUndefined();
+    expect(hero.pose).toEqual(poseOf(still));
+    expect('document' in result && result.keys).toEqual([{ channel: 3, indices: [0] }]);
+    expect(setDofs.label(still, change)).toBe('Key rx of hip');
+  });
+
+  it('a reset is one of every DOF', () => {
+    const reset = resetPose.run(still, { characterId: 'c1', to: 'zero', timeSeconds: 0, key });
+    const [take] = documentIn(reset).characters[0].clips;
+    expect(take.channels.map((c) => [...c.values])).toEqual(new Array(7).fill([0]));
+  });
+});
+
 describe('pose.reset', () => {
   it('goes back to the file’s pose or to zero', () => {
     const moved = set(set(still, 0, 4), 6, 1);
-    const reset = (to: 'file' | 'zero') => poseOf(resetPose.run(moved, { characterId: 'c1', to, timeSeconds: 0 }));
+    const reset = (to: 'file' | 'zero') =>
+      poseOf(documentIn(resetPose.run(moved, { characterId: 'c1', to, timeSeconds: 0 })));
     expect(reset('file')).toEqual([0, 0, 0, 3, 0, 0, 0]);
     expect(reset('zero')).toEqual([0, 0, 0, 0, 0, 0, 0]);
   });

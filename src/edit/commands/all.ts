@@ -1,6 +1,7 @@
 /** Every command on the document by its id, for whoever asks by name: the console, scripts, tests. */
 import type { Document } from '../../model/document.ts';
 import type { Command, Edit } from '../store.ts';
+import { bakeExtrapolation, eulerFilter, makeLoop, resample, simplify } from './channels.ts';
 import {
   addCopy,
   placeCharacter,
@@ -11,13 +12,47 @@ import {
   showClip,
   showSkin,
 } from './characters.ts';
+import { createClip, duplicateClip, removeClip, renameClip, setClipRange } from './clips.ts';
+import { setExtrapolation } from './extrapolation.ts';
+import { keyPose } from './keying.ts';
+import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
+import { clearLimit, setLimit } from './limits.ts';
+import { pasteKeys } from './paste.ts';
 import { resetPose, setClamping, setDofs } from './pose.ts';
+import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
 /** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */
 const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setDofs,
   resetPose,
   setClamping,
+  keyPose,
+  createClip,
+  renameClip,
+  duplicateClip,
+  removeClip,
+  setClipRange,
+  setLimit,
+  clearLimit,
+  insertKeys,
+  addKey,
+  moveKeys,
+  scaleKeys,
+  setKeys,
+  snapKeys,
+  removeKeys,
+  rippleKeys,
+  pasteKeys,
+  setTangents,
+  setSlopes,
+  unifyTangents,
+  breakTangents,
+  setExtrapolation,
+  simplify,
+  resample,
+  eulerFilter,
+  bakeExtrapolation,
+  makeLoop,
   removeCharacter,
   renameCharacter,
   showSkin,

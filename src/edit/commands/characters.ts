@@ -3,7 +3,7 @@ import type { Character, Document, Placement } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Command, CommandError } from '../store.ts';
-import { withoutUnkeyed } from './pose.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
 
 interface OfCharacter {
   readonly characterId: string;

@@ -1,10 +1,24 @@
-/** Posing by hand: DOFs, root translation and morph weights are all DOFs of the character's one list. */
-import { isDriven } from '../../evaluate/pose.ts';
-import type { Character, Document } from '../../model/document.ts';
+/**
+ * Posing by hand: DOFs, root translation and morph weights are all DOFs of the character's one list. Where a value goes
+ * depends on who has the say over its DOF:
+ *
+ *     no channel            the pose
+ *     a channel, no keys    the value that it stands at: the take's own, as everything that is seen through a take is
+ *     a channel with keys   *unkeyed*: shown until time moves
+ *     auto-key              a key at that moment, whatever there was
+ *
+ * The pose keeps what lies beneath a take: it shows again when the take is taken off, and it is what a `.skel` is saved
+ * with. Writing to both would change one take by posing another.
+ */
+import { channelOf } from '../../evaluate/pose.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
-import { type Command, CommandError } from '../store.ts';
+import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+import { standingAt, withTake } from '../takes.ts';
+import { unkeyedAt, withUnkeyed } from '../unkeyed.ts';
 
 export interface DofValue {
   /** Into the character's DOFs (`model/dofs.ts`). */
@@ -15,23 +29,22 @@ export interface DofValue {
 export interface SetDofs {
   readonly characterId: string;
   readonly dofs: readonly DofValue[];
-  /** The transport's time: what a channel drives is changed for this moment only. */
+  /** The transport's time: what keys drive is changed for this moment only. */
   readonly timeSeconds: number;
+  /** Keys the DOFs at that moment instead: auto-key. */
+  readonly key?: KeyOptions | undefined;
 }
 
-/**
- * Sets DOFs, clamped to their limits while the character's switch is on. A DOF that a channel drives becomes
- * *unkeyed*: it shows until time moves.
- */
-export const setDofs: Command<SetDofs> = {
+/** Sets DOFs, clamped to their limits while the character's switch is on. */
+export const setDofs: Command<SetDofs, Document | Edit> = {
   id: 'pose.setDofs',
-  label(document, { characterId, dofs }) {
+  label(document, { characterId, dofs, key }) {
     const character = requireCharacter(document, characterId);
-    if (dofs.length !== 1) return 'Set pose';
-    return `Set ${dofName(character, dofs[0].index)}`;
+    const verb = key ? 'Key' : 'Set';
+    return dofs.length === 1 ? `${verb} ${dofName(character, dofs[0].index)}` : `${verb} pose`;
   },
-  run: (document, { characterId, dofs, timeSeconds }) =>
-    changeCharacter(document, characterId, (character) => {
+  run: (document, { characterId, dofs, timeSeconds, key }) =>
+    set(document, characterId, timeSeconds, key, (character) => {
       const all = characterDofs(character.skeleton, character.morphs);
       const values = new Map<number, number>();
       listOf(dofs, '"dofs"');
@@ -41,7 +54,7 @@ export const setDofs: Command<SetDofs> = {
         finiteNumber(value, `The value of DOF ${index}`);
         values.set(index, character.clampsToLimits ? clamp(dof, value) : value);
       }
-      return pose(character, values, finiteNumber(timeSeconds, '"timeSeconds"'));
+      return values;
     }),
 };
 
@@ -50,16 +63,17 @@ export interface ResetPose {
   /** The pose of the file, or every DOF at rest. */
   readonly to: 'file' | 'zero';
   readonly timeSeconds: number;
+  /** Keys every DOF at that moment instead: auto-key. */
+  readonly key?: KeyOptions | undefined;
 }
 
-export const resetPose: Command<ResetPose> = {
+export const resetPose: Command<ResetPose, Document | Edit> = {
   id: 'pose.reset',
   label: (_document, { to }) => (to === 'file' ? 'Reset to file pose' : 'Reset to zero pose'),
-  run: (document, { characterId, to, timeSeconds }) =>
-    changeCharacter(document, characterId, (character) => {
+  run: (document, { characterId, to, timeSeconds, key }) =>
+    set(document, characterId, timeSeconds, key, (character) => {
       const make = oneOf(to, ['file', 'zero'], '"to"') === 'file' ? filePose : restPose;
-      const values = new Map(make(character.skeleton, character.morphs.length).entries());
-      return pose(character, values, finiteNumber(timeSeconds, '"timeSeconds"'));
+      return new Map(make(character.skeleton, character.morphs.length).entries());
     }),
 };
 
@@ -72,42 +86,52 @@ export const setClamping: Command<{ readonly characterId: string; readonly clamp
     ),
 };
 
-/** The document without what was set by hand at another time than this; the same object where there is nothing. */
-export function dropUnkeyed(document: Document, timeSeconds: number): Document {
-  const stale = (c: Character) => c.unkeyed !== undefined && c.unkeyed.timeSeconds !== timeSeconds;
-  if (!document.characters.some(stale)) return document;
-  return { ...document, characters: document.characters.map((c) => (stale(c) ? withoutUnkeyed(c) : c)) };
+/** The document with a character's DOFs at these values, by whichever way they go. */
+function set(
+  document: Document,
+  characterId: string,
+  timeSeconds: number,
+  key: KeyOptions | undefined,
+  valuesFor: (character: Character) => ReadonlyMap<number, number>,
+): Document | Edit {
+  const character = requireCharacter(document, characterId);
+  const values = valuesFor(character);
+  finiteNumber(timeSeconds, '"timeSeconds"');
+  if (!key) return changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
+  const keyed = keyDofs(character, values, timeSeconds, key);
+  return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys };
 }
 
-export function withoutUnkeyed(character: Character): Character {
-  if (!character.unkeyed) return character;
-  const { unkeyed: _gone, ...rest } = character;
-  return rest;
-}
-
-/** What channels drive is changed for this moment only, beside the pose; the rest is the pose. */
+/** The character with each value where it belongs; the same object where all of them were there. */
 function pose(character: Character, values: ReadonlyMap<number, number>, timeSeconds: number): Character {
-  const { unkeyed } = character;
-  const byHand = new Map<number, number>();
-  if (unkeyed?.timeSeconds === timeSeconds) {
-    for (const [i, dof] of unkeyed.dofs.entries()) byHand.set(dof, unkeyed.values[i]);
-  }
-  let changed = false;
+  const clip = shownClip(character);
+  const byHand = unkeyedAt(character, timeSeconds);
+  const channels = clip && [...clip.channels];
   const posed = [...character.pose];
+  let poseChanged = false;
+  let clipChanged = false;
+  let handChanged = false;
   for (const [dof, value] of values) {
-    if (isDriven(character, dof)) {
-      changed ||= byHand.get(dof) !== value;
+    const channel = channelOf(character, dof);
+    if (channel && channel.times.length > 0) {
       byHand.set(dof, value);
-    } else {
-      changed ||= posed[dof] !== value;
+      handChanged = true;
+      continue;
+    }
+    // Its keys may have gone since it was set by hand: what hides the value that is set goes with them.
+    handChanged = byHand.delete(dof) || handChanged;
+    if (!channel || !channels) {
+      poseChanged ||= posed[dof] !== value;
+      while (posed.length < dof) posed.push(0);
       posed[dof] = value;
+    } else {
+      channels[dof] = standingAt(channel, value);
+      clipChanged ||= channels[dof] !== channel;
     }
   }
-  if (!changed) return character;
-  const next = { ...withoutUnkeyed(character), pose: posed };
-  if (byHand.size === 0) return next;
-  const dofs = [...byHand.keys()].sort((a, b) => a - b);
-  return { ...next, unkeyed: { timeSeconds, dofs, values: dofs.map((dof) => byHand.get(dof) ?? 0) } };
+  let next = poseChanged ? { ...character, pose: posed } : character;
+  if (clip && channels && clipChanged) next = withTake(next, next.shownClip, { ...clip, channels });
+  return handChanged ? withUnkeyed(next, timeSeconds, byHand) : next;
 }
 
 function clamp({ limit, unit }: CharacterDof, value: number): number {
@@ -116,7 +140,8 @@ function clamp({ limit, unit }: CharacterDof, value: number): number {
   return Math.min(limit.max, Math.max(limit.min, value));
 }
 
-function dofName(character: Character, index: number): string {
+/** `rx of hip`, `morph smile`; for labels, so it has a word for what is not there too. */
+export function dofName(character: Character, index: number): string {
   const dof = characterDofs(character.skeleton, character.morphs)[index];
   if (!dof) return `DOF ${index}`;
   if (dof.joint < 0) return `morph ${dof.name}`;

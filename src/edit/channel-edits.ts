@@ -1,0 +1,110 @@
+/**
+ * Changing channels of the clip that a character shows: what all commands on keys have in common. They name keys by
+ * channel and index, check what a console may have given them, leave every other channel the object it is, and say
+ * where their keys are afterwards.
+ */
+import type { Channel, ChannelClip } from '../model/clip.ts';
+import { type Document, shownClip } from '../model/document.ts';
+import type { ChannelKeys } from '../model/session.ts';
+import { indexIn, listOf } from './arguments.ts';
+import { changeCharacter, requireCharacter } from './characters.ts';
+import type { Moved } from './keys/arrange.ts';
+import { countKeys } from './keys/selection.ts';
+import { CommandError, type Edit } from './store.ts';
+import { requireTake, withTake } from './takes.ts';
+
+export interface OfChannels {
+  readonly characterId: string;
+  /** Indices into the shown clip's channels. */
+  readonly channels: readonly number[];
+}
+
+export interface OfKeys {
+  readonly characterId: string;
+  /** Of the shown clip; as the selection holds them. */
+  readonly keys: readonly ChannelKeys[];
+}
+
+/** The clip that a character shows; refuses where there is none. */
+export function clipOf(document: Document, characterId: string): ChannelClip {
+  return requireTake(requireCharacter(document, characterId));
+}
+
+/** The document with other channels in the clip that a character shows; the same object where all of them are. */
+export function withClipChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
+  return changeCharacter(document, characterId, (character) => {
+    const clip = shownClip(character);
+    if (!clip || channels.every((channel, i) => channel === clip.channels[i])) return character;
+    return withTake(character, character.shownClip, { ...clip, channels });
+  });
+}
+
+/**
+ * Changes the channels of some keys, each by itself.
+ * @param change gives the channel and where the keys are; `entry` counts the list of keys
+ */
+export function changeKeys(
+  document: Document,
+  { characterId, keys }: OfKeys,
+  change: (channel: Channel, indices: readonly number[], entry: number) => Moved,
+): Edit {
+  const clip = clipOf(document, characterId);
+  checkKeys(clip, keys);
+  const channels = [...clip.channels];
+  const now: ChannelKeys[] = [];
+  keys.forEach(({ channel: index, indices }, entry) => {
+    const moved = change(channels[index], indices, entry);
+    channels[index] = moved.channel;
+    if (moved.indices.length) now.push({ channel: index, indices: moved.indices });
+  });
+  return { document: withClipChannels(document, characterId, channels), keys: now };
+}
+
+/** As `changeKeys`, where the keys stay what and where they are. */
+export function changeTangents(
+  document: Document,
+  of: OfKeys,
+  change: (channel: Channel, indices: readonly number[]) => Channel,
+): Edit {
+  return changeKeys(document, of, (channel, indices) => ({ channel: change(channel, indices), indices }));
+}
+
+/** Refuses keys that are not there, and lists that are not in order. */
+export function checkKeys(clip: ChannelClip, keys: unknown): void {
+  let before = -1;
+  for (const entry of listOf(keys, '"keys"')) {
+    if (typeof entry !== 'object' || entry === null || !('channel' in entry) || !('indices' in entry)) {
+      throw new CommandError('"keys" has to be a list of { channel, indices }.');
+    }
+    const channel = indexIn(entry.channel, 0, clip.channels.length, 'channel');
+    if (channel <= before) throw new CommandError('"keys" has to name each channel once, ascending.');
+    before = channel;
+    checkIndices(entry.indices, clip.channels[channel].times.length);
+  }
+}
+
+function checkIndices(given: unknown, keyCount: number): void {
+  const indices = listOf(given, '"indices"');
+  if (indices.length === 0) throw new CommandError('"indices" has to name a key.');
+  let before = -1;
+  for (const k of indices) {
+    // Not by `indexIn`'s sentence: this loop is run for every key on every move of the mouse.
+    if (typeof k !== 'number' || !Number.isInteger(k) || k <= before || k >= keyCount) {
+      indexIn(k, 0, keyCount, 'key');
+      throw new CommandError('"indices" has to name each key once, ascending.');
+    }
+    before = k;
+  }
+}
+
+/** Refuses channels that are not there. Each once, ascending. */
+export function checkedChannels(clip: ChannelClip, channels: unknown): readonly number[] {
+  const list = listOf(channels, '"channels"').map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
+  return [...new Set(list)].sort((a, b) => a - b);
+}
+
+/** "key", "3 keys": for labels. */
+export function keyCount(keys: readonly ChannelKeys[]): string {
+  const count = countKeys(keys);
+  return count === 1 ? 'key' : `${count} keys`;
+}

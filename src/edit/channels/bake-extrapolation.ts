@@ -1,0 +1,227 @@
+/**
+ * What lies beyond a channel's ends, as keys.
+ *
+ *     keys            ╱│               P = t_last − t_first
+ *     cycle        ╱│╱│╱│╱             copies; where the value jumps, two keys at one time
+ *     cycle_offset   … each higher by v_last − v_first
+ *     bounce       ╲╱╲╱                every other copy mirrored in time: in and out tangents trade places and signs
+ *     linear       one key, at the end
+ *     constant     none: it goes on as it is
+ *
+ * A copied key keeps the kinds of its tangents, since its neighbours are copies too. Only keys that get another
+ * neighbour (those at a seam, and beside a cut) have `smooth` and `linear` turned into the numbers they stood for.
+ * An end in the middle of a copy gets a key on the curve; an end on a seam ends the period before it, as t_last does.
+ *
+ * The time before the keys is that after them, of the channel mirrored in time.
+ */
+import { resolvedSlopes, type Slopes } from '../../evaluate/curves.ts';
+import { hermiteCubic } from '../../math/hermite.ts';
+import { type Channel, type Extrapolation, FIXED, FLAT, LINEAR } from '../../model/clip.ts';
+import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
+import { CommandError } from '../store.ts';
+import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
+
+export interface Baked {
+  readonly channel: Channel;
+  readonly keysBefore: number;
+  readonly keysAfter: number;
+  /** A side that was not baked repeats the keys, and these are others now: it looks different from here on. */
+  readonly periodChanged: boolean;
+}
+
+/** A short period and a long time could ask for any number of keys. */
+const MOST_KEYS = 1_000_000;
+
+/**
+ * The channel with keys for what its extrapolation does from `from` to `to` (seconds of the clip); between them it
+ * looks as before. A side that lies inside, or is constant, stays as it is; the very same channel where both do.
+ *
+ * A baked side goes on as it can: `linear` is linear still, but what repeated is `constant` from there on, because a
+ * repetition of all the keys would be another one. Throws a `CommandError` where it would take a million keys.
+ */
+export function bakeExtrapolation(channel: Channel, from: number, to: number): Baked {
+  const baked = extended(channel, from, to, false);
+  const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
+  return {
+    channel: baked,
+    keysBefore: channel.times.length,
+    keysAfter: baked.times.length,
+    periodChanged: baked !== channel && (repeats(baked.extrapolateIn) || repeats(baked.extrapolateOut)),
+  };
+}
+
+/** The same with a key at both ends even of what is constant, so that all of `from` to `to` lies between keys. */
+export function unrolled(channel: Channel, from: number, to: number): Channel {
+  return extended(channel, from, to, true);
+}
+
+function extended(channel: Channel, from: number, to: number, holds: boolean): Channel {
+  const count = channel.times.length;
+  if (count === 0) return channel;
+  const after = tail(channel, to, holds);
+  const before = tail(mirrored(channel), -from, holds);
+  if (!after && !before) return channel;
+  const keys: Key[] = before ? before.keys.map(mirroredKey).reverse() : [];
+  const first = before ? count - before.index : 0;
+  const end = after ? after.index : count;
+  for (let k = first; k < end; k++) keys.push(keyAt(channel, k));
+  after?.keys.forEach((key, i) => {
+    // A lone key has been given what goes before it: here is what goes after it.
+    if (i === 0 && first > end) keys.push({ ...key, in: keys.pop()?.in ?? key.in });
+    else keys.push(key);
+  });
+  // What could not repeat, for want of a period, does not begin to now that there is one.
+  const isStill = !(channel.times[count - 1] > channel.times[0]);
+  const goesOn = (side: Extrapolation, isBaked: boolean) =>
+    (isBaked || isStill) && side !== 'linear' ? 'constant' : side;
+  return {
+    ...withKeyList(channel, keys),
+    extrapolateIn: goesOn(channel.extrapolateIn, before !== undefined),
+    extrapolateOut: goesOn(channel.extrapolateOut, after !== undefined),
+  };
+}
+
+/** Keys that take the place of a channel's from `index` on. */
+interface Tail {
+  readonly index: number;
+  readonly keys: readonly Key[];
+}
+
+/** What follows the keys up to `to`; nothing where that is what the channel does anyway. */
+function tail(channel: Channel, to: number, holds: boolean): Tail | undefined {
+  const last = channel.times.length - 1;
+  const end = channel.times[last];
+  if (!(to - end > roundingOf(channel, to))) return undefined;
+  const slopes = resolvedSlopes(channel);
+  const period = end - channel.times[0];
+  const kind = channel.extrapolateOut;
+  if (kind === 'linear') {
+    const slope = slopes.out[last];
+    const value = channel.values[last] + slope * (to - end);
+    if (!Number.isFinite(value)) return undefined;
+    const straight = tangent(FIXED, slope);
+    const key = { ...frozen(slopedKey(channel, slopes, last)), out: straight };
+    return { index: last, keys: [key, { time: to, value, in: straight, out: straight }] };
+  }
+  if (kind === 'constant' || !(period > 0 && Number.isFinite(period))) {
+    if (!holds) return undefined;
+    const flat = tangent(FLAT);
+    const key = { ...frozen(slopedKey(channel, slopes, last)), out: flat };
+    return { index: last, keys: [key, { time: to, value: key.value, in: flat, out: flat }] };
+  }
+  return repetitions(channel, slopes, period, to);
+}
+
+/** Copies of the keys after them, the last one cut off at `to`. */
+function repetitions(channel: Channel, slopes: Slopes, period: number, to: number): Tail {
+  const last = channel.times.length - 1;
+  const start = channel.times[0];
+  const stop = channel.times[last];
+  // Of several keys at either end only the innermost borders on a span.
+  let first = 0;
+  while (channel.times[first + 1] === start) first++;
+  let end = last;
+  while (channel.times[end - 1] === stop) end--;
+  const count = Math.ceil((to - stop) / period);
+  if (count * (end - first) > MOST_KEYS) {
+    throw new CommandError(`That would take ${count} repetitions of ${end - first} keys, which is too much.`);
+  }
+  const offset = channel.extrapolateOut === 'cycle_offset' ? channel.values[last] - channel.values[0] : 0;
+  const rounding = roundingOf(channel, to);
+
+  const keys: Sloped[] = [frozen(slopedKey(channel, slopes, end))];
+  for (let p = 1; p <= count; p++) {
+    const turned = channel.extrapolateOut === 'bounce' && p % 2 === 1;
+    for (let k = first; k <= end; k++) {
+      const source = slopedKey(channel, slopes, turned ? end + first - k : k);
+      let key = shiftedKey(turned ? turnedKey(source) : source, turned, period * p, offset * p, start, stop);
+      if (k === first || k === end) key = frozen(key);
+      const before = keys[keys.length - 1];
+      if (k === first) {
+        if (key.time > to - rounding) return { index: end, keys };
+        if (meets(before.value, key.value)) {
+          keys[keys.length - 1] = { ...before, out: key.out, slopeOut: key.slopeOut };
+        } else keys.push({ ...key, time: before.time });
+      } else if (key.time < to - rounding) {
+        keys.push(key);
+      } else if (key.time <= to + rounding) {
+        keys.push(frozen(key));
+        // The later keys of a step go with it; on a seam there is none.
+        if (k === end || nextTime(channel, turned, end + first - k, k) !== 0) return { index: end, keys };
+      } else {
+        if (before.time < to - rounding) {
+          keys[keys.length - 1] = { ...before, ...beforeCut(before) };
+          keys.push(keyBetween(before, key, to));
+        }
+        return { index: end, keys };
+      }
+    }
+  }
+  return { index: end, keys };
+}
+
+/** Times that are nearer to each other than this are one time, as in the evaluator. */
+function roundingOf({ times }: Channel, time: number): number {
+  return 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(times[0]), Math.abs(times[times.length - 1]));
+}
+
+/** Seconds from a copied key to the next one of its copy. */
+function nextTime({ times }: Channel, turned: boolean, mirror: number, k: number): number {
+  return turned ? times[mirror] - times[mirror - 1] : times[k + 1] - times[k];
+}
+
+/** A key of repetition `p`; a mirrored one has the tangents already, and gets the mirrored time. */
+function shiftedKey(key: Sloped, turned: boolean, seconds: number, value: number, start: number, stop: number): Sloped {
+  const time = turned ? start + (stop - key.time) : key.time;
+  return { ...key, time: time + seconds, value: key.value + value };
+}
+
+/** As it is met from the other side: what went in goes out, downhill where it went up. */
+function turnedKey(key: Sloped): Sloped {
+  return {
+    ...key,
+    in: tangent(key.out.kind, 0 - key.out.slope),
+    out: tangent(key.in.kind, 0 - key.in.slope),
+    slopeIn: 0 - key.slopeOut,
+    slopeOut: 0 - key.slopeIn,
+  };
+}
+
+/** `linear` towards a neighbour that stays is still that. */
+function beforeCut(key: Sloped): { readonly in: Tangent; readonly out: Tangent } {
+  return {
+    in: key.in.kind === LINEAR ? key.in : frozenTangent(key.in, key.slopeIn),
+    out: frozenTangent(key.out, key.slopeOut),
+  };
+}
+
+/** The key at `time` between two others, on the curve. */
+function keyBetween(before: Sloped, after: Sloped, time: number): Sloped {
+  const cubic = new Float64Array(4);
+  hermiteCubic(before.value, before.slopeOut, after.value, after.slopeIn, after.time - before.time, cubic, 0);
+  const t = time - before.time;
+  const value = ((cubic[3] * t + cubic[2]) * t + cubic[1]) * t + cubic[0];
+  const slope = (3 * cubic[3] * t + 2 * cubic[2]) * t + cubic[1];
+  const side = tangent(FIXED, slope);
+  return { time, value, in: side, out: side, slopeIn: slope, slopeOut: slope };
+}
+
+/** The channel with time running the other way. */
+function mirrored(channel: Channel): Channel {
+  const keys: Key[] = [];
+  for (let k = channel.times.length - 1; k >= 0; k--) keys.push(mirroredKey(keyAt(channel, k)));
+  return {
+    ...withKeyList(channel, keys),
+    extrapolateIn: channel.extrapolateOut,
+    extrapolateOut: channel.extrapolateIn,
+  };
+}
+
+function mirroredKey(key: Key): Key {
+  return {
+    time: 0 - key.time,
+    value: key.value,
+    in: tangent(key.out.kind, 0 - key.out.slope),
+    out: tangent(key.in.kind, 0 - key.in.slope),
+  };
+}

@@ -1,0 +1,93 @@
+/**
+ * A channel whose end flows into its beginning: `cycle` shows no seam, neither in value nor in slope.
+ *
+ *     v_last := v_first        m := slope at the seam, both into the last key and out of the first
+ *
+ * m is what `smooth` would be if the keys went on across the seam,
+ *
+ *     m = ((v[1] − v[0]) + (v[n−1] − v[n−2])) / ((t[1] − t[0]) + (t[n−1] − t[n−2]))
+ *
+ * since `smooth` and `linear` at the ends see one neighbour only, which is why loops made of them stumble. A slope that
+ * was set by hand, flat or a number, on either side of the seam is kept for both; of two, the mean. (The mean of all
+ * slopes, whatever their kind, would be right for even keys only.)
+ */
+import { resolvedSlopes } from '../../evaluate/curves.ts';
+import { type Channel, FIXED, FLAT, type Tangents } from '../../model/clip.ts';
+
+export interface Looped {
+  readonly channel: Channel;
+  /** How far the last key's value moved; 0 where an offset is kept. */
+  readonly moved: number;
+  /** Value per second, on both sides of the seam. */
+  readonly slope: number;
+}
+
+/**
+ * The channel as a loop, `cycle` on both sides. With `keepsOffset` the last value stays and each repetition goes on
+ * from there (`cycle_offset`): for a root that travels. The very same channel where it is that
+ * loop already, or where there is no time between its keys.
+ */
+export function makeLoop(channel: Channel, keepsOffset = false): Looped {
+  const { times } = channel;
+  const last = times.length - 1;
+  if (!(times[last] > times[0])) return { channel, moved: 0, slope: 0 };
+  // Of keys at one time only the innermost one borders on the curve.
+  let first = 0;
+  while (first < last && times[first + 1] === times[0]) first++;
+  let end = last;
+  while (end > first && times[end - 1] === times[last]) end--;
+
+  const target = keepsOffset ? channel.values[end] : channel.values[first];
+  const values = channel.values.slice().fill(channel.values[first], 0, first).fill(target, end);
+  const slope = seamSlope({ ...channel, values }, first, end);
+  const sloped = (side: Tangents): Tangents => {
+    const made = { kinds: side.kinds.slice(), slopes: side.slopes.slice() };
+    for (let k = 0; k <= last; k++) {
+      if (k > first && k < end) continue;
+      made.kinds[k] = slope === 0 ? FLAT : FIXED;
+      made.slopes[k] = slope;
+    }
+    return made;
+  };
+  const goesOn = keepsOffset ? 'cycle_offset' : 'cycle';
+  const looped: Channel = {
+    ...channel,
+    values,
+    tangentsIn: sloped(channel.tangentsIn),
+    tangentsOut: sloped(channel.tangentsOut),
+    extrapolateIn: goesOn,
+    extrapolateOut: goesOn,
+  };
+  return { channel: isSame(looped, channel) ? channel : looped, moved: target - channel.values[end], slope };
+}
+
+/** A loop that is made again is no change. */
+function isSame(a: Channel, b: Channel): boolean {
+  const columns = ({ values, tangentsIn, tangentsOut }: Channel) => [
+    values,
+    tangentsIn.kinds,
+    tangentsIn.slopes,
+    tangentsOut.kinds,
+    tangentsOut.slopes,
+  ];
+  const others = columns(b);
+  return (
+    a.extrapolateIn === b.extrapolateIn &&
+    a.extrapolateOut === b.extrapolateOut &&
+    columns(a).every((column, c) => column.every((x, k) => x === others[c][k]))
+  );
+}
+
+function seamSlope(channel: Channel, first: number, end: number): number {
+  const { times, values, tangentsIn, tangentsOut } = channel;
+  const slopes = resolvedSlopes(channel);
+  const byHand: number[] = [];
+  const isByHand = (kind: number) => kind === FLAT || kind === FIXED;
+  if (isByHand(tangentsOut.kinds[first])) byHand.push(slopes.out[first]);
+  if (isByHand(tangentsIn.kinds[end])) byHand.push(slopes.in[end]);
+  if (byHand.length > 0) return byHand.reduce((sum, s) => sum + s, 0) / byHand.length;
+  const rise = values[first + 1] - values[first] + (values[end] - values[end - 1]);
+  const run = times[first + 1] - times[first] + (times[end] - times[end - 1]);
+  const slope = rise / run;
+  return Number.isFinite(slope) ? slope : 0;
+}

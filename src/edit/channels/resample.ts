@@ -1,0 +1,111 @@
+/**
+ * A key on every frame, for tools that know frames only, or to begin anew from an even grid. Frame n is at n / rate
+ * seconds of the clip.
+ *
+ * `smooth` gives each key the slope that the curve has there, as a number. Cubics with the true slopes at both ends are
+ * off by h⁴/384 · |f⁗|; the tangent kind `smooth` would take its slopes from the neighbours and be off by h³, and swing
+ * over beside a step. At a corner the two sides have a slope each. `linear` is off by h²/8 · |f″|.
+ *
+ * A step that lies on a frame stays one. Between two frames none can be held: it becomes a slope over that one frame.
+ * How far the new curve is from the old one is measured, which such a step, if there is one, decides.
+ */
+import { compileChannels, resolvedSlopes } from '../../evaluate/curves.ts';
+import { type Channel, FIXED, LINEAR } from '../../model/clip.ts';
+import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
+import { CommandError } from '../store.ts';
+import { unrolled } from './bake-extrapolation.ts';
+import { type Difference, largestDifference } from './difference.ts';
+import { frozen, meets, slopedKey } from './sloped-key.ts';
+
+export interface Resampling {
+  readonly framesPerSecond: number;
+  /** Seconds of the clip: the frames between, both included, get a key. */
+  readonly from: number;
+  readonly to: number;
+  readonly tangents: 'linear' | 'smooth';
+}
+
+/** What resampling came to; `largestError` against what the channel did before, extrapolation included. */
+export interface Resampled extends Difference {
+  readonly channel: Channel;
+  readonly keysBefore: number;
+  readonly keysAfter: number;
+}
+
+const MOST_KEYS = 1_000_000;
+/** Files round times to a few digits: a key so near to a frame, in seconds, is on it. */
+const ON_FRAME = 1e-5;
+
+/**
+ * The channel with keys on all frames of the range, instead of those that were there. Keys before the first frame and
+ * after the last one stay, with the curve between them. Frames beyond the ends take the extrapolated value; what
+ * repeated on that side is held from there on, since its period has changed. The very same channel where it has no key
+ * or the range no frame. Throws a `CommandError` above a million frames.
+ */
+export function resampleChannel(channel: Channel, { framesPerSecond, from, to, tangents }: Resampling): Resampled {
+  const keysBefore = channel.times.length;
+  // Plus 0: a key at −0 s would be written as that.
+  const firstFrame = Math.ceil((from - ON_FRAME) * framesPerSecond) + 0;
+  const lastFrame = Math.floor((to + ON_FRAME) * framesPerSecond) + 0;
+  if (lastFrame - firstFrame >= MOST_KEYS) {
+    throw new CommandError(`That would take ${lastFrame - firstFrame + 1} keys for a curve, which is too much.`);
+  }
+  if (keysBefore === 0 || firstFrame > lastFrame) {
+    return { channel, keysBefore, keysAfter: keysBefore, largestError: 0, atSeconds: channel.times[0] ?? 0 };
+  }
+  const whole = unrolled(channel, firstFrame / framesPerSecond, lastFrame / framesPerSecond);
+  const resampled = withKeyList(whole, framesOf(whole, firstFrame, lastFrame, framesPerSecond, tangents === 'linear'));
+  return {
+    channel: resampled,
+    keysBefore,
+    keysAfter: resampled.times.length,
+    ...largestDifference(whole, resampled),
+  };
+}
+
+/** Keys on the frames of a channel that reaches from the first to the last one, and its own beside them. */
+function framesOf(channel: Channel, firstFrame: number, lastFrame: number, rate: number, isLinear: boolean): Key[] {
+  const { times } = channel;
+  const { cubics } = compileChannels([channel]);
+  const slopes = resolvedSlopes(channel);
+  const last = times.length - 1;
+  const keys: Key[] = [];
+  const borderKey = (key: number) => frozen(slopedKey(channel, slopes, key));
+  let k = 0;
+  for (; k <= last && times[k] < firstFrame / rate - ON_FRAME; k++) keys.push(keyAt(channel, k));
+  if (k > 0) keys[k - 1] = borderKey(k - 1);
+  for (let frame = firstFrame; frame <= lastFrame; frame++) {
+    const time = frame / rate;
+    // Outwards the slope is a number: what lies there stays.
+    const sideIn = (slope: number) => (isLinear && frame > firstFrame ? tangent(LINEAR) : tangent(FIXED, slope));
+    const sideOut = (slope: number) => (isLinear && frame < lastFrame ? tangent(LINEAR) : tangent(FIXED, slope));
+    while (k <= last && times[k] < time - ON_FRAME) k++;
+    let end = k;
+    while (end <= last && times[end] <= time + ON_FRAME) end++;
+    if (end > k) {
+      pushOwn(channel, k, end, { time, value: 0, in: sideIn(slopes.in[k]), out: sideOut(slopes.out[end - 1]) }, keys);
+      k = end;
+      continue;
+    }
+    const o = 4 * (k - 1);
+    const t = time - times[k - 1];
+    const value = ((cubics[o + 3] * t + cubics[o + 2]) * t + cubics[o + 1]) * t + cubics[o];
+    const slope = (3 * cubics[o + 3] * t + 2 * cubics[o + 2]) * t + cubics[o + 1];
+    keys.push({ time, value, in: sideIn(slope), out: sideOut(slope) });
+  }
+  if (k <= last) keys.push(borderKey(k));
+  for (k++; k <= last; k++) keys.push(keyAt(channel, k));
+  return keys;
+}
+
+/** The frame's key where the channel has keys of its own on it, `from` up to `end`: the nearest one, or their step. */
+function pushOwn({ times, values }: Channel, from: number, end: number, key: Key, keys: Key[]): void {
+  let nearest = from;
+  let isStep = false;
+  for (let k = from; k < end; k++) {
+    if (Math.abs(times[k] - key.time) < Math.abs(times[nearest] - key.time)) nearest = k;
+    isStep ||= k > from && times[k] === times[k - 1] && !meets(values[k], values[k - 1]);
+  }
+  if (isStep) keys.push({ ...key, value: values[from] }, { ...key, value: values[end - 1] });
+  else keys.push({ ...key, value: values[nearest] });
+}

@@ -1,0 +1,64 @@
+/** Which of a character's channels turn one joint together, and the Euler filter over all of them. */
+import type { Channel } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { characterDofs, firstDofs } from '../../model/dofs.ts';
+import { filterRotations, keyedTogether, keysChanged, unrollAngle } from './euler-filter.ts';
+
+export interface Filtered {
+  /** All of the clip's channels; those that needed no change are the very same. */
+  readonly channels: readonly Channel[];
+  readonly keysChanged: number;
+  /** Sentences on what was not done, and why. */
+  readonly notes: readonly string[];
+}
+
+/** Filters the given channels of a character. Where its limits hold, no key leaves them. */
+export function filterCharacter(
+  { skeleton, morphs, clampsToLimits, name }: Character,
+  channels: readonly Channel[],
+  given: readonly number[],
+): Filtered {
+  const dofs = characterDofs(skeleton, morphs);
+  const starts = skeleton ? firstDofs(skeleton) : [];
+  const filtered = [...channels];
+  const notes: string[] = [];
+  const done = new Set<number>();
+  for (const index of given) {
+    const dof = dofs[index];
+    if (done.has(index)) continue;
+    if (dof?.unit !== 'angle') {
+      notes.push(`${dof ? `${dof.name} is` : `Channel ${index} drives`} no angle${dof ? '' : ' here'}: it is left.`);
+      continue;
+    }
+    const joint = skeleton?.joints[dof.joint];
+    const first = starts[dof.joint];
+    const together = [first, first + 1, first + 2];
+    const limits = together.map((i) => dofs[i].limit);
+    if (joint?.motion.kind === 'ball') {
+      for (const i of together) done.add(i);
+      const why = hindrance(channels, given, together);
+      if (!why) {
+        const [x, y, z] = [filtered[first], filtered[first + 1], filtered[first + 2]];
+        const made = filterRotations([x, y, z], joint.motion.order, clampsToLimits ? limits : []);
+        made.forEach((channel, i) => {
+          filtered[first + i] = channel;
+        });
+        continue;
+      }
+      notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${why}, so whole turns alone are taken out.`);
+    }
+    for (const i of together) {
+      if (!given.includes(i)) continue;
+      filtered[i] = unrollAngle(filtered[i], clampsToLimits ? dofs[i].limit : undefined);
+    }
+  }
+  return { channels: filtered, keysChanged: keysChanged(channels, filtered), notes };
+}
+
+/** Why three angles can't be taken as one rotation. */
+function hindrance(channels: readonly Channel[], given: readonly number[], together: readonly number[]) {
+  if (together.some((i) => !given.includes(i))) return 'not all three of its angles are among the curves';
+  if (together.some((i) => !channels[i]?.times.length)) return 'not all three of its angles have keys';
+  if (!keyedTogether(together.map((i) => channels[i]))) return 'its angles have keys at different times';
+  return undefined;
+}

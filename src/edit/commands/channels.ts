@@ -1,0 +1,219 @@
+/**
+ * What is done to whole curves at once. Each of these selects all keys of the channels that it changed: few of those
+ * that were selected before are still there, and what has changed is what one wants to see. Where nothing changes the
+ * document is the very same, and no step is made.
+ */
+import type { Channel } from '../../model/clip.ts';
+import type { Document } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import type { DofUnit } from '../../model/skeleton.ts';
+import { finiteNumber, oneOf } from '../arguments.ts';
+import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
+import { type Baked, bakeExtrapolation as bake } from '../channels/bake-extrapolation.ts';
+import { makeLoop as loop } from '../channels/make-loop.ts';
+import { type Reduction, reductionOf } from '../channels/report.ts';
+import { type Resampling, resampleChannel } from '../channels/resample.ts';
+import { type Filtered, filterCharacter } from '../channels/rotations.ts';
+import { type Simplified, simplifyChannel } from '../channels/simplify.ts';
+import { requireCharacter } from '../characters.ts';
+import { allKeys } from '../keys/selection.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+
+/** How far a curve may get from what it was, in its own unit: radians, the file's lengths, weights of morphs. */
+export type Tolerances = Readonly<Record<DofUnit, number>>;
+
+export interface Simplify extends OfChannels {
+  /** More than 0: one for each unit, so that half a degree and a millimetre can stand together, or one for all. */
+  readonly tolerance: number | Tolerances;
+  /** Seconds of the clip: keys outside stay, with the curve there. All keys where absent. */
+  readonly range?: readonly [number, number];
+}
+
+/** Fewer keys, with the curve nowhere off by more than the tolerance; see `channels/simplify.ts` for the method. */
+export const simplify: Command<Simplify, Edit> = {
+  id: 'channels.simplify',
+  label: (_document, { channels }) => `Simplify ${curves(channels)}`,
+  run: (document, args) => edited(document, args, simplified(document, args)),
+};
+
+/** What `simplify` would come to. Asked for on every move of a slider: channels that were measured are kept. */
+export function simplifyPreview(document: Document, args: Simplify): Reduction {
+  return reduction(document, args, simplified(document, args));
+}
+
+export interface Resample extends OfChannels, Resampling {}
+
+/** A key on every frame; see `channels/resample.ts`. */
+export const resample: Command<Resample, Edit> = {
+  id: 'channels.resample',
+  label: (_document, { channels }) => `Resample ${curves(channels)}`,
+  run: (document, args) => edited(document, args, resampled(document, args)),
+};
+
+/** What `resample` would come to. */
+export function resamplePreview(document: Document, args: Resample): Reduction {
+  return reduction(document, args, resampled(document, args));
+}
+
+/** Angles without jumps, for the same rotations; see `channels/euler-filter.ts`. */
+export const eulerFilter: Command<OfChannels, Edit> = {
+  id: 'channels.eulerFilter',
+  label: () => 'Euler filter',
+  run: (document, args) => edited(document, args, new Map(filtered(document, args).channels.entries())),
+};
+
+/** What `eulerFilter` would do, with sentences on what it would not. */
+export function eulerFilterPreview(document: Document, args: OfChannels): Filtered {
+  return filtered(document, args);
+}
+
+export interface BakeExtrapolation extends OfChannels {
+  /** Seconds of the clip. */
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Keys for what lies beyond the ends; see `channels/bake-extrapolation.ts`. */
+export const bakeExtrapolation: Command<BakeExtrapolation, Edit> = {
+  id: 'channels.bakeExtrapolation',
+  label: (_document, { channels }) => `Bake extrapolation of ${curves(channels)}`,
+  run: (document, args) => edited(document, args, baked(document, args)),
+};
+
+export interface BakePreview {
+  readonly keysBefore: number;
+  readonly keysAfter: number;
+  /** Channels that go on repeating on the side that is not baked, with another period than before. */
+  readonly periodsChanged: readonly number[];
+}
+
+/** What `bakeExtrapolation` would come to. */
+export function bakePreview(document: Document, args: BakeExtrapolation): BakePreview {
+  const results = [...baked(document, args)];
+  return {
+    keysBefore: results.reduce((sum, [, r]) => sum + r.keysBefore, 0),
+    keysAfter: results.reduce((sum, [, r]) => sum + r.keysAfter, 0),
+    periodsChanged: results.filter(([, r]) => r.periodChanged).map(([index]) => index),
+  };
+}
+
+export interface MakeLoop extends OfChannels {
+  /** Those that go on from where they end (`cycle_offset`), like a root that travels; true for all of them. */
+  readonly keepOffset?: boolean | readonly number[];
+}
+
+/** The end flows into the beginning, `cycle` on both sides; see `channels/make-loop.ts`. */
+export const makeLoop: Command<MakeLoop, Edit> = {
+  id: 'channels.makeLoop',
+  label: (_document, { channels }) => `Make ${curves(channels)} loop`,
+  run(document, args) {
+    const clip = clipOf(document, args.characterId);
+    const { keepOffset = false } = args;
+    const keeps = typeof keepOffset === 'boolean' ? undefined : new Set(checkedChannels(clip, keepOffset));
+    return edited(
+      document,
+      args,
+      results(document, args, (channel, index) => loop(channel, keeps ? keeps.has(index) : keepOffset === true)),
+    );
+  },
+};
+
+type Result = Channel | { readonly channel: Channel };
+
+/** What becomes of each of the given channels. */
+function results<R>(document: Document, args: OfChannels, of: (channel: Channel, index: number) => R): Map<number, R> {
+  const clip = clipOf(document, args.characterId);
+  return new Map(checkedChannels(clip, args.channels).map((index) => [index, of(clip.channels[index], index)]));
+}
+
+function edited(document: Document, { characterId }: OfChannels, made: ReadonlyMap<number, Result>): Edit {
+  const clip = clipOf(document, characterId);
+  const changed: number[] = [];
+  const channels = clip.channels.map((channel, index) => {
+    const result = made.get(index) ?? channel;
+    const next = 'channel' in result ? result.channel : result;
+    if (next !== channel) changed.push(index);
+    return next;
+  });
+  return {
+    document: withClipChannels(document, characterId, channels),
+    keys: allKeys({ ...clip, channels }, changed),
+  };
+}
+
+/** The last simplification of each channel: a preview and the command after it want the same. */
+const simplifiedBefore = new WeakMap<Channel, { readonly key: string; readonly result: Simplified }>();
+
+function simplified(document: Document, args: Simplify): Map<number, Simplified> {
+  const { tolerance, range } = args;
+  const unitOf = units(document, args);
+  const toleranceOf = (unit: DofUnit) => {
+    const own = finiteNumber(
+      typeof tolerance === 'object' ? tolerance?.[unit] : tolerance,
+      `The tolerance of ${unit}s`,
+    );
+    if (own > 0) return own;
+    throw new CommandError(`A tolerance has to be more than 0; ${own} was given.`);
+  };
+  const [from, to] = range ? interval(range[0], range[1]) : [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY];
+  return results(document, args, (channel, index) => {
+    const own = toleranceOf(unitOf(index));
+    const key = `${own} ${from} ${to}`;
+    const known = simplifiedBefore.get(channel);
+    if (known?.key === key) return known.result;
+    const result = simplifyChannel(channel, own, [from, to]);
+    simplifiedBefore.set(channel, { key, result });
+    return result;
+  });
+}
+
+function resampled(document: Document, args: Resample) {
+  const [from, to] = interval(args.from, args.to);
+  const framesPerSecond = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
+  if (!(framesPerSecond > 0)) throw new CommandError(`A frame rate is more than 0; ${framesPerSecond} was given.`);
+  const tangents = oneOf<Resampling['tangents']>(args.tangents, ['smooth', 'linear'], '"tangents"');
+  return results(document, args, (channel) => resampleChannel(channel, { framesPerSecond, from, to, tangents }));
+}
+
+function baked(document: Document, args: BakeExtrapolation): Map<number, Baked> {
+  const [from, to] = interval(args.from, args.to);
+  return results(document, args, (channel) => bake(channel, from, to));
+}
+
+function filtered(document: Document, args: OfChannels): Filtered {
+  const clip = clipOf(document, args.characterId);
+  const character = requireCharacter(document, args.characterId);
+  return filterCharacter(character, clip.channels, checkedChannels(clip, args.channels));
+}
+
+function reduction(
+  document: Document,
+  args: OfChannels,
+  made: ReadonlyMap<number, Simplified | ReturnType<typeof resampleChannel>>,
+): Reduction {
+  const clip = clipOf(document, args.characterId);
+  const list = [...made].map(([index, result]) => ({
+    index,
+    changed: result.channel !== clip.channels[index],
+    result,
+  }));
+  return reductionOf(list, units(document, args));
+}
+
+/** A channel's unit is that of the DOF it drives; one that drives none has an angle's. */
+function units(document: Document, { characterId }: OfChannels): (channel: number) => DofUnit {
+  const { skeleton, morphs } = requireCharacter(document, characterId);
+  const dofs = characterDofs(skeleton, morphs);
+  return (channel) => dofs[channel]?.unit ?? 'angle';
+}
+
+function interval(from: unknown, to: unknown): readonly [number, number] {
+  const start = finiteNumber(from, '"from"');
+  const end = finiteNumber(to, '"to"');
+  if (start > end) throw new CommandError(`The range ends at ${end} s, before it begins at ${start} s.`);
+  return [start, end];
+}
+
+function curves(channels: readonly number[]): string {
+  return channels.length === 1 ? 'a curve' : `${channels.length} curves`;
+}

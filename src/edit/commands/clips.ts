@@ -1,0 +1,111 @@
+/**
+ * Takes as wholes: made, named, copied, removed, and what of them is played. Each command means the take that is shown,
+ * unless it is told another.
+ */
+import type { ChannelClip } from '../../model/clip.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { indexIn, text } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { rangeFrom } from '../key-dofs.ts';
+import { type Command, CommandError } from '../store.ts';
+import { newTakeName, requireTake, uniqueTakeName, withNewTake, withTake } from '../takes.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
+
+interface OfTake {
+  readonly characterId: string;
+  /** Into the character's takes; the one that is shown, where absent. */
+  readonly clip?: number | undefined;
+}
+
+export interface SetRange extends OfTake {
+  /** First and last second that are played, in seconds of the clip. */
+  readonly range: readonly [number, number];
+}
+
+export const setClipRange: Command<SetRange> = {
+  id: 'clip.setRange',
+  label: (document, args) => `Set range of ${nameOf(document, args)}`,
+  run(document, { characterId, clip, range }) {
+    const next = rangeFrom(range, '"range"');
+    return changeCharacter(document, characterId, (c) => {
+      const index = takeIndex(c, clip);
+      const take = c.clips[index];
+      const same = take.range[0] === next[0] && take.range[1] === next[1];
+      return same ? c : withTake(c, index, { ...take, range: next });
+    });
+  },
+};
+
+export interface CreateClip {
+  readonly characterId: string;
+  /** Seconds of the clip. */
+  readonly range: readonly [number, number];
+  /** After the skeleton, where absent. A name that is taken gets a number. */
+  readonly name?: string | undefined;
+}
+
+/** A take in which nothing is keyed and everything stands at the pose; it is shown. */
+export const createClip: Command<CreateClip> = {
+  id: 'clip.create',
+  label: () => 'New take',
+  run: (document, { characterId, range, name }) =>
+    changeCharacter(document, characterId, (c) => {
+      if (!c.skeleton) throw new CommandError(`${c.name} has no skeleton: channels are counted by its DOFs.`);
+      const called = name === undefined ? newTakeName(c) : uniqueTakeName(c, text(name, 'The name'));
+      return withNewTake(withoutUnkeyed(c), called, rangeFrom(range, '"range"'));
+    }),
+};
+
+/** The name is its file's too, so no two takes of a character have the same. */
+export const renameClip: Command<OfTake & { readonly name: string }> = {
+  id: 'clip.rename',
+  label: (document, args) => `Rename ${nameOf(document, args)}`,
+  run: (document, { characterId, clip, name }) =>
+    changeCharacter(document, characterId, (c) => {
+      const index = takeIndex(c, clip);
+      const take = c.clips[index];
+      const next = text(name, 'The name').trim();
+      if (take.name === next) return c;
+      const other = c.clips.find((o) => o !== take && o.name.toLowerCase() === next.toLowerCase());
+      if (other) throw new CommandError(`${c.name} has a take "${other.name}" already.`);
+      return withTake(c, index, { ...take, name: next });
+    }),
+};
+
+/** The copy stands behind the others, and is shown. It shares the channels until one of the two changes. */
+export const duplicateClip: Command<OfTake> = {
+  id: 'clip.duplicate',
+  label: (document, args) => `Duplicate ${nameOf(document, args)}`,
+  run: (document, { characterId, clip }) =>
+    changeCharacter(document, characterId, (c) => {
+      const take: ChannelClip = c.clips[takeIndex(c, clip)];
+      const copy = { ...take, name: uniqueTakeName(c, take.name) };
+      return { ...withoutUnkeyed(c), clips: [...c.clips, copy], shownClip: c.clips.length };
+    }),
+};
+
+/** In place of a take that was shown, the one after it is; the one before it, where it was the last. */
+export const removeClip: Command<OfTake> = {
+  id: 'clip.remove',
+  label: (document, args) => `Remove ${nameOf(document, args)}`,
+  run: (document, { characterId, clip }) =>
+    changeCharacter(document, characterId, (c) => {
+      const index = takeIndex(c, clip);
+      const clips = c.clips.filter((_, i) => i !== index);
+      if (index > c.shownClip) return { ...c, clips };
+      if (index < c.shownClip) return { ...c, clips, shownClip: c.shownClip - 1 };
+      return { ...withoutUnkeyed(c), clips, shownClip: Math.min(index, clips.length - 1) };
+    }),
+};
+
+function takeIndex(character: Character, clip: number | undefined): number {
+  if (clip !== undefined) return indexIn(clip, 0, character.clips.length, 'take');
+  requireTake(character);
+  return character.shownClip;
+}
+
+function nameOf(document: Document, { characterId, clip }: OfTake): string {
+  const character = requireCharacter(document, characterId);
+  const take = clip === undefined ? shownClip(character) : character.clips[clip];
+  return take?.name ?? 'take';
+}

@@ -1,0 +1,40 @@
+/** What channels do before their first key and after their last. */
+import { EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
+import { oneOf } from '../arguments.ts';
+import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
+import { SIDES, type Side } from '../keys/tangents.ts';
+import type { Command } from '../store.ts';
+
+const NAMES: Readonly<Record<Extrapolation, string>> = {
+  constant: 'Constant',
+  linear: 'Linear',
+  cycle: 'Cycle',
+  cycle_offset: 'Cycle with offset',
+  bounce: 'Bounce',
+};
+const WHERE: Readonly<Record<Side, string>> = { in: 'before', out: 'after', both: 'before and after' };
+
+export interface SetExtrapolation extends OfChannels {
+  readonly side: Side;
+  readonly extrapolation: Extrapolation;
+}
+
+/** Keys stay what they are, and those that are selected stay selected. */
+export const setExtrapolation: Command<SetExtrapolation> = {
+  id: 'channels.setExtrapolation',
+  label: (_document, { side, extrapolation }) => `${NAMES[extrapolation]} ${WHERE[side]}`,
+  run(document, { characterId, channels, side, extrapolation }) {
+    oneOf(side, SIDES, '"side"');
+    oneOf(extrapolation, EXTRAPOLATIONS, '"extrapolation"');
+    const clip = clipOf(document, characterId);
+    const changed = [...clip.channels];
+    for (const index of checkedChannels(clip, channels)) {
+      const channel = changed[index];
+      const extrapolateIn = side === 'out' ? channel.extrapolateIn : extrapolation;
+      const extrapolateOut = side === 'in' ? channel.extrapolateOut : extrapolation;
+      if (extrapolateIn === channel.extrapolateIn && extrapolateOut === channel.extrapolateOut) continue;
+      changed[index] = { ...channel, extrapolateIn, extrapolateOut };
+    }
+    return withClipChannels(document, characterId, changed);
+  },
+};

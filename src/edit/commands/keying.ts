@@ -1,0 +1,52 @@
+/** From poses to keys. */
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import type { Character } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type KeyOptions, keyDofs } from '../key-dofs.ts';
+import type { Command, Edit } from '../store.ts';
+import { dofName } from './pose.ts';
+
+export interface KeyPose extends KeyOptions {
+  readonly characterId: string;
+  /** Into the character's DOFs (`model/dofs.ts`); all of them, where absent. */
+  readonly dofs?: readonly number[] | undefined;
+  /** Of the transport. */
+  readonly timeSeconds: number;
+}
+
+/**
+ * Keys the pose as it is shown at that time: the take, what was set by hand over it, within the limits. Nothing moves
+ * at that moment. A character without a take gets one, in which every DOF that is not keyed stands where it stands.
+ */
+export const keyPose: Command<KeyPose, Edit> = {
+  id: 'pose.key',
+  label: (document, { characterId, dofs }) => `Key ${whatIsKeyed(requireCharacter(document, characterId), dofs)}`,
+  run(document, { characterId, dofs, timeSeconds, tangents, playedRange }) {
+    const character = requireCharacter(document, characterId);
+    finiteNumber(timeSeconds, '"timeSeconds"');
+    const shown = new Float64Array(dofCountOf(character));
+    poseAt(character, timeSeconds, shown);
+    const values = new Map<number, number>();
+    if (dofs === undefined) for (const [dof, value] of shown.entries()) values.set(dof, value);
+    else
+      for (const dof of listOf(dofs, '"dofs"')) {
+        const index = indexIn(dof, 0, shown.length, 'DOF');
+        values.set(index, shown[index]);
+      }
+    const { character: keyed, keys } = keyDofs(character, values, timeSeconds, { tangents, playedRange });
+    return { document: changeCharacter(document, characterId, () => keyed), keys };
+  },
+};
+
+/** `pose`, `rx of hip`, `hip`, `4 DOFs`. */
+function whatIsKeyed(character: Character, dofs: readonly number[] | undefined): string {
+  if (dofs === undefined) return 'pose';
+  if (dofs.length === 1) return dofName(character, dofs[0]);
+  const all = characterDofs(character.skeleton, character.morphs);
+  const joints = new Set(dofs.map((dof) => all[dof]?.joint));
+  const [joint = -1] = joints;
+  if (joints.size !== 1 || joint < 0) return `${dofs.length} DOFs`;
+  return character.skeleton?.joints[joint]?.name || `joint ${joint}`;
+}

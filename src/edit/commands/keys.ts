@@ -1,0 +1,204 @@
+/** Keys: making them, moving them, taking them away. Seconds are the clip's. */
+import { compileClip, evaluateChannel } from '../../evaluate/curves.ts';
+import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
+import type { ChannelKeys } from '../../model/session.ts';
+import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
+import {
+  changeKeys,
+  checkedChannels,
+  checkKeys,
+  clipOf,
+  keyCount,
+  type OfChannels,
+  type OfKeys,
+  withClipChannels,
+} from '../channel-edits.ts';
+import { COLLISIONS, type Collision } from '../keys/arrange.ts';
+import { insertKey } from '../keys/insert.ts';
+import { moveKeys as move } from '../keys/move.ts';
+import { putKey } from '../keys/put-key.ts';
+import { removeKeys as remove } from '../keys/remove.ts';
+import { rippleKeys as ripple, rippleRoom } from '../keys/ripple.ts';
+import { scaleKeys as scale } from '../keys/scale.ts';
+import { setKeys as set, snapKeys as snap, type TypedKey } from '../keys/set.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+
+export interface AtTime {
+  /** Of the clip. */
+  readonly timeSeconds: number;
+}
+
+/** Keys on the curves, whose shape stays (`keys/insert.ts`). Selects them, or the keys that were there already. */
+export const insertKeys: Command<OfChannels & AtTime, Edit> = {
+  id: 'keys.insert',
+  label: (_document, { channels }) => (channels.length === 1 ? 'Insert key' : `Insert ${channels.length} keys`),
+  run(document, { characterId, channels, timeSeconds }) {
+    const clip = clipOf(document, characterId);
+    const time = finiteNumber(timeSeconds, '"timeSeconds"');
+    const changed = [...clip.channels];
+    const keys = checkedChannels(clip, channels).map((index): ChannelKeys => {
+      const inserted = insertKey(changed[index], time);
+      changed[index] = inserted.channel;
+      return { channel: index, indices: [inserted.index] };
+    });
+    return { document: withClipChannels(document, characterId, changed), keys };
+  },
+};
+
+export interface AddKey extends AtTime {
+  readonly characterId: string;
+  readonly channel: number;
+  readonly value: number;
+  /** Of both sides of a new key; smooth where absent. `fixed` is level. */
+  readonly tangents?: TangentKind;
+}
+
+/** A key beside the curve, which goes through it from then on. A key that is at that time takes the value. */
+export const addKey: Command<AddKey, Edit> = {
+  id: 'keys.add',
+  label: () => 'Add key',
+  run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth' }) {
+    const clip = clipOf(document, characterId);
+    indexIn(index, 0, clip.channels.length, 'channel');
+    const put = putKey(
+      clip.channels[index],
+      finiteNumber(timeSeconds, '"timeSeconds"'),
+      finiteNumber(value, '"value"'),
+      TANGENT_KINDS.indexOf(oneOf(tangents, TANGENT_KINDS, '"tangents"')),
+    );
+    const channels = clip.channels.map((c, i) => (i === index ? put.channel : c));
+    return {
+      document: withClipChannels(document, characterId, channels),
+      keys: [{ channel: index, indices: [put.index] }],
+    };
+  },
+};
+
+export interface MoveKeys extends OfKeys {
+  /** Added to their times. */
+  readonly seconds: number;
+  /** Added to the values, one number for each entry of `keys`; none where absent. */
+  readonly values?: readonly number[];
+  /** What becomes of a key that a moved one lands on; it is replaced where absent. */
+  readonly onCollision?: Collision;
+}
+
+export const moveKeys: Command<MoveKeys, Edit> = {
+  id: 'keys.move',
+  label: (_document, { keys }) => `Move ${keyCount(keys)}`,
+  run(document, { characterId, keys, seconds, values, onCollision = 'replace' }) {
+    finiteNumber(seconds, '"seconds"');
+    oneOf(onCollision, COLLISIONS, '"onCollision"');
+    const by = values && numberForEach(values, keys, '"values"');
+    return changeKeys(document, { characterId, keys }, (channel, indices, entry) =>
+      move(channel, indices, seconds, by?.[entry] ?? 0, onCollision),
+    );
+  },
+};
+
+export interface ScaleKeys extends OfKeys {
+  /** Of the clip: the moment that stays. */
+  readonly pivotSeconds: number;
+  /** Below 0 mirrors. */
+  readonly timeFactor: number;
+  readonly valueFactor: number;
+  /** The value that stays, one for each entry of `keys`; 0 where absent. */
+  readonly pivotValues?: readonly number[];
+  readonly onCollision?: Collision;
+}
+
+export const scaleKeys: Command<ScaleKeys, Edit> = {
+  id: 'keys.scale',
+  label: (_document, { keys }) => `Scale ${keyCount(keys)}`,
+  run(document, args) {
+    const { characterId, keys, pivotValues, onCollision = 'replace' } = args;
+    const pivotSeconds = finiteNumber(args.pivotSeconds, '"pivotSeconds"');
+    const timeFactor = finiteNumber(args.timeFactor, '"timeFactor"');
+    const valueFactor = finiteNumber(args.valueFactor, '"valueFactor"');
+    oneOf(onCollision, COLLISIONS, '"onCollision"');
+    const pivots = pivotValues && numberForEach(pivotValues, keys, '"pivotValues"');
+    return changeKeys(document, { characterId, keys }, (channel, indices, entry) => {
+      const pivotValue = pivots?.[entry] ?? 0;
+      return scale(channel, indices, { pivotSeconds, timeFactor, pivotValue, valueFactor }, onCollision);
+    });
+  },
+};
+
+/**
+ * Exact numbers, as typed. A time is for one key of each channel: more can't stand at it, so that is refused.
+ */
+export const setKeys: Command<OfKeys & TypedKey, Edit> = {
+  id: 'keys.set',
+  label(_document, { keys, timeSeconds, value }) {
+    const what = timeSeconds !== undefined ? 'time' : value !== undefined ? 'value' : 'slope';
+    return `Set ${what} of ${keyCount(keys)}`;
+  },
+  run(document, { characterId, keys, timeSeconds, value, slopeIn, slopeOut }) {
+    const typed = { timeSeconds, value, slopeIn, slopeOut };
+    const given = Object.entries(typed).filter(([, number]) => number !== undefined);
+    for (const [name, number] of given) finiteNumber(number, `"${name}"`);
+    if (given.length === 0) {
+      throw new CommandError('One of "timeSeconds", "value", "slopeIn" and "slopeOut" has to be given.');
+    }
+    return changeKeys(document, { characterId, keys }, (channel, indices) => {
+      if (timeSeconds !== undefined && indices.length > 1) {
+        throw new CommandError('Only one key of a channel can be put at a time; several are selected in one.');
+      }
+      return set(channel, indices, typed);
+    });
+  },
+};
+
+/** To the nearest frame. */
+export const snapKeys: Command<OfKeys & { readonly framesPerSecond: number }, Edit> = {
+  id: 'keys.snap',
+  label: (_document, { keys }) => `Snap ${keyCount(keys)} to frames`,
+  run(document, { characterId, keys, framesPerSecond }) {
+    if (finiteNumber(framesPerSecond, '"framesPerSecond"') <= 0) {
+      throw new CommandError(`A frame rate has to be above 0; ${framesPerSecond} was given.`);
+    }
+    return changeKeys(document, { characterId, keys }, (channel, indices) => snap(channel, indices, framesPerSecond));
+  },
+};
+
+/** Channels that lose all their keys stand at the value they had at the given time. Nothing is selected after it. */
+export const removeKeys: Command<OfKeys & AtTime, Edit> = {
+  id: 'keys.remove',
+  label: (_document, { keys }) => `Delete ${keyCount(keys)}`,
+  run(document, { characterId, keys, timeSeconds }) {
+    const time = finiteNumber(timeSeconds, '"timeSeconds"');
+    const clip = clipOf(document, characterId);
+    checkKeys(clip, keys);
+    const curves = compileClip(clip);
+    const channels = [...clip.channels];
+    for (const { channel, indices } of keys) {
+      channels[channel] = remove(channels[channel], indices, evaluateChannel(curves, channel, time));
+    }
+    return { document: withClipChannels(document, characterId, channels), keys: [] };
+  },
+};
+
+/**
+ * Moves keys and all later keys of their channels (`keys/ripple.ts`). All channels go as far as the one with the least
+ * room: poses stay poses.
+ */
+export const rippleKeys: Command<OfKeys & { readonly seconds: number }, Edit> = {
+  id: 'keys.ripple',
+  label: (_document, { keys }) => `Ripple ${keyCount(keys)}`,
+  run(document, { characterId, keys, seconds }) {
+    finiteNumber(seconds, '"seconds"');
+    const clip = clipOf(document, characterId);
+    checkKeys(clip, keys);
+    let by = seconds;
+    for (const { channel, indices } of keys) by = Math.max(by, rippleRoom(clip.channels[channel], indices[0]));
+    return changeKeys(document, { characterId, keys }, (channel, indices) => ripple(channel, indices, by));
+  },
+};
+
+function numberForEach(given: unknown, keys: readonly ChannelKeys[], what: string): readonly number[] {
+  const numbers = listOf(given, what).map((n) => finiteNumber(n, `Each of ${what}`));
+  if (numbers.length !== listOf(keys, '"keys"').length) {
+    throw new CommandError(`${what} has to have a number for each channel in "keys".`);
+  }
+  return numbers;
+}

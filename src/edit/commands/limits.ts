@@ -1,0 +1,59 @@
+/**
+ * Limits of the joints' DOFs. They are the skeleton's, and saved in its `.skel`; poses and keys beyond them stay as they
+ * are, and are clamped when shown.
+ */
+import type { Document } from '../../model/document.ts';
+import { characterDofs, firstDofs, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { dofsOf, type Limit, UNLIMITED } from '../../model/skeleton.ts';
+import { finiteNumber, indexIn } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type Command, CommandError } from '../store.ts';
+import { dofName } from './pose.ts';
+
+interface OfDof {
+  readonly characterId: string;
+  /** Into the character's DOFs (`model/dofs.ts`): one of a joint, for root translation and morphs have no limits. */
+  readonly dof: number;
+}
+
+/** `min` and `max` in the DOF's own unit: radians, or units of length. */
+export const setLimit: Command<OfDof & Limit> = {
+  id: 'skeleton.setLimit',
+  label: (document, args) => `Limit ${nameOf(document, args)}`,
+  run(document, { characterId, dof, min, max }) {
+    finiteNumber(min, 'The lower limit');
+    finiteNumber(max, 'The upper limit');
+    if (min > max) throw new CommandError(`The lower limit ${min} is above the upper one, ${max}.`);
+    return withLimit(document, characterId, dof, { min, max });
+  },
+};
+
+export const clearLimit: Command<OfDof> = {
+  id: 'skeleton.clearLimit',
+  label: (document, args) => `Take limits off ${nameOf(document, args)}`,
+  run: (document, { characterId, dof }) => withLimit(document, characterId, dof, UNLIMITED),
+};
+
+/** Joints that it is not about keep their identity. */
+function withLimit(document: Document, characterId: string, dof: number, limit: Limit): Document {
+  return changeCharacter(document, characterId, (character) => {
+    const { skeleton, morphs } = character;
+    const all = characterDofs(skeleton, morphs);
+    indexIn(dof, 0, all.length, 'DOF');
+    const { joint } = all[dof];
+    if (!skeleton || joint < 0 || dof < ROOT_TRANSLATION.length) {
+      throw new CommandError(`${dofName(character, dof)} has no limits; only the DOFs of joints have.`);
+    }
+    const { motion, limits } = skeleton.joints[joint];
+    const own = dof - firstDofs(skeleton)[joint];
+    const before = limits[own] ?? UNLIMITED;
+    if (before.min === limit.min && before.max === limit.max) return character;
+    const next = dofsOf(motion).map((_, i) => (i === own ? limit : (limits[i] ?? UNLIMITED)));
+    const joints = skeleton.joints.map((j, i) => (i === joint ? { ...j, limits: next } : j));
+    return { ...character, skeleton: { ...skeleton, joints } };
+  });
+}
+
+function nameOf(document: Document, { characterId, dof }: OfDof): string {
+  return dofName(requireCharacter(document, characterId), dof);
+}

@@ -1,0 +1,47 @@
+/** Pasting copied keys (`keys/clipboard.ts`). Selects them. */
+import { finiteNumber, listOf, oneOf } from '../arguments.ts';
+import { clipOf, withClipChannels } from '../channel-edits.ts';
+import { type CopiedKeys, PASTE_MODES, type Paste, pasteKeys as paste } from '../keys/clipboard.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+
+export interface PasteKeys extends Paste {
+  readonly characterId: string;
+  readonly copied: CopiedKeys;
+}
+
+export const pasteKeys: Command<PasteKeys, Edit> = {
+  id: 'keys.paste',
+  label(_document, { copied }) {
+    const count = copied.channels.reduce((sum, c) => sum + c.times.length, 0);
+    return count === 1 ? 'Paste key' : `Paste ${count} keys`;
+  },
+  run(document, { characterId, copied, timeSeconds, into, mode }) {
+    const clip = clipOf(document, characterId);
+    checkCopied(copied);
+    finiteNumber(timeSeconds, '"timeSeconds"');
+    oneOf(mode, PASTE_MODES, '"mode"');
+    if (into !== undefined) listOf(into, '"into"');
+    const { channels, keys } = paste(clip, copied, { timeSeconds, into, mode });
+    return { document: withClipChannels(document, characterId, channels), keys };
+  },
+};
+
+/** What a console gives need not be what was copied. */
+function checkCopied(copied: CopiedKeys): void {
+  // Beyond its type on purpose.
+  const given: { seconds?: unknown; channels?: unknown } = copied ?? {};
+  if (finiteNumber(given.seconds, 'The length of "copied"') < 0)
+    throw new CommandError('"copied" has to last 0 s or more.');
+  const channels = listOf(given.channels, 'The channels of "copied"');
+  if (channels.length === 0) throw new CommandError('There is nothing to paste: no keys were copied.');
+  for (const { times, values, tangentsIn, tangentsOut } of copied.channels) {
+    const columns = [times, values, tangentsIn?.slopes, tangentsOut?.slopes];
+    const count = times?.length;
+    const fit =
+      count > 0 &&
+      columns.every((c) => c instanceof Float64Array && c.length === count && c.every(Number.isFinite)) &&
+      [tangentsIn, tangentsOut].every(({ kinds }) => kinds instanceof Uint8Array && kinds.length === count) &&
+      times.every((t, k) => k === 0 || t >= times[k - 1]);
+    if (!fit) throw new CommandError('"copied" has to be what copying gives: columns of keys, as long as each other.');
+  }
+}

@@ -1,0 +1,93 @@
+/**
+ * Making keys of DOFs: what K, auto-key and a script's call have in common. The take is made, or given the channels it
+ * lacks, on the way; what was set by hand and is keyed now is not unkeyed any more.
+ */
+import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
+import { type Character, shownClip } from '../model/document.ts';
+import type { ChannelKeys } from '../model/session.ts';
+import { finiteNumber, listOf, oneOf } from './arguments.ts';
+import { putKey } from './keys/put-key.ts';
+import { CommandError } from './store.ts';
+import { withChannels, withTake } from './takes.ts';
+import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
+
+/** Both tangents of keys that keying makes; a key that was there keeps its own. */
+export type NewKeyTangents = 'smooth' | 'linear' | 'flat';
+
+const KINDS: Readonly<Record<NewKeyTangents, number>> = { smooth: SMOOTH, linear: LINEAR, flat: FLAT };
+const NAMES: readonly NewKeyTangents[] = ['smooth', 'linear', 'flat'];
+
+/** How keys are made, as commands take it. */
+export interface KeyOptions {
+  /** Smooth, where absent. */
+  readonly tangents?: NewKeyTangents | undefined;
+  /**
+   * What a take plays that has to be made, in seconds of the transport; where it is absent or has no length, from 0 to
+   * the key, and to 1 s at least.
+   */
+  readonly playedRange?: readonly [number, number] | undefined;
+}
+
+export interface Keyed {
+  readonly character: Character;
+  /** The keys of these DOFs at this moment. */
+  readonly keys: readonly ChannelKeys[];
+}
+
+/**
+ * Keys DOFs at a moment; the same character where all of them were keyed so.
+ *
+ * @param values by DOF, as they should be shown
+ * @param timeSeconds of the transport
+ */
+export function keyDofs(
+  character: Character,
+  values: ReadonlyMap<number, number>,
+  timeSeconds: number,
+  options: KeyOptions = {},
+): Keyed {
+  const { kind, playedRange } = checkOptions(options);
+  const time = timeSeconds + character.timeOffsetSeconds;
+  const taking = withChannels(character, newRange(character, time, playedRange));
+  const clip = shownClip(taking);
+  if (!clip) return { character, keys: [] };
+
+  const channels = [...clip.channels];
+  const keys: ChannelKeys[] = [];
+  let changed = false;
+  for (const dof of [...values.keys()].sort((a, b) => a - b)) {
+    const before = channels[dof];
+    const { channel, index } = putKey(before, time, values.get(dof) ?? 0, kind);
+    changed ||= channel !== before;
+    channels[dof] = channel;
+    keys.push({ channel: dof, indices: [index] });
+  }
+  const keyed = changed ? withTake(taking, taking.shownClip, { ...clip, channels }) : taking;
+  const byHand = unkeyedAt(keyed, timeSeconds);
+  if (byHand.size === 0) return { character: keyed, keys };
+  for (const dof of values.keys()) byHand.delete(dof);
+  return { character: withUnkeyed(keyed, timeSeconds, byHand), keys };
+}
+
+function newRange(
+  { timeOffsetSeconds }: Character,
+  time: number,
+  played: readonly [number, number] | undefined,
+): readonly [number, number] {
+  if (played && played[1] > played[0]) return [played[0] + timeOffsetSeconds, played[1] + timeOffsetSeconds];
+  return [Math.min(0, time), Math.max(1, time)];
+}
+
+/** Arguments may come from the console. */
+function checkOptions({ tangents = 'smooth', playedRange }: KeyOptions) {
+  const kind = KINDS[oneOf(tangents, NAMES, '"tangents"')];
+  return { kind, playedRange: playedRange === undefined ? undefined : rangeFrom(playedRange, '"playedRange"') };
+}
+
+/** Two finite numbers, the first not above the second; refuses anything else. */
+export function rangeFrom(value: unknown, what: string): readonly [number, number] {
+  const [from, to] = listOf(value, what);
+  const range = [finiteNumber(from, `The start of ${what}`), finiteNumber(to, `The end of ${what}`)] as const;
+  if (range[0] > range[1]) throw new CommandError(`${what} has to go forward; ${range[0]} to ${range[1]} was given.`);
+  return range;
+}

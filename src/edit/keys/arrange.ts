@@ -1,0 +1,223 @@
+/**
+ * Keys at new times: in order again, and what happens where they land on others. Moving, scaling, snapping, typing a
+ * time, rippling and pasting all end here.
+ *
+ *     before     a   b   c   d        b moves to d's time:   a   c   b        replaces it, or
+ *                    └───────▶                               a   c   d b      makes a step, b holding from then on
+ *
+ * The rules, in one place:
+ *  - A moved key that lands on keys that did not move replaces them. Where steps are asked for, the first of those
+ *    there and the last that landed stay: what the curve arrives at, and what it goes on from. Never more than two.
+ *    It takes the time of what it lands on to the last digit, so that channels keyed together stay in line.
+ *  - Of moved keys that meet (scaled to nothing, snapped to one frame) the last stays, with its other half if it was
+ *    half of a step. Steps that move as one stay steps.
+ *  - A key that is moved to where it was lands on nothing.
+ *
+ * Both lists, those that move and those that don't, are sorted already or exactly reversed: one merge, over indices in
+ * typed arrays, without an object for a key.
+ */
+import { lastNotAbove } from '../../math/search.ts';
+import type { Channel, Tangents } from '../../model/clip.ts';
+import { CommandError } from '../store.ts';
+import { takeKeys } from './columns.ts';
+import { sameTime } from './same-time.ts';
+
+/** What becomes of a key that another lands on. */
+export type Collision = 'replace' | 'step';
+export const COLLISIONS: readonly Collision[] = ['replace', 'step'];
+
+/** A channel after an edit. */
+export interface Moved {
+  readonly channel: Channel;
+  /** Where the keys that the edit was about are now, ascending; those that were replaced are missing. */
+  readonly indices: readonly number[];
+}
+
+/** A channel with keys at other times. */
+export interface Arranged extends Moved {
+  /** The index that each of `indices` had before. */
+  readonly from: readonly number[];
+}
+
+/**
+ * The channel with some keys at other times; the very same where none changes.
+ * @param indices ascending, each once
+ * @param newTimes one for each of `indices`: ascending as they are, or descending where time is mirrored
+ * @param arriving the keys come from elsewhere: they land on others even where their times are the ones they have
+ */
+export function arrange(
+  channel: Channel,
+  indices: readonly number[],
+  newTimes: Float64Array,
+  collision: Collision,
+  arriving = false,
+): Arranged {
+  for (const i of [0, newTimes.length - 1]) {
+    if (newTimes.length && !Number.isFinite(newTimes[i])) {
+      throw new CommandError('Keys can’t be moved that far: there is no such time.');
+    }
+  }
+  const { times } = channel;
+  if (!arriving) {
+    const inPlace = movedInPlace(times, indices, newTimes);
+    if (inPlace)
+      return { channel: inPlace === times ? channel : { ...channel, times: inPlace }, indices, from: indices };
+  }
+  const movers = new Uint32Array(indices);
+  const landing = newTimes.slice();
+  if (landing[0] > landing[landing.length - 1]) {
+    movers.reverse();
+    landing.reverse();
+  }
+  const others = unselected(times.length, indices);
+  adoptTimes(times, movers, landing, others, arriving);
+  const { order, orderTimes, now, from } = merged(times, movers, landing, others, collision, arriving);
+  return { channel: inOrder(channel, order, orderTimes), indices: now, from };
+}
+
+/**
+ * The column of times where no key passes or meets another, as in most moves of a mouse: one pass, and nothing else is
+ * touched. The very same column where no time changes; undefined where keys have to be put in order.
+ */
+function movedInPlace(times: Float64Array, indices: readonly number[], newTimes: Float64Array) {
+  let changed = false;
+  for (let i = 0; i < indices.length; i++) changed ||= newTimes[i] !== times[indices[i]];
+  if (!changed) return times;
+  const next = times.slice();
+  const moves = new Uint8Array(times.length);
+  for (let i = 0; i < indices.length; i++) {
+    next[indices[i]] = newTimes[i];
+    moves[indices[i]] = 1;
+  }
+  for (let k = 1; k < next.length; k++) {
+    const gap = next[k] - next[k - 1];
+    if (moves[k] === moves[k - 1] ? !(gap > 0 || (gap === 0 && times[k] === times[k - 1])) : !(gap > 0))
+      return undefined;
+    if (moves[k] !== moves[k - 1] && sameTime(next[k], next[k - 1])) return undefined;
+  }
+  return next;
+}
+
+/** The keys that stay where they are, ascending. */
+function unselected(count: number, indices: readonly number[]): Uint32Array {
+  const others = new Uint32Array(count - indices.length);
+  let next = 0;
+  let i = 0;
+  for (let k = 0; k < count; k++) {
+    if (k === indices[i]) i++;
+    else others[next++] = k;
+  }
+  return others;
+}
+
+/** Times that are another key's but for rounding become that key's, in place; order is kept. */
+function adoptTimes(
+  times: Float64Array,
+  movers: Uint32Array,
+  landing: Float64Array,
+  others: Uint32Array,
+  arriving: boolean,
+): void {
+  const standing = new Float64Array(others.length);
+  for (let i = 0; i < others.length; i++) standing[i] = times[others[i]];
+  let before = Number.NEGATIVE_INFINITY;
+  for (let i = 0; i < landing.length; i++) {
+    const time = landing[i];
+    if (standing.length && (arriving || time !== times[movers[i]])) {
+      const k = lastNotAbove(standing, 0, standing.length, time);
+      const above = Math.min(k + 1, standing.length - 1);
+      const near = Math.abs(standing[above] - time) < Math.abs(standing[k] - time) ? above : k;
+      if (sameTime(standing[near], time)) landing[i] = standing[near];
+    }
+    if (landing[i] < before) landing[i] = before;
+    before = landing[i];
+  }
+}
+
+function merged(
+  times: Float64Array,
+  movers: Uint32Array,
+  landing: Float64Array,
+  others: Uint32Array,
+  collision: Collision,
+  arriving: boolean,
+) {
+  const order = new Uint32Array(times.length);
+  const orderTimes = new Float64Array(times.length);
+  const now: number[] = [];
+  const from: number[] = [];
+  let count = 0;
+  let m = 0;
+  let o = 0;
+  const put = (key: number, time: number) => {
+    order[count] = key;
+    orderTimes[count++] = time;
+  };
+  const land = (key: number, time: number) => {
+    now.push(count);
+    from.push(key);
+    put(key, time);
+  };
+  while (m < movers.length || o < others.length) {
+    // All that is at the next time: some that move, some that don't.
+    const moving = m < movers.length ? landing[m] : Number.POSITIVE_INFINITY;
+    const standing = o < others.length ? times[others[o]] : Number.POSITIVE_INFINITY;
+    const time = Math.min(moving, standing);
+    const firstOther = o;
+    while (o < others.length && times[others[o]] === time) o++;
+    let firstMover = m;
+    while (m < movers.length && landing[m] === time) m++;
+    if (firstMover < m) {
+      const last = times[movers[m - 1]];
+      while (times[movers[firstMover]] !== last) firstMover++;
+    }
+    if (firstMover === m || firstOther === o) {
+      for (let i = firstOther; i < o; i++) put(others[i], time);
+      for (let i = firstMover; i < m; i++) land(movers[i], time);
+    } else if (!arriving && times[movers[m - 1]] === time) {
+      // Half of a step, the other half of which is asked to go nowhere.
+      let i = firstOther;
+      let j = firstMover;
+      while (i < o || j < m) {
+        if (j >= m || (i < o && others[i] < movers[j])) put(others[i++], time);
+        else land(movers[j++], time);
+      }
+    } else if (collision === 'step') {
+      put(others[firstOther], time);
+      land(movers[m - 1], time);
+    } else {
+      for (let i = firstMover; i < m; i++) land(movers[i], time);
+    }
+  }
+  return { order: order.subarray(0, count), orderTimes: orderTimes.slice(0, count), now, from };
+}
+
+/** The channel's keys in another order, at these times. Columns that come out the same stay the same objects. */
+function inOrder(channel: Channel, order: Uint32Array, times: Float64Array): Channel {
+  const taken = takeKeys(channel, order);
+  const { values, tangentsIn, tangentsOut } = channel;
+  return {
+    ...taken,
+    times,
+    values: same(values, taken.values) ? values : taken.values,
+    tangentsIn: sameTangents(tangentsIn, taken.tangentsIn) ? tangentsIn : taken.tangentsIn,
+    tangentsOut: sameTangents(tangentsOut, taken.tangentsOut) ? tangentsOut : taken.tangentsOut,
+  };
+}
+
+function sameTangents(a: Tangents, b: Tangents): boolean {
+  return same(a.kinds, b.kinds) && same(a.slopes, b.slopes);
+}
+
+function same(a: Float64Array | Uint8Array, b: Float64Array | Uint8Array): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (!Object.is(a[i], b[i])) return false;
+  return true;
+}
+
+/** A new time for each of some keys. (`Float64Array.from` with a function is several times slower.) */
+export function timesFor(indices: readonly number[], of: (key: number) => number): Float64Array {
+  const times = new Float64Array(indices.length);
+  for (let i = 0; i < indices.length; i++) times[i] = of(indices[i]);
+  return times;
+}

@@ -1,0 +1,150 @@
+/**
+ * Copying keys and pasting them: at another time, into the same channels or others. What is copied are keys, not a
+ * curve: tangents by name (`linear`, `smooth`) stay names and follow the neighbours they come to have.
+ */
+import type { Channel, ChannelClip, Tangents } from '../../model/clip.ts';
+import type { ChannelKeys } from '../../model/session.ts';
+import { CommandError } from '../store.ts';
+import { arrange, type Moved } from './arrange.ts';
+import { takeKeys } from './columns.ts';
+import { moveKeys } from './move.ts';
+import { removeKeys } from './remove.ts';
+import { sameTime } from './same-time.ts';
+
+/** Keys without their clip: plain data, which outlives it. */
+export interface CopiedKeys {
+  /** From the earliest key to the latest. */
+  readonly seconds: number;
+  /** By channel, ascending; none without keys. */
+  readonly channels: readonly CopiedChannel[];
+}
+
+export interface CopiedChannel {
+  /** Where they were copied from. */
+  readonly channel: number;
+  /** Seconds after the earliest key of all, ascending. */
+  readonly times: Float64Array;
+  readonly values: Float64Array;
+  readonly tangentsIn: Tangents;
+  readonly tangentsOut: Tangents;
+}
+
+/**
+ * What becomes of the keys in the way:
+ *  - merge: a pasted key replaces the one it lands on, all others stay;
+ *  - replace: what lies between the first and the last pasted key goes, in every channel pasted into;
+ *  - insert: what lies there and later is pushed on by as long as the pasted keys last.
+ */
+export const PASTE_MODES = ['merge', 'replace', 'insert'] as const;
+export type PasteMode = (typeof PASTE_MODES)[number];
+
+export interface Paste {
+  /** Of the clip: where the earliest key goes. */
+  readonly timeSeconds: number;
+  /** Channels to paste into instead of those copied from: any number for one copied channel, else one for each. */
+  readonly into?: readonly number[] | undefined;
+  readonly mode: PasteMode;
+}
+
+export interface Pasted {
+  /** All channels of the clip; those not pasted into are the same objects. */
+  readonly channels: readonly Channel[];
+  /** Where the pasted keys are. */
+  readonly keys: readonly ChannelKeys[];
+}
+
+export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): CopiedKeys {
+  const taken = keys
+    .filter(({ channel, indices }) => clip.channels[channel] && indices.length > 0)
+    .map(({ channel, indices }) => ({ channel, keys: takeKeys(clip.channels[channel], indices) }));
+  let first = Number.POSITIVE_INFINITY;
+  let last = Number.NEGATIVE_INFINITY;
+  for (const { times } of taken.map((t) => t.keys)) {
+    first = Math.min(first, times[0]);
+    last = Math.max(last, times[times.length - 1]);
+  }
+  return {
+    seconds: taken.length ? last - first : 0,
+    channels: taken.map(({ channel, keys: { times, values, tangentsIn, tangentsOut } }) => ({
+      channel,
+      times: times.map((t) => t - first),
+      values,
+      tangentsIn,
+      tangentsOut,
+    })),
+  };
+}
+
+/** Throws a `CommandError` where the channels don't fit. */
+export function pasteKeys(clip: ChannelClip, copied: CopiedKeys, { timeSeconds, into, mode }: Paste): Pasted {
+  const channels = [...clip.channels];
+  const keys: ChannelKeys[] = [];
+  for (const { to, from } of destinations(clip, copied, into)) {
+    const room = makeRoom(channels[to], timeSeconds, copied.seconds, mode);
+    const { channel, indices } = joined(room, from, timeSeconds);
+    channels[to] = channel;
+    keys.push({ channel: to, indices });
+  }
+  return { channels, keys };
+}
+
+/** Which keys go where, by ascending channel. */
+function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonly number[] | undefined) {
+  const targets = into ?? channels.map((c) => c.channel);
+  if (channels.length !== 1 && targets.length !== channels.length) {
+    throw new CommandError(
+      `Keys of ${channels.length} channels go into as many channels, or those of one into any number; ` +
+        `${targets.length} are selected.`,
+    );
+  }
+  if (new Set(targets).size !== targets.length) throw new CommandError('Keys are pasted into each channel once.');
+  for (const to of targets) {
+    if (clip.channels[to]) continue;
+    throw new CommandError(`There is no channel ${to} to paste into: ${clip.name} has ${clip.channels.length}.`);
+  }
+  return targets.map((to, i) => ({ to, from: channels[channels.length === 1 ? 0 : i] })).sort((a, b) => a.to - b.to);
+}
+
+function makeRoom(channel: Channel, time: number, seconds: number, mode: PasteMode): Channel {
+  const { times } = channel;
+  if (mode === 'merge') return channel;
+  const isAfterStart = (k: number) => times[k] >= time || sameTime(times[k], time);
+  const later: number[] = [];
+  for (let k = 0; k < times.length; k++) if (isAfterStart(k)) later.push(k);
+  if (mode === 'insert') return moveKeys(channel, later, seconds, 0).channel;
+  const end = time + seconds;
+  return removeKeys(
+    channel,
+    later.filter((k) => times[k] <= end || sameTime(times[k], end)),
+  );
+}
+
+/** A channel with copied keys among its own: put behind them, then brought into order. */
+function joined(channel: Channel, copied: CopiedChannel, time: number): Moved {
+  const own = channel.times.length;
+  const { rest: _rest, ...others } = channel;
+  const both: Channel = {
+    ...others,
+    times: concatenated(channel.times, copied.times),
+    values: concatenated(channel.values, copied.values),
+    tangentsIn: concatenatedTangents(channel.tangentsIn, copied.tangentsIn),
+    tangentsOut: concatenatedTangents(channel.tangentsOut, copied.tangentsOut),
+  };
+  const indices = Array.from({ length: copied.times.length }, (_, k) => own + k);
+  const times = copied.times.map((t) => time + t);
+  return arrange(both, indices, times, 'replace', true);
+}
+
+function concatenatedTangents(a: Tangents, b: Tangents): Tangents {
+  const kinds = new Uint8Array(a.kinds.length + b.kinds.length);
+  kinds.set(a.kinds);
+  kinds.set(b.kinds, a.kinds.length);
+  return { kinds, slopes: concatenated(a.slopes, b.slopes) };
+}
+
+function concatenated(a: Float64Array, b: Float64Array): Float64Array {
+  const both = new Float64Array(a.length + b.length);
+  both.set(a);
+  both.set(b, a.length);
+  return both;
+}

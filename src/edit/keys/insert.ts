@@ -1,0 +1,119 @@
+/**
+ * A key on the curve: the curve keeps its shape.
+ *
+ *     before   a ───────────── b        one cubic from a to b
+ *     after    a ───── n ───── b        the same cubic in two: n has its value and its slope
+ *
+ * Two things would change the curve beside the new key. A neighbour's `linear` or `smooth` that looks at the new key
+ * now may come to another slope: it becomes a number, the slope it had (on both of its sides, if need be). And past the
+ * ends, where the new key takes the extrapolated value and slope, the old end key's outer side begins to count: it
+ * becomes the slope that the extrapolated curve has there. With `constant` and `linear` all stays as it was; where a
+ * channel cycles or bounces its period is another then, which can't be kept.
+ *
+ * The new key is `linear` where it lies on a straight line, `flat` where the curve is level, and a number elsewhere: as
+ * much as it can without changing anything now. A keyless channel gets a `smooth` key where it stands.
+ *
+ * Where a key is already, nothing changes; of a step it is the later key, which holds from that time on.
+ */
+import { compileChannels, evaluateChannel, evaluateSlope, keySlope } from '../../evaluate/curves.ts';
+import { type Channel, FIXED, FLAT, LINEAR, SMOOTH } from '../../model/clip.ts';
+import { type Tangent, tangent } from './columns.ts';
+import { countNotAbove, findKey } from './same-time.ts';
+import { withKeyAt } from './splice.ts';
+
+export interface Inserted {
+  /** The very same where there was a key. */
+  readonly channel: Channel;
+  /** Of the new key, or the one that was there. */
+  readonly index: number;
+  /** The channel cycles or bounces, and does so otherwise now. */
+  readonly periodChanged: boolean;
+}
+
+export function insertKey(channel: Channel, time: number): Inserted {
+  const there = findKey(channel, time);
+  if (there >= 0) return { channel, index: there, periodChanged: false };
+  if (channel.times.length === 0) {
+    const first = { time, value: channel.rest ?? 0, in: tangent(SMOOTH), out: tangent(SMOOTH) };
+    return { channel: withKeyAt(channel, 0, first), index: 0, periodChanged: false };
+  }
+  const curve = compileChannels([channel]);
+  const value = evaluateChannel(curve, 0, time);
+  const slopes = { in: evaluateSlope(curve, 0, time, 'in'), out: evaluateSlope(curve, 0, time, 'out') };
+  const index = countNotAbove(channel.times, time);
+  const last = channel.times.length;
+  const key = { time, value, in: tangent(FIXED, slopes.in), out: tangent(FIXED, slopes.out) };
+  const next = withKeyAt(channel, index, key);
+
+  if (index > 0) {
+    const before = index - 1;
+    const outer = index === last ? evaluateSlope(curve, 0, channel.times[before], 'out') : undefined;
+    keepSlope(next, before, 'in', keySlope(channel, before, 'in'));
+    keepSlope(next, before, 'out', outer ?? keySlope(channel, before, 'out'), outer === 0);
+  }
+  if (index < last) {
+    const outer = index === 0 ? evaluateSlope(curve, 0, channel.times[0], 'in') : undefined;
+    keepSlope(next, index + 1, 'in', outer ?? keySlope(channel, index, 'in'), outer === 0);
+    keepSlope(next, index + 1, 'out', keySlope(channel, index, 'out'));
+  }
+  setTangent(next, index, 'in', honestTangent(next, index, 'in', slopes.in));
+  setTangent(next, index, 'out', honestTangent(next, index, 'out', slopes.out));
+  return { channel: next, index, periodChanged: changesPeriod(channel, next) };
+}
+
+/** (A lone key has no period; its channel stands still or goes straight.) */
+function changesPeriod(before: Channel, after: Channel): boolean {
+  const repeats = (e: Channel['extrapolateIn']) => e !== 'constant' && e !== 'linear';
+  if (!repeats(before.extrapolateIn) && !repeats(before.extrapolateOut)) return false;
+  const period = lengthOf(before);
+  if (period === lengthOf(after)) return false;
+  // What stood still at one value goes on to, however long its period.
+  return period > 0 || after.values[0] !== after.values[after.values.length - 1];
+}
+
+function lengthOf({ times }: Channel): number {
+  return times[times.length - 1] - times[0];
+}
+
+/** Makes one side of a key a number if its kind would come to another slope than this. In place: columns are new. */
+function keepSlope(next: Channel, key: number, side: 'in' | 'out', slope: number, asFlat = false): void {
+  if (comesTo(next, key, side, keySlope(next, key, side), slope)) return;
+  setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED, slope));
+}
+
+function honestTangent(next: Channel, key: number, side: 'in' | 'out', slope: number): Tangent {
+  const { times, values } = next;
+  const neighbour = side === 'in' ? key - 1 : key + 1;
+  const hasSegment = neighbour >= 0 && neighbour < times.length;
+  // On the outer side of an end `linear` takes the only segment there is.
+  const from = Math.max(0, Math.min(times.length - 2, side === 'in' ? key - 1 : key));
+  const secant = (values[from + 1] - values[from]) / (times[from + 1] - times[from]);
+  const facing = side === 'in' ? 'out' : 'in';
+  const isStraight =
+    comesTo(next, key, side, secant, slope) &&
+    (!hasSegment || comesTo(next, neighbour, facing, secant, keySlope(next, neighbour, facing)));
+  const neighbourKind = hasSegment && (side === 'in' ? next.tangentsOut : next.tangentsIn).kinds[neighbour];
+  if (isStraight && neighbourKind === LINEAR) return tangent(LINEAR);
+  if (comesTo(next, key, side, 0, slope)) return tangent(FLAT);
+  return isStraight ? tangent(LINEAR) : tangent(FIXED, slope);
+}
+
+/**
+ * Whether two slopes on one side of a key are the same but for rounding. Between keys it is the rounding of a secant's
+ * values that counts; past the ends a slope is followed any distance, so there it has to be much the same number.
+ */
+function comesTo({ times, values }: Channel, key: number, side: 'in' | 'out', a: number, b: number): boolean {
+  const far = side === 'in' ? key - 1 : key + 1;
+  const difference = Math.abs(a - b);
+  const own = 1e-13 * Math.max(Math.abs(a), Math.abs(b));
+  if (difference <= own) return true;
+  if (far < 0 || far >= times.length) return false;
+  const length = Math.abs(times[far] - times[key]);
+  return difference * length <= 4 * Number.EPSILON * Math.max(Math.abs(values[far]), Math.abs(values[key]));
+}
+
+function setTangent(next: Channel, key: number, side: 'in' | 'out', { kind, slope }: Tangent): void {
+  const { kinds, slopes } = side === 'in' ? next.tangentsIn : next.tangentsOut;
+  kinds[key] = kind;
+  slopes[key] = slope;
+}

@@ -1,0 +1,30 @@
+/** A key with a value of its own, on the curve or off it: posing, and clicking beside a curve. */
+import type { Channel } from '../../model/clip.ts';
+import { tangent } from './columns.ts';
+import { countNotAbove, findKey } from './same-time.ts';
+import { withKeyAt } from './splice.ts';
+
+/** A channel with the key that was asked for. */
+export interface Put {
+  readonly channel: Channel;
+  readonly index: number;
+}
+
+/**
+ * Puts a key at a time. Where there is one already it takes the value and keeps its tangents (of a step the key that
+ * holds from then on); the very same channel comes back where it had that value. Neighbours keep their kinds, so that
+ * the curve passes through the new key as they say.
+ *
+ * @param kind index into TANGENT_KINDS, for both sides of a new key; a fixed one has slope 0
+ */
+export function putKey(channel: Channel, time: number, value: number, kind: number): Put {
+  const at = findKey(channel, time);
+  if (at >= 0) {
+    if (channel.values[at] === value) return { channel, index: at };
+    const values = channel.values.slice();
+    values[at] = value;
+    return { channel: { ...channel, values }, index: at };
+  }
+  const index = countNotAbove(channel.times, time);
+  return { channel: withKeyAt(channel, index, { time, value, in: tangent(kind), out: tangent(kind) }), index };
+}

@@ -1,0 +1,156 @@
+/**
+ * Sets of keys, as the selection holds them: `ChannelKeys` sorted by channel, none without a key, indices ascending.
+ * Everything here keeps that order, and merges sorted lists rather than searching in them: all the keys of a long clip
+ * are selected as fast as one.
+ */
+import { lastNotAbove } from '../../math/search.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import type { ChannelKeys } from '../../model/session.ts';
+import { sameTime } from './same-time.ts';
+
+export const NO_KEYS: readonly ChannelKeys[] = [];
+
+/** Every key of these channels (indices into the clip's), of all channels if none are given. */
+export function allKeys(clip: ChannelClip, channels?: readonly number[]): readonly ChannelKeys[] {
+  return collect(clip, channels, (times) => [0, times.length]);
+}
+
+/** The keys at a moment of the clip: of a step both. */
+export function keysAtTime(
+  clip: ChannelClip,
+  channels: readonly number[] | undefined,
+  time: number,
+): readonly ChannelKeys[] {
+  return collect(clip, channels, (times) => {
+    const near = firstNotBelow(times, time);
+    let from = near;
+    let to = near;
+    while (from > 0 && sameTime(times[from - 1], time)) from--;
+    while (to < times.length && sameTime(times[to], time)) to++;
+    return [from, to];
+  });
+}
+
+/** The keys between two moments of the clip, both included; the moments in either order. */
+export function keysInRange(
+  clip: ChannelClip,
+  channels: readonly number[] | undefined,
+  from: number,
+  to: number,
+): readonly ChannelKeys[] {
+  const [start, end] = from <= to ? [from, to] : [to, from];
+  return collect(clip, channels, (times) => {
+    let first = firstNotBelow(times, start);
+    while (first > 0 && sameTime(times[first - 1], start)) first--;
+    let stop = times.length && times[0] <= end ? lastNotAbove(times, 0, times.length, end) + 1 : 0;
+    while (stop < times.length && sameTime(times[stop], end)) stop++;
+    return [first, stop];
+  });
+}
+
+/** Those in either. */
+export function unionKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
+  return combine(a, b, (inA, inB) => inA || inB);
+}
+
+/** Those in one of them only: keys of `b` that `a` has leave it, the others join. */
+export function toggleKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
+  return combine(a, b, (inA, inB) => inA !== inB);
+}
+
+/** Those of `a` that are not in `b`. */
+export function withoutKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
+  return combine(a, b, (inA, inB) => inA && !inB);
+}
+
+/** Whether a key is among them. O(log), for picking and drawing. */
+export function hasKey(keys: readonly ChannelKeys[] | undefined, channel: number, index: number): boolean {
+  const indices = keys?.find((k) => k.channel === channel)?.indices;
+  if (!indices) return false;
+  let low = 0;
+  let high = indices.length;
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (indices[middle] < index) low = middle + 1;
+    else high = middle;
+  }
+  return indices[low] === index;
+}
+
+export function countKeys(keys: readonly ChannelKeys[] | undefined): number {
+  let count = 0;
+  for (const { indices } of keys ?? []) count += indices.length;
+  return count;
+}
+
+/** The keys from one index up to, not including, another, of each of the channels. */
+function collect(
+  clip: ChannelClip,
+  channels: readonly number[] | undefined,
+  stretch: (times: Float64Array) => readonly [number, number],
+): readonly ChannelKeys[] {
+  const found: ChannelKeys[] = [];
+  const of = channels ? [...new Set(channels)].sort((a, b) => a - b) : clip.channels.keys();
+  for (const channel of of) {
+    const times = clip.channels[channel]?.times;
+    if (!times) continue;
+    const [from, to] = stretch(times);
+    if (from < to) found.push({ channel, indices: Array.from({ length: to - from }, (_, i) => from + i) });
+  }
+  return found;
+}
+
+/** The keys of two sets for which `keep` says so, by whether each set has them. A set that stays whole stays itself. */
+function combine(
+  a: readonly ChannelKeys[],
+  b: readonly ChannelKeys[],
+  keep: (inA: boolean, inB: boolean) => boolean,
+): readonly ChannelKeys[] {
+  const combined: ChannelKeys[] = [];
+  let i = 0;
+  let j = 0;
+  while (i < a.length || j < b.length) {
+    const first = Math.min(a[i]?.channel ?? Number.POSITIVE_INFINITY, b[j]?.channel ?? Number.POSITIVE_INFINITY);
+    const own = a[i]?.channel === first ? a[i++] : undefined;
+    const other = b[j]?.channel === first ? b[j++] : undefined;
+    if (!other) {
+      if (own && keep(true, false)) combined.push(own);
+    } else if (!own) {
+      if (keep(false, true)) combined.push(other);
+    } else {
+      const indices = combineIndices(own.indices, other.indices, keep);
+      if (indices.length) combined.push({ channel: first, indices });
+    }
+  }
+  return combined;
+}
+
+function combineIndices(
+  a: readonly number[],
+  b: readonly number[],
+  keep: (inA: boolean, inB: boolean) => boolean,
+): readonly number[] {
+  const kept: number[] = [];
+  let i = 0;
+  let j = 0;
+  while (i < a.length || j < b.length) {
+    const inA = j >= b.length || a[i] <= b[j];
+    const inB = i >= a.length || b[j] <= a[i];
+    const index = inA ? a[i] : b[j];
+    if (inA) i++;
+    if (inB) j++;
+    if (keep(inA, inB)) kept.push(index);
+  }
+  return kept;
+}
+
+function firstNotBelow(times: Float64Array, time: number): number {
+  let low = 0;
+  let high = times.length;
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (times[middle] < time) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

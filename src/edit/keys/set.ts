@@ -1,0 +1,47 @@
+/** Keys with exact, typed numbers. */
+import { type Channel, FIXED } from '../../model/clip.ts';
+import { arrange, type Moved, timesFor } from './arrange.ts';
+import { tangent } from './columns.ts';
+import { withValues } from './move.ts';
+import { withTangents } from './tangents.ts';
+
+/** What is given is set, the rest stays. */
+export interface TypedKey {
+  /** Of the clip. */
+  readonly timeSeconds?: number | undefined;
+  readonly value?: number | undefined;
+  /** Value per second; makes that side FIXED. */
+  readonly slopeIn?: number | undefined;
+  readonly slopeOut?: number | undefined;
+}
+
+/**
+ * The channel with these numbers at all of the given keys; the very same where nothing changes. A key that comes to
+ * another's time replaces it; of several given keys that are put at one time the last stays.
+ * @param indices ascending, each once
+ */
+export function setKeys(
+  channel: Channel,
+  indices: readonly number[],
+  { timeSeconds, value, slopeIn, slopeOut }: TypedKey,
+): Moved {
+  const valued = value === undefined ? channel : withValues(channel, indices, () => value);
+  const sloped = withTangents(valued, indices, (_k, side) => {
+    const slope = side === 'in' ? slopeIn : slopeOut;
+    return slope === undefined ? undefined : tangent(FIXED, slope);
+  });
+  if (timeSeconds === undefined) return { channel: sloped, indices };
+  return arrange(sloped, indices, new Float64Array(indices.length).fill(timeSeconds), 'replace');
+}
+
+/** The channel with keys moved to the nearest frame; of those that come to one frame the last stays. */
+export function snapKeys(channel: Channel, indices: readonly number[], framesPerSecond: number): Moved {
+  // Plus 0: frame −0 is frame 0.
+  const toFrame = (time: number) => Math.round(time * framesPerSecond) / framesPerSecond + 0;
+  return arrange(
+    channel,
+    indices,
+    timesFor(indices, (k) => toFrame(channel.times[k])),
+    'replace',
+  );
+}

@@ -1,0 +1,185 @@
+/**
+ * Arguments for every command that changes what `.anim` and `.skel` files hold, made up for the document as it is: keys
+ * that are there, times that keys are at, values near theirs. Some are refused, as some of what people ask for is.
+ */
+import fc from 'fast-check';
+import { copyKeys } from '../../src/edit/keys/clipboard.ts';
+import { allKeys } from '../../src/edit/keys/selection.ts';
+import type { Store } from '../../src/edit/store.ts';
+import { type ChannelClip, EXTRAPOLATIONS, TANGENT_KINDS } from '../../src/model/clip.ts';
+import { type Character, shownClip } from '../../src/model/document.ts';
+import { characterDofs } from '../../src/model/dofs.ts';
+import type { ChannelKeys } from '../../src/model/session.ts';
+import type { Dice } from './dice.ts';
+
+/** Commands about something else: whole characters, where they stand, which skin is drawn. */
+export const ABOUT_NO_FILE: readonly string[] = [
+  'character.remove',
+  'character.showSkin',
+  'character.place',
+  'character.addCopy',
+  'character.removeCopy',
+];
+
+interface Situation {
+  readonly dice: Dice;
+  readonly character: Character;
+  readonly clip: ChannelClip;
+  /** The selected keys, or any. */
+  readonly keys: readonly ChannelKeys[];
+}
+
+/** On eighths of seconds as a rule, so that keys meet. */
+function time(dice: Dice): number {
+  const eighths = dice.below(40) / 8 - 1;
+  return dice.is(0.2) ? eighths + dice.number() / 8 : eighths;
+}
+
+const value = (dice: Dice) => (dice.is(0.3) ? dice.below(5) - 2 : (dice.number() - 0.5) * 8);
+const seconds = (dice: Dice) => (dice.below(33) - 16) / 8;
+const side = (dice: Dice) => dice.pick(['in', 'out', 'both'] as const);
+const onCollision = (dice: Dice) => dice.pick(['replace', 'step', undefined] as const);
+
+function range(dice: Dice): [number, number] {
+  const from = time(dice);
+  return [from, from + dice.below(20) / 8];
+}
+
+function channels({ dice, clip }: Situation, share = 0.3): number[] {
+  return dice.some([...clip.channels.keys()], share);
+}
+
+const of = ({ character, keys }: Situation) => ({ characterId: character.id, keys });
+
+/** By the command's id; undefined where there is nothing to do it with. */
+const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> = {
+  'pose.setDofs': ({ dice, character }) => ({
+    characterId: character.id,
+    dofs: dice
+      .some([...characterDofs(character.skeleton, character.morphs).keys()], 0.2)
+      .map((index) => ({ index, value: value(dice) })),
+    timeSeconds: time(dice),
+  }),
+  'pose.reset': ({ dice, character }) => ({
+    characterId: character.id,
+    to: dice.pick(['file', 'zero']),
+    timeSeconds: time(dice),
+  }),
+  'pose.setClamping': ({ dice, character }) => ({ characterId: character.id, clamps: dice.is(0.5) }),
+  'pose.key': ({ dice, character }) => ({
+    characterId: character.id,
+    dofs: dice.is(0.3) ? undefined : dice.some([...characterDofs(character.skeleton, character.morphs).keys()], 0.3),
+    timeSeconds: time(dice),
+    tangents: dice.pick(['smooth', 'linear', 'flat']),
+  }),
+  'clip.create': ({ dice, character }) => ({ characterId: character.id, range: range(dice) }),
+  'clip.rename': ({ dice, character }) => ({ characterId: character.id, name: dice.pick(['walk', 'run', 'sting']) }),
+  'clip.duplicate': ({ character }) => (character.clips.length < 4 ? { characterId: character.id } : undefined),
+  'clip.remove': ({ character }) => (character.clips.length > 1 ? { characterId: character.id } : undefined),
+  'clip.setRange': ({ dice, character }) => ({ characterId: character.id, range: range(dice) }),
+  'skeleton.setLimit': ({ dice, character }) => ({
+    characterId: character.id,
+    dof: dice.below(16),
+    min: -dice.number(),
+    max: dice.number(),
+  }),
+  'skeleton.clearLimit': ({ dice, character }) => ({ characterId: character.id, dof: dice.below(16) }),
+  'character.rename': ({ dice, character }) => ({ characterId: character.id, name: dice.pick(['wasp', 'bee', 'fly']) }),
+  'character.showClip': ({ dice, character }) => ({
+    characterId: character.id,
+    clip: dice.is(0.1) ? -1 : dice.below(character.clips.length),
+  }),
+  'character.setTimeOffset': ({ dice, character }) => ({ characterId: character.id, seconds: seconds(dice) }),
+  'keys.insert': (s) => ({ characterId: s.character.id, channels: channels(s), timeSeconds: time(s.dice) }),
+  'keys.add': ({ dice, character, clip }) => ({
+    characterId: character.id,
+    channel: dice.below(clip.channels.length),
+    timeSeconds: time(dice),
+    value: value(dice),
+  }),
+  'keys.move': (s) => ({
+    ...of(s),
+    seconds: s.dice.is(0.3) ? 0 : seconds(s.dice),
+    values: s.dice.is(0.4) ? undefined : s.keys.map(() => value(s.dice)),
+    onCollision: onCollision(s.dice),
+  }),
+  'keys.scale': (s) => ({
+    ...of(s),
+    pivotSeconds: time(s.dice),
+    timeFactor: s.dice.pick([1, 2, 0.5, -1, -2, 0]),
+    valueFactor: s.dice.pick([1, 2, -1, 0, 0.1]),
+    pivotValues: s.dice.is(0.5) ? undefined : s.keys.map(() => value(s.dice)),
+    onCollision: onCollision(s.dice),
+  }),
+  'keys.set': (s) => ({
+    ...of(s),
+    ...(s.dice.is(0.4) && { timeSeconds: time(s.dice) }),
+    ...(s.dice.is(0.4) && { value: value(s.dice) }),
+    ...(s.dice.is(0.3) && { slopeIn: value(s.dice) }),
+    ...(s.dice.is(0.3) && { slopeOut: value(s.dice) }),
+  }),
+  'keys.snap': (s) => ({ ...of(s), framesPerSecond: s.dice.pick([4, 30]) }),
+  'keys.remove': (s) => ({ ...of(s), timeSeconds: time(s.dice) }),
+  'keys.ripple': (s) => ({ ...of(s), seconds: seconds(s.dice) }),
+  'keys.setTangents': (s) => ({ ...of(s), side: side(s.dice), kind: s.dice.pick(TANGENT_KINDS) }),
+  'keys.setSlopes': (s) => ({ ...of(s), side: side(s.dice), slope: value(s.dice) }),
+  'keys.unify': of,
+  'keys.break': of,
+  'keys.paste': (s) => ({
+    characterId: s.character.id,
+    copied: copyKeys(s.clip, s.keys),
+    timeSeconds: time(s.dice),
+    into: s.dice.is(0.5) ? undefined : channels(s),
+    mode: s.dice.pick(['merge', 'replace', 'insert']),
+  }),
+  'channels.simplify': (s) => ({ characterId: s.character.id, channels: channels(s), tolerance: s.dice.number() }),
+  'channels.resample': (s) => {
+    const [from, to] = range(s.dice);
+    const framesPerSecond = s.dice.pick([2, 5]);
+    const tangents = s.dice.pick(['smooth', 'linear']);
+    return { characterId: s.character.id, channels: channels(s), framesPerSecond, from, to, tangents };
+  },
+  'channels.eulerFilter': (s) => ({ characterId: s.character.id, channels: channels(s, 0.9) }),
+  'channels.bakeExtrapolation': (s) => {
+    const [from, to] = range(s.dice);
+    return { characterId: s.character.id, channels: channels(s), from, to };
+  },
+  'channels.makeLoop': (s) => ({ characterId: s.character.id, channels: channels(s), keepOffset: s.dice.is(0.5) }),
+  'channels.setExtrapolation': (s) => ({
+    characterId: s.character.id,
+    channels: channels(s),
+    side: side(s.dice),
+    extrapolation: s.dice.pick(EXTRAPOLATIONS),
+  }),
+};
+
+export const COMMANDS_HERE: readonly string[] = Object.keys(ARGUMENTS);
+
+/** Done less often: keys are what matters, and each of these leads to a take without any, or with others. */
+const OFTEN = COMMANDS_HERE.filter((id) => /^(keys|channels|pose\.key)/.test(id));
+
+/** One of the commands, by chance. */
+export const anyCommand = fc.oneof(
+  { weight: 4, arbitrary: fc.constantFrom(...OFTEN) },
+  { weight: 1, arbitrary: fc.constantFrom(...COMMANDS_HERE) },
+);
+
+/** One character's situation; commands that need keys or a clip get those of a clip without any where there is none. */
+export function argumentsFor(id: string, store: Store, dice: Dice): object | undefined {
+  const [character] = store.document.characters;
+  const clip = shownClip(character) ?? { kind: 'channels', name: 'none', range: [0, 1], channels: [] };
+  return ARGUMENTS[id]?.({ dice, character, clip, keys: keysFor(store, clip, dice) });
+}
+
+/** What is selected as a rule, else any keys. */
+export function keysFor({ selection }: Store, clip: ChannelClip, dice: Dice): readonly ChannelKeys[] {
+  return selection.keys && dice.is(0.7) ? selection.keys : someKeys(clip, dice);
+}
+
+export function someKeys(clip: ChannelClip, dice: Dice): readonly ChannelKeys[] {
+  const share = dice.number();
+  return allKeys(clip)
+    .filter(() => dice.is(0.4))
+    .map(({ channel, indices }) => ({ channel, indices: dice.some(indices, share) }))
+    .filter(({ indices }) => indices.length > 0);
+}

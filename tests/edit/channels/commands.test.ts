@@ -1,0 +1,149 @@
+import { describe, expect, it } from 'vitest';
+import {
+  bakeExtrapolation,
+  bakePreview,
+  eulerFilter,
+  eulerFilterPreview,
+  makeLoop,
+  resample,
+  resamplePreview,
+  simplify,
+  simplifyPreview,
+} from '../../../src/edit/commands/channels.ts';
+import { CommandError, Store } from '../../../src/edit/store.ts';
+import { type Channel, keylessChannel } from '../../../src/model/clip.ts';
+import { shownClip } from '../../../src/model/document.ts';
+import { character, documentOf, skeleton } from '../../helpers/builders.ts';
+import { channelOf } from '../keys/channels.ts';
+
+const wave = (height: number) =>
+  channelOf(Array.from({ length: 61 }, (_, i) => [i / 30, height * Math.sin(i / 10), 'linear']));
+const jumping = channelOf([
+  [0, 3],
+  [1, -3],
+]);
+const calm = channelOf([
+  [0, 0],
+  [1, 0],
+]);
+
+/** Root translation, then rx ry rz of two joints. */
+function documentWith(...channels: Channel[]) {
+  const clip = { kind: 'channels' as const, name: 'walk', range: [0, 2] as const, channels };
+  return documentOf(character({ skeleton: skeleton(2), clips: [clip], shownClip: 0 }));
+}
+const channelsOf = (document: ReturnType<typeof documentWith>) => shownClip(document.characters[0])?.channels ?? [];
+const none = keylessChannel();
+
+describe('simplifying curves', () => {
+  const before = documentWith(wave(10), calm, none, wave(1), wave(0.5));
+  const args = { characterId: 'c1', channels: [4, 3, 2, 1, 0], tolerance: { angle: 0.01, length: 0.5, weight: 1 } };
+
+  it('takes a tolerance for each unit, and says beforehand what will come of it', () => {
+    const preview = simplifyPreview(before, args);
+    const { document } = simplify.run(before, args);
+    const after = channelsOf(document);
+    expect(preview.changed).toBe(3);
+    expect(preview.keysBefore).toBe(3 * 61 + 2);
+    expect(preview.keysAfter).toBe(after.reduce((sum, c) => sum + c.times.length, 0));
+    expect(preview.largest.length).toMatchObject({ channel: 0 });
+    expect(preview.largest.length?.largestError).toBeGreaterThan(0.01);
+    expect(preview.largest.length?.largestError).toBeLessThanOrEqual(0.5);
+    expect(preview.largest.angle?.largestError).toBeLessThanOrEqual(0.01);
+    expect(preview.largest.weight).toBeUndefined();
+  });
+
+  it('selects all keys of the curves that changed, and leaves the others the objects they are', () => {
+    const { document, keys } = simplify.run(before, args);
+    const after = channelsOf(document);
+    expect(keys.map((k) => k.channel)).toEqual([0, 3, 4]);
+    expect(keys.map((k) => k.indices.length)).toEqual([0, 3, 4].map((c) => after[c].times.length));
+    expect([1, 2].map((c) => after[c] === channelsOf(before)[c])).toEqual([true, true]);
+  });
+
+  it('makes no step where nothing can go', () => {
+    const store = new Store(documentWith(calm));
+    store.apply(simplify, { characterId: 'c1', channels: [0], tolerance: 1 });
+    expect(store.undoLabel).toBeUndefined();
+  });
+
+  it('names itself by the number of curves', () => {
+    expect(simplify.label(before, args)).toBe('Simplify 5 curves');
+    expect(simplify.label(before, { ...args, channels: [3] })).toBe('Simplify a curve');
+  });
+
+  it('refuses no tolerance, a reversed range and a channel that is not there', () => {
+    const refused = (more: object) => expect(() => simplify.run(before, { ...args, ...more })).toThrow(CommandError);
+    refused({ tolerance: 0 });
+    refused({ tolerance: { angle: 1 } });
+    refused({ tolerance: 'much' });
+    refused({ range: [2, 1] });
+    refused({ channels: [5] });
+  });
+});
+
+describe('resampling, looping and baking curves', () => {
+  it('resamples, and says how far off that is', () => {
+    const before = documentWith(wave(10), none);
+    const args = {
+      characterId: 'c1',
+      channels: [0, 1],
+      framesPerSecond: 5,
+      from: 0,
+      to: 2,
+      tangents: 'smooth' as const,
+    };
+    expect(resamplePreview(before, args)).toMatchObject({ changed: 1, keysBefore: 61, keysAfter: 11 });
+    expect(resample.run(before, args).keys).toEqual([{ channel: 0, indices: [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10] }]);
+    expect(() => resample.run(before, { ...args, framesPerSecond: 0 })).toThrow('frame rate');
+    expect(() => resample.run(before, { ...args, to: -1 })).toThrow('before it begins');
+  });
+
+  it('makes loops, letting those travel that are named', () => {
+    const before = documentWith(wave(1), wave(1));
+    const { document } = makeLoop.run(before, { characterId: 'c1', channels: [0, 1], keepOffset: [1] });
+    expect(channelsOf(document).map((c) => c.extrapolateOut)).toEqual(['cycle', 'cycle_offset']);
+    expect(makeLoop.label(before, { characterId: 'c1', channels: [0, 1] })).toBe('Make 2 curves loop');
+  });
+
+  it('bakes, and says whose period is another', () => {
+    const loop = { ...jumping, extrapolateIn: 'cycle' as const, extrapolateOut: 'cycle' as const };
+    const before = documentWith(loop, calm);
+    const args = { characterId: 'c1', channels: [0, 1], from: 0, to: 3 };
+    // 3, −3 and 3 at one time, and again.
+    expect(bakePreview(before, args)).toEqual({ keysBefore: 4, keysAfter: 8, periodsChanged: [0] });
+    expect(bakeExtrapolation.run(before, args).keys).toEqual([{ channel: 0, indices: [0, 1, 2, 3, 4, 5] }]);
+  });
+});
+
+describe('the Euler filter over a character', () => {
+  const three = [none, none, none];
+  const rotations = { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] };
+
+  it('takes each joint by itself', () => {
+    const before = documentWith(...three, jumping, calm, calm, calm, jumping, calm);
+    const { document, keys } = eulerFilter.run(before, rotations);
+    const after = channelsOf(document);
+    // 6 rad to −3 rad is less than a quarter turn.
+    expect(after[3].values[1]).toBeCloseTo(2 * Math.PI - 3, 12);
+    expect(after[7].values[1]).toBeLessThanOrEqual(2 * Math.PI);
+    expect(after[8]).toBe(channelsOf(before)[8]);
+    expect(keys.map((k) => k.channel)).toEqual([3, 7]);
+    expect(eulerFilterPreview(before, rotations)).toMatchObject({ keysChanged: 2, notes: [] });
+  });
+
+  it('unrolls by whole turns what is not keyed or chosen together, and says why', () => {
+    const later = channelOf([[0.5, 0]]);
+    const before = documentWith(...three, jumping, later, calm, jumping, none, calm);
+    const { channels, notes } = eulerFilterPreview(before, rotations);
+    expect(notes).toEqual([
+      'joint0 of hero: its angles have keys at different times, so whole turns alone are taken out.',
+      'joint1 of hero: not all three of its angles have keys, so whole turns alone are taken out.',
+    ]);
+    expect([3, 6].map((c) => channels[c].values[1])).toEqual([2 * Math.PI - 3, 2 * Math.PI - 3]);
+    expect(eulerFilterPreview(before, { ...rotations, channels: [3] }).notes).toEqual([
+      'joint0 of hero: not all three of its angles are among the curves, so whole turns alone are taken out.',
+    ]);
+    expect(eulerFilterPreview(before, { ...rotations, channels: [1] }).notes).toEqual(['ty is no angle: it is left.']);
+  });
+});

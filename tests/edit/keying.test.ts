@@ -1,0 +1,224 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { keyPose } from '../../src/edit/commands/keying.ts';
+import { setDofs } from '../../src/edit/commands/pose.ts';
+import { documentIn, Store } from '../../src/edit/store.ts';
+import { compileClip, evaluateClip } from '../../src/evaluate/curves.ts';
+import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
+import { readAnim } from '../../src/formats/anim/read.ts';
+import { writeAnim } from '../../src/formats/anim/write.ts';
+import { type Channel, FLAT, keylessChannel, LINEAR, SMOOTH } from '../../src/model/clip.ts';
+import { type Character, type Document, shownClip } from '../../src/model/document.ts';
+import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
+
+const hip = joint(-1, { name: 'hip', limits: [0, 1, 2].map(() => ({ min: -1, max: 1 })) });
+/** 3 of the root, 3 of the hip, 3 of the leg, a morph. */
+const bare = character({
+  name: 'Wasp the first',
+  skeleton: { name: 'wasp', joints: [hip, joint(0, { name: 'leg' })] },
+  morphs: [morph('smile')],
+  pose: [0, 5, 0, 0.1, 0.2, 0.3, 2, -2, 0, 0.5],
+});
+
+const posed = (c: Character, time: number) => {
+  const out = new Float64Array(dofCountOf(c));
+  poseAt(c, time, out);
+  return [...out];
+};
+const only = (document: Document) => document.characters[0];
+const key = (c: Character, timeSeconds: number, more: Partial<Parameters<typeof keyPose.run>[1]> = {}) =>
+  keyPose.run(documentOf(c), { characterId: 'c1', timeSeconds, ...more });
+const take = (c: Character) => {
+  const shown = shownClip(c);
+  if (!shown) throw new Error('no take is shown');
+  return shown;
+};
+const keysOf = ({ times, values }: Channel) => [...times].map((time, k) => [time, values[k]]);
+
+describe('pose.key on a character without animation', () => {
+  it('makes a take that finds its skeleton again by its name', () => {
+    const made = take(only(key(bare, 0).document));
+    expect(made.name).toBe('wasp_anim');
+    expect(made.channels).toHaveLength(10);
+    expect(made.channels.map(keysOf)).toEqual(bare.pose.map((value) => [[0, value]]));
+  });
+
+  it('extends constantly from smooth keys, or has the tangents that are wanted', () => {
+    for (const [tangents, kind] of [
+      [undefined, SMOOTH],
+      ['linear', LINEAR],
+      ['flat', FLAT],
+    ] as const) {
+      const [channel] = take(only(key(bare, 0, { tangents }).document)).channels;
+      expect([channel.extrapolateIn, channel.extrapolateOut]).toEqual(['constant', 'constant']);
+      expect([channel.tangentsIn.kinds[0], channel.tangentsOut.kinds[0]]).toEqual([kind, kind]);
+    }
+  });
+
+  it('keys only what it is asked for; all else stands where it stood, at every time', () => {
+    const { document, keys } = key(bare, 0.5, { dofs: [4, 3] });
+    const keyed = only(document);
+    expect(keys).toEqual([
+      { channel: 3, indices: [0] },
+      { channel: 4, indices: [0] },
+    ]);
+    expect(take(keyed).channels.map((c) => c.times.length)).toEqual([0, 0, 0, 1, 1, 0, 0, 0, 0, 0]);
+    for (const time of [-1, 0.5, 7]) expect(posed(keyed, time)).toEqual(posed(bare, 0));
+    expect([3, 5].map((dof) => isDriven(keyed, dof))).toEqual([true, false]);
+  });
+
+  it('plays what the transport plays, or up to the key and a second at least', () => {
+    const range = (timeSeconds: number, playedRange?: readonly [number, number], offset = 0) =>
+      take(only(key({ ...bare, timeOffsetSeconds: offset }, timeSeconds, { playedRange }).document)).range;
+    expect(range(1, [0, 4])).toEqual([0, 4]);
+    expect(range(1, [2, 2])).toEqual([0, 1]);
+    expect(range(3)).toEqual([0, 3]);
+    expect(range(-3)).toEqual([-3, 1]);
+    // The transport's seconds are not the clip's.
+    expect(range(1, [0, 4], 10)).toEqual([10, 14]);
+  });
+
+  it('refuses where there is no skeleton to count channels by', () => {
+    const { skeleton: _none, ...skinless } = bare;
+    expect(() => key(skinless, 0)).toThrow('no skeleton');
+  });
+});
+
+describe('pose.key over a take', () => {
+  const steady = clip('walk', [0, 0, 0, 0, 0, 0]);
+  const walking: Character = { ...bare, clips: [steady], shownClip: 0 };
+
+  it('changes a key that is there, and leaves it its tangents', () => {
+    const moved = documentIn(
+      setDofs.run(documentOf(walking), { characterId: 'c1', dofs: [{ index: 3, value: 0.5 }], timeSeconds: 0 }),
+    );
+    const [, , , channel] = take(only(key(only(moved), 0).document)).channels;
+    expect(keysOf(channel)).toEqual([[0, 0.5]]);
+    expect(channel.tangentsIn.kinds[0]).toBe(FLAT);
+  });
+
+  it('finds the key again whose time went through an offset', () => {
+    const shifted = { ...walking, timeOffsetSeconds: 0.1 };
+    const once = only(key(shifted, 0.2, { dofs: [3] }).document);
+    const again = only(key(once, 0.3 - 0.1 + Number.EPSILON, { dofs: [3] }).document);
+    expect(take(again).channels[3].times).toHaveLength(2);
+  });
+
+  it('makes what it keys not unkeyed any more, and nothing else', () => {
+    const dofs = [3, 4].map((index) => ({ index, value: 0.5 }));
+    const byHand = only(documentIn(setDofs.run(documentOf(walking), { characterId: 'c1', dofs, timeSeconds: 2 })));
+    expect(only(key(byHand, 2, { dofs: [3] }).document).unkeyed).toEqual({ timeSeconds: 2, dofs: [4], values: [0.5] });
+    expect('unkeyed' in only(key(byHand, 2).document)).toBe(false);
+  });
+
+  it('adds the channels that are missing, standing at the pose', () => {
+    const { channels } = take(only(key(walking, 1, { dofs: [3] }).document));
+    expect(channels.slice(6)).toEqual(bare.pose.slice(6).map((value) => keylessChannel(value)));
+    expect(channels[0]).toBe(steady.channels[0]);
+  });
+
+  it('changes nothing where everything is keyed so already', () => {
+    const once = key(walking, 0).document;
+    const again = keyPose.run(once, { characterId: 'c1', timeSeconds: 0 });
+    expect(again.document).toBe(once);
+  });
+
+  it('selects the keys, and undo selects what was before', () => {
+    const store = new Store(documentOf(walking));
+    store.select({ characterId: 'c1', joint: 1 });
+    store.apply(keyPose, { characterId: 'c1', timeSeconds: 1, dofs: [6, 7] });
+    expect(store.selection.keys).toEqual([
+      { channel: 6, indices: [0] },
+      { channel: 7, indices: [0] },
+    ]);
+    store.undo();
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
+  });
+
+  it('is named after what it keys', () => {
+    const label = (dofs?: number[]) =>
+      keyPose.label(documentOf(walking), { characterId: 'c1', timeSeconds: 0, ...(dofs && { dofs }) });
+    expect([label(), label([4]), label([6, 7, 8]), label([0, 1, 2, 3, 4, 5]), label([3, 6])]).toEqual([
+      'Key pose',
+      'Key ry of hip',
+      'Key leg',
+      'Key hip',
+      'Key 2 DOFs',
+    ]);
+  });
+
+  it('refuses DOFs that are not there, and tangents that nobody knows', () => {
+    expect(() => key(walking, 0, { dofs: [10] })).toThrow('no DOF number 10');
+    expect(() => key(walking, Number.NaN)).toThrow('finite');
+    // As a script may say it.
+    expect(() => key(walking, 0, { tangents: 'fixed' as never })).toThrow('"smooth"');
+  });
+});
+
+const time = fc.integer({ min: -400, max: 400 }).map((n) => n / 100);
+const value = fc.double({ min: -3, max: 3, noNaN: true });
+const extrapolation = fc.constantFrom('constant', 'linear', 'cycle', 'cycle_offset', 'bounce' as const);
+
+/** Posing and keying in any order, on a take whose channels extend anyhow. */
+const session = fc.record({
+  extrapolations: fc.array(fc.tuple(extrapolation, extrapolation), { minLength: 10, maxLength: 10 }),
+  clamps: fc.boolean(),
+  offset: time,
+  steps: fc.array(
+    fc.record({
+      at: time,
+      set: fc.uniqueArray(fc.record({ index: fc.nat(9), value }), { maxLength: 4, selector: (d) => d.index }),
+      dofs: fc.option(fc.uniqueArray(fc.nat(9), { minLength: 1 }), { nil: undefined }),
+      tangents: fc.constantFrom('smooth', 'linear', 'flat' as const),
+    }),
+    { minLength: 1, maxLength: 12 },
+  ),
+});
+
+describe('keying as it goes on', () => {
+  it('never changes the pose at the moment that is keyed', () => {
+    fc.assert(
+      fc.property(session, ({ extrapolations, clamps, offset, steps }) => {
+        let document = documentOf({ ...bare, clampsToLimits: clamps, timeOffsetSeconds: offset });
+        for (const [i, { at, set, dofs, tangents }] of steps.entries()) {
+          document = documentIn(setDofs.run(document, { characterId: 'c1', dofs: set, timeSeconds: at }));
+          const shown = posed(only(document), at);
+          document = keyPose.run(document, { characterId: 'c1', timeSeconds: at, dofs, tangents }).document;
+          const after = posed(only(document), at);
+          for (const [d, was] of shown.entries()) expect(after[d]).toBeCloseTo(was, 9);
+          for (const dof of dofs ?? shown.keys()) expect(isDriven(only(document), dof)).toBe(true);
+          if (i > 0) continue;
+          const made = take(only(document));
+          const channels = made.channels.map((c, d) => ({
+            ...c,
+            extrapolateIn: extrapolations[d][0],
+            extrapolateOut: extrapolations[d][1],
+          }));
+          document = documentOf({ ...only(document), clips: [{ ...made, channels }] });
+        }
+      }),
+    );
+  });
+
+  it('is in the file what it is on screen, at all times', () => {
+    fc.assert(
+      fc.property(session, fc.array(time, { minLength: 1 }), ({ steps }, times) => {
+        let document = documentOf(bare);
+        for (const { at, set, dofs, tangents } of steps) {
+          document = documentIn(setDofs.run(document, { characterId: 'c1', dofs: set, timeSeconds: at }));
+          document = keyPose.run(document, { characterId: 'c1', timeSeconds: at, dofs, tangents }).document;
+        }
+        const clip = take(only(document));
+        const { value: read, diagnostics } = readAnim(writeAnim(clip).text, 'wasp_anim.anim');
+        expect(diagnostics).toEqual([]);
+        if (!read) throw new Error('was not read');
+        const [here, there] = [new Float64Array(10), new Float64Array(10)];
+        for (const t of times) {
+          evaluateClip(compileClip(clip), t, here);
+          evaluateClip(compileClip(read), t, there);
+          expect([...there]).toEqual([...here]);
+        }
+      }),
+    );
+  });
+});

@@ -1,0 +1,143 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { copyKeys, type PasteMode, pasteKeys } from '../../../src/edit/keys/clipboard.ts';
+import { allKeys } from '../../../src/edit/keys/selection.ts';
+import { type Channel, type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
+import { channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf } from './channels.ts';
+
+const clipOf = (...all: Channel[]): ChannelClip => ({ kind: 'channels', name: 'walk', range: [0, 1], channels: all });
+
+const walk = clipOf(
+  channelOf([
+    [1, 10, 'linear', 3],
+    [2, 20, 'smooth'],
+    [5, 50, 'flat'],
+  ]),
+  channelOf([
+    [0, 1],
+    [2.5, 2],
+  ]),
+  keylessChannel(7),
+);
+const paste = (copied: ReturnType<typeof copyKeys>, timeSeconds: number, mode: PasteMode, into?: number[]) =>
+  pasteKeys(walk, copied, { timeSeconds, mode, into });
+
+describe('copying keys', () => {
+  it('takes them as they are, their times counted from the earliest', () => {
+    const copied = copyKeys(walk, [
+      { channel: 0, indices: [1] },
+      { channel: 1, indices: [1] },
+    ]);
+    expect(copied.seconds).toBe(0.5);
+    expect(copied.channels.map((c) => [c.channel, [...c.times], [...c.values]])).toEqual([
+      [0, [0], [20]],
+      [1, [0.5], [2]],
+    ]);
+  });
+
+  it('is plain data that outlives the clip', () => {
+    expect(structuredClone(copyKeys(walk, allKeys(walk)))).toEqual(copyKeys(walk, allKeys(walk)));
+  });
+});
+
+describe('pasting keys', () => {
+  const first = copyKeys(walk, [{ channel: 0, indices: [0, 1] }]);
+
+  it('puts them among those there, replacing what they land on, tangents as they were', () => {
+    const { channels: after, keys } = paste(first, 4, 'merge');
+    expect(rowsOf(after[0])).toEqual([
+      [1, 10, 'linear', 3],
+      [2, 20, 'smooth', 'smooth'],
+      [4, 10, 'linear', 3],
+      [5, 20, 'smooth', 'smooth'],
+    ]);
+    expect(keys).toEqual([{ channel: 0, indices: [2, 3] }]);
+    expect(after[1]).toBe(walk.channels[1]);
+  });
+
+  it('replaces what lies between the first and the last of them', () => {
+    const { channels: after } = paste(first, 1.5, 'replace');
+    expect(pointsOf(after[0])).toEqual([
+      [1, 10],
+      [1.5, 10],
+      [2.5, 20],
+      [5, 50],
+    ]);
+  });
+
+  it('pushes what is there and later on by as long as they last', () => {
+    const { channels: after, keys } = paste(first, 1.5, 'insert');
+    expect(pointsOf(after[0])).toEqual([
+      [1, 10],
+      [1.5, 10],
+      [2.5, 20],
+      [3, 20],
+      [6, 50],
+    ]);
+    expect(keys).toEqual([{ channel: 0, indices: [1, 2] }]);
+  });
+
+  it('keeps the times of channels together: the earliest key of all comes to the time given', () => {
+    const copied = copyKeys(walk, allKeys(walk, [0, 1]));
+    const { channels: after } = paste(copied, 10, 'merge');
+    expect([...after[1].times]).toEqual([0, 2.5, 10, 12.5]);
+    expect([...after[0].times]).toEqual([1, 2, 5, 11, 12, 15]);
+  });
+
+  it('puts the keys of one channel into any number of others, keyless ones too', () => {
+    const { channels: after, keys } = paste(first, 0, 'merge', [2, 1]);
+    expect(pointsOf(after[2])).toEqual([
+      [0, 10],
+      [1, 20],
+    ]);
+    expectSound(after[2]);
+    expect(pointsOf(after[1])).toEqual([
+      [0, 10],
+      [1, 20],
+      [2.5, 2],
+    ]);
+    expect(after[0]).toBe(walk.channels[0]);
+    expect(keys).toEqual([
+      { channel: 1, indices: [0, 1] },
+      { channel: 2, indices: [0, 1] },
+    ]);
+  });
+
+  it('puts the keys of several channels into as many others, in the order given', () => {
+    const copied = copyKeys(walk, [
+      { channel: 0, indices: [2] },
+      { channel: 1, indices: [1] },
+    ]);
+    const { channels: after } = paste(copied, 0, 'replace', [2, 0]);
+    expect(pointsOf(after[2])).toEqual([[2.5, 50]]);
+    expect(pointsOf(after[0])).toEqual([
+      [0, 2],
+      [5, 50],
+    ]);
+  });
+
+  it('refuses channels that don’t fit', () => {
+    const both = copyKeys(walk, allKeys(walk, [0, 1]));
+    expect(() => paste(both, 0, 'merge', [2])).toThrow('Keys of 2 channels go into as many channels');
+    expect(() => paste(first, 0, 'merge', [3])).toThrow('no channel 3');
+    expect(() => paste(both, 0, 'merge', [2, 2])).toThrow('into each channel once');
+    expect(() => pasteKeys(clipOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');
+  });
+
+  it('leaves sound channels and the pasted keys where it says, whatever is pasted', () => {
+    const time = fc.integer({ min: -160, max: 160 }).map((tick) => tick / 8);
+    const mode = fc.constantFrom<PasteMode[]>('merge', 'replace', 'insert');
+    fc.assert(
+      fc.property(channels(1, { steps: true }), channels(0, { steps: true }), time, mode, (from, to, at, how) => {
+        const clip = clipOf(from, to);
+        const copied = copyKeys(clip, allKeys(clip, [0]));
+        const { channels: after, keys } = pasteKeys(clip, copied, { timeSeconds: at, mode: how, into: [1] });
+        expectSound(after[1]);
+        expectNoCrowd(after[1]);
+        const pasted = keys[0].indices.map((k) => [after[1].times[k] - at, after[1].values[k]]);
+        expect(pasted).toEqual(pointsOf(from).map(([t, v]) => [t - from.times[0], v]));
+        expect(after[0]).toBe(from);
+      }),
+    );
+  });
+});

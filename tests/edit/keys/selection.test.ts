@@ -1,0 +1,102 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  allKeys,
+  countKeys,
+  hasKey,
+  keysAtTime,
+  keysInRange,
+  toggleKeys,
+  unionKeys,
+  withoutKeys,
+} from '../../../src/edit/keys/selection.ts';
+import type { ChannelClip } from '../../../src/model/clip.ts';
+import { keylessChannel } from '../../../src/model/clip.ts';
+import type { ChannelKeys } from '../../../src/model/session.ts';
+import { channelOf } from './channels.ts';
+
+const clip: ChannelClip = {
+  kind: 'channels',
+  name: 'walk',
+  range: [0, 1],
+  channels: [
+    channelOf([
+      [0, 0],
+      [1, 0],
+      [1, 1],
+      [2, 0],
+    ]),
+    keylessChannel(1),
+    channelOf([
+      [1, 0],
+      [3, 0],
+    ]),
+  ],
+};
+
+describe('finding keys', () => {
+  it('finds all keys of all channels or of some, none of keyless ones', () => {
+    expect(allKeys(clip)).toEqual([
+      { channel: 0, indices: [0, 1, 2, 3] },
+      { channel: 2, indices: [0, 1] },
+    ]);
+    expect(allKeys(clip, [2, 1, 2, 9])).toEqual([{ channel: 2, indices: [0, 1] }]);
+  });
+
+  it('finds the keys at a time, both of a step', () => {
+    expect(keysAtTime(clip, undefined, 1 + 1e-12)).toEqual([
+      { channel: 0, indices: [1, 2] },
+      { channel: 2, indices: [0] },
+    ]);
+    expect(keysAtTime(clip, [0], 1.5)).toEqual([]);
+  });
+
+  it('finds the keys in a range, its ends included, whichever way it goes', () => {
+    const found = [
+      { channel: 0, indices: [1, 2, 3] },
+      { channel: 2, indices: [0] },
+    ];
+    expect(keysInRange(clip, undefined, 1, 2)).toEqual(found);
+    expect(keysInRange(clip, undefined, 2, 1)).toEqual(found);
+    expect(keysInRange(clip, undefined, 5, 6)).toEqual([]);
+    expect(keysInRange(clip, undefined, -2, -1)).toEqual([]);
+  });
+
+  it('counts them, and knows each', () => {
+    expect(countKeys(allKeys(clip))).toBe(6);
+    expect(countKeys(undefined)).toBe(0);
+    const some = [{ channel: 2, indices: [1, 4, 7] }];
+    expect([1, 2, 4, 7, 8].map((k) => hasKey(some, 2, k))).toEqual([true, false, true, true, false]);
+    expect(hasKey(some, 1, 1)).toBe(false);
+    expect(hasKey(undefined, 1, 1)).toBe(false);
+  });
+});
+
+describe('sets of keys', () => {
+  const sets = fc
+    .uniqueArray(fc.tuple(fc.nat(4), fc.nat(6)), { selector: ([c, k]) => `${c}:${k}`, maxLength: 20 })
+    .map((pairs) => pairs.map(([c, k]) => `${c}:${k}`));
+  const toKeys = (names: Iterable<string>): ChannelKeys[] => {
+    const all = new Map<number, number[]>();
+    for (const name of names) {
+      const [channel, index] = name.split(':').map(Number);
+      all.set(channel, [...(all.get(channel) ?? []), index]);
+    }
+    return [...all.entries()]
+      .sort(([a], [b]) => a - b)
+      .map(([channel, indices]) => ({ channel, indices: indices.sort((a, b) => a - b) }));
+  };
+
+  it('are united, toggled and taken away as sets are, and stay in order', () => {
+    fc.assert(
+      fc.property(sets, sets, (a, b) => {
+        const [inA, inB] = [new Set(a), new Set(b)];
+        const [keysA, keysB] = [toKeys(a), toKeys(b)];
+        const without = a.filter((name) => !inB.has(name));
+        expect(unionKeys(keysA, keysB)).toEqual(toKeys(new Set([...a, ...b])));
+        expect(withoutKeys(keysA, keysB)).toEqual(toKeys(without));
+        expect(toggleKeys(keysA, keysB)).toEqual(toKeys([...without, ...b.filter((name) => !inA.has(name))]));
+      }),
+    );
+  });
+});

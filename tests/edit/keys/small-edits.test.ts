@@ -1,0 +1,197 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { putKey } from '../../../src/edit/keys/put-key.ts';
+import { removeKeys } from '../../../src/edit/keys/remove.ts';
+import { rippleKeys, rippleRoom } from '../../../src/edit/keys/ripple.ts';
+import { setKeys, snapKeys } from '../../../src/edit/keys/set.ts';
+import { keylessChannel, SMOOTH } from '../../../src/model/clip.ts';
+import { channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf, valueAt, withSome } from './channels.ts';
+
+const three = channelOf(
+  [
+    [0, 0, 'linear'],
+    [1, 3, 'linear'],
+    [3, 5, 2],
+  ],
+  'cycle',
+);
+
+describe('putting a key', () => {
+  it('adds it in its place, with the tangents asked for', () => {
+    const { channel, index } = putKey(three, 2, 7, SMOOTH);
+    expect(index).toBe(2);
+    expect(rowsOf(channel)[2]).toEqual([2, 7, 'smooth', 'smooth']);
+    expectSound(channel);
+  });
+
+  it('gives a key that is there the value, and leaves it its tangents', () => {
+    const { channel, index } = putKey(three, 3 - 1e-12, 7, SMOOTH);
+    expect(index).toBe(2);
+    expect(rowsOf(channel)[2]).toEqual([3, 7, 2, 2]);
+    expect(channel.times).toBe(three.times);
+    expect(putKey(three, 3, 5, SMOOTH).channel).toBe(three);
+  });
+
+  it('changes the later key of a step, which holds from then on', () => {
+    const step = channelOf([
+      [0, 1],
+      [0, 2],
+    ]);
+    expect(pointsOf(putKey(step, 0, 9, SMOOTH).channel)).toEqual([
+      [0, 1],
+      [0, 9],
+    ]);
+  });
+
+  it('makes a keyless channel one that is keyed', () => {
+    const { channel } = putKey(keylessChannel(4), 1, 2, SMOOTH);
+    expect(pointsOf(channel)).toEqual([[1, 2]]);
+    expectSound(channel);
+  });
+});
+
+describe('removing keys', () => {
+  it('leaves the others what they are', () => {
+    expect(rowsOf(removeKeys(three, [1]))).toEqual([rowsOf(three)[0], rowsOf(three)[2]]);
+    expect(removeKeys(three, [])).toBe(three);
+  });
+
+  it('leaves a channel that has lost all standing at a value', () => {
+    const bare = removeKeys(three, [0, 1, 2], 1.5);
+    expect(bare.times).toHaveLength(0);
+    expect(valueAt(bare, 10)).toBe(1.5);
+    expect(bare.extrapolateIn).toBe('cycle');
+    expect(removeKeys(three, [0, 1, 2])).not.toHaveProperty('rest');
+  });
+});
+
+describe('rippling keys', () => {
+  it('takes all later keys along', () => {
+    const { channel, indices } = rippleKeys(three, [1], 0.5);
+    expect(pointsOf(channel)).toEqual([
+      [0, 0],
+      [1.5, 3],
+      [3.5, 5],
+    ]);
+    expect(indices).toEqual([1]);
+  });
+
+  it('comes back as far as the key before, and makes a step with it', () => {
+    expect(rippleRoom(three, 1)).toBe(-1);
+    expect(rippleRoom(three, 0)).toBe(Number.NEGATIVE_INFINITY);
+    const { channel, indices } = rippleKeys(three, [1], -7);
+    expect(pointsOf(channel)).toEqual([
+      [0, 0],
+      [0, 3],
+      [2, 5],
+    ]);
+    expect(indices).toEqual([1]);
+  });
+
+  it('leaves no more than two keys at one time where a step comes back to a step', () => {
+    const steps = channelOf([
+      [0, 1],
+      [0, 2],
+      [1, 3],
+      [1, 4],
+      [2, 5],
+    ]);
+    const { channel, indices } = rippleKeys(steps, [3, 4], -1);
+    expect(pointsOf(channel)).toEqual([
+      [0, 1],
+      [0, 2],
+      [1, 3],
+      [1, 4],
+      [2, 5],
+    ]);
+    expect(indices).toEqual([3, 4]);
+    const all = rippleKeys(steps, [2, 3, 4], -1);
+    expect(pointsOf(all.channel)).toEqual([
+      [0, 1],
+      [0, 4],
+      [1, 5],
+    ]);
+    expect(all.indices).toEqual([1, 2]);
+  });
+
+  it('keeps the distances of all that ripples, and everything before', () => {
+    fc.assert(
+      fc.property(
+        withSome(channels(2)),
+        fc.integer({ min: -160, max: 160 }).map((tick) => tick / 8),
+        ({ channel, some }, seconds) => {
+          const { channel: after, indices } = rippleKeys(channel, some, seconds);
+          expectSound(after);
+          expectNoCrowd(after);
+          expect(indices).toEqual(some);
+          const by = Math.max(seconds, rippleRoom(channel, some[0]));
+          expect([...after.times]).toEqual([...channel.times].map((t, k) => (k < some[0] ? t : t + by)));
+          expect(after.values).toEqual(channel.values);
+        },
+      ),
+    );
+  });
+});
+
+describe('typed numbers', () => {
+  it('are set as they are, slopes on their own side', () => {
+    const { channel, indices } = setKeys(three, [0], { timeSeconds: 2, value: -1, slopeOut: 0.5 });
+    expect(rowsOf(channel)).toEqual([
+      [1, 3, 'linear', 'linear'],
+      [2, -1, 'linear', 0.5],
+      [3, 5, 2, 2],
+    ]);
+    expect(indices).toEqual([1]);
+  });
+
+  it('replace a key whose time is typed for another', () => {
+    expect(pointsOf(setKeys(three, [0], { timeSeconds: 3 }).channel)).toEqual([
+      [1, 3],
+      [3, 0],
+    ]);
+  });
+
+  it('change nothing where they are there already', () => {
+    expect(setKeys(three, [2], { timeSeconds: 3, value: 5, slopeIn: 2, slopeOut: 2 }).channel).toBe(three);
+  });
+});
+
+describe('snapping to frames', () => {
+  it('moves keys to the nearest frame, and leaves those that are on one', () => {
+    const loose = channelOf([
+      [0.04, 1],
+      [0.1, 2],
+      [0.26, 3],
+    ]);
+    const { channel, indices } = snapKeys(loose, [0, 1, 2], 10);
+    expect(pointsOf(channel)).toEqual([
+      [0, 1],
+      [0.1, 2],
+      [0.3, 3],
+    ]);
+    expect(indices).toEqual([0, 1, 2]);
+    expect(snapKeys(channel, [0, 1, 2], 10).channel).toBe(channel);
+  });
+
+  it('keeps the last of the keys that come to one frame, and the halves of a step', () => {
+    const loose = channelOf([
+      [0.98, 1],
+      [1, 2],
+      [1.97, 3],
+      [1.97, 4],
+    ]);
+    expect(pointsOf(snapKeys(loose, [0, 1, 2, 3], 10).channel)).toEqual([
+      [1, 2],
+      [2, 3],
+      [2, 4],
+    ]);
+  });
+
+  it('does no harm to the half of a step that is not selected', () => {
+    const step = channelOf([
+      [1, 1],
+      [1, 2],
+    ]);
+    expect(snapKeys(step, [0], 10).channel).toBe(step);
+  });
+});

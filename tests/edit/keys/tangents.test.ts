@@ -1,0 +1,76 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { breakTangents, setSlope, setTangentKind, unifyTangents } from '../../../src/edit/keys/tangents.ts';
+import { FIXED, FLAT, SMOOTH } from '../../../src/model/clip.ts';
+import { between, channelOf, channels, expectSound, rowsOf, slopesAt, valueAt, withSome } from './channels.ts';
+
+const three = channelOf([
+  [0, 0, 'linear'],
+  [1, 3, 'linear'],
+  [3, 5, 2],
+]);
+
+describe('setting tangents', () => {
+  it('sets one side or both, and nothing else', () => {
+    expect(rowsOf(setTangentKind(three, [1], 'in', SMOOTH))[1]).toEqual([1, 3, 'smooth', 'linear']);
+    expect(rowsOf(setTangentKind(three, [1], 'out', SMOOTH))[1]).toEqual([1, 3, 'linear', 'smooth']);
+    const flat = setTangentKind(three, [1, 2], 'both', FLAT);
+    expect(rowsOf(flat).map((row) => [row[2], row[3]])).toEqual([
+      ['linear', 'linear'],
+      ['flat', 'flat'],
+      ['flat', 'flat'],
+    ]);
+    expectSound(flat);
+    expect(flat.times).toBe(three.times);
+    expect(flat.values).toBe(three.values);
+  });
+
+  it('freezes the slope there is when it makes them numbers', () => {
+    expect(rowsOf(setTangentKind(three, [1], 'both', FIXED))[1]).toEqual([1, 3, 3, 1]);
+    expect(rowsOf(setTangentKind(three, [1], 'in', FIXED))[1]).toEqual([1, 3, 3, 'linear']);
+  });
+
+  it('makes the side a number whose slope is set', () => {
+    expect(rowsOf(setSlope(three, [0, 1], 'out', -7)).map((row) => [row[2], row[3]])).toEqual([
+      ['linear', -7],
+      ['linear', -7],
+      [2, 2],
+    ]);
+  });
+
+  it('is the channel itself where all is so already', () => {
+    expect(setSlope(three, [2], 'both', 2)).toBe(three);
+    expect(setTangentKind(three, [2], 'both', FIXED)).toBe(three);
+    expect(setTangentKind(three, [], 'both', FLAT)).toBe(three);
+    expect(setSlope(three, [2], 'out', 3).tangentsIn).toBe(three.tangentsIn);
+  });
+});
+
+describe('unifying tangents', () => {
+  it('gives both sides the mean of their slopes', () => {
+    expect(rowsOf(unifyTangents(three, [1]))[1]).toEqual([1, 3, 2, 2]);
+  });
+
+  it('leaves keys whose sides are equal what they are', () => {
+    expect(unifyTangents(three, [0, 2])).toBe(three);
+  });
+});
+
+describe('breaking tangents', () => {
+  it('makes both sides the numbers they are', () => {
+    expect(rowsOf(breakTangents(three, [1]))[1]).toEqual([1, 3, 3, 1]);
+  });
+
+  it('changes no curve', () => {
+    fc.assert(
+      fc.property(withSome(channels(1, { steps: true })), between(-60, 60), ({ channel, some }, time) => {
+        const broken = breakTangents(channel, some);
+        expectSound(broken);
+        // Plus 0: −0 is 0 here.
+        const plain = (k: number, c: typeof channel) => slopesAt(c, k).map((slope) => slope + 0);
+        for (const k of some) expect(plain(k, broken)).toEqual(plain(k, channel));
+        expect(valueAt(broken, time) + 0).toBe(valueAt(channel, time) + 0);
+      }),
+    );
+  });
+});

@@ -1,0 +1,237 @@
+/**
+ * Whatever is done, undoing it gives the very files that were there, and redoing it the very files that came of it:
+ * `.anim` and `.skel` to the last byte, and what was selected.
+ */
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { saveCharacter } from '../../src/app/saving.ts';
+import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
+import { CommandError, documentIn, Store, withKeys } from '../../src/edit/store.ts';
+import { dropUnkeyed } from '../../src/edit/unkeyed.ts';
+import { type Channel, keylessChannel } from '../../src/model/clip.ts';
+import { type Document, shownClip } from '../../src/model/document.ts';
+import { character, documentOf, joint, morph } from '../helpers/builders.ts';
+import { ABOUT_NO_FILE, anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';
+import { Dice, thrown } from './dice.ts';
+import { channelOf, channels, expectSound } from './keys/channels.ts';
+
+/** Like the wasp: a root, a body with limits, wings and legs beside each other. 3 + 15 DOFs and a morph. */
+const WASP = {
+  name: 'wasp',
+  joints: [
+    joint(-1, { name: 'thorax', pose: [0.1, 0, 0] }),
+    joint(0, {
+      name: 'abdomen',
+      limits: [
+        { min: -1, max: 1 },
+        { min: -0.5, max: 0.5 },
+        { min: 0, max: 0 },
+      ],
+    }),
+    joint(0, { name: 'wing_l' }),
+    joint(0, { name: 'wing_r', pose: [0, 0, -0.3] }),
+    joint(0, { name: 'leg_l', offset: [0.3, -0.1, 0] }),
+  ],
+};
+const DOFS = 19;
+
+const NOTHING = 'nothing';
+
+/** A dense one, of which an edit changes little. */
+const LONG = channelOf(Array.from({ length: 60 }, (_, k) => [k / 8 - 1, Math.sin(k / 3)] as const));
+
+function wasp(animated: readonly Channel[] | undefined): Document {
+  const clips = animated && [
+    {
+      kind: 'channels' as const,
+      name: 'wasp_walk',
+      range: [0, 2] as const,
+      channels: [...animated, LONG, ...Array<Channel>(DOFS).fill(keylessChannel(0.5))].slice(0, DOFS),
+    },
+  ];
+  const made = character({
+    id: 'w1',
+    name: 'wasp',
+    skeleton: WASP,
+    morphs: [morph('sting')],
+    ...(clips && { clips, shownClip: 0 }),
+  });
+  return documentOf(made);
+}
+
+/** All that undo has to bring back, as text. */
+function snapshot({ document, selection }: Store): string {
+  const files = document.characters.flatMap((c) => [c.name, ...saveCharacter(c, 'anim'), ...saveCharacter(c, 'skel')]);
+  return [...files.map((f) => (typeof f === 'string' ? f : `${f.name}\n${f.text}`)), JSON.stringify(selection)].join(
+    '\n',
+  );
+}
+
+/** A store, and beside it what each undo and redo has to lead to. */
+class Watched {
+  readonly store: Store;
+  private readonly past: string[] = [];
+  private readonly future: string[] = [];
+
+  constructor(document: Document) {
+    this.store = new Store(document);
+    this.store.select({ characterId: 'w1', joint: 1 });
+  }
+
+  /** Anything that is one step, or none. */
+  step(act: () => void): void {
+    const before = this.store.document;
+    const was = snapshot(this.store);
+    act();
+    if (this.store.document === before) return;
+    this.past.push(was);
+    this.future.length = 0;
+    this.check();
+  }
+
+  undo(): void {
+    const now = snapshot(this.store);
+    const meant = this.past.pop();
+    expect(this.store.undo()).toBe(meant !== undefined);
+    if (meant === undefined) return;
+    this.future.push(now);
+    expect(snapshot(this.store)).toBe(meant);
+  }
+
+  redo(): void {
+    const now = snapshot(this.store);
+    const meant = this.future.pop();
+    expect(this.store.redo()).toBe(meant !== undefined);
+    if (meant === undefined) return;
+    this.past.push(now);
+    expect(snapshot(this.store)).toBe(meant);
+  }
+
+  get undoable(): number {
+    return this.past.length;
+  }
+
+  get redoable(): number {
+    return this.future.length;
+  }
+
+  /** Sound channels, and a selection of keys that are there. */
+  private check(): void {
+    const clip = shownClip(this.store.document.characters[0]);
+    for (const channel of clip?.channels ?? []) if (channel !== LONG) expectSound(channel);
+    for (const { channel, indices } of this.store.selection.keys ?? []) {
+      const count = clip?.channels[channel].times.length ?? 0;
+      expect(indices.length).toBeGreaterThan(0);
+      expect(indices.every((k, i) => k >= 0 && k < count && (i === 0 || k > indices[i - 1]))).toBe(true);
+    }
+  }
+}
+
+/** Does one thing, as chosen by the dice. Refusals are fine: they have to leave everything as it was. */
+function act(watched: Watched, id: string, dice: Dice): void {
+  const { store } = watched;
+  if (id === NOTHING) return;
+  const command = COMMANDS_BY_ID.get(id);
+  if (!command) throw new Error(`There is no command ${id}.`);
+  const before = store.document;
+  watched.step(() => {
+    try {
+      const args = argumentsFor(id, store, dice);
+      // By name and with arguments made up: as from the console.
+      if (dice.is(0.2)) drag(watched, id, dice);
+      else if (args) store.apply(command, args as never);
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      expect(store.document).toBe(before);
+    }
+  });
+}
+
+/** Several previews from one base, let go or given up. */
+function drag({ store }: Watched, id: string, dice: Dice): void {
+  const command = COMMANDS_BY_ID.get(id);
+  const given = Array.from({ length: 1 + dice.below(3) }, () => argumentsFor(id, store, dice));
+  const before = snapshot(store);
+  const gesture = store.begin('Drag');
+  try {
+    for (const args of given) {
+      if (args && command) gesture.preview(command.run(gesture.base, args as never));
+    }
+    if (dice.is(0.7)) {
+      gesture.commit();
+      return;
+    }
+  } catch (error) {
+    if (!(error instanceof CommandError)) throw error;
+  }
+  gesture.cancel();
+  expect(snapshot(store)).toBe(before);
+}
+
+/** What is no step: selecting, and time that moves on. */
+function between({ store }: Watched, dice: Dice): void {
+  const clip = shownClip(store.document.characters[0]);
+  if (clip && dice.is(0.6)) store.select(withKeys(store.selection, someKeys(clip, dice)));
+  if (dice.is(0.2)) store.amend(documentIn(dropUnkeyed(store.document, dice.below(3))));
+}
+
+const start = fc.option(fc.array(channels(0, { steps: true, maxLength: 5 }), { maxLength: 6 }), { nil: undefined });
+/** A hundred commands, now and then something else. What fast-check leaves out of a failure becomes nothing. */
+const hundred = (...others: readonly string[]) => {
+  const any = fc.oneof({ weight: 4, arbitrary: anyCommand }, { weight: 1, arbitrary: fc.constantFrom(...others) });
+  const step = fc.oneof({ withCrossShrink: true }, fc.constant(NOTHING), { weight: 40, arbitrary: any });
+  return fc.array(fc.tuple(step, thrown), { minLength: 100, maxLength: 100 });
+};
+
+describe('a hundred commands, whichever', () => {
+  it('are all there are that change what files hold', () => {
+    const registered = [...COMMANDS_BY_ID.keys()].filter((id) => !ABOUT_NO_FILE.includes(id));
+    expect([...COMMANDS_HERE].sort()).toEqual(registered.sort());
+  });
+
+  it('are undone to the very bytes and selection, one by one, and redone', { timeout: 120_000 }, () => {
+    const done = new Set<string>();
+    fc.assert(
+      fc.property(start, hundred(...COMMANDS_HERE), (animated, all) => {
+        const watched = new Watched(wasp(animated));
+        for (const [id, numbers] of all) {
+          const dice = new Dice(numbers);
+          between(watched, dice);
+          const { document } = watched.store;
+          act(watched, id, dice);
+          if (watched.store.document !== document) done.add(id);
+        }
+        const end = snapshot(watched.store);
+        const count = watched.undoable;
+        while (watched.undoable) watched.undo();
+        expect(watched.store.undo()).toBe(false);
+        while (watched.redoable) watched.redo();
+        expect(watched.store.redo()).toBe(false);
+        expect(watched.undoable).toBe(count);
+        expect(snapshot(watched.store)).toBe(end);
+      }),
+      { numRuns: 30 },
+    );
+    // None of them is here only to be refused.
+    expect(COMMANDS_HERE.filter((id) => !done.has(id))).toEqual([]);
+  });
+
+  it('bear being undone, redone and gone on with at random', { timeout: 120_000 }, () => {
+    const walk = hundred('undo', 'redo');
+    fc.assert(
+      fc.property(start, walk, (animated, all) => {
+        const watched = new Watched(wasp(animated));
+        for (const [id, numbers] of all) {
+          const dice = new Dice(numbers);
+          if (id === 'undo') for (let i = dice.below(8); i >= 0; i--) watched.undo();
+          else if (id === 'redo') for (let i = dice.below(8); i >= 0; i--) watched.redo();
+          else act(watched, id, dice);
+        }
+        while (watched.undoable) watched.undo();
+        while (watched.redoable) watched.redo();
+        expect(watched.store.redoLabel).toBeUndefined();
+      }),
+      { numRuns: 20 },
+    );
+  });
+});

@@ -1,0 +1,77 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compileChannels, evaluateChannel, evaluateSlope, keySlope } from '../../src/evaluate/curves.ts';
+import { keylessChannel } from '../../src/model/clip.ts';
+import { between, channelOf, channels } from '../edit/keys/channels.ts';
+
+/** Of a difference over 2⁻²⁰ s, for slopes of up to some thousands and cubics to match. */
+const WITHIN = 1e-3;
+
+describe('the slope of a channel', () => {
+  it('is the difference quotient of its values, inside and beyond, however it is extrapolated', () => {
+    fc.assert(
+      fc.property(channels(0), between(-60, 60), (channel, time) => {
+        const curve = compileChannels([channel]);
+        const h = 2 ** -20;
+        const value = (t: number) => evaluateChannel(curve, 0, t);
+        const [left, right] = [(value(time) - value(time - h)) / h, (value(time + h) - value(time)) / h];
+        // Not where a key or the seam of a repetition is near: there the curve may have a corner or a jump.
+        fc.pre(Math.abs(left - right) < 1);
+        const scale = Math.max(1, Math.abs(left), ...channel.values.map(Math.abs)) * 100;
+        expect(Math.abs(evaluateSlope(curve, 0, time, 'in') - (left + right) / 2)).toBeLessThan(WITHIN * scale);
+        expect(Math.abs(evaluateSlope(curve, 0, time, 'out') - (left + right) / 2)).toBeLessThan(WITHIN * scale);
+      }),
+    );
+  });
+
+  it('is that of the tangents at keys, each on its side', () => {
+    fc.assert(
+      fc.property(channels(3), (channel) => {
+        const curve = compileChannels([channel]);
+        for (let k = 1; k < channel.times.length - 1; k++) {
+          const [into, out] = (['in', 'out'] as const).map((side) => evaluateSlope(curve, 0, channel.times[k], side));
+          const scale = Math.max(1, Math.abs(into), Math.abs(out), ...channel.values.map(Math.abs));
+          expect(Math.abs(into - keySlope(channel, k, 'in')) / scale).toBeLessThan(1e-9);
+          expect(Math.abs(out - keySlope(channel, k, 'out')) / scale).toBeLessThan(1e-9);
+        }
+      }),
+    );
+  });
+
+  const saw = (extrapolation: 'constant' | 'linear' | 'cycle' | 'cycle_offset' | 'bounce') =>
+    compileChannels([
+      channelOf(
+        [
+          [0, 0, 5, 1],
+          [2, 4, 3, 7],
+        ],
+        extrapolation,
+      ),
+    ]);
+  const sides = (curve: ReturnType<typeof saw>, time: number) =>
+    (['in', 'out'] as const).map((side) => evaluateSlope(curve, 0, time, side));
+
+  it('at the ends is that of what comes before and after', () => {
+    expect(sides(saw('constant'), 0)).toEqual([0, 1]);
+    expect(sides(saw('constant'), 2)).toEqual([3, 0]);
+    expect(sides(saw('linear'), 0)).toEqual([5, 1]);
+    expect(sides(saw('linear'), 2)).toEqual([3, 7]);
+    expect(sides(saw('cycle'), 0)).toEqual([3, 1]);
+    expect(sides(saw('cycle'), 2)).toEqual([3, 1]);
+    expect(sides(saw('bounce'), 0)).toEqual([-1, 1]);
+    expect(sides(saw('bounce'), 2)).toEqual([3, -3]);
+  });
+
+  it('at later seams is that of the repetitions that meet there', () => {
+    expect(sides(saw('cycle'), 6)).toEqual([3, 1]);
+    expect(sides(saw('cycle_offset'), -4)).toEqual([3, 1]);
+    expect(sides(saw('bounce'), 4)).toEqual([-1, 1]);
+    expect(sides(saw('bounce'), -2)).toEqual([3, -3]);
+  });
+
+  it('is 0 where there are no keys, and at times that are none', () => {
+    expect(sides(compileChannels([keylessChannel(3)]), 1)).toEqual([0, 0]);
+    expect(sides(compileChannels([keylessChannel()]), 1)).toEqual([0, 0]);
+    expect(sides(saw('linear'), Number.NaN)).toEqual([0, 0]);
+  });
+});
