@@ -1,0 +1,175 @@
+/**
+ * The rows of the dope sheet, from the character and what is folded out:
+ *
+ *     All keys                    summary: whole poses
+ *     ▸ Root translation          tx ty tz
+ *     ▾ hips                      joints in the skeleton's order
+ *         rx
+ *     ▸ Morphs
+ *     ▸ More channels             of a clip that has more of them than the character has DOFs
+ *
+ * A row is a list of channels; all that is drawn, hit or selected in it follows from that. Joints stand in one flat
+ * list and not in a tree: one looks for *when* here, and a hand would be ten folds away.
+ */
+import type { Channel, ChannelClip } from '../../model/clip.ts';
+import { type Character, shownClip } from '../../model/document.ts';
+import { type CharacterDof, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import type { DofUnit } from '../../model/skeleton.ts';
+import { dofsFor } from '../timeline/channels.ts';
+
+/** What stands for a group that is no joint in `TimelineView.unfolded`. */
+export const ROOT_FOLD = -1;
+export const MORPHS_FOLD = -2;
+export const OTHERS_FOLD = -3;
+
+export type DopeRowKind = 'summary' | 'root' | 'joint' | 'morphs' | 'others' | 'channel';
+
+export interface DopeRow {
+  /** Unique among the rows, and the same for the same thing from one list to the next. */
+  readonly key: string;
+  readonly kind: DopeRowKind;
+  /** Empty where the file gives no name. */
+  readonly label: string;
+  /** 0 but for what is folded out: 1. */
+  readonly depth: 0 | 1;
+  /** Of the clip, ascending; those without keys too. */
+  readonly channels: readonly number[];
+  /** What folds it out in `TimelineView.unfolded`; absent where there is nothing within. */
+  readonly fold?: number;
+  readonly expanded: boolean;
+  /** The joint that a click on the name selects. */
+  readonly joint?: number;
+  /** Of a single channel. */
+  readonly unit?: DofUnit;
+}
+
+export interface RowOptions {
+  /** See `TimelineView.unfolded`. */
+  readonly unfolded: readonly number[];
+  /** Also rows without a single key. */
+  readonly all: boolean;
+  /** Part of a joint's, a morph's or a channel's name ("rx", "hand rx"); all where it is empty. */
+  readonly filter: string;
+}
+
+interface Group {
+  readonly kind: 'root' | 'joint' | 'morphs' | 'others';
+  readonly fold: number;
+  readonly label: string;
+  readonly joint?: number;
+  /** Index of the first channel, and how many there are. */
+  readonly first: number;
+  readonly count: number;
+}
+
+/** The rows, the summary first; none where the clip has no channels, or none of them is to be shown. */
+export function dopeRows(character: Character, clip: ChannelClip, options: RowOptions): DopeRow[] {
+  const { channels } = clip;
+  const dofs = dofsFor(character);
+  const words = options.filter.toLowerCase().split(/\s+/).filter(Boolean);
+  const unfolded = new Set(options.unfolded);
+  const rows: DopeRow[] = [];
+  const listed: number[] = [];
+  for (const group of groupsOf(character, dofs, channels.length)) {
+    const within = channelRows(group, dofs, channels, options.all);
+    const matching = words.length
+      ? within.filter((row) => {
+          const name = `${group.label} ${row.label}`.toLowerCase();
+          return words.every((word) => name.includes(word));
+        })
+      : within;
+    if (!matching.length) continue;
+    // A filter that means some DOFs of a group shows which.
+    const expanded = unfolded.has(group.fold) || matching.length < within.length;
+    const { kind, fold, label, joint } = group;
+    const own = matching.map((row) => row.channels[0]);
+    const row: DopeRow = { key: `${kind}/${fold}`, kind, label, depth: 0, channels: own, fold, expanded };
+    rows.push(joint === undefined ? row : { ...row, joint });
+    if (expanded) rows.push(...matching);
+    listed.push(...own);
+  }
+  if (!rows.length) return [];
+  const summary: DopeRow = { key: 'summary', kind: 'summary', label: '', depth: 0, channels: listed, expanded: false };
+  return [summary, ...rows];
+}
+
+/** The channels with keys that the rows would be made of, ascending. */
+export function keyedChannels(character: Character, filter: string): number[] {
+  const clip = shownClip(character);
+  if (!clip) return [];
+  return [...(dopeRows(character, clip, { unfolded: [], all: false, filter })[0]?.channels ?? [])];
+}
+
+/** Whether two clips of one character make the same rows: moved keys are no reason to build them anew. */
+export function sameRows(a: ChannelClip, b: ChannelClip): boolean {
+  if (a === b) return true;
+  if (a.channels.length !== b.channels.length) return false;
+  return a.channels.every((c, i) => c === b.channels[i] || hasKeys(c) === hasKeys(b.channels[i]));
+}
+
+/** Every fold that a character with such a clip has. */
+export function allFolds(character: Character, clip: ChannelClip): number[] {
+  const dofs = dofsFor(character);
+  return groupsOf(character, dofs, clip.channels.length).map((g) => g.fold);
+}
+
+/** The fold that a channel is in; undefined where the clip has no such channel. */
+export function foldOfChannel(character: Character, clip: ChannelClip, channel: number): number | undefined {
+  const dofs = dofsFor(character);
+  return groupsOf(character, dofs, clip.channels.length).find((g) => channel >= g.first && channel < g.first + g.count)
+    ?.fold;
+}
+
+/** In the order of channels, which is the order of DOFs; cut where the clip ends. */
+function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCount: number): Group[] {
+  const groups: Group[] = [];
+  const add = (group: Group) => {
+    const count = Math.min(group.count, channelCount - group.first);
+    if (count > 0) groups.push({ ...group, count });
+  };
+  const root = ROOT_TRANSLATION.length;
+  add({ kind: 'root', fold: ROOT_FOLD, label: 'Root translation', first: 0, count: root, ...rootJoint(character) });
+  let first = root;
+  while (first < dofs.length) {
+    const { joint } = dofs[first];
+    let end = first + 1;
+    while (end < dofs.length && dofs[end].joint === joint) end++;
+    const count = end - first;
+    if (joint < 0) add({ kind: 'morphs', fold: MORPHS_FOLD, label: 'Morphs', first, count });
+    else add({ kind: 'joint', fold: joint, label: jointName(character, joint), joint, first, count });
+    first = end;
+  }
+  const left = channelCount - first;
+  add({ kind: 'others', fold: OTHERS_FOLD, label: 'More channels', first, count: left });
+  return groups;
+}
+
+/** The root's translation is the root joint's, as it is in the inspector. */
+function rootJoint(character: Character): { readonly joint?: number } {
+  return character.skeleton?.joints.length ? { joint: 0 } : {};
+}
+
+function jointName(character: Character, joint: number): string {
+  return character.skeleton?.joints[joint].name ?? '';
+}
+
+function channelRows(
+  { kind, first, count, joint }: Group,
+  dofs: readonly CharacterDof[],
+  channels: readonly Channel[],
+  all: boolean,
+): DopeRow[] {
+  const rows: DopeRow[] = [];
+  for (let c = first; c < first + count; c++) {
+    if (!all && !hasKeys(channels[c])) continue;
+    const dof = kind === 'others' ? undefined : dofs[c];
+    const label = dof ? dof.name : `channel ${c}`;
+    const row: DopeRow = { key: `channel/${c}`, kind: 'channel', label, depth: 1, channels: [c], expanded: false };
+    rows.push({ ...row, ...(joint !== undefined && { joint }), ...(dof && { unit: dof.unit }) });
+  }
+  return rows;
+}
+
+function hasKeys({ times }: Channel): boolean {
+  return times.length > 0;
+}
