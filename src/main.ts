@@ -1,12 +1,22 @@
 /** The page, put together: nothing but wiring. */
+import { savingMarks } from './app/autosave/saving-marks.ts';
+import { startAutosave } from './app/autosave/start.ts';
+import { DiskHandles } from './app/disk-handles.ts';
 import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
+import { markUnsaved } from './app/leaving.ts';
 import { Opener } from './app/opening.ts';
 import { fetchSample, listSamples } from './app/samples.ts';
 import { scriptingApi } from './app/scripting.ts';
+import { Unsaved } from './app/unsaved.ts';
 import { DEFAULT_PLAYBACK } from './edit/playback.ts';
 import { Store } from './edit/store.ts';
 import { fetchFiles, filesInQuery } from './io/address.ts';
+import * as disk from './io/disk-files.ts';
+import { download } from './io/download.ts';
+import { sessionLocks } from './io/session-locks.ts';
+import { sessionStore } from './io/session-store.ts';
+import type { KeptOffer } from './ui/kept-offer.ts';
 import { Messages } from './ui/messages.ts';
 import { mountWorkbench } from './ui/mount.ts';
 import { observable } from './ui/observable.ts';
@@ -28,6 +38,8 @@ const viewport = viewportIn(viewportElement);
 const worker = new WorkerClient(() => new Worker(new URL('./worker/entry.ts', import.meta.url), { type: 'module' }));
 const opener = new Opener({ store, transport, messages, loading, viewport, worker });
 const samples = listSamples(document.baseURI);
+const unsaved = new Unsaved(store);
+const handles = new DiskHandles();
 
 const workbench: Workbench = {
   store,
@@ -39,10 +51,16 @@ const workbench: Workbench = {
   messages,
   loading,
   dialog: observable<DialogName | undefined>(undefined),
-  files: fileActions({ store, messages, opener, samples }),
+  files: fileActions({ store, messages, opener, samples, unsaved, handles, disk: { ...disk, download } }),
+  kept: observable<KeptOffer | undefined>(undefined),
 };
 
 followRange(store, transport);
+opener.subscribe(({ given, files }) => {
+  handles.note(given);
+  unsaved.opened(files);
+});
+markUnsaved(workbench.files, window);
 mountWorkbench(root, workbench);
 transport.subscribe((now) => viewport.setPlayedRange(now.range));
 window.marrow = scriptingApi(workbench, opener);
@@ -53,10 +71,21 @@ window.addEventListener('unhandledrejection', ({ reason }) =>
   messages.note(`Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`, 'error'),
 );
 
+const autosave = startAutosave({
+  ...workbench,
+  opener,
+  worker,
+  saving: savingMarks(store, unsaved, handles),
+  sessions: sessionStore(),
+  locks: sessionLocks(),
+});
 const named = filesInQuery(location.search);
-if (named.length) opener.open((signal) => fetchFiles(named, document.baseURI, signal));
-else {
-  opener.open(
+autosave.startsWith(named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample());
+void autosave.offer();
+
+/** A character that walks, so that there is something to look at. */
+function openSample() {
+  return opener.open(
     async (signal) => {
       const [first] = await samples;
       return first ? fetchSample(first, document.baseURI, signal) : [];

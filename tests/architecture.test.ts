@@ -30,6 +30,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
 /** Packages, and which folders may use them. `node:` stands for all of Node. */
 const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['view', 'io'],
+  'idb-keyval': ['io'],
   'lil-gui': ['ui'],
   fflate: ['worker', 'io', 'app', 'samples'],
   'node:': ['cli', 'samples'],

@@ -1,33 +1,32 @@
-/** What the menus can do with files, over dialogs, drops, samples and downloads. */
-import type { Store } from '../edit/store.ts';
-import { download } from '../io/download.ts';
-import { fromDataTransfer, fromFileList } from '../io/given.ts';
-import { findCharacter } from '../model/document.ts';
-import type { Messages } from '../ui/messages.ts';
+/** What the menus can do with files, over dialogs, drops, samples and the disk. */
+import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
+import { fromDataTransfer } from '../io/given.ts';
 import type { FileActions, SampleEntry } from '../ui/workbench.ts';
+import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
+import { canReload, type ReloadParts, reload } from './reload.ts';
 import { fetchSample, type Sample } from './samples.ts';
-import { saveCharacter, zipCharacter } from './saving.ts';
+import { type Disk, Saver } from './saver.ts';
+import type { Unsaved } from './unsaved.ts';
 
-interface Parts {
-  readonly store: Store;
-  readonly messages: Messages;
+interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly opener: Opener;
   readonly samples: Promise<readonly Sample[]>;
+  readonly unsaved: Unsaved;
+  readonly handles: DiskHandles;
+  readonly disk: Disk;
 }
 
-export function fileActions({ store, messages, opener, samples }: Parts): FileActions {
+export function fileActions(parts: Parts): FileActions {
+  const { opener, samples, unsaved } = parts;
   let listed: readonly SampleEntry[] = [];
   samples.then((list) => {
     listed = list;
   });
-  const pick = (configure: (input: HTMLInputElement) => void) => {
-    const input = document.createElement('input');
-    input.type = 'file';
-    input.multiple = true;
-    configure(input);
-    input.addEventListener('change', () => opener.open(() => fromFileList(input.files ?? [])));
-    input.click();
+  const saver = new Saver(parts);
+  const reloading: ReloadParts = {
+    ...parts,
+    readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
   };
   const take = (data: DataTransfer) => {
     // Begun before anything is waited for: the browser takes the files back when the event is over.
@@ -35,11 +34,9 @@ export function fileActions({ store, messages, opener, samples }: Parts): FileAc
     return opener.open(() => files);
   };
   return {
-    open: () => pick(() => undefined),
-    openFolder: () =>
-      pick((input) => {
-        input.webkitdirectory = true;
-      }),
+    // The dialog is asked for before the opening takes its turn: nobody waits for a person to choose.
+    open: () => void pickFiles().then((files) => opener.open(() => files)),
+    openFolder: () => void pickFolder().then((files) => opener.open(() => files)),
     openSample(id) {
       opener.open(async (signal) => {
         const sample = (await samples).find((s) => s.id === id);
@@ -52,23 +49,11 @@ export function fileActions({ store, messages, opener, samples }: Parts): FileAc
     },
     drop: take,
     paste: take,
-    saveAll(characterId) {
-      const character = findCharacter(store.document, characterId);
-      if (!character) return;
-      const { name, bytes } = zipCharacter(character);
-      download(name, bytes);
-      messages.note(`Saved ${name}.`);
-    },
-    save(characterId, kind) {
-      const character = findCharacter(store.document, characterId);
-      const saved = character ? saveCharacter(character, kind) : [];
-      for (const { name, text, diagnostics } of saved) {
-        download(name, text);
-        messages.report(diagnostics);
-      }
-      if (saved.length) messages.note(`Saved ${saved.map((f) => f.name).join(', ')}.`);
-      else
-        messages.note(`${character?.name ?? 'The character'} has nothing that could be saved as .${kind}.`, 'warning');
-    },
+    unsaved: unsaved.parts,
+    saveChanged: () => void saver.saveChanged(),
+    save: (characterId, kind) => void saver.saveAs(characterId, kind),
+    saveAll: (characterId) => void saver.saveAll(characterId),
+    reload: (characterId) => void reload(reloading, characterId),
+    canReload: (characterId) => canReload(parts, characterId),
   };
 }

@@ -1,28 +1,46 @@
 /**
- * The played range follows the clips: when other clips are shown (files opened, a take chosen, undo), a range that was
- * theirs becomes that of the new ones. A range that someone set by hand stays.
+ * The played range follows the clips: when other clips are shown (files opened, a take chosen or its range set, undo), a
+ * range that was theirs becomes that of the new ones. A range that someone set by hand stays.
+ *
+ * Without a clip there is a range all the same, for poses want a time line to be keyed on; it is the one that was there
+ * before the clips came.
  */
-import type { Playback } from '../edit/playback.ts';
+import { DEFAULT_PLAYBACK, type Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
-import { rangeOfClips } from '../model/document.ts';
+import { findCharacter, rangeOfClips } from '../model/document.ts';
 import type { Observable } from '../ui/observable.ts';
+
+type Range = readonly [number, number];
 
 export function followRange(store: Store, transport: Observable<Playback>): void {
   let clips = rangeOfClips(store.document);
+  let withoutClips: Range = clips ? DEFAULT_PLAYBACK.range : transport.get().range;
   store.subscribe((now, before) => {
     if (now.document === before.document) return;
     const next = rangeOfClips(now.document);
     const was = clips;
     clips = next;
+    // What another character's time line was says nothing about this one's.
+    const isOther =
+      before.document.characters.length > 0 &&
+      !now.document.characters.some((c) => findCharacter(before.document, c.id));
+    if (isOther) withoutClips = DEFAULT_PLAYBACK.range;
+    else if (!was && next) withoutClips = transport.get().range;
+    if (sameRange(was, next) && !(isOther && !next)) return;
     transport.update((playback) => {
-      if (sameRange(was, next) || !sameRange(playback.range, was ?? playback.range)) return playback;
-      // Without a clip there is nothing to play, and no moment is another.
-      if (!next) return { ...playback, range: [0, 0], timeSeconds: 0, playing: false };
-      return { ...playback, range: next };
+      if (!next) return standStill(playback, was, withoutClips, isOther);
+      return sameRange(playback.range, was ?? playback.range) ? { ...playback, range: next } : playback;
     });
   });
 }
 
-function sameRange(a: readonly [number, number] | undefined, b: readonly [number, number] | undefined): boolean {
+/** Nothing moves any more. Time stays where it is, in a range that it is in. */
+function standStill(playback: Playback, was: Range | undefined, otherwise: Range, isOther: boolean): Playback {
+  const range = isOther || sameRange(playback.range, was) ? otherwise : playback.range;
+  const timeSeconds = isOther ? range[0] : Math.min(range[1], Math.max(range[0], playback.timeSeconds));
+  return { ...playback, range, timeSeconds, playing: false };
+}
+
+function sameRange(a: Range | undefined, b: Range | undefined): boolean {
   return a?.[0] === b?.[0] && a?.[1] === b?.[1];
 }

@@ -4,8 +4,9 @@
  */
 import { openFiles } from '../edit/open-files.ts';
 import { type Playback, play } from '../edit/playback.ts';
-import type { Store } from '../edit/store.ts';
+import { type Store, withKeys } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
+import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
@@ -14,7 +15,7 @@ import type { Messages } from '../ui/messages.ts';
 import type { Observable } from '../ui/observable.ts';
 import type { Loading, Stage } from '../ui/workbench.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
-import type { GivenBlob } from '../worker/protocol.ts';
+import { sameData } from './same-data.ts';
 
 export interface OpeningParts {
   readonly store: Store;
@@ -28,17 +29,19 @@ export interface OpeningParts {
 /** What one opening brought into the document. */
 export interface OpenedFiles {
   /** As given: a zip is one of them. */
-  readonly given: readonly GivenBlob[];
+  readonly given: readonly GivenFile[];
   /** What was read of them, in the document as these very objects. */
   readonly files: readonly ParsedFile[];
 }
 
 /** Finds the files: they may have to be fetched, or folders walked, first. */
-export type FindFiles = (signal: AbortSignal) => Promise<readonly GivenBlob[]> | readonly GivenBlob[];
+export type FindFiles = (signal: AbortSignal) => Promise<readonly GivenFile[]> | readonly GivenFile[];
 
 export interface OpenOptions {
   /** The page's own first character: no undo step, and gone when anything is opened. */
   readonly asOpeningSample?: boolean;
+  /** The character whose files are read again: what it shows stays shown, and its files are meant for it. */
+  readonly reloads?: string;
 }
 
 export class Opener {
@@ -52,8 +55,13 @@ export class Opener {
 
   /** Opens files; gives all that there is to say about them. Never rejects: what goes wrong is a diagnostic. */
   open(find: FindFiles, options: OpenOptions = {}): Promise<readonly Diagnostic[]> {
-    const turn = this.last.then(() => this.openNow(find, options));
-    this.last = turn;
+    return this.inTurn(() => this.openNow(find, options));
+  }
+
+  /** Does something that must not happen while files are opened, as if it were an opening itself. */
+  inTurn<T>(work: () => Promise<T>): Promise<T> {
+    const turn = this.last.then(work);
+    this.last = turn.catch(() => undefined);
     return turn;
   }
 
@@ -74,7 +82,8 @@ export class Opener {
       if (files.length === 0) return [];
       const output = await worker.run(
         'parse',
-        { files },
+        // Where they lie is nothing to the worker.
+        { files: files.map(({ path, blob }) => ({ path, blob })) },
         {
           signal: abort.signal,
           onProgress: (p) => loading.set({ label: p.label, done: p.bytesDone, of: p.bytesTotal, cancel }),
@@ -82,10 +91,14 @@ export class Opener {
       );
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
-      const result = openFiles(store.document, output.files, output.broken, store.selection.characterId);
+      const { reloads } = options;
+      const meant = reloads ?? store.selection.characterId;
+      const result = openFiles(store.document, output.files, output.broken, meant);
       const diagnostics = [...output.diagnostics, ...result.diagnostics];
       const isChange = result.document !== store.document;
-      this.put(result.document, result.opened, result.label, options);
+      const next = reloads === undefined ? result.document : showingTheSame(store.document, result.document);
+      const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
+      this.put(next, result.opened, label, options);
       if (isChange) for (const listener of this.listeners) listener({ given: files, files: output.files });
       // Files that are well now have nothing to say any more.
       messages.report(
@@ -110,7 +123,7 @@ export class Opener {
     const { store, transport, viewport } = this.parts;
     const before = store.document;
     if (document === before) return;
-    const selection = selectionAfter(document, opened, store.selection);
+    const selection = selectionAfter(before, document, opened, store.selection);
     if (options.asOpeningSample) {
       store.amend({ ...document, isOpeningSample: true });
       store.select(selection);
@@ -126,15 +139,40 @@ export class Opener {
 }
 
 /** What was selected, where it is still there; else the first character that was opened. */
-function selectionAfter(document: Document, opened: readonly string[], selection: Selection): Selection {
-  const { characterId, joint } = selection;
+function selectionAfter(
+  before: Document,
+  document: Document,
+  opened: readonly string[],
+  selection: Selection,
+): Selection {
+  const { characterId, joint, keys } = selection;
   const kept = findCharacter(document, characterId);
   const first = opened[0];
   if (!kept || (first !== undefined && characterId !== undefined && !opened.includes(characterId))) {
     return first === undefined ? {} : { characterId: first };
   }
   if (joint !== undefined && joint >= (kept.skeleton?.joints.length ?? 0)) return { characterId: kept.id };
-  return selection;
+  if (!keys) return selection;
+  // Keys are known by index: they are the same ones only where their channel is.
+  const was = shownClipOf(before, kept.id)?.channels ?? [];
+  const now = shownClipOf(document, kept.id)?.channels ?? [];
+  const same = keys.filter(({ channel }) => now[channel] !== undefined && sameData(was[channel], now[channel]));
+  return same.length === keys.length ? selection : withKeys(selection, same);
+}
+
+/** Of alternatives that were there before and still are, those that were shown are. */
+function showingTheSame(before: Document, after: Document): Document {
+  const characters = after.characters.map((character) => {
+    const was = findCharacter(before, character.id);
+    if (!was) return character;
+    const sameClip = was.shownClip < 0 || character.clips[was.shownClip]?.name === was.clips[was.shownClip]?.name;
+    const sameSkin = character.skins[was.shownSkin]?.name === was.skins[was.shownSkin]?.name;
+    const shownClip = sameClip ? was.shownClip : character.shownClip;
+    const shownSkin = sameSkin ? was.shownSkin : character.shownSkin;
+    if (shownClip === character.shownClip && shownSkin === character.shownSkin) return character;
+    return { ...character, shownClip, shownSkin };
+  });
+  return after === before ? after : { ...after, characters };
 }
 
 /** Whether a character is new, or has a kind of part that it had none of. */

@@ -52,7 +52,7 @@ export interface MarrowApi {
   vertices(character?: CharacterRef): number[];
   /**
    * Runs a command on the document (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …).
-   * `characterId` and `timeSeconds` default to the selected character and the moment shown.
+   * `characterId`, `timeSeconds` and `playedRange` default to the selected character, the moment shown and the range.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): void;
   /** Of the last picture drawn. */
@@ -149,6 +149,7 @@ function run(workbench: Workbench, id: string, args: Readonly<Record<string, unk
   }
   const given = {
     timeSeconds: timeOf(transport),
+    playedRange: transport.get().range,
     ...args,
     characterId: resolve(store, asReference(args.characterId ?? args.character)).id,
   };

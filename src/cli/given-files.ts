@@ -51,6 +51,8 @@ export function givenFiles(): Plugin {
           'content-type': 'application/octet-stream',
           'content-length': stats.size,
           'cache-control': 'no-store',
+          // Tells *Reload from disk* which files changed.
+          etag: `"${stats.mtimeMs}-${stats.size}"`,
         });
         // A file that went away meanwhile ends this answer, not the server.
         createReadStream(file)

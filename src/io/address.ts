@@ -2,7 +2,7 @@
  * Files named in the address: `?files=a.skel,a.skin,walk.anim`. Commas separate, so one inside a name is `%2C`. Nothing
  * but what the address names is ever requested.
  */
-import type { GivenBlob } from '../worker/protocol.ts';
+import type { GivenFile } from './given.ts';
 
 /** A file that could not be fetched, in a sentence. */
 export class FetchError extends Error {
@@ -33,16 +33,18 @@ function decoded(name: string): string {
 /**
  * Fetches files, relative to the page. Throws a `FetchError` that names the first that can't be had.
  * Paths keep the last folder, so that files of one folder belong together.
+ * @param cache `no-cache` for what may have changed since it was last fetched
  */
 export function fetchFiles(
   addresses: readonly string[],
   base: string,
   signal?: AbortSignal,
-): Promise<readonly GivenBlob[]> {
+  cache: RequestCache = 'default',
+): Promise<readonly GivenFile[]> {
   return Promise.all(
     addresses.map(async (address) => {
       const url = resolve(address, base);
-      const response = await fetch(url, signal ? { signal } : {}).catch((error: unknown) => {
+      const response = await fetch(url, signal ? { signal, cache } : { cache }).catch((error: unknown) => {
         if (signal?.aborted) throw error;
         throw new FetchError(
           `"${address}" could not be fetched: the server is out of reach, or does not allow it (CORS).`,
@@ -50,7 +52,9 @@ export function fetchFiles(
       });
       if (!response.ok)
         throw new FetchError(`"${address}" could not be fetched: the server answered ${response.status}.`);
-      return { path: decoded(url.pathname.replace(/^\//, '')), blob: await response.blob() };
+      const version = response.headers.get('etag') ?? response.headers.get('last-modified') ?? undefined;
+      const path = decoded(url.pathname.replace(/^\//, ''));
+      return { path, blob: await response.blob(), address: url.href, ...(version !== undefined && { version }) };
     }),
   );
 }

@@ -1,42 +1,85 @@
-/** Files as a person gives them: dropped, pasted, picked, or named in the address. All become paths with bytes. */
+/**
+ * Files as a person gives them: dropped, pasted, picked, or named in the address. All become paths with bytes, and with
+ * whatever it takes to read them again: a handle where the browser gives one, or their address.
+ */
 import type { GivenBlob } from '../worker/protocol.ts';
+
+/** A file with where it came from. Only path and blob ever go to the worker. */
+export interface GivenFile extends GivenBlob {
+  /** Leads back to the very file on disk: it can be read again, and saved in place. */
+  readonly handle?: FileSystemFileHandle;
+  /** Of a file that was fetched. */
+  readonly address?: string;
+  /** Differs when the content does, where the browser or the server tells. */
+  readonly version?: string;
+}
 
 /** By name, numbers by value (`head2.morph` before `head10.morph`): the order that decides between alternatives. */
 const byPath = new Intl.Collator('en', { numeric: true });
 
-export function inNaturalOrder(files: readonly GivenBlob[]): readonly GivenBlob[] {
+export function inNaturalOrder(files: readonly GivenFile[]): readonly GivenFile[] {
   return [...files].sort((a, b) => byPath.compare(a.path, b.path));
 }
 
+/** The file as it is now, with its handle where there is one. */
+export function givenFile(path: string, file: File, handle?: FileSystemFileHandle): GivenFile {
+  return { path, blob: file, version: versionOf(file), ...(handle && { handle }) };
+}
+
+/** The same for the same content, as far as date and size tell. */
+export function versionOf({ lastModified, size }: File): string {
+  return `${lastModified} ${size}`;
+}
+
 /** From a file input, with folders where a folder was picked. */
-export function fromFileList(list: Iterable<File>): readonly GivenBlob[] {
-  return inNaturalOrder([...list].map((file) => ({ path: file.webkitRelativePath || file.name, blob: file })));
+export function fromFileList(list: Iterable<File>): readonly GivenFile[] {
+  return inNaturalOrder([...list].map((file) => givenFile(file.webkitRelativePath || file.name, file)));
+}
+
+/** One dropped thing, in every form in which the browser gives it. */
+interface Dropped {
+  readonly handle: Promise<FileSystemFileHandle | FileSystemDirectoryHandle | null> | undefined;
+  readonly entry: FileSystemEntry | null;
+  readonly file: File | null;
 }
 
 /**
- * From a drop or a paste, folders included. What the browser hands over is gone when the event is over, so the entries
- * are taken at once and only their content is waited for.
+ * From a drop or a paste, folders included. What the browser hands over is gone when the event is over, so handles and
+ * entries are taken at once and only their content is waited for.
  */
-export async function fromDataTransfer(data: DataTransfer): Promise<readonly GivenBlob[]> {
-  const entries: FileSystemEntry[] = [];
-  const files: File[] = [];
+export async function fromDataTransfer(data: DataTransfer): Promise<readonly GivenFile[]> {
+  const dropped: Dropped[] = [];
   for (const item of data.items) {
     if (item.kind !== 'file') continue;
-    const entry = item.webkitGetAsEntry();
-    const file = item.getAsFile();
-    if (entry?.isDirectory) entries.push(entry);
-    else if (file) files.push(file);
+    // What was copied from a page, or made by a script, has no handle: browsers answer null, or refuse.
+    const handle = item.getAsFileSystemHandle?.().catch(() => null);
+    dropped.push({ handle, entry: item.webkitGetAsEntry(), file: item.getAsFile() });
   }
-  const found: GivenBlob[] = files.map((file) => ({ path: file.name, blob: file }));
-  for (const entry of entries) await walk(entry, found);
+  const found: GivenFile[] = [];
+  for (const { handle, entry, file } of dropped) {
+    const own = (await handle) ?? undefined;
+    if (own?.kind === 'directory') found.push(...(await inFolder(own)));
+    else if (entry?.isDirectory) await walk(entry, found);
+    else if (file) found.push(givenFile(file.name, file, own));
+  }
   return inNaturalOrder(found);
 }
 
-async function walk(entry: FileSystemEntry, found: GivenBlob[]): Promise<void> {
+/** Every file in a folder and the folders inside, with the folder's own name before theirs. */
+export async function inFolder(folder: FileSystemDirectoryHandle, path = folder.name): Promise<readonly GivenFile[]> {
+  const found: GivenFile[] = [];
+  for await (const inside of folder.values()) {
+    const its = `${path}/${inside.name}`;
+    if (inside.kind === 'directory') found.push(...(await inFolder(inside, its)));
+    else if (!isHidden(inside.name)) found.push(givenFile(its, await inside.getFile(), inside));
+  }
+  return found;
+}
+
+async function walk(entry: FileSystemEntry, found: GivenFile[]): Promise<void> {
   if (isFile(entry)) {
     const file = await new Promise<File>((resolve, reject) => entry.file(resolve, reject));
-    // `.DS_Store` and its like are no one's character.
-    if (!file.name.startsWith('.')) found.push({ path: entry.fullPath.replace(/^\//, ''), blob: file });
+    if (!isHidden(file.name)) found.push(givenFile(entry.fullPath.replace(/^\//, ''), file));
     return;
   }
   if (!isFolder(entry)) return;
@@ -47,6 +90,11 @@ async function walk(entry: FileSystemEntry, found: GivenBlob[]): Promise<void> {
     if (piece.length === 0) return;
     for (const inside of piece) await walk(inside, found);
   }
+}
+
+/** `.DS_Store` and its like are no one's character. */
+function isHidden(name: string): boolean {
+  return name.startsWith('.');
 }
 
 function isFile(entry: FileSystemEntry): entry is FileSystemFileEntry {

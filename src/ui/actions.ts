@@ -3,6 +3,7 @@
  * none of them can forget or contradict another; adding to the page begins by adding here.
  */
 import type { Action } from './actions/action.ts';
+import { DOPE_ACTIONS } from './actions/dope-actions.ts';
 import { EDIT_ACTIONS } from './actions/edit-actions.ts';
 import { FILE_ACTIONS, sampleActions } from './actions/file-actions.ts';
 import { KEY_ACTIONS } from './actions/key-actions.ts';
@@ -20,6 +21,7 @@ export const ACTIONS: readonly Action[] = [
   ...KEYING_ACTIONS,
   ...KEY_ACTIONS,
   ...TIMELINE_ACTIONS,
+  ...DOPE_ACTIONS,
   ...VIEW_ACTIONS,
   ...PLAY_ACTIONS,
   ...PAGE_ACTIONS,

@@ -1,6 +1,7 @@
 /** The page's dialogs: one at a time, named by `wb.dialog`. The browser's own `<dialog>` holds the focus and Escape. */
 import { aboutDialog } from './about.ts';
 import { commandSearch } from './command-search.ts';
+import { bakeDialog, resampleDialog, scaleDialog, simplifyDialog } from './curves/tool-dialogs.ts';
 import type { DialogContent } from './dialog.ts';
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
@@ -13,6 +14,10 @@ const MAKE: Readonly<Record<DialogName, (wb: Workbench, close: () => void) => Di
   search: commandSearch,
   save: saveList,
   about: aboutDialog,
+  simplify: simplifyDialog,
+  resample: resampleDialog,
+  bake: bakeDialog,
+  scaleKeys: scaleDialog,
 };
 
 export function startDialogs(wb: Workbench, root: HTMLElement): void {

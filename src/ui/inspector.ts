@@ -3,13 +3,14 @@
  * for another character, joint, unit or other limits, and only filled while a character plays or a slider is dragged.
  */
 import { GUI } from 'lil-gui';
-import { type Character, findCharacter } from '../model/document.ts';
+import { type Character, findCharacter, shownClip } from '../model/document.ts';
 import { currentCharacter } from './actions/action.ts';
 import { element } from './dom.ts';
 import { oncePerFrame } from './frame.ts';
 import { HandEdit } from './hand-edit.ts';
 import { CharacterFolder } from './inspector/character-folder.ts';
 import { DofFolders } from './inspector/dof-folders.ts';
+import { flashDropped } from './inspector/dropped-rows.ts';
 import { LiveRows } from './inspector/live-rows.ts';
 import { displayFolder, playbackFolder } from './inspector/page-folders.ts';
 import { jointFacts } from './joint-facts.ts';
@@ -57,12 +58,16 @@ export function inspector(wb: Workbench): HTMLElement {
     live.update();
     facts.follow();
   });
-  wb.store.subscribe(showSoon);
+  wb.store.subscribe((now, before) => {
+    flashDropped(wb, panel, now.document, before.document);
+    showSoon();
+  });
   wb.settings.subscribe((now, before) => {
-    if (now.angles !== before.angles) showSoon();
+    if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) showSoon();
   });
   wb.transport.subscribe((now, before) => {
     if (now.timeSeconds !== before.timeSeconds) followSoon();
+    if (now.framesPerSecond !== before.framesPerSecond) showSoon();
   });
   show();
 
@@ -82,6 +87,7 @@ interface Shown {
   readonly morphs: Character['morphs'] | undefined;
   readonly clamps: boolean;
   readonly copies: number;
+  readonly hasTake: boolean;
   readonly angles: string;
 }
 
@@ -95,6 +101,7 @@ function whatIsShown(wb: Workbench): Shown {
     morphs: character?.morphs,
     clamps: character?.clampsToLimits ?? true,
     copies: character?.placements.length ?? 0,
+    hasTake: character !== undefined && shownClip(character) !== undefined,
     angles: wb.settings.get().angles,
   };
 }
@@ -107,6 +114,7 @@ function sameRows(a: Shown, b: Shown): boolean {
     a.morphs === b.morphs &&
     a.clamps === b.clamps &&
     a.copies === b.copies &&
+    a.hasTake === b.hasTake &&
     a.angles === b.angles
   );
 }

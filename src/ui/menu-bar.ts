@@ -28,7 +28,7 @@ export function menuBar(wb: Workbench): HTMLElement {
     panelButton(wb, 'page.outliner', 'Outliner', 'outliner'),
     element('span', { class: 'brand', 'aria-hidden': 'true' }, icon('bones'), 'Marrow'),
     bar,
-    whatIsLoaded(wb),
+    element('div', { class: 'menu-end' }, whatIsUnsaved(wb), whatIsLoaded(wb)),
     panelButton(wb, 'page.inspector', 'Inspector', 'inspector'),
   );
 }
@@ -92,6 +92,33 @@ function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' 
   window.matchMedia(NARROW).addEventListener('change', show);
   show();
   return made;
+}
+
+/** Beside what is loaded, where nothing stands otherwise: what is not saved yet, and the button that saves it. */
+function whatIsUnsaved(wb: Workbench): HTMLElement {
+  const text = element('span', { class: 'unsaved-text', role: 'status' });
+  const save = keepsFocusElsewhere(
+    button('Save changes', { class: 'link' }, 'Save', () => runAction(wb, 'save.changed')),
+  );
+  keepTooltip(wb, save, 'save.changed', () => 'Save changes');
+  const all = element('div', { class: 'unsaved' }, text, save);
+  const show = () => {
+    const parts = wb.files.unsaved.get();
+    // Room is kept for nothing here, so appearing pushes nothing aside.
+    all.hidden = parts.length === 0;
+    setText(text, unsavedText(parts));
+    setAttribute(text, 'title', parts.map(({ name }) => name).join('\n'));
+  };
+  wb.files.unsaved.subscribe(show);
+  show();
+  return all;
+}
+
+/** `Unsaved: wasp_walk.anim`; `Unsaved: wasp.skel and 2 more`. */
+export function unsavedText(parts: readonly { readonly name: string }[]): string {
+  const [first, ...others] = parts;
+  if (!first) return '';
+  return `Unsaved: ${first.name}${others.length ? ` and ${others.length} more` : ''}`;
 }
 
 /** On the right: what is loaded, or how far a file has come, in the same place so that nothing shifts. */

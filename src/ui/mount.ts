@@ -7,13 +7,12 @@ import './styles/outliner.css';
 import './styles/inspector.css';
 import './styles/transport.css';
 import './styles/stage.css';
+import './styles/kept.css';
 import './styles/timeline.css';
 import './styles/curves.css';
 import './styles/dope.css';
 import './styles/dialogs.css';
-import { curvePanel } from './curves/panel.ts';
 import { startDialogs } from './dialogs.ts';
-import { dopePanel } from './dope/panel.ts';
 import { dropTarget } from './drop-target.ts';
 import { inspector } from './inspector.ts';
 import { listenToKeys } from './keys.ts';
@@ -24,6 +23,7 @@ import { startPlayer } from './player.ts';
 import { Scrubber } from './scrubber.ts';
 import { followTheme } from './theme.ts';
 import { timelinePanel } from './timeline/panel.ts';
+import type { TimelineTab, TimelineTabName } from './timeline/timeline.ts';
 import { transport } from './transport.ts';
 import { viewportPane } from './viewport-pane.ts';
 import type { Workbench } from './workbench.ts';
@@ -34,10 +34,17 @@ import type { Workbench } from './workbench.ts';
  */
 export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new AbortController().signal): void {
   const scrubber = new Scrubber(wb);
-  const tabs = { curves: curvePanel(wb), dope: dopePanel(wb) };
+  const tabs: TimelineTab[] = [];
+  const loadTab = async (name: TimelineTabName) => {
+    const make =
+      name === 'curves' ? (await import('./curves/panel.ts')).curvePanel : (await import('./dope/panel.ts')).dopePanel;
+    const tab = make(wb);
+    tabs.push(tab);
+    return tab;
+  };
   followTheme(wb, signal, () => {
     scrubber.redraw(true);
-    for (const tab of Object.values(tabs)) tab.recolour();
+    for (const tab of tabs) tab.recolour();
   });
   const stage = viewportPane(wb, signal);
   layout(
@@ -49,7 +56,7 @@ export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new Ab
       stage,
       inspector: inspector(wb),
       transport: transport(wb, scrubber),
-      timeline: timelinePanel(wb, tabs),
+      timeline: timelinePanel(wb, loadTab, signal),
     },
     signal,
   );

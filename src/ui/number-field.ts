@@ -16,6 +16,8 @@ export interface NumberFieldOptions {
 export class NumberField {
   readonly element: HTMLInputElement;
   private value = Number.NaN;
+  /** The text that stands for the value: while the field holds another one, someone is typing. */
+  private own = '';
 
   constructor(private readonly options: NumberFieldOptions) {
     this.element = element('input', {
@@ -27,7 +29,7 @@ export class NumberField {
       'aria-label': options.label,
     });
     this.element.addEventListener('focus', () => {
-      this.element.value = exact(this.value);
+      this.write(this.exactText);
       this.element.select();
     });
     this.element.addEventListener('blur', () => {
@@ -37,40 +39,58 @@ export class NumberField {
     this.element.addEventListener('keydown', (event) => this.onKey(event));
   }
 
+  /** NaN: the field stands for no one number. */
   show(value: number): void {
     if (Object.is(value, this.value)) return;
     this.value = value;
     if (document.activeElement !== this.element) this.refresh();
+    // What was typed and taken, or changed elsewhere; what is being typed stays.
+    else if (this.element.value === this.own) this.write(this.exactText);
   }
 
   /** The same number in another manner. */
   refresh(): void {
-    const text = Number.isNaN(this.value) ? '' : this.options.text(this.value);
-    if (this.element.value !== text) this.element.value = text;
+    this.write(Number.isNaN(this.value) ? '' : this.options.text(this.value));
     // Exact also for who only looks.
     if (!Number.isNaN(this.value)) this.element.title = `${this.options.label}: ${exact(this.value)}`;
+    else this.element.title = this.options.label;
   }
 
+  private write(text: string): void {
+    this.own = text;
+    if (this.element.value !== text) this.element.value = text;
+  }
+
+  /** What is there to be edited. */
+  private get exactText(): string {
+    return Number.isNaN(this.value) ? '' : exact(this.value);
+  }
+
+  /** Whoever takes it may be told of it later only: the text stays until then, and is not taken twice. */
   private finish(): void {
-    const typed = parseNumber(this.element.value);
-    if (typed === undefined || typed === this.value) return;
-    this.options.commit(typed);
+    const text = this.element.value;
+    if (text === this.own) return;
+    this.own = text;
+    const typed = parseNumber(text);
+    if (typed !== undefined && typed !== this.value) this.options.commit(typed);
   }
 
   private onKey(event: KeyboardEvent): void {
     const { step } = this.options;
     if (event.key === 'Enter') {
       this.finish();
-      this.element.value = exact(this.value);
+      if (parseNumber(this.element.value) === undefined) this.write(this.exactText);
       this.element.select();
     } else if (event.key === 'Escape') {
-      this.element.value = exact(this.value);
+      this.write(this.exactText);
       this.element.blur();
     } else if (step && (event.key === 'ArrowUp' || event.key === 'ArrowDown')) {
       const sign = event.key === 'ArrowUp' ? 1 : -1;
       const typed = parseNumber(this.element.value) ?? this.value;
-      this.options.commit(Number((typed + sign * step * (event.shiftKey ? 10 : 1)).toPrecision(12)));
-      this.element.value = exact(this.value);
+      if (Number.isNaN(typed)) return;
+      const next = Number((typed + sign * step * (event.shiftKey ? 10 : 1)).toPrecision(12));
+      this.write(exact(next));
+      this.options.commit(next);
     } else return;
     event.preventDefault();
   }

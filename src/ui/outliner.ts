@@ -1,17 +1,27 @@
 /** The left panel: characters and what they are made of, and below it files and messages. */
 import { removeCopy, renameCharacter, showClip, showSkin } from '../edit/commands/characters.ts';
+import { duplicateClip, removeClip, renameClip } from '../edit/commands/clips.ts';
 import { type Document, findCharacter } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import { actionsOf } from './actions.ts';
+import { attempt } from './attempt.ts';
 import { element } from './dom.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import { icon } from './icons.ts';
-import { openMenu } from './menu.ts';
+import { type MenuEntry, openMenu } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
-import { characterKey, jointKey, keysAbove, type OutlineRow, outlineRows, sameOutline } from './outline-rows.ts';
+import {
+  characterKey,
+  groupKey,
+  jointKey,
+  keysAbove,
+  type OutlineRow,
+  outlineRows,
+  sameOutline,
+} from './outline-rows.ts';
 import { splitter } from './splitter.ts';
 import { Tree } from './tree.ts';
-import type { Workbench } from './workbench.ts';
+import type { PartKind, Workbench } from './workbench.ts';
 
 const ICONS = {
   character: 'character',
@@ -37,14 +47,14 @@ export function outliner(wb: Workbench): HTMLElement {
     activate: (row) => activate(wb, row),
     doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
-    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(row)),
+    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(row, isUnsaved(wb, row))),
   });
   tree.element.dataset.panel = 'outliner';
   tree.element.addEventListener('keydown', (event) => {
     const row = tree.focused;
     // With a joint in hand, Delete must not take the whole character.
     if (event.key === 'Delete' && row?.kind !== 'character') event.preventDefault();
-    if (event.key !== 'F2' || row?.kind !== 'character') return;
+    if (event.key !== 'F2' || (row?.kind !== 'character' && row?.kind !== 'clip')) return;
     event.preventDefault();
     startRename(row);
   });
@@ -86,7 +96,7 @@ export function outliner(wb: Workbench): HTMLElement {
       if (renaming === undefined) return;
       renaming = undefined;
       const name = field.value.trim();
-      if (keep && name) wb.store.apply(renameCharacter, { characterId: row.characterId, name });
+      if (keep && name) attempt(wb.messages, () => rename(wb, row, name));
       tree.drawAnew();
       tree.element.focus();
     };
@@ -112,6 +122,10 @@ export function outliner(wb: Workbench): HTMLElement {
   wb.store.subscribe((now, before) => {
     if (!sameOutline(now.document, before.document)) show();
     if (now.selection !== before.selection) showSelection(now);
+  });
+  wb.files.unsaved.subscribe(() => {
+    // A name that is being typed stays.
+    if (renaming === undefined) tree.drawAnew();
   });
   show();
   showSelection(wb.store);
@@ -142,17 +156,30 @@ function searchBox() {
   return { input, element: element('div', { class: 'search' }, icon('search'), input) };
 }
 
-function drawRow(row: OutlineRow): Node[] {
+function drawRow(row: OutlineRow, unsaved: boolean): Node[] {
   const label = row.label === '' ? element('i', { class: 'label' }, 'no name') : element('span', { class: 'label' });
   if (row.label) {
     label.textContent = row.label;
     label.title = row.label;
   }
   const nodes: Node[] = [label, element('span', { class: 'detail' }, row.detail)];
+  if (unsaved) nodes.splice(1, 0, element('span', { class: 'unsaved-dot', title: 'Not saved', role: 'img' }));
   if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
   return nodes;
 }
+
+/** Whether what the row stands for is not saved; the joints stand for the skeleton's file. */
+function isUnsaved(wb: Workbench, { kind, key, characterId, index }: OutlineRow): boolean {
+  const isSkeleton = key === groupKey(characterId, 'joint');
+  if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'clip') return false;
+  return wb.files.unsaved.get().some((part) => {
+    if (part.characterId !== characterId) return false;
+    return isSkeleton ? part.kind === 'skel' : part.kind === PART_KINDS[kind] && part.index === index;
+  });
+}
+
+const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin', morph: 'morph', clip: 'anim' };
 
 function select(wb: Workbench, { kind, characterId, index }: OutlineRow): void {
   if (kind === 'joint') wb.store.select({ characterId, joint: index });
@@ -167,6 +194,11 @@ function activate(wb: Workbench, row: OutlineRow): void {
   else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
 }
 
+function rename(wb: Workbench, { kind, characterId, index }: OutlineRow, name: string): void {
+  if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
+  else wb.store.apply(renameCharacter, { characterId, name });
+}
+
 const CHARACTER_ACTIONS = ['character.copy', 'pose.resetToFile', 'pose.resetToZero', 'pose.holdLimits'];
 const JOINT_ACTIONS = ['view.frameSelection', 'draw.follow', 'draw.skin.heat'];
 
@@ -177,6 +209,7 @@ function rowMenu(
   rename: (row: OutlineRow) => void,
 ): void {
   const character = findCharacter(wb.store.document, row.characterId);
+  if (character && row.kind === 'clip') return void openMenu(at, takeEntries(wb, row, rename), { label: row.label });
   if (!character || (row.kind !== 'character' && row.kind !== 'joint')) return;
   const ids = row.kind === 'joint' ? JOINT_ACTIONS : CHARACTER_ACTIONS;
   const actions = actionsOf(wb);
@@ -196,4 +229,19 @@ function rowMenu(
     ],
     { label: character.name },
   );
+}
+
+function takeEntries(wb: Workbench, row: OutlineRow, rename: (row: OutlineRow) => void): MenuEntry[] {
+  const { characterId, index } = row;
+  const take = { characterId, clip: index };
+  const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
+  return [
+    row.shown
+      ? item('Show no take', () => wb.store.apply(showClip, { characterId, clip: -1 }))
+      : item('Show', () => wb.store.apply(showClip, take)),
+    { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
+    item('Duplicate', () => wb.store.apply(duplicateClip, take)),
+    { kind: 'line' },
+    item(`Remove ${row.label}`, () => wb.store.apply(removeClip, take)),
+  ];
 }

@@ -2,15 +2,17 @@
  * The clock. While the transport plays, each frame moves it on by the seconds that went by between frames; and whenever
  * its time changes, by play or by hand, the viewport is told and hand-set values that were not keyed go.
  */
-import { dropUnkeyed } from '../edit/commands/pose.ts';
 import { advance } from '../edit/playback.ts';
+import { dropStale, followUnkeyed } from './unkeyed-values.ts';
 import type { Workbench } from './workbench.ts';
 
 /** A tab that was in the background for an hour goes on where it was, not an hour later. */
 const LONGEST_STEP_SECONDS = 1;
 
+type Parts = Pick<Workbench, 'store' | 'transport' | 'viewport' | 'settings' | 'messages'>;
+
 /** Runs until the signal says otherwise. */
-export function startPlayer(wb: Pick<Workbench, 'store' | 'transport' | 'viewport'>, signal: AbortSignal): void {
+export function startPlayer(wb: Parts, signal: AbortSignal): void {
   let before: number | undefined;
   let queued = 0;
   const tick = (now: number) => {
@@ -29,16 +31,17 @@ export function startPlayer(wb: Pick<Workbench, 'store' | 'transport' | 'viewpor
     if (now.playing) queue();
     if (now.timeSeconds !== then.timeSeconds) showTime(wb, now.timeSeconds);
   });
+  const stopFollowing = followUnkeyed(wb);
   signal.addEventListener('abort', () => {
     stop();
+    stopFollowing();
     cancelAnimationFrame(queued);
   });
   if (wb.transport.get().playing) queue();
   wb.viewport.seek(wb.transport.get().timeSeconds);
 }
 
-function showTime(wb: Pick<Workbench, 'store' | 'viewport'>, timeSeconds: number): void {
-  const document = dropUnkeyed(wb.store.document, timeSeconds);
-  if (document !== wb.store.document) wb.store.amend(document);
+function showTime(wb: Parts, timeSeconds: number): void {
+  dropStale(wb, timeSeconds);
   wb.viewport.seek(timeSeconds);
 }

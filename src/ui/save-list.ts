@@ -30,7 +30,7 @@ export function saveList(wb: Workbench, close: () => void): DialogContent {
     body.append(element('section', {}, element('h3', {}, character.name), row));
   }
   if (!body.children.length) body.append(element('p', { class: 'empty' }, 'There is nothing to save yet.'));
-  return { title: 'Save', body, kind: 'save-dialog' };
+  return { title: 'Save as', body, kind: 'save-dialog' };
 }
 
 function saveButton(label: string, detail: string, save: () => void): HTMLElement {

@@ -17,7 +17,16 @@ export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
   return element(
     'section',
     { class: 'transport', 'aria-label': 'Transport', 'data-panel': 'transport' },
-    element('div', { class: 'transport-row' }, buttons(wb), loopModes(wb), rate(wb), ...times(wb), ...range(wb)),
+    element(
+      'div',
+      { class: 'transport-row' },
+      buttons(wb),
+      loopModes(wb),
+      rate(wb),
+      keying(wb),
+      ...times(wb),
+      ...range(wb),
+    ),
     scrubber.element,
   );
 }
@@ -110,6 +119,27 @@ function rate(wb: Workbench): HTMLElement {
   });
   show();
   return keepsFocusElsewhere(made);
+}
+
+/** The switch that records: red while it is on, and the page around the viewport with it. */
+function keying(wb: Workbench): HTMLElement {
+  const key = keepsFocusElsewhere(button('Key the pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
+  keepTooltip(wb, key, 'key.pose', () => 'Key the pose');
+  const auto = keepsFocusElsewhere(
+    button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => runAction(wb, 'key.auto')),
+  );
+  const isOn = () => wb.timeline.autoKey.get();
+  const title = keepTooltip(wb, auto, 'key.auto', () =>
+    isOn() ? 'Auto-key is on: what is changed by hand is keyed' : 'Auto-key: keys what is changed by hand',
+  );
+  const show = () => {
+    auto.setAttribute('aria-pressed', String(isOn()));
+    document.documentElement.toggleAttribute('data-auto-key', isOn());
+    title();
+  };
+  wb.timeline.autoKey.subscribe(show);
+  show();
+  return element('div', { class: 'tools', role: 'group', 'aria-label': 'Keying' }, key, auto);
 }
 
 function times(wb: Workbench): HTMLElement[] {

@@ -8,6 +8,7 @@ import { BOX_STYLES, SKIN_STYLES } from './actions/view-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setText } from './dom.ts';
 import { icon } from './icons.ts';
+import { keptSession } from './kept-session.ts';
 import { menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { messageLine } from './message-line.ts';
@@ -44,8 +45,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     viewportElement,
     emptyHint(wb),
     displayStrip(wb),
-    missingNote(wb),
-    messageLine(wb),
+    element('div', { class: 'stage-foot' }, missingNote(wb), keptSession(wb), messageLine(wb)),
   );
 }
 

@@ -5,6 +5,7 @@
 import type { Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import type { Viewport } from '../view/viewport.ts';
+import type { KeptOffer } from './kept-offer.ts';
 import type { Messages } from './messages.ts';
 import type { Observable } from './observable.ts';
 import type { Settings } from './settings.ts';
@@ -13,7 +14,17 @@ import type { Timeline } from './timeline/timeline.ts';
 /** What the page asks of the viewport, so that a test can stand in for it. */
 export type Stage = Pick<
   Viewport,
-  'show' | 'seek' | 'pick' | 'frameAll' | 'frameSelection' | 'lookFrom' | 'setTheme' | 'character' | 'canvas' | 'stats'
+  | 'show'
+  | 'seek'
+  | 'pick'
+  | 'frameAll'
+  | 'frameSelection'
+  | 'lookFrom'
+  | 'cameraView'
+  | 'setTheme'
+  | 'character'
+  | 'canvas'
+  | 'stats'
 >;
 
 export interface Workbench {
@@ -31,9 +42,13 @@ export interface Workbench {
   /** The one dialog that is open. */
   readonly dialog: Observable<DialogName | undefined>;
   readonly files: FileActions;
+  /** Work that an earlier page left behind, offered. */
+  readonly kept: Observable<KeptOffer | undefined>;
 }
 
-export type DialogName = 'shortcuts' | 'search' | 'save' | 'about';
+export type DialogName = 'shortcuts' | 'search' | 'save' | 'about' | CurveToolName;
+/** The curve tools that ask for something. */
+export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys';
 
 export interface Loading {
   /** Name of the file being read. */
@@ -47,6 +62,19 @@ export interface Loading {
 
 export type SaveKind = 'skel' | 'skin' | 'morph' | 'anim' | 'rig';
 export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+
+/** Kinds of files whose content can be changed here. */
+export type PartKind = 'skel' | 'skin' | 'morph' | 'anim';
+
+/** A part of a character that is not as it was opened, or last saved. */
+export interface UnsavedPart {
+  readonly characterId: string;
+  readonly kind: PartKind;
+  /** Into the character's skins, morphs or clips; 0 for its skeleton. */
+  readonly index: number;
+  /** Of its file: `wasp_walk.anim`. */
+  readonly name: string;
+}
 
 export interface SampleEntry {
   readonly id: string;
@@ -64,6 +92,14 @@ export interface FileActions {
   readonly samples: readonly SampleEntry[];
   drop(data: DataTransfer): void;
   paste(data: DataTransfer): void;
+  /** What is not saved yet; characters in their order. */
+  readonly unsaved: Pick<Observable<readonly UnsavedPart[]>, 'get' | 'subscribe'>;
+  /** Saves that: in place, or where the person says. */
+  saveChanged(): void;
+  /** Reads a character's files again, where someone changed them beside the page. */
+  reload(characterId: string): void;
+  canReload(characterId: string): boolean;
+  /** Parts of one kind, to a place that the person chooses. */
   save(characterId: string, kind: SaveKind): void;
   /** A character as one zip. */
   saveAll(characterId: string): void;

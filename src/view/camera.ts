@@ -10,6 +10,7 @@
  */
 import { type Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Vec3 } from '../math/vec3.ts';
 import {
   distanceForHalfHeight,
   easeOut,
@@ -40,6 +41,15 @@ const TAN_HALF_FOV = Math.tan((FOV_DEGREES * Math.PI) / 360);
 /** Room around what is framed, beside what a box from the joints has already. */
 const MARGIN = 1.12;
 const MOVE_MS = 260;
+
+/** Where the camera looks and from where, as plain data; see above. */
+export interface CameraView {
+  readonly target: Vec3;
+  /** Radians; the polar angle from +y. */
+  readonly azimuth: number;
+  readonly polar: number;
+  readonly distance: number;
+}
 
 interface View {
   readonly target: Vector3;
@@ -121,6 +131,17 @@ export class CameraRig {
     if (this.shown === this.perspective) return 'ground';
     const m = this.shown.matrixWorld.elements;
     return Math.abs(m[10]) > 0.99999 ? 'front' : Math.abs(m[8]) > 0.99999 ? 'side' : 'ground';
+  }
+
+  /** Where the camera stands, or is going. */
+  get view(): CameraView {
+    const { target, azimuth, polar, distance } = this.goal();
+    return { target: [target.x, target.y, target.z], azimuth, polar, distance };
+  }
+
+  /** Puts the camera there at once. */
+  set view({ target, azimuth, polar, distance }: CameraView) {
+    this.go({ target: new Vector3(...target), azimuth, polar, distance }, false);
   }
 
   /** CSS pixels. */

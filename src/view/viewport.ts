@@ -11,7 +11,7 @@ import type { Character, Document } from '../model/document.ts';
 import { findCharacter, shownSkin } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
-import { CameraRig, type Side } from './camera.ts';
+import { CameraRig, type CameraView, type Side } from './camera.ts';
 import { CharacterView } from './character-view.ts';
 import { dots } from './dots.ts';
 import { Grid } from './grid.ts';
@@ -239,6 +239,17 @@ export class Viewport {
 
   lookFrom(side: Side): void {
     this.rig.lookFrom(side);
+  }
+
+  /** Where the camera stands, or is going. */
+  get cameraView(): CameraView {
+    return this.rig.view;
+  }
+
+  /** Puts the camera there at once, whatever was about to be framed. */
+  set cameraView(view: CameraView) {
+    this.framing = 'no';
+    this.rig.view = view;
   }
 
   setTheme(name: ThemeName): void {

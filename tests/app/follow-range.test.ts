@@ -1,6 +1,8 @@
 import { expect, it } from 'vitest';
 import { followRange } from '../../src/app/follow-range.ts';
 import { showClip } from '../../src/edit/commands/characters.ts';
+import { setClipRange } from '../../src/edit/commands/clips.ts';
+import { keyPose } from '../../src/edit/commands/keying.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import { observable } from '../../src/ui/observable.ts';
@@ -46,4 +48,35 @@ it('stops where nothing is left to play', () => {
   transport.update((now) => ({ ...now, playing: true }));
   store.replace('Open', { document: documentOf(character()), selection: {} });
   expect(transport.get().playing).toBe(false);
+});
+
+it('follows the range of a take that is changed', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.apply(setClipRange, { characterId: 'c1', range: [0, 5] });
+  expect(transport.get().range).toEqual([0, 5]);
+});
+
+it('has a range to key poses on without any clip', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(character()), selection: {} });
+  expect(transport.get().range).toEqual([0, 2]);
+});
+
+it('keeps range and time when the first key makes a take, and when that is undone', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(character()), selection: {} });
+  transport.update((now) => ({ ...now, range: [0, 4], timeSeconds: 3 }));
+  store.apply(keyPose, { characterId: 'c1', timeSeconds: 3, playedRange: transport.get().range });
+  expect(transport.get()).toMatchObject({ range: [0, 4], timeSeconds: 3 });
+  store.undo();
+  expect(transport.get()).toMatchObject({ range: [0, 4], timeSeconds: 3 });
+});
+
+it('starts anew with another character that has no clip', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(walking), selection: {} });
+  transport.update((now) => ({ ...now, timeSeconds: 2.7, playing: true }));
+  store.replace('Open', { document: documentOf({ ...character(), id: 'c2' }), selection: {} });
+  expect(transport.get()).toMatchObject({ range: [0, 2], timeSeconds: 0, playing: false });
 });

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { saveCharacter, zipCharacter } from '../../src/app/saving.ts';
+import { saveCharacter } from '../../src/app/saving.ts';
+import { zipCharacter } from '../../src/app/zip-character.ts';
 import { openFiles } from '../../src/edit/open-files.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { parse } from '../../src/worker/parse.ts';

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { formatOf } from '../../src/formats/registry.ts';
+import { writeFile } from '../../src/formats/write.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import * as arbitrary from './arbitraries.ts';
@@ -8,7 +8,7 @@ import { read } from './read-in-pieces.ts';
 import { GOOD_FILES } from './shared-files.ts';
 
 function write(fileName: string, content: FileContent): string {
-  const written = formatOf(fileName)?.write(content, fileName);
+  const written = writeFile(content, fileName);
   if (!written) throw new Error(`${fileName} can't hold ${content.kind}`);
   expect(written.diagnostics).toEqual([]);
   return written.text;
@@ -78,10 +78,9 @@ describe('a name that a format can not hold', () => {
     const name = fc.string({ unit: 'binary', minLength: 1, maxLength: 8 });
     fc.assert(
       fc.property(name, name, (rigName, skin) => {
-        const format = formatOf('x.rig');
-        const first = format?.write({ kind: 'rig', rig: { name: rigName, skin, morphs: [skin] } }, 'x.rig');
+        const first = writeFile({ kind: 'rig', rig: { name: rigName, skin, morphs: [skin] } }, 'x.rig');
         const { value } = read('x.rig', first?.text ?? '');
-        expect(value && format?.write(value, 'x.rig')).toEqual({ text: first?.text, diagnostics: [] });
+        expect(value && writeFile(value, 'x.rig')).toEqual({ text: first?.text, diagnostics: [] });
       }),
     );
   });

@@ -43,6 +43,8 @@ export interface OpenPage {
   readonly url: string;
   /** Console errors, uncaught errors, failed and foreign requests so far. */
   readonly problems: readonly string[];
+  /** Another tab of the same browser profile, at the same address; its complaints are this test's too. */
+  openAnother(query?: string): Promise<Page>;
 }
 
 let browser: Promise<Browser> | undefined;
@@ -72,11 +74,16 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
     hasTouch: options.touch ?? false,
   });
   try {
-    const page = await context.newPage();
-    const problems = collectProblems(page, server.url);
-    if (options.before) await page.addInitScript(options.before);
-    await page.goto(server.url + (options.query ?? ''));
-    await body({ page, url: server.url, problems });
+    const problems: string[] = [];
+    const openAnother = async (query = '') => {
+      const another = await context.newPage();
+      collectProblems(another, server.url, problems);
+      if (options.before) await another.addInitScript(options.before);
+      await another.goto(server.url + query);
+      return another;
+    };
+    const page = await openAnother(options.query);
+    await body({ page, url: server.url, problems, openAnother });
     const unexpected = problems.filter((problem) => !options.expected?.test(problem));
     if (unexpected.length > 0) throw new Error(`The page complained:\n${unexpected.join('\n')}`);
   } finally {
@@ -85,8 +92,7 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
 }
 
 /** "The only thing ever requested is what the address names": a request to anywhere else is a problem too. */
-function collectProblems(page: Page, home: string): string[] {
-  const problems: string[] = [];
+function collectProblems(page: Page, home: string, problems: string[]): void {
   page.on('console', (message) => {
     if (message.type() === 'error') problems.push(`console: ${message.text()} (${message.location().url})`);
   });
@@ -104,7 +110,6 @@ function collectProblems(page: Page, home: string): string[] {
       problems.push(`request to elsewhere: ${request.url()}`);
     }
   });
-  return problems;
 }
 
 export interface DroppedFile {

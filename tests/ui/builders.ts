@@ -6,6 +6,7 @@ import type { Channel, ChannelClip } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import type { KeptOffer } from '../../src/ui/kept-offer.ts';
 import { Messages } from '../../src/ui/messages.ts';
 import { observable } from '../../src/ui/observable.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
@@ -90,6 +91,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     messages: new Messages(),
     loading: observable<Loading | undefined>(undefined),
     dialog: observable<DialogName | undefined>(undefined),
+    kept: observable<KeptOffer | undefined>(undefined),
     files: {
       open: () => {},
       openSample: () => {},

@@ -1,5 +1,6 @@
-import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { setDofs } from '../../src/edit/commands/pose.ts';
+import { dofState } from '../../src/ui/inspector/dof-mark.ts';
 import { startPlayer } from '../../src/ui/player.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from './builders.ts';
 
@@ -54,16 +55,53 @@ it('does not jump over a pause, or over an hour in the background', () => {
   expect(wb.transport.get().timeSeconds).toBe(1);
 });
 
-it('drops values set by hand and not keyed when time moves, without an undo step', () => {
+describe('values set by hand and not keyed', () => {
   const legs = skeleton(['hips', -1]);
-  const driven = clip([0, 1], channel(0), channel(0), channel(0), channel(0));
-  const { wb } = workbench(documentOf(character({ skeleton: legs, clips: [driven] })), { range: [0, 1] });
-  startPlayer(wb, new AbortController().signal);
-  wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 1 }], timeSeconds: 0 });
-  expect(wb.store.document.characters[0].unkeyed).toEqual({ timeSeconds: 0, dofs: [3], values: [1] });
-  wb.transport.update((p) => ({ ...p, timeSeconds: 0.5 }));
-  expect(wb.store.document.characters[0].unkeyed).toBeUndefined();
-  expect(wb.store.undoLabel).toBe('Set rx of hips');
+  const driven = clip([0, 1], channel(0), channel(0), channel(0), channel(0), channel(0));
+  const unkeyed = { timeSeconds: 0, dofs: [3], values: [1] };
+  const setAt = (timeSeconds = 0) => {
+    const { wb } = workbench(documentOf(character({ skeleton: legs, clips: [driven] })), {
+      range: [0, 1],
+      timeSeconds,
+    });
+    startPlayer(wb, new AbortController().signal);
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 3, value: 1 }], timeSeconds });
+    const now = () => wb.store.document.characters[0].unkeyed;
+    const seek = (to: number) => wb.transport.update((p) => ({ ...p, timeSeconds: to }));
+    return { wb, now, seek };
+  };
+
+  it('go when time moves, and that is said', () => {
+    const { wb, now, seek } = setAt();
+    expect(now()).toEqual(unkeyed);
+    seek(0.5);
+    expect(now()).toBeUndefined();
+    expect(wb.messages.passing.get()).toBe(
+      'A value set by hand was not keyed and is gone: Ctrl+Z brings it back, K keeps such values.',
+    );
+  });
+
+  it('come back with undo, at their moment', () => {
+    const { wb, now, seek } = setAt();
+    seek(0.5);
+    expect(wb.store.undoLabel).toBe('Drop 1 unkeyed value');
+    wb.transport.update((p) => ({ ...p, playing: true }));
+    wb.store.undo();
+    expect(now()).toEqual(unkeyed);
+    expect(wb.transport.get()).toMatchObject({ timeSeconds: 0, playing: false });
+  });
+
+  it('stay, unseen, while something can be redone', () => {
+    const { wb, now, seek } = setAt();
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 2 }], timeSeconds: 0 });
+    wb.store.undo();
+    seek(0.5);
+    expect(now()).toEqual(unkeyed);
+    expect(dofState(wb, wb.store.document.characters[0], 3)).toBe('driven');
+    expect(wb.store.redo()).toBe(true);
+    expect(now()?.dofs).toEqual([3, 4]);
+    expect(wb.transport.get().timeSeconds).toBe(0);
+  });
 });
 
 it('stops with the signal', () => {

@@ -7,6 +7,7 @@
 import { renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, resolve } from 'node:path';
 import { type Format, formatOf, READABLE_EXTENSIONS } from '../../formats/registry.ts';
+import { writeFile } from '../../formats/write.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import { parseArguments, UsageError } from '../arguments.ts';
@@ -35,7 +36,7 @@ export const convert: Command = {
     if (!hasErrors(diagnostics)) {
       const picked = pick(files, format, name);
       if ('content' in picked) {
-        const written = format.write(picked.content, name);
+        const written = writeFile(picked.content, name);
         diagnostics.push(...(written?.diagnostics ?? []));
         const failure = written ? replaceFile(resolve(io.folder, out), written.text) : 'there is no writer for it';
         if (failure === undefined) bytes = Buffer.byteLength(written?.text ?? '');

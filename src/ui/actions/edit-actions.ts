@@ -4,6 +4,7 @@ import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { DEFAULT_PLACEMENT, findCharacter } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
+import { autoKey } from '../pose-edits.ts';
 import type { Workbench } from '../workbench.ts';
 import { type Action, currentCharacter } from './action.ts';
 
@@ -159,7 +160,7 @@ function reset(wb: Workbench, to: 'file' | 'zero'): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const { timeSeconds } = wb.transport.get();
-  wb.store.apply(resetPose, { characterId: character.id, to, timeSeconds });
+  wb.store.apply(resetPose, { characterId: character.id, to, timeSeconds, key: autoKey(wb) });
 }
 
 /** Goes from the selected joint to another; the root first. A step of −1 or none stays. */

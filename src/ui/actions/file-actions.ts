@@ -48,12 +48,39 @@ export const FILE_ACTIONS: readonly Action[] = [
     run: (wb) => wb.files.openFolder(),
   },
   {
-    id: 'save.list',
-    label: 'Save…',
+    id: 'file.reload',
+    label: 'Reload from disk',
+    detail: 'Reads those files of the character again that changed.',
+    group: 'Files',
+    menu: 'Open',
+    section: 1,
+    // Ctrl+R is the browser's own, and stays so.
+    shortcuts: ['Alt+R'],
+    enabled(wb) {
+      const character = currentCharacter(wb);
+      return character !== undefined && wb.files.canReload(character.id);
+    },
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (character) wb.files.reload(character.id);
+    },
+  },
+  {
+    id: 'save.changed',
+    label: 'Save changes',
     group: 'Files',
     menu: 'Save',
     shortcuts: ['Ctrl+S'],
     icon: 'save',
+    enabled: hasCharacters,
+    run: (wb) => wb.files.saveChanged(),
+  },
+  {
+    id: 'save.list',
+    label: 'Save as…',
+    group: 'Files',
+    menu: 'Save',
+    shortcuts: ['Ctrl+Shift+S'],
     enabled: hasCharacters,
     run: (wb) => wb.dialog.set('save'),
   },

@@ -1,8 +1,8 @@
-/** The character as a whole: its name, its limits, its place in space and time. */
+/** The character as a whole: its name, its take, its limits, its place in space and time. */
 import type { GUI } from 'lil-gui';
 import { placeCharacter, removeCopy, renameCharacter, setTimeOffset } from '../../edit/commands/characters.ts';
 import { setClamping } from '../../edit/commands/pose.ts';
-import { type Character, DEFAULT_PLACEMENT, findCharacter, type Placement } from '../../model/document.ts';
+import { type Character, DEFAULT_PLACEMENT, findCharacter, type Placement, shownClip } from '../../model/document.ts';
 import { runAction } from '../actions.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
 import { button, element } from '../dom.ts';
@@ -10,6 +10,7 @@ import type { HandEdit } from '../hand-edit.ts';
 import type { Workbench } from '../workbench.ts';
 import { reachOf } from './dof-rows.ts';
 import { emptyFolder, Slider } from './slider.ts';
+import { addTakeRows, askForTakeName } from './take-rows.ts';
 
 type Axis = 0 | 1 | 2;
 const AXES: readonly Axis[] = [0, 1, 2];
@@ -31,6 +32,7 @@ export class CharacterFolder {
       button('Show once more beside it', { class: 'plain' }, 'Add copy', () => runAction(wb, 'character.copy')),
       button('Remove this copy', { class: 'plain remove-copy' }, 'Remove copy', () => this.removeShownCopy()),
     );
+    wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, folder));
   }
 
   /** Rows anew. */
@@ -46,6 +48,7 @@ export class CharacterFolder {
     if (!character) return;
     this.copy = Math.min(this.copy, character.placements.length - 1);
     this.addName(character);
+    this.addTake(character);
     this.addLimits(character);
     this.addTimeOffset(character);
     this.addPlacement(character);
@@ -81,6 +84,14 @@ export class CharacterFolder {
       binding.name = this.character?.name ?? '';
       row.updateDisplay();
     });
+  }
+
+  private addTake(character: Character): void {
+    const take = shownClip(character);
+    if (!take) return;
+    const { line, update } = addTakeRows(this.wb, this.folder, character, take);
+    this.lines.push(line);
+    this.rows.push(update);
   }
 
   private addLimits(character: Character): void {

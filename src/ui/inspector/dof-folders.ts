@@ -3,7 +3,8 @@ import type { GUI } from 'lil-gui';
 import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, ROOT_TRANSLATION } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/skeleton.ts';
-import { element } from '../dom.ts';
+import { element, setText } from '../dom.ts';
+import { keyNameOf } from '../unkeyed-values.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 import { emptyFolder } from './slider.ts';
 
@@ -63,10 +64,17 @@ export class DofFolders {
     this.all.$children.append(this.end);
   }
 
+  /** Says at the foot what will go when time moves. */
   showUnkeyed(character: Character | undefined): void {
-    const count = character?.unkeyed?.dofs.length ?? 0;
+    const { unkeyed } = character ?? {};
+    const { timeSeconds } = this.context.wb.transport.get();
+    const count = unkeyed?.timeSeconds === timeSeconds ? unkeyed.dofs.length : 0;
     this.note.hidden = count === 0;
-    if (count) this.note.textContent = count === 1 ? ONE_UNKEYED : `${count} values are ${UNKEYED}`;
+    if (!count) return;
+    const key = keyNameOf(this.context.wb.settings.get(), 'key.pose');
+    const [what, goes] = count === 1 ? ['One value is', 'It goes'] : [`${count} values are`, 'They go'];
+    const text = `${what} set by hand and not keyed. ${goes} when time moves${key ? `; ${key} keys the pose` : ''}.`;
+    setText(this.note, text);
   }
 
   private fillJoint(character: Character, dofs: readonly CharacterDof[], index: number | undefined): void {
@@ -107,6 +115,3 @@ export class DofFolders {
     if (listed.next < dofs.length) this.all.$children.append(this.end);
   }
 }
-
-const UNKEYED = 'set by hand and not keyed: they go when time moves.';
-const ONE_UNKEYED = 'One value is set by hand and not keyed: it goes when time moves.';

@@ -1,4 +1,4 @@
-/** A slider for a DOF: its span, its unit, its limits, and whether a channel or a hand drives it just now. */
+/** A slider for a DOF: its span, its unit, its limits, and whether keys or a hand drive it just now. */
 import type { GUI } from 'lil-gui';
 import { setDofs } from '../../edit/commands/pose.ts';
 import { isDriven } from '../../evaluate/pose.ts';
@@ -8,10 +8,12 @@ import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
 import { element } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
-import { icon } from '../icons.ts';
 import { shown } from '../number-text.ts';
+import { autoKey } from '../pose-edits.ts';
 import type { Settings } from '../settings.ts';
 import type { Workbench } from '../workbench.ts';
+import { DofMark } from './dof-mark.ts';
+import { openDofMenu } from './dof-menu.ts';
 import type { LiveRows } from './live-rows.ts';
 import { Slider, type SliderOptions } from './slider.ts';
 
@@ -34,9 +36,13 @@ export function addDofRow(
   const factor = shownPerUnit(dof.unit, angles);
   const slider = new Slider(folder, dof.name, 0, sliderOptions(dof, character, angles));
   const { id } = character;
-  const mark = element('span', { class: 'mark' });
+  const mark = new DofMark(wb, slider.domElement, id, index);
   const name = element('span', { class: `dof-name ${axisClass(dof)}` }, shortName(dof, character));
-  slider.$name.replaceChildren(mark, ...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []), name);
+  slider.$name.replaceChildren(
+    mark.element,
+    ...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []),
+    name,
+  );
   slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${limitText(dof, character, angles)}`;
   slider.domElement.classList.add('dof');
 
@@ -45,35 +51,31 @@ export function addDofRow(
     if (!now) return;
     const dofs = wb.viewport.character(id)?.dofs ?? now.pose;
     slider.showValue(withoutNoise((dofs[index] ?? 0) * factor));
-    showDriver(slider.domElement, mark, now, index);
+    mark.show(now);
   };
   slider.onChange((value: number) => {
     const now = findCharacter(wb.store.document, id);
     // A playing clip would take the value back at the next frame.
-    if (now && isDriven(now, index)) wb.transport.update((p) => (p.playing ? { ...p, playing: false } : p));
+    const key = autoKey(wb);
+    if (now && (key || isDriven(now, index))) wb.transport.update((p) => (p.playing ? { ...p, playing: false } : p));
     const { timeSeconds } = wb.transport.get();
-    edit.preview(setDofs, { characterId: id, dofs: [{ index, value: value / factor }], timeSeconds });
+    edit.preview(setDofs, { characterId: id, dofs: [{ index, value: value / factor }], timeSeconds, key });
     if (edit.cancelled) update();
   });
   slider.onFinishChange(() => {
     edit.commit();
     update();
   });
+  slider.domElement.addEventListener('contextmenu', (event) => {
+    // While a number is typed, the browser's own menu has Paste.
+    const byMouse = event.button === 2;
+    if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
+    event.preventDefault();
+    openDofMenu(wb, slider, id, index, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
+  });
   live.add(slider.domElement, update);
   return slider;
 }
-
-/** A diamond: a channel drives it. A dot: set by hand, goes when time moves. */
-function showDriver(row: HTMLElement, mark: HTMLElement, character: Character, index: number): void {
-  const unkeyed = character.unkeyed?.dofs.includes(index) ?? false;
-  const state = unkeyed ? 'unkeyed' : isDriven(character, index) ? 'driven' : 'free';
-  if (row.dataset.driver === state) return;
-  row.dataset.driver = state;
-  mark.title = TITLES[state];
-  mark.replaceChildren(...(state === 'unkeyed' ? [icon('dot')] : []));
-}
-
-const TITLES = { unkeyed: 'Set by hand, not keyed: goes when time moves', driven: 'Driven by the take', free: '' };
 
 /**
  * The slider spans the limits where there are any and they hold; with the limits switched off, it spans the full turn

@@ -1,4 +1,7 @@
-/** The panel below the transport: curve editor and dope sheet as tabs, with the edge that sets its height. */
+/**
+ * The panel below the transport: curve editor and dope sheet as tabs, with the edge that sets its height. The tabs are
+ * scripts of their own: the page shows its character without waiting for them.
+ */
 import { button, element, keepsFocusElsewhere } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { isPanelOpen, NARROW } from '../panels.ts';
@@ -8,28 +11,58 @@ import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from './timelin
 
 const LABELS: Readonly<Record<TimelineTabName, string>> = { curves: 'Curves', dope: 'Dope sheet' };
 
-/** @param tabs each is built once and stays, hidden or not */
-export function timelinePanel(wb: Workbench, tabs: Readonly<Record<TimelineTabName, TimelineTab>>): HTMLElement {
+/**
+ * @param load fetches and builds a tab; called once, when it is looked at first, and not before the page has nothing
+ *   else to do: the first picture is the character's
+ */
+export function timelinePanel(
+  wb: Workbench,
+  load: (name: TimelineTabName) => Promise<TimelineTab>,
+  signal: AbortSignal,
+): HTMLElement {
   const { timeline } = wb;
-  const titles = TIMELINE_TABS.map((name) => {
+  const places = TIMELINE_TABS.map((name) => {
     const title = keepsFocusElsewhere(
       button(LABELS[name], { role: 'tab', class: 'timeline-tab', id: `timeline-tab-${name}` }, LABELS[name], () =>
         timeline.change({ tab: name }),
       ),
     );
-    const { element: body } = tabs[name];
-    body.setAttribute('role', 'tabpanel');
-    body.setAttribute('aria-labelledby', title.id);
-    return { name, title, body };
+    const tools = element('div', { class: 'timeline-tools' });
+    const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id });
+    return { name, title, tools, body };
   });
+  const built = new Map<TimelineTabName, TimelineTab>();
+  const build = async (name: TimelineTabName) => {
+    const place = places.find((p) => p.name === name);
+    try {
+      const tab = await load(name);
+      if (signal.aborted) return;
+      built.set(name, tab);
+      if (tab.tools) place?.tools.append(tab.tools);
+      place?.body.replaceChildren(tab.element);
+      show();
+    } catch (error) {
+      const why = error instanceof Error ? error.message : String(error);
+      wb.messages.note(
+        `The ${LABELS[name].toLowerCase()} could not be loaded; a reload of the page may help. ${why}`,
+        'error',
+      );
+    }
+  };
+  const asked = new Set<TimelineTabName>();
+  const need = (name: TimelineTabName) => {
+    if (asked.has(name)) return;
+    asked.add(name);
+    whenIdle(() => build(name));
+  };
   const list = element('div', { role: 'tablist', class: 'timeline-tabs', 'aria-label': 'Timeline' });
-  list.append(...titles.map((t) => t.title));
+  list.append(...places.map((p) => p.title));
   list.addEventListener('keydown', (event) => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
     event.preventDefault();
     const other = TIMELINE_TABS[(TIMELINE_TABS.indexOf(timeline.view.get().tab) + 1) % TIMELINE_TABS.length];
     timeline.change({ tab: other });
-    titles.find((t) => t.name === other)?.title.focus();
+    places.find((p) => p.name === other)?.title.focus();
   });
   const fold = keepsFocusElsewhere(
     button('Fold the timeline', { class: 'tool timeline-fold' }, icon('close'), () =>
@@ -40,21 +73,22 @@ export function timelinePanel(wb: Workbench, tabs: Readonly<Record<TimelineTabNa
     'section',
     { class: 'timeline', 'aria-label': 'Timeline', 'data-panel': 'timeline' },
     splitter(wb, 'timelineHeight', 'Height of the timeline'),
-    element('div', { class: 'timeline-head' }, list, fold),
-    ...titles.map((t) => t.body),
+    element('div', { class: 'timeline-head' }, list, ...places.map((p) => p.tools), fold),
+    ...places.map((p) => p.body),
   );
 
   const show = () => {
     const { tab } = timeline.view.get();
     const open = isPanelOpen(wb.settings.get(), 'timeline');
     panel.hidden = !open;
-    timeline.tab = open ? tabs[tab] : undefined;
-    for (const { name, title, body } of titles) {
+    if (open) need(tab);
+    timeline.tab = open ? built.get(tab) : undefined;
+    for (const { name, title, tools, body } of places) {
       const chosen = name === tab;
       title.setAttribute('aria-selected', String(chosen));
       title.tabIndex = chosen ? 0 : -1;
-      body.hidden = !chosen;
-      tabs[name].setVisible(open && chosen);
+      body.hidden = tools.hidden = !chosen;
+      built.get(name)?.setVisible(open && chosen);
     }
   };
   timeline.view.subscribe((now, before) => {
@@ -63,7 +97,16 @@ export function timelinePanel(wb: Workbench, tabs: Readonly<Record<TimelineTabNa
   wb.settings.subscribe((now, before) => {
     if (now.panels !== before.panels) show();
   });
-  window.matchMedia(NARROW).addEventListener('change', show);
+  window.matchMedia(NARROW).addEventListener('change', show, { signal });
   show();
   return panel;
+}
+
+/** Longest that a busy page makes it wait. */
+const PATIENCE_MS = 2000;
+
+function whenIdle(run: () => void): void {
+  // Safari has no such callback.
+  if ('requestIdleCallback' in window) window.requestIdleCallback(run, { timeout: PATIENCE_MS });
+  else setTimeout(run);
 }

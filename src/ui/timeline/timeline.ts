@@ -3,6 +3,7 @@
  * same stretch of time, the same channels and the same selected keys. The document knows nothing of it; the session
  * that is kept in the browser does, so it is plain data.
  */
+import type { CopiedKeys } from '../../edit/keys/clipboard.ts';
 import { type Observable, observable } from '../observable.ts';
 import type { TimeWindow } from '../time-window.ts';
 
@@ -37,8 +38,17 @@ export interface TimelineView {
   /** What a key does where another is already. */
   readonly onCollision: 'replace' | 'step';
   readonly handles: HandleMode;
-  /** Joints whose rows are folded out in the dope sheet. */
+  /** A frame around the selected keys, whose edges scale them. */
+  readonly scaleFrame: boolean;
+  /**
+   * What is folded out in the dope sheet: joints by their index, −1 for the root's translation, −2 for the morphs, −3
+   * for channels past the character's DOFs.
+   */
   readonly unfolded: readonly number[];
+  /** The dope sheet lists what has no key too. */
+  readonly allRows: boolean;
+  /** Keys dragged in the dope sheet take all later keys of their channels along. */
+  readonly ripples: boolean;
 }
 
 export const DEFAULT_TIMELINE_VIEW: TimelineView = {
@@ -53,16 +63,25 @@ export const DEFAULT_TIMELINE_VIEW: TimelineView = {
   snapsToValues: false,
   onCollision: 'replace',
   handles: 'auto',
+  scaleFrame: false,
   unfolded: [],
+  allRows: false,
+  ripples: false,
 };
 
 /** A tab as the panel around it sees it. */
 export interface TimelineTab {
   readonly element: HTMLElement;
+  /** Its buttons, for the row of the tabs. */
+  readonly tools?: HTMLElement;
   /** Told when it comes into view or leaves it: what can't be seen draws nothing. */
   setVisible(visible: boolean): void;
   fitAll(): void;
   fitSelected(): void;
+  /** Zooms about the middle of what is selected or the playhead; factors above 1 show more. */
+  zoom?(timeFactor: number, valueFactor: number): void;
+  /** Moves on by parts of what is shown: to later times, to larger values. */
+  pan?(timePart: number, valuePart: number): void;
   /** Another theme: colours are read anew. */
   recolour(): void;
 }
@@ -71,6 +90,10 @@ export class Timeline {
   readonly view: Observable<TimelineView> = observable(DEFAULT_TIMELINE_VIEW);
   /** Keys follow every DOF that is changed by hand. Not remembered: found on by surprise, it would be a trap. */
   readonly autoKey: Observable<boolean> = observable(false);
+  /** Counts how often someone asked to rename the take: the field for it is in the inspector. */
+  readonly takeRenameAsked: Observable<number> = observable(0);
+  /** Keys that were copied or cut, until others are. */
+  copied: CopiedKeys | undefined;
   /** The tab in view; none while the panel is folded. */
   tab: TimelineTab | undefined;
 

@@ -1,0 +1,316 @@
+/**
+ * Keeps the page's work in the browser, and offers what an earlier page left behind.
+ *
+ * Each page has a session of its own, under an id that is drawn at its start, and holds that session's lock for as long
+ * as it lives: two pages never write the same records, and a session that nobody holds is one whose page is gone.
+ * Nothing is kept of what the page showed by itself, for it will do so again. Where the browser has no store, or no room
+ * left in it, that is said once, and everything else goes on.
+ */
+import type { Playback } from '../../edit/playback.ts';
+import type { Store } from '../../edit/store.ts';
+import type { SessionLocks } from '../../io/session-locks.ts';
+import type { SessionStore } from '../../io/session-store.ts';
+import type { Document } from '../../model/document.ts';
+import type { KeptOffer } from '../../ui/kept-offer.ts';
+import type { Messages } from '../../ui/messages.ts';
+import type { Observable } from '../../ui/observable.ts';
+import type { Timeline } from '../../ui/timeline/timeline.ts';
+import type { Loading, Stage } from '../../ui/workbench.ts';
+import type { WorkerClient } from '../../worker/client.ts';
+import type { Opener } from '../opening.ts';
+import { isFull, Keeper } from './keeper.ts';
+import { KeptOffers } from './offers.ts';
+import { Origins } from './origins.ts';
+import { putBack } from './put-back.ts';
+import { type ReadSession, readSession } from './restore.ts';
+import { Rhythm } from './rhythm.ts';
+import { isSameState, type SessionState } from './session-state.ts';
+
+export interface AutosaveParts {
+  readonly store: Store;
+  readonly transport: Observable<Playback>;
+  readonly timeline: Timeline;
+  readonly viewport: Pick<Stage, 'cameraView'>;
+  readonly messages: Messages;
+  readonly loading: Observable<Loading | undefined>;
+  readonly kept: Observable<KeptOffer | undefined>;
+  readonly opener: Pick<Opener, 'subscribe' | 'inTurn'>;
+  readonly worker: Pick<WorkerClient, 'run'>;
+  readonly saving: SavingMarks;
+  /** Undefined where the browser has none. */
+  readonly sessions: SessionStore | undefined;
+  readonly locks: SessionLocks | undefined;
+}
+
+/** What saving knows beside the document, as plain data. */
+export interface SavingMarks {
+  snapshot(): unknown;
+  restore(kept: unknown): void;
+  /** Calls back when there is something else to be kept. */
+  subscribe(listener: () => void): void;
+}
+
+/** As the page tells it, for tests and for whoever looks closely: `<html data-autosave="kept">`. */
+export type AutosaveState = 'nothing' | 'pending' | 'kept' | 'failed';
+
+/** After a failure, the next try waits so long. */
+const RETRY_MS = 30_000;
+
+export class Autosave {
+  private readonly rhythm: Rhythm;
+  private readonly origins = new Origins(Date.now() * 1000);
+  private readonly offers: KeptOffers | undefined;
+  private keeper: Keeper | undefined;
+  /** Held from the first change on. */
+  private lock: Promise<(() => void) | undefined> | undefined;
+  private isHeld = false;
+  private last: SessionState | undefined;
+  private marksChanged = false;
+  /** What the page showed by itself. */
+  private own: Document | undefined;
+  /** The page is about to show something by itself. */
+  private isStarting = false;
+  private hasComplained = false;
+  /** Not before then: the last try failed. */
+  private retryAtMs = 0;
+
+  constructor(
+    private readonly parts: AutosaveParts,
+    private readonly tell: (state: AutosaveState) => void,
+    id: string = newId(),
+  ) {
+    const { store, transport, timeline, opener, saving, sessions, locks, kept } = parts;
+    this.rhythm = new Rhythm(() => void this.save());
+    if (sessions && locks) {
+      this.keeper = new Keeper(id, sessions, this.origins);
+      this.offers = new KeptOffers(sessions, locks, kept, (other) => this.restore(other));
+    }
+    opener.subscribe(({ given, files }) => {
+      this.origins.learn(given, files);
+      this.changed();
+    });
+    store.subscribe((now, before) => {
+      if (now !== before) this.changed();
+    });
+    transport.subscribe((now, before) => {
+      if (!(now.playing && before.playing)) this.changed();
+    });
+    timeline.view.subscribe(() => this.changed());
+    saving.subscribe(() => {
+      this.marksChanged = true;
+      this.changed();
+    });
+    tell('nothing');
+  }
+
+  /** What this brings into the document comes by itself, and will again: it need not be kept. */
+  startsWith(opening: Promise<unknown>): void {
+    this.isStarting = true;
+    const end = () => {
+      this.isStarting = false;
+      this.own = this.parts.store.document;
+    };
+    opening.then(end, end);
+  }
+
+  /** Looks for what earlier pages left behind. */
+  async offer(): Promise<void> {
+    // A store that can't be read can't be written either, which is said when there is something to keep.
+    await this.offers?.find(this.keeper?.id ?? '').catch(() => undefined);
+  }
+
+  /** Something may be another: looked at when it is time. */
+  changed(): void {
+    if (!this.isWorthKeeping && !this.keeper?.isStored) return;
+    if (this.isWorthKeeping) this.offers?.setAside();
+    this.tell('pending');
+    this.rhythm.changed();
+    if (this.isWorthKeeping) void this.hold();
+  }
+
+  /** Someone did something that may have moved the camera. */
+  touched(): void {
+    if (this.isWorthKeeping) this.rhythm.changed();
+  }
+
+  /** A button or a finger goes down, or up. */
+  hand(isDown: boolean): void {
+    this.rhythm.hand(isDown);
+  }
+
+  /** The page may be gone in a moment. */
+  saveAtOnce(): void {
+    const { keeper } = this;
+    const state = this.state();
+    if (!keeper || !this.isHeld || !this.isWorthKeeping || !this.isNew(state)) return;
+    this.rhythm.clear();
+    void this.settle(keeper, state, keeper.saveAtOnce(state, Date.now()));
+  }
+
+  private get isWorthKeeping(): boolean {
+    const { document } = this.parts.store;
+    if (this.isStarting || document === this.own) return false;
+    return document.characters.length > 0 || document.unused.length > 0;
+  }
+
+  private state(): SessionState {
+    const { store, transport, timeline, viewport, saving } = this.parts;
+    return {
+      document: store.document,
+      selection: store.selection,
+      transport: transport.get(),
+      timeline: timeline.view.get(),
+      camera: viewport.cameraView,
+      saving: saving.snapshot(),
+    };
+  }
+
+  private isNew(state: SessionState): boolean {
+    return this.marksChanged || !this.last || !isSameState(this.last, state);
+  }
+
+  private async save(): Promise<void> {
+    const { keeper } = this;
+    if (!keeper) {
+      this.say(NO_STORE);
+      return;
+    }
+    if (!this.isWorthKeeping) {
+      this.last = undefined;
+      // What could not be removed is offered once more, and no worse than that.
+      await keeper.remove().catch(() => undefined);
+      this.tell('nothing');
+      return;
+    }
+    const wait = this.retryAtMs - performance.now();
+    if (wait > 0) {
+      this.rhythm.changedLater(wait);
+      return;
+    }
+    const state = this.state();
+    if (!this.isNew(state)) {
+      this.tell('kept');
+      return;
+    }
+    await this.settle(
+      keeper,
+      state,
+      this.hold().then(() => keeper.save(state, Date.now())),
+    );
+  }
+
+  /** Waits for a save that is under way, and tells how it went. Never rejects. */
+  private async settle(keeper: Keeper, state: SessionState, saving: Promise<void>): Promise<void> {
+    this.marksChanged = false;
+    try {
+      await saving;
+      if (this.keeper !== keeper) return;
+      this.last = state;
+      if (!this.rhythm.isPending) this.tell('kept');
+    } catch (error) {
+      if (this.keeper !== keeper) return;
+      this.marksChanged = true;
+      this.say(isFull(error) ? FULL : NO_STORE);
+      this.retryAtMs = performance.now() + RETRY_MS;
+      this.rhythm.changedLater(RETRY_MS);
+    }
+  }
+
+  private say(sentence: string): void {
+    this.tell('failed');
+    if (!this.hasComplained) this.parts.messages.note(sentence, 'warning');
+    this.hasComplained = true;
+  }
+
+  private hold(): Promise<unknown> {
+    const { locks } = this.parts;
+    const { keeper } = this;
+    if (!locks || !keeper) return Promise.resolve();
+    if (!this.lock) {
+      const lock = locks.hold(keeper.id);
+      this.lock = lock;
+      lock.then(
+        () => {
+          this.isHeld = this.lock === lock;
+        },
+        // Whoever waits for it hears of it, now or with the next try.
+        () => {
+          this.lock = undefined;
+        },
+      );
+    }
+    return this.lock;
+  }
+
+  /** Goes on with another session. */
+  private async restore(id: string): Promise<void> {
+    const { opener, locks, messages } = this.parts;
+    await opener.inTurn(async () => {
+      const lock = await locks?.hold(id, LOCK_PATIENCE_MS).catch(() => undefined);
+      if (!lock) {
+        messages.note('That work is open in another tab or window by now.', 'warning');
+        this.offers?.drop(id);
+        return;
+      }
+      try {
+        await this.takeOver(await this.read(id), lock);
+        this.offers?.close();
+      } catch (error) {
+        lock();
+        this.offers?.show();
+        const reason = error instanceof Error ? error.message : String(error);
+        const wasCancelled = error instanceof DOMException && error.name === 'AbortError';
+        if (wasCancelled) messages.note('Restoring was cancelled; nothing was changed.');
+        else messages.note(`Your work could not be restored, and nothing was changed. ${reason}`, 'error');
+      }
+    });
+  }
+
+  private async read(id: string): Promise<ReadSession> {
+    const { sessions, loading, worker } = this.parts;
+    if (!sessions) throw new Error(NO_STORE);
+    const abort = new AbortController();
+    const cancel = () => abort.abort(new DOMException('Restoring was cancelled.', 'AbortError'));
+    loading.set({ label: 'your work', done: 0, of: 0, cancel });
+    try {
+      return await readSession(id, sessions, worker, this.origins, {
+        signal: abort.signal,
+        onProgress: (p) => loading.set({ label: p.label, done: p.bytesDone, of: p.bytesTotal, cancel }),
+      });
+    } finally {
+      loading.set(undefined);
+    }
+  }
+
+  private async takeOver(session: ReadSession, lock: () => void): Promise<void> {
+    const { keeper: before, lock: lockBefore, isWorthKeeping: wasWork } = this;
+    // Putting it back changes everything: none of that is to be written under the old id.
+    this.keeper = session.keeper();
+    this.lock = Promise.resolve(lock);
+    this.isHeld = true;
+    putBack(session.state, this.parts, wasWork);
+    this.own = undefined;
+    this.last = this.state();
+    this.marksChanged = false;
+    this.rhythm.clear();
+    this.tell('kept');
+    // What was open instead can be had back by undo, and goes on under the session taken over.
+    await before?.remove().catch(() => undefined);
+    (await lockBefore?.catch(() => undefined))?.();
+  }
+}
+
+/** A page that is being closed may hold its lock a little longer. */
+const LOCK_PATIENCE_MS = 1000;
+
+const FULL =
+  'The browser has no room left to keep your work in case of a crash or a reload. Everything else works; ' +
+  'save your files now and then.';
+const NO_STORE =
+  'This browser does not let the page keep your work in case of a crash or a reload. Everything else works; ' +
+  'save your files now and then.';
+
+/** No more than different from all others; `randomUUID` is not there on plain http. */
+function newId(): string {
+  return Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join('-');
+}

@@ -1,0 +1,81 @@
+/** The way back from what was kept to a session: the inverse of `encode.ts`. */
+import type { ParsedFile } from '../../model/files.ts';
+import { type Encoded, isNumbers, NUMBERS_TYPES, type Numbers, type StoredNumbers } from './encode.ts';
+
+/** A session that can't be had back, in a sentence. */
+export class RestoreError extends Error {
+  override readonly name = 'RestoreError';
+}
+
+/** The places in pieces that a tree refers to, each node once. */
+export function storedNumbers(tree: Encoded): readonly StoredNumbers[] {
+  const found = new Set<StoredNumbers>();
+  const seen = new Set<unknown>();
+  const walk = (node: Encoded): void => {
+    if (typeof node !== 'object' || node === null || isNumbers(node) || seen.has(node)) return;
+    seen.add(node);
+    if (node.is === 'numbers') found.add(node);
+    else if (node.is === 'list') node.of.forEach(walk);
+    else if (node.is === 'object') Object.values(node.of).forEach(walk);
+  };
+  walk(tree);
+  return [...found];
+}
+
+/** An array to be filled with what the pieces hold. */
+export function emptyNumbers({ type, bytes }: StoredNumbers): Numbers {
+  const Type = NUMBERS_TYPES[type];
+  return new Type(bytes / Type.BYTES_PER_ELEMENT);
+}
+
+/**
+ * The value that a tree stands for. What was shared is shared again; parts of files are the files' own.
+ * @param files those that `part`s refer to, read again
+ * @param arrays one for each of `storedNumbers`
+ * @throws RestoreError where a file has no such part
+ */
+export function decode(
+  tree: Encoded,
+  files: readonly ParsedFile[],
+  arrays: ReadonlyMap<StoredNumbers, Numbers>,
+): unknown {
+  const values = new Map<object, unknown>();
+  const valueAt = (node: Encoded): unknown => {
+    if (typeof node !== 'object' || node === null || isNumbers(node)) return node;
+    if (values.has(node)) return values.get(node);
+    const value = make(node);
+    values.set(node, value);
+    return value;
+  };
+  const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | Numbers>): unknown => {
+    switch (node.is) {
+      case 'object':
+        return Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)]));
+      case 'list':
+        return node.of.map(valueAt);
+      case 'plain':
+      case 'other':
+        return node.of;
+      case 'part':
+        return partOf(files[node.file], node.path);
+      case 'numbers': {
+        const array = arrays.get(node);
+        if (!array) throw new RestoreError('A part of what was kept is missing.');
+        return array;
+      }
+    }
+  };
+  return valueAt(tree);
+}
+
+function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
+  let value: unknown = file;
+  for (const key of path) {
+    // Own properties only; what they hold is looked at before the next step.
+    if (typeof value !== 'object' || value === null || !Object.hasOwn(value, key)) {
+      throw new RestoreError(`${file.source.name} reads differently than it did.`);
+    }
+    value = (value as Record<string | number, unknown>)[key];
+  }
+  return value;
+}

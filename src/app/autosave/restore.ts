@@ -1,0 +1,112 @@
+/**
+ * Reads a kept session: its files through the worker as when they were opened, its arrays out of their pieces, and puts
+ * together what was there. All of it or nothing: the document is not touched here.
+ */
+import { adoptSkinFacts } from '../../evaluate/bounds.ts';
+import { type KeptFile, SessionLostError, type SessionStore } from '../../io/session-store.ts';
+import type { ParsedFile } from '../../model/files.ts';
+import type { WorkerClient } from '../../worker/client.ts';
+import type { Progress } from '../../worker/protocol.ts';
+import { decode, emptyNumbers, RestoreError, storedNumbers } from './decode.ts';
+import type { Numbers, StoredNumbers } from './encode.ts';
+import { Keeper, type SessionHead } from './keeper.ts';
+import { givenOf, type Origins } from './origins.ts';
+import { fill, piecesOf } from './pieces.ts';
+import type { SessionState } from './session-state.ts';
+
+export interface ReadOptions {
+  readonly signal: AbortSignal;
+  onProgress(progress: Progress): void;
+}
+
+/** Files that were opened together, read again. */
+interface Opening {
+  readonly given: readonly KeptFile[];
+  readonly files: readonly ParsedFile[];
+}
+
+export interface ReadSession {
+  readonly state: SessionState;
+  /** Who goes on with the session: it knows what the store holds already. */
+  keeper(): Keeper;
+}
+
+/** Throws a `RestoreError`, or what the store or the worker have to say. */
+export async function readSession(
+  id: string,
+  store: SessionStore,
+  worker: Pick<WorkerClient, 'run'>,
+  origins: Origins,
+  options: ReadOptions,
+): Promise<ReadSession> {
+  const content = await store.read(id);
+  if (!content) throw new RestoreError('It is not there any more.');
+  // Our own record, of the version that its card tells.
+  const head = content.head as SessionHead;
+  const openings = await readOpenings(head, content.files, worker, options);
+  const files = head.files.map(({ given, path }) => {
+    for (const opening of openings) {
+      const file = opening.files.find((f) => f.source.path === path && givenOf(f, opening.given)?.id === given);
+      if (file) return file;
+    }
+    throw new RestoreError(`${path} can't be read any more.`);
+  });
+  const arrays = await readArrays(id, store, head);
+  options.signal.throwIfAborted();
+  const state = decode(head.tree, files, arrays) as SessionState;
+  return {
+    state,
+    keeper: () => {
+      const keeper = new Keeper(id, store, origins);
+      keeper.isStored = true;
+      for (const { given, files: read } of openings) origins.adopt(given, read);
+      for (const file of content.files) keeper.files.adopt(file.id);
+      for (const [place, array] of arrays) keeper.pieces.adopt(array, place);
+      for (const piece of content.pieces) keeper.pieces.adoptWaste(piece);
+      return keeper;
+    },
+  };
+}
+
+async function readOpenings(
+  head: SessionHead,
+  kept: readonly KeptFile[],
+  worker: Pick<WorkerClient, 'run'>,
+  { signal, onProgress }: ReadOptions,
+): Promise<readonly Opening[]> {
+  const needed = new Set(head.files.map((file) => file.given));
+  const together = new Map<number, KeptFile[]>();
+  for (const file of kept) {
+    if (needed.has(file.id)) together.set(file.opening, [...(together.get(file.opening) ?? []), file]);
+  }
+  const openings: Opening[] = [];
+  for (const given of together.values()) {
+    const output = await worker.run('parse', { files: given.map((g) => g.given) }, { signal, onProgress });
+    for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
+    openings.push({ given, files: output.files });
+  }
+  return openings;
+}
+
+async function readArrays(
+  id: string,
+  store: SessionStore,
+  head: SessionHead,
+): Promise<ReadonlyMap<StoredNumbers, Numbers>> {
+  const arrays = new Map(storedNumbers(head.tree).map((place) => [place, emptyNumbers(place)]));
+  const wanted = new Map<number, StoredNumbers[]>();
+  for (const place of arrays.keys()) {
+    for (const piece of piecesOf(place)) wanted.set(piece, [...(wanted.get(piece) ?? []), place]);
+  }
+  try {
+    await store.readPieces(id, [...wanted.keys()], (piece, bytes) => {
+      for (const place of wanted.get(piece) ?? []) {
+        const array = arrays.get(place);
+        if (array) fill(array, place, piece, bytes);
+      }
+    });
+  } catch (error) {
+    throw error instanceof SessionLostError ? new RestoreError(error.message) : error;
+  }
+  return arrays;
+}

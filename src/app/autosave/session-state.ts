@@ -1,0 +1,66 @@
+/**
+ * What is kept of a page's work: all that someone would have to do again. The undo history is not, for it may be many
+ * times the document; display and panels are remembered for all pages together (`ui/settings.ts`).
+ */
+import type { Playback } from '../../edit/playback.ts';
+import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
+import type { Document } from '../../model/document.ts';
+import type { Selection } from '../../model/session.ts';
+import type { TimelineView } from '../../ui/timeline/timeline.ts';
+import type { CameraView } from '../../view/camera.ts';
+
+export interface SessionState {
+  readonly document: Document;
+  readonly selection: Selection;
+  readonly transport: Playback;
+  readonly timeline: TimelineView;
+  readonly camera: CameraView;
+  /** What saving has to know: which parts differ from their files, and where those are. Plain data. */
+  readonly saving?: unknown;
+}
+
+/** Of the records' form and of everything in them: another one is not read. */
+export const SESSION_VERSION = 1;
+
+export function cardOf(id: string, { document }: SessionState, savedAtMs: number): SessionCard {
+  const characters = document.characters.map(
+    ({ name, skeleton, clips }): CardCharacter => ({
+      name,
+      joints: skeleton?.joints.length ?? 0,
+      clips: clips.length,
+    }),
+  );
+  return { id, version: SESSION_VERSION, savedAtMs, characters };
+}
+
+/** Whether nothing is to be kept anew. While something plays, its time alone is nothing; of `saving` others know. */
+export function isSameState(a: SessionState, b: SessionState): boolean {
+  return (
+    a.document === b.document &&
+    a.selection === b.selection &&
+    a.timeline === b.timeline &&
+    sameNumbers(a.camera, b.camera) &&
+    samePlayback(a.transport, b.transport)
+  );
+}
+
+function samePlayback(a: Playback, b: Playback): boolean {
+  return (
+    ((a.timeSeconds === b.timeSeconds && a.turned === b.turned) || (a.playing && b.playing)) &&
+    a.playing === b.playing &&
+    a.range[0] === b.range[0] &&
+    a.range[1] === b.range[1] &&
+    a.loop === b.loop &&
+    a.rate === b.rate &&
+    a.framesPerSecond === b.framesPerSecond
+  );
+}
+
+function sameNumbers(a: CameraView, b: CameraView): boolean {
+  return (
+    a.azimuth === b.azimuth &&
+    a.polar === b.polar &&
+    a.distance === b.distance &&
+    a.target.every((value, axis) => value === b.target[axis])
+  );
+}

@@ -1,0 +1,27 @@
+/** Autosave in a page: what it has to hear of the window, and what the page shows of it. */
+import { Autosave, type AutosaveParts } from './autosave.ts';
+
+export function startAutosave(parts: AutosaveParts, page: Window = window): Autosave {
+  const { documentElement } = page.document;
+  const autosave = new Autosave(parts, (state) => {
+    documentElement.dataset.autosave = state;
+  });
+  const options = { capture: true, passive: true };
+  const up = () => {
+    autosave.hand(false);
+    autosave.touched();
+  };
+  page.addEventListener('pointerdown', () => autosave.hand(true), options);
+  page.addEventListener('pointerup', up, options);
+  page.addEventListener('pointercancel', up, options);
+  // What was dragged as a thing (a row of a list, a file) ends without a pointer.
+  page.addEventListener('dragend', up, options);
+  page.addEventListener('wheel', () => autosave.touched(), options);
+  page.addEventListener('keyup', () => autosave.touched(), options);
+  // The last that a page is certain to hear of, on a phone above all.
+  page.document.addEventListener('visibilitychange', () => {
+    if (page.document.visibilityState === 'hidden') autosave.saveAtOnce();
+  });
+  page.addEventListener('pagehide', () => autosave.saveAtOnce());
+  return autosave;
+}

@@ -1,0 +1,93 @@
+/**
+ * *Reload from disk*: the files of a character that someone changed beside the page are read again and take the place
+ * of their parts, as one step. Where none has changed, what was edited here goes back to what its file has.
+ */
+import type { Store } from '../edit/store.ts';
+import { DiskError, type DiskFile } from '../io/disk-files.ts';
+import type { GivenFile } from '../io/given.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
+import { type Character, findCharacter } from '../model/document.ts';
+import { baseName } from '../model/files.ts';
+import type { Messages } from '../ui/messages.ts';
+import type { DiskHandles } from './disk-handles.ts';
+import type { Opener } from './opening.ts';
+import { partsOf } from './saving.ts';
+import type { Unsaved } from './unsaved.ts';
+
+export interface ReloadParts {
+  readonly store: Store;
+  readonly messages: Pick<Messages, 'note' | 'report'>;
+  readonly opener: Pick<Opener, 'open'>;
+  readonly unsaved: Unsaved;
+  readonly handles: DiskHandles;
+  /** `readAgain` of `io/disk-files.ts`, for this page. */
+  readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
+}
+
+/** Whether a character has files that may be read again. The opening sample has none: it stands for no file. */
+export function canReload({ store, handles }: Pick<ReloadParts, 'store' | 'handles'>, characterId: string): boolean {
+  const character = findCharacter(store.document, characterId);
+  return character !== undefined && !store.document.isOpeningSample && handles.ofCharacter(character).length > 0;
+}
+
+/** Gives all that there is to say, as opening does; never rejects. */
+export async function reload(parts: ReloadParts, characterId: string): Promise<readonly Diagnostic[]> {
+  const { store, messages, opener } = parts;
+  const character = findCharacter(store.document, characterId);
+  if (!character || !canReload(parts, characterId)) {
+    messages.note('There is no file that could be read again.', 'warning');
+    return [];
+  }
+  let names: readonly string[] | undefined;
+  let before = store.document;
+  const failures: Diagnostic[] = [];
+  const diagnostics = await opener.open(
+    async (signal) => {
+      const changed = await changedFiles(parts, character, failures, signal);
+      names = changed.map(({ path }) => baseName(path));
+      before = store.document;
+      return changed;
+    },
+    { reloads: character.id },
+  );
+  if (failures.length) messages.report(failures);
+  else if (names?.length === 0) messages.note('Nothing has changed on disk.');
+  else if (names && store.document !== before && !hasErrors(diagnostics)) {
+    messages.note(`Reloaded ${names.join(', ')}.`);
+  }
+  return [...failures, ...diagnostics];
+}
+
+/** The files to be read again, as they are now; what can't be read is told in `failures`. */
+async function changedFiles(
+  { handles, unsaved, readAgain }: ReloadParts,
+  character: Character,
+  failures: Diagnostic[],
+  signal: AbortSignal,
+): Promise<readonly GivenFile[]> {
+  const files = handles.ofCharacter(character);
+  const read = await Promise.all(
+    files.map(async (file) => {
+      try {
+        return { file, now: await readAgain(file, signal) };
+      } catch (error) {
+        signal.throwIfAborted();
+        const message = error instanceof DiskError ? error.message : String(error);
+        failures.push(withoutPlace('error', 'reload-failed', `Not reloaded. ${message}`, baseName(file.path)));
+        return undefined;
+      }
+    }),
+  );
+  const found = read.filter((r) => r !== undefined);
+  const changed = found.filter(({ file, now }) => now.version === undefined || now.version !== file.version);
+  if (changed.length || failures.length) return changed.map(({ now }) => now);
+  const edited = editedFiles(character, handles, unsaved);
+  return found.filter(({ file }) => edited.has(file)).map(({ now }) => now);
+}
+
+/** The files whose parts were changed here and not saved. */
+function editedFiles(character: Character, handles: DiskHandles, unsaved: Unsaved): ReadonlySet<DiskFile | undefined> {
+  const parts = partsOf(character);
+  const own = unsaved.current().filter(({ characterId }) => characterId === character.id);
+  return new Set(own.map(({ kind, index }) => handles.ofPart(character, parts.filter((p) => p.kind === kind)[index])));
+}

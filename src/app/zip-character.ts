@@ -1,0 +1,19 @@
+/** A character as one zip. A script of its own, with the library that zips: fetched when someone asks for one. */
+import { zipFiles } from '../io/zip-files.ts';
+import type { Character } from '../model/document.ts';
+import type { FileKind } from '../model/files.ts';
+import { saveCharacter } from './saving.ts';
+
+const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+
+/** Everything of a character, its textures too: what opens again as it is. */
+export function zipCharacter(character: Character): { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> } {
+  const texts = KINDS.flatMap((kind) => saveCharacter(character, kind)).map(({ name, text }) => ({
+    name,
+    content: text,
+  }));
+  const textures = character.textures.map(({ name, bytes }) => ({ name, content: bytes }));
+  // A name may be anything; what the file system would take for a folder is no part of it.
+  const folder = character.name.replace(/[/\\:]/g, '_') || 'character';
+  return { name: `${folder}.zip`, bytes: zipFiles(folder, [...texts, ...textures]) };
+}

@@ -1,0 +1,190 @@
+/**
+ * Files on disk, through the File System Access API where the browser has it: picked with a handle, saved in place, read
+ * again. Elsewhere a file input opens, a download saves, and a file that changed has to be given again.
+ *
+ * Whatever goes wrong is a `DiskError`: a sentence that says what to do. Giving up in a dialog is none, but undefined.
+ */
+import { fetchFiles } from './address.ts';
+import { fromFileList, type GivenFile, givenFile, inFolder, inNaturalOrder, versionOf } from './given.ts';
+
+/*
+ * What TypeScript's DOM library leaves out, since not every browser has it: as much as is used here. A drop's items are
+ * asked in `given.ts`.
+ */
+declare global {
+  interface Window {
+    showOpenFilePicker?(options: { readonly multiple: boolean }): Promise<FileSystemFileHandle[]>;
+    showDirectoryPicker?(options: { readonly mode: FileAccess }): Promise<FileSystemDirectoryHandle>;
+    showSaveFilePicker?(options: { readonly suggestedName: string }): Promise<FileSystemFileHandle>;
+  }
+  interface DataTransferItem {
+    getAsFileSystemHandle?(): Promise<FileSystemFileHandle | FileSystemDirectoryHandle | null>;
+  }
+  interface FileSystemHandle {
+    queryPermission?(access: { readonly mode: FileAccess }): Promise<PermissionState>;
+    requestPermission?(access: { readonly mode: FileAccess }): Promise<PermissionState>;
+  }
+}
+
+type FileAccess = 'read' | 'readwrite';
+
+/** Something that a disk, or the browser before it, does not let happen. The sentence leaves the file's name out. */
+export class DiskError extends Error {
+  override readonly name = 'DiskError';
+
+  constructor(
+    message: string,
+    /** The file is not there any more: asking again won't help. */
+    readonly isGone = false,
+  ) {
+    super(message);
+  }
+}
+
+/** Where a file that was opened or saved lies, as far as the browser knows. Plain: can be kept between visits. */
+export interface DiskFile {
+  /** As it was opened: with folders, `/` between them. */
+  readonly path: string;
+  readonly handle?: FileSystemFileHandle;
+  /** As given, where there is no handle: it can be read for as long as it does not change. */
+  readonly file?: File;
+  readonly address?: string;
+  /** Of what is open here; see `GivenFile`. */
+  readonly version?: string;
+}
+
+/** Undefined for content that came from nowhere: a script's, a part of a zip. */
+export function diskFileOf({ path, blob, handle, address, version }: GivenFile): DiskFile | undefined {
+  const known = { path, ...(version !== undefined && { version }) };
+  if (handle) return { ...known, handle };
+  if (address !== undefined) return { ...known, address };
+  return blob instanceof File ? { ...known, file: blob } : undefined;
+}
+
+/** The browser's dialog for opening. Empty where it was given up. */
+export async function pickFiles(): Promise<readonly GivenFile[]> {
+  const handles = await picked(() => window.showOpenFilePicker?.({ multiple: true }));
+  if (handles === 'given up') return [];
+  if (!handles) return pickByInput(false);
+  const files = handles.map(async (handle) => givenFile(handle.name, await handle.getFile(), handle));
+  return inNaturalOrder(await Promise.all(files));
+}
+
+export async function pickFolder(): Promise<readonly GivenFile[]> {
+  const folder = await picked(() => window.showDirectoryPicker?.({ mode: 'read' }));
+  if (folder === 'given up') return [];
+  return folder ? inNaturalOrder(await inFolder(folder)) : pickByInput(true);
+}
+
+/** Whether this browser asks where to save; elsewhere it downloads. */
+export function asksWhereToSave(): boolean {
+  return window.showSaveFilePicker !== undefined;
+}
+
+/** Asks where to save. Throws a `DiskError` where the browser won't open its dialog just now. */
+export async function pickTarget(suggestedName: string): Promise<FileSystemFileHandle | undefined> {
+  try {
+    return await window.showSaveFilePicker?.({ suggestedName });
+  } catch (error) {
+    if (isNamed(error, 'AbortError')) return undefined;
+    // Each dialog wants a click or a key of its own: a second one after a long first is refused.
+    if (isNamed(error, 'SecurityError')) throw new DiskError('Save again to choose where it goes.');
+    throw asDiskError(error);
+  }
+}
+
+/** Writes a file in place; it is only replaced when all of it is written. Gives the version that it is now. */
+export async function writeTo(
+  handle: FileSystemFileHandle,
+  content: string | Uint8Array<ArrayBuffer>,
+): Promise<string> {
+  try {
+    await allow(handle, 'readwrite');
+    const stream = await handle.createWritable();
+    await stream.write(content);
+    await stream.close();
+    return versionOf(await handle.getFile());
+  } catch (error) {
+    throw asDiskError(error);
+  }
+}
+
+/** The version that a file has now; undefined where that can't be found out without asking anyone. */
+export async function versionOnDisk(handle: FileSystemFileHandle): Promise<string | undefined> {
+  try {
+    return versionOf(await handle.getFile());
+  } catch {
+    return undefined;
+  }
+}
+
+/** The file as it is now. Throws a `DiskError`, or a `FetchError` for an address. */
+export async function readAgain(file: DiskFile, page: string, signal?: AbortSignal): Promise<GivenFile> {
+  const { path, handle, address } = file;
+  if (handle) {
+    try {
+      await allow(handle, 'read');
+      return givenFile(path, await handle.getFile(), handle);
+    } catch (error) {
+      throw asDiskError(error);
+    }
+  }
+  if (address !== undefined) {
+    const [again] = await fetchFiles([address], page, signal, 'no-cache');
+    return { ...again, path };
+  }
+  const own = file.file;
+  if (!own) throw new DiskError('Nobody knows where it lies: open it again.');
+  try {
+    await own.slice(0, 1).arrayBuffer();
+  } catch {
+    throw new DiskError('It has changed on disk, and this browser only reads it when it is dropped again.');
+  }
+  return givenFile(path, own);
+}
+
+/** Asks the person where the browser wants that; throws where the answer is no. */
+async function allow(handle: FileSystemFileHandle, mode: FileAccess): Promise<void> {
+  if (((await handle.queryPermission?.({ mode })) ?? 'granted') === 'granted') return;
+  if ((await handle.requestPermission?.({ mode })) === 'granted') return;
+  throw new DOMException('', 'NotAllowedError');
+}
+
+/** Runs a dialog. Undefined where there is none, or where the page may not open it (in a frame of another page). */
+async function picked<T>(ask: () => Promise<T> | undefined): Promise<T | 'given up' | undefined> {
+  try {
+    return await ask();
+  } catch (error) {
+    return isNamed(error, 'AbortError') ? 'given up' : undefined;
+  }
+}
+
+function pickByInput(folder: boolean): Promise<readonly GivenFile[]> {
+  const input = document.createElement('input');
+  input.type = 'file';
+  input.multiple = true;
+  input.webkitdirectory = folder;
+  return new Promise((resolve) => {
+    input.addEventListener('change', () => resolve(fromFileList(input.files ?? [])));
+    input.addEventListener('cancel', () => resolve([]));
+    input.click();
+  });
+}
+
+function asDiskError(error: unknown): DiskError {
+  return error instanceof DiskError ? error : new DiskError(sentence(error), isNamed(error, 'NotFoundError'));
+}
+
+/** https://fs.spec.whatwg.org/ and https://wicg.github.io/file-system-access/ name these. */
+function sentence(error: unknown): string {
+  if (isNamed(error, 'NotFoundError')) return 'It is not where it was: moved, renamed or deleted.';
+  if (isNamed(error, 'NotAllowedError') || isNamed(error, 'SecurityError')) return 'The browser was not allowed to.';
+  if (isNamed(error, 'NoModificationAllowedError')) return 'Another program, or another tab, is writing it just now.';
+  if (isNamed(error, 'QuotaExceededError')) return 'There is no room left for it.';
+  if (isNamed(error, 'NotReadableError')) return 'The system does not let it be read.';
+  return error instanceof Error ? error.message : String(error);
+}
+
+function isNamed(error: unknown, name: string): boolean {
+  return error instanceof Error && error.name === name;
+}

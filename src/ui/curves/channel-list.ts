@@ -1,0 +1,339 @@
+/**
+ * The list of channels beside the plot. Only the rows in view exist, so that ten thousand channels cost what twenty do.
+ *
+ * For the keyboard it is one grid with one tab stop: arrows go from row to row and from control to control, Enter or
+ * Space does what a click does. The focus stays on the grid, which names the control that is meant
+ * (aria-activedescendant): rows that scroll away can't take it with them.
+ */
+import { allKeys, unionKeys } from '../../edit/keys/selection.ts';
+import { EXTRAPOLATION_LABELS, extrapolationIcon } from '../actions/key-actions.ts';
+import { LIST_LABELS } from '../actions/timeline-actions.ts';
+import { element, setAttribute, setText, uniqueId } from '../dom.ts';
+import { oncePerFrame } from '../frame.ts';
+import { icon } from '../icons.ts';
+import { isMac } from '../keys.ts';
+import { openMenu } from '../menu.ts';
+import { plural } from '../number-text.ts';
+import { channelName, type ListedChannel } from '../timeline/channels.ts';
+import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../timeline/timeline.ts';
+import type { Workbench } from '../workbench.ts';
+import { cssColour } from './colours.ts';
+import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.ts';
+import { isolatedAfter } from './isolating.ts';
+import type { CurveLine } from './scene.ts';
+
+const ROW_PIXELS = 22;
+/** Rows beyond the edges, so that a quick turn of the wheel doesn't show gaps. */
+const SPARE_ROWS = 4;
+/** The controls of a row, left to right. */
+const CELLS = ['eye', 'name', 'in', 'out', 'pin'] as const;
+type Cell = (typeof CELLS)[number];
+
+interface Row {
+  readonly element: HTMLElement;
+  readonly cells: Readonly<Record<Cell, HTMLElement>>;
+  readonly swatch: HTMLElement;
+  readonly joint: HTMLElement;
+  readonly dof: HTMLElement;
+}
+
+/** What the plot knows of the channels. */
+export interface ListSource {
+  readonly channels: readonly ListedChannel[];
+  line(channel: number): CurveLine | undefined;
+}
+
+export class ChannelList {
+  readonly element: HTMLElement;
+  private readonly choice = element('select', { class: 'channel-choice', 'aria-label': 'Which channels are listed' });
+  private readonly filter = element('input', {
+    type: 'search',
+    class: 'channel-filter',
+    placeholder: 'Filter',
+    'aria-label': 'Filter channels by name',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  private readonly space = element('div', { class: 'channel-space' });
+  private readonly empty = element('p', { class: 'empty' });
+  private readonly grid = element(
+    'div',
+    { class: 'channel-rows', role: 'grid', tabindex: 0, 'aria-label': 'Channels' },
+    this.space,
+  );
+  private readonly rows: Row[] = [];
+  private readonly id = uniqueId('channel');
+  private channels: readonly ListedChannel[] = [];
+  private first = 0;
+  private active = 0;
+  private activeCell: Cell = 'name';
+  /** Where Shift and a click count from. */
+  private anchor = 0;
+  private visible = false;
+  readonly showSoon = oncePerFrame(() => this.show());
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly source: ListSource,
+  ) {
+    this.choice.append(...CHANNEL_LISTS.map((list) => element('option', { value: list }, LIST_LABELS[list])));
+    this.element = element(
+      'div',
+      { class: 'channel-list' },
+      element('div', { class: 'channel-head' }, this.choice, this.filter),
+      this.empty,
+      this.grid,
+    );
+    this.choice.addEventListener('change', () => {
+      const list = CHANNEL_LISTS.find((l) => l === this.choice.value);
+      if (list) this.wb.timeline.change({ list: list satisfies ListChoice });
+    });
+    this.filter.addEventListener('input', () => wb.timeline.change({ filter: this.filter.value }));
+    this.filter.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape' && this.filter.value) wb.timeline.change({ filter: '' });
+      else if (event.key === 'ArrowDown' || event.key === 'Enter') this.grid.focus();
+      else return;
+      event.preventDefault();
+    });
+    this.grid.addEventListener('scroll', this.showSoon);
+    this.grid.addEventListener('keydown', (event) => this.onKey(event));
+    this.grid.addEventListener('click', (event) => this.onClick(event));
+    this.grid.addEventListener('dblclick', (event) => this.onDoubleClick(event));
+    this.grid.addEventListener('contextmenu', (event) => this.onMenu(event));
+    new ResizeObserver(this.showSoon).observe(this.grid);
+    wb.store.subscribe((now, before) => {
+      if (now.document !== before.document || now.selection !== before.selection) this.showSoon();
+    });
+    wb.timeline.view.subscribe(this.showSoon);
+  }
+
+  setVisible(visible: boolean): void {
+    this.visible = visible;
+    if (visible) this.showSoon();
+  }
+
+  private show(): void {
+    if (!this.visible) return;
+    const { wb, grid } = this;
+    const view = wb.timeline.view.get();
+    this.channels = this.source.channels;
+    if (this.choice.value !== view.list) this.choice.value = view.list;
+    if (this.filter.value !== view.filter) this.filter.value = view.filter;
+    const count = this.channels.length;
+    this.empty.hidden = count > 0;
+    grid.hidden = count === 0;
+    setText(this.empty, emptyText(wb, view.list, view.filter));
+    setAttribute(grid, 'aria-rowcount', String(count));
+    this.space.style.height = `${count * ROW_PIXELS}px`;
+    this.active = Math.max(0, Math.min(this.active, count - 1));
+    this.first = Math.max(0, Math.floor(grid.scrollTop / ROW_PIXELS) - SPARE_ROWS);
+    const last = Math.min(count, Math.ceil((grid.scrollTop + grid.clientHeight) / ROW_PIXELS) + SPARE_ROWS);
+    const needed = Math.max(0, last - this.first);
+    while (this.rows.length < needed) this.rows.push(this.makeRow(this.rows.length));
+    const state: ListState = {
+      hidden: new Set(view.hidden),
+      isolated: view.isolated && new Set(view.isolated),
+      pinned: new Set(view.pinned),
+      selected: new Set(keysInHand(wb).map((k) => k.channel)),
+    };
+    for (const [i, row] of this.rows.entries()) {
+      row.element.hidden = i >= needed;
+      if (i < needed) this.fill(row, this.first + i, state);
+    }
+    setAttribute(grid, 'aria-activedescendant', count ? this.cellId(this.active, this.activeCell) : undefined);
+  }
+
+  private cellId(index: number, cell: Cell): string {
+    return `${this.id}-${index - this.first}-${cell}`;
+  }
+
+  private makeRow(place: number): Row {
+    const swatch = element('span', { class: 'channel-swatch' });
+    const joint = element('span', { class: 'channel-joint' });
+    const dof = element('span', { class: 'channel-dof' });
+    const cell = (name: Cell, ...content: (Node | undefined)[]) => {
+      const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
+      made.id = `${this.id}-${place}-${name}`;
+      made.dataset.cell = name;
+      for (const node of content) if (node) made.append(node);
+      // The focus belongs to the grid, and a click on a control leaves it where it was.
+      made.addEventListener('mousedown', (event) => event.preventDefault());
+      return made;
+    };
+    const cells = {
+      eye: cell('eye', icon('eye')),
+      name: cell('name', swatch, joint, dof),
+      in: cell('in'),
+      out: cell('out'),
+      pin: cell('pin', icon('pin')),
+    };
+    const row = element('div', { role: 'row', class: 'channel-row' }, ...CELLS.map((c) => cells[c]));
+    this.space.append(row);
+    return { element: row, cells, swatch, joint, dof };
+  }
+
+  private fill(row: Row, index: number, state: ListState): void {
+    const listed = this.channels[index];
+    const { channel } = listed;
+    const line = this.source.line(channel);
+    const held = takeInHand(this.wb)?.clip.channels[channel];
+    const name = channelName(listed);
+    const keyed = listed.keyCount > 0;
+    const hidden = state.hidden.has(channel);
+    const isolated = state.isolated?.has(channel) ?? false;
+    const { element: target, cells } = row;
+    target.style.transform = `translateY(${index * ROW_PIXELS}px)`;
+    target.dataset.index = String(index);
+    setAttribute(target, 'aria-rowindex', String(index + 1));
+    target.className = 'channel-row';
+    target.classList.toggle('keyless', !keyed);
+    target.classList.toggle('not-drawn', keyed && (state.isolated ? !isolated : hidden));
+    target.classList.toggle('isolated', isolated);
+    target.classList.toggle('selected', state.selected.has(channel));
+    target.classList.toggle('active', index === this.active);
+    setText(row.joint, listed.joint);
+    setText(row.dof, listed.dof);
+    row.swatch.style.background = line && keyed ? cssColour(line.colour) : '';
+    row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
+    describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
+    const keys = keyed ? plural(listed.keyCount, 'key') : 'no keys';
+    describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}`, isolated);
+    const pinned = state.pinned.has(channel);
+    describe(cells.pin, `${pinned ? 'Unpin' : 'Pin'} ${name}`, pinned);
+    for (const side of ['in', 'out'] as const) {
+      const way = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
+      const cell = cells[side];
+      cell.hidden = !keyed;
+      if (!way || cell.dataset.way === way) continue;
+      cell.dataset.way = way;
+      cell.replaceChildren(icon(extrapolationIcon(way)));
+      describe(cell, `${side === 'in' ? 'Before' : 'After'} the keys: ${EXTRAPOLATION_LABELS[way]}`);
+      cell.setAttribute('aria-haspopup', 'menu');
+    }
+    for (const cell of CELLS) {
+      cells[cell].classList.toggle('current', index === this.active && cell === this.activeCell);
+    }
+  }
+
+  private indexAt(event: Event): { readonly index: number; readonly cell: Cell | undefined } | undefined {
+    if (!(event.target instanceof Element)) return undefined;
+    const row = event.target.closest<HTMLElement>('.channel-row');
+    const index = Number(row?.dataset.index ?? Number.NaN);
+    if (!this.channels[index]) return undefined;
+    const name = event.target.closest<HTMLElement>('[data-cell]')?.dataset.cell;
+    return { index, cell: CELLS.find((c) => c === name) };
+  }
+
+  private onClick(event: MouseEvent): void {
+    const at = this.indexAt(event);
+    if (!at?.cell) return;
+    this.active = at.index;
+    this.activeCell = at.cell;
+    const box = event.target instanceof Element ? event.target.getBoundingClientRect() : undefined;
+    this.press(at.index, at.cell, event.shiftKey, isMac ? event.metaKey : event.ctrlKey, box, false);
+  }
+
+  /** What a control does. */
+  private press(
+    index: number,
+    cell: Cell,
+    shift: boolean,
+    ctrl: boolean,
+    box: DOMRect | undefined,
+    byKeyboard: boolean,
+  ) {
+    const { wb } = this;
+    const { channel, keyCount } = this.channels[index];
+    if (cell === 'eye') toggleIn(wb, 'hidden', channel);
+    else if (cell === 'pin') toggleIn(wb, 'pinned', channel);
+    else if (cell === 'name') {
+      if (keyCount === 0) return this.showSoon();
+      const range = shift ? this.between(this.anchor, index) : [channel];
+      if (!shift) this.anchor = index;
+      wb.timeline.isolate(isolatedAfter(wb.timeline.view.get().isolated, range, ctrl));
+    } else if (box) {
+      const label = cell === 'in' ? 'Before the keys' : 'After the keys';
+      openMenu(box, extrapolationEntries(wb, channel, cell), { label, focusFirst: byKeyboard });
+    }
+    this.showSoon();
+  }
+
+  private between(a: number, b: number): number[] {
+    const rows = this.channels.slice(Math.min(a, b), Math.max(a, b) + 1);
+    return rows.filter((c) => c.keyCount > 0).map((c) => c.channel);
+  }
+
+  private onDoubleClick(event: MouseEvent): void {
+    const at = this.indexAt(event);
+    const take = takeInHand(this.wb);
+    if (at?.cell !== 'name' || !take) return;
+    const keys = allKeys(take.clip, [this.channels[at.index].channel]);
+    selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(keysInHand(this.wb), keys) : keys);
+  }
+
+  private onMenu(event: MouseEvent): void {
+    event.preventDefault();
+    const at = this.indexAt(event);
+    const byKeyboard = event.button !== 2;
+    const index = byKeyboard ? this.active : at?.index;
+    if (index === undefined || !this.channels[index]) return;
+    const box = this.rows[index - this.first]?.element.getBoundingClientRect();
+    const where = byKeyboard && box ? { x: box.left + 24, y: box.bottom } : { x: event.clientX, y: event.clientY };
+    this.active = index;
+    openChannelMenu(this.wb, this.channels[index].channel, where, byKeyboard);
+    this.showSoon();
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.altKey || !this.channels.length) return;
+    const ctrl = isMac ? event.metaKey : event.ctrlKey;
+    const page = Math.max(1, Math.floor(this.grid.clientHeight / ROW_PIXELS) - 1);
+    const last = this.channels.length - 1;
+    const steps: Record<string, number> = { ArrowUp: -1, ArrowDown: 1, PageUp: -page, PageDown: page };
+    const step = steps[event.key];
+    const side = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
+    if (event.key === 'Enter' || event.key === ' ') {
+      const box = this.rows[this.active - this.first]?.cells[this.activeCell].getBoundingClientRect();
+      this.press(this.active, this.activeCell, event.shiftKey, ctrl, box, true);
+    } else if (ctrl || event.shiftKey) return;
+    else if (step) this.goTo(this.active + step);
+    else if (event.key === 'Home') this.goTo(0);
+    else if (event.key === 'End') this.goTo(last);
+    else if (side) {
+      const next = CELLS.indexOf(this.activeCell) + side;
+      this.activeCell = CELLS[Math.max(0, Math.min(CELLS.length - 1, next))];
+      this.showSoon();
+    } else return;
+    event.preventDefault();
+  }
+
+  private goTo(index: number): void {
+    this.active = Math.max(0, Math.min(this.channels.length - 1, index));
+    const top = this.active * ROW_PIXELS;
+    const { grid } = this;
+    if (top < grid.scrollTop) grid.scrollTop = top;
+    else if (top + ROW_PIXELS > grid.scrollTop + grid.clientHeight)
+      grid.scrollTop = top + ROW_PIXELS - grid.clientHeight;
+    this.showSoon();
+  }
+}
+
+interface ListState {
+  readonly hidden: ReadonlySet<number>;
+  readonly isolated: ReadonlySet<number> | undefined;
+  readonly pinned: ReadonlySet<number>;
+  readonly selected: ReadonlySet<number>;
+}
+
+function describe(target: HTMLElement, label: string, on = false): void {
+  setAttribute(target, 'aria-label', label);
+  setAttribute(target, 'title', label);
+  target.classList.toggle('on', on);
+}
+
+function emptyText(wb: Workbench, list: ListChoice, filter: string): string {
+  if (filter) return `No channel here is called “${filter}”.`;
+  if (list === 'pinned') return 'Nothing is pinned. The pin at the end of a channel’s row keeps it here.';
+  return wb.store.document.characters.length ? 'This joint has nothing that moves.' : 'Channels will stand here.';
+}

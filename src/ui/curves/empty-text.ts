@@ -1,0 +1,25 @@
+/** What stands in the plot while there is no curve in it: what would make one. */
+import { currentCharacter } from '../actions/action.ts';
+import { shown } from '../number-text.ts';
+import { takeInHand } from '../timeline/in-hand.ts';
+import type { Workbench } from '../workbench.ts';
+
+export function emptyPlotText(wb: Workbench, listed: number): string {
+  const character = currentCharacter(wb);
+  if (!character)
+    return 'Curves will stand here. Drop a character and its animation anywhere on the page, or choose Open.';
+  const take = takeInHand(wb);
+  const at = `${shown(wb.transport.get().timeSeconds, 3)} s`;
+  const keyed = take?.clip.channels.some((c) => c.times.length > 0) ?? false;
+  if (!keyed) {
+    return `${character.name} has no animation. K keys the whole pose at ${at}, Shift+K the selected joint; or drop an .anim file.`;
+  }
+  const { list, hidden, filter } = wb.timeline.view.get();
+  if (!listed) {
+    if (filter.trim()) return `No channel is called “${filter.trim()}”.`;
+    return list === 'pinned' ? 'Nothing is pinned. The pin in a channel’s row keeps it here.' : 'No channel is listed.';
+  }
+  if (hidden.length)
+    return 'What is listed is hidden. The eye in a channel’s row shows it again, Alt+H shows everything.';
+  return `Nothing listed has keys yet. Shift+K keys the selected joint at ${at}.`;
+}

@@ -1,0 +1,142 @@
+/** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
+import type { CompiledClip } from '../../evaluate/curves.ts';
+import type { Channel, ChannelClip } from '../../model/clip.ts';
+import { type Character, shownClip } from '../../model/document.ts';
+import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
+import type { ChannelKeys } from '../../model/session.ts';
+import { type DofUnit, isUnlimited, type Limit } from '../../model/skeleton.ts';
+import { axisColour, type LineColour, otherColour } from './colours.ts';
+import type { Hit } from './hit.ts';
+import type { AxisName, CurveSpace, Normalise } from './space.ts';
+
+/** A channel that is drawn. */
+export interface CurveLine {
+  /** Index in the clip. */
+  readonly channel: number;
+  /** `leg_fl rx`; a morph's own name. */
+  readonly name: string;
+  /** What its values measure. */
+  readonly unit: DofUnit;
+  /** The axis it is drawn on: its unit's, or `normalised`. */
+  readonly axis: AxisName;
+  readonly colour: LineColour;
+  /** Of the DOF; absent where it has none. */
+  readonly limit?: Limit;
+  readonly normalise?: Normalise;
+}
+
+export interface CurveScene {
+  readonly clip: ChannelClip;
+  /** The same clip, compiled. */
+  readonly curves: CompiledClip;
+  /** Clip's time = transport's time + this. */
+  readonly offsetSeconds: number;
+  /** Back to front. */
+  readonly lines: readonly CurveLine[];
+  readonly selected: readonly ChannelKeys[];
+  /** Channels that stand out (chosen in the list, say); their limits are hatched. Those with selected keys do anyway. */
+  readonly emphasised?: readonly number[];
+  readonly space: CurveSpace;
+  /** The clip's own range, seconds of the transport. */
+  readonly range: readonly [number, number];
+  readonly framesPerSecond: number;
+  readonly inFrames: boolean;
+  /** Angles are labelled in degrees. */
+  readonly degrees: boolean;
+  readonly hover?: Hit;
+  readonly box?: Box;
+}
+
+/** Two corners in pixels, in any order. */
+export interface Box {
+  readonly x0: number;
+  readonly y0: number;
+  readonly x1: number;
+  readonly y1: number;
+}
+
+export const NO_CHANNELS: readonly number[] = [];
+
+/**
+ * The lines of these channels of the character's shown clip, in the order given; a channel that the clip does not have
+ * is left out. Channels past the character's DOFs are called by their number.
+ *
+ * @param kept lines whose scale a normalised line keeps: during a drag nothing may rescale by itself
+ */
+export function sceneLines(
+  character: Character,
+  channels: readonly number[],
+  normalised: boolean,
+  kept: readonly CurveLine[] = [],
+): CurveLine[] {
+  const clip = shownClip(character);
+  if (!clip) return [];
+  const dofs = characterDofs(character.skeleton, character.morphs);
+  const ordinals = new Map<string, number>();
+  let others = 0;
+  const lines: CurveLine[] = [];
+  for (const channel of channels) {
+    const held = clip.channels[channel];
+    if (!held) continue;
+    const dof: CharacterDof | undefined = dofs[channel];
+    const axis = dof && axisLetter(dof);
+    // The root's translation and its rotation are different things on different axes: they may look alike.
+    const group = dof ? `${dof.joint}` : '';
+    if (axis && !ordinals.has(group)) ordinals.set(group, ordinals.size);
+    const unit = dof?.unit ?? 'weight';
+    lines.push({
+      channel,
+      name: lineName(character, channel, dof),
+      unit,
+      axis: normalised ? 'normalised' : unit,
+      colour: axis ? axisColour(axis, ordinals.get(group) ?? 0) : otherColour(others++),
+      ...(dof && isLimited(dof.limit) && { limit: dof.limit }),
+      ...(normalised && {
+        normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(held),
+      }),
+    });
+  }
+  return lines;
+}
+
+/** `hips rx`, `root tx`, a morph's name, or `channel 12`. */
+export function lineName(character: Character, channel: number, dof: CharacterDof | undefined): string {
+  if (!dof) return `channel ${channel}`;
+  if (dof.joint < 0) return dof.name;
+  const joint = character.skeleton?.joints[dof.joint];
+  return `${joint?.name || 'root'} ${dof.name}`;
+}
+
+function axisLetter(dof: CharacterDof): 'x' | 'y' | 'z' | undefined {
+  if (dof.unit === 'weight') return undefined;
+  const letter = dof.name.at(-1);
+  return letter === 'x' || letter === 'y' || letter === 'z' ? letter : undefined;
+}
+
+function isLimited(limit: Limit): boolean {
+  return !isUnlimited(limit) && limit.min <= limit.max && (Number.isFinite(limit.min) || Number.isFinite(limit.max));
+}
+
+const normalisations = new WeakMap<Channel, Normalise>();
+
+/** The smallest key goes to −1, the largest to 1; a channel of one value to 0. */
+export function normalisation(channel: Channel): Normalise {
+  const known = normalisations.get(channel);
+  if (known) return known;
+  let low = Number.POSITIVE_INFINITY;
+  let high = Number.NEGATIVE_INFINITY;
+  for (const value of channel.values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (!(low <= high)) low = high = channel.rest ?? 0;
+  const scale = high > low && Number.isFinite(2 / (high - low)) ? 2 / (high - low) : 1;
+  const made = { scale, shift: -scale * (low + (high - low) / 2) };
+  normalisations.set(channel, made);
+  return made;
+}
+
+/** The line that draws a channel. */
+export function lineOf(scene: Pick<CurveScene, 'lines'>, channel: number): CurveLine | undefined {
+  return scene.lines.find((line) => line.channel === channel);
+}

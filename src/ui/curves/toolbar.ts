@@ -1,0 +1,126 @@
+/** The buttons of the curve editor, in the row of the tabs. All of them are actions; none does anything of its own. */
+
+import { isEnabled } from '../actions/action.ts';
+import { HANDLE_LABELS } from '../actions/timeline-actions.ts';
+import { actionsOf } from '../actions.ts';
+import { button, element, keepsFocusElsewhere } from '../dom.ts';
+import { oncePerFrame } from '../frame.ts';
+import { type IconName, icon } from '../icons.ts';
+import { tryAction } from '../keys.ts';
+import { type MenuEntry, menuButton } from '../menu.ts';
+import { HANDLE_MODES, type HandleMode } from '../timeline/timeline.ts';
+import { keepTooltip } from '../tooltips.ts';
+import type { Workbench } from '../workbench.ts';
+import { CURVE_TOOLS, entriesOf } from './context-menu.ts';
+import { keyFields } from './key-fields.ts';
+
+const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
+  auto: 'handlesAuto',
+  alone: 'handlesAlone',
+  together: 'handlesTogether',
+};
+
+const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'];
+
+export function curveToolbar(wb: Workbench): HTMLElement {
+  const tools: (() => void)[] = [];
+  const tool = (id: string, label: string, name: IconName, isSwitch = false) => {
+    const action = actionsOf(wb).find((a) => a.id === `timeline.${id}`);
+    const made = keepsFocusElsewhere(
+      button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
+    );
+    keepTooltip(wb, made, `timeline.${id}`, () => label);
+    tools.push(() => {
+      if (isSwitch) made.setAttribute('aria-pressed', String(action?.checked?.(wb) ?? false));
+      else made.disabled = !(action && isEnabled(wb, action));
+    });
+    return made;
+  };
+  const menu = (label: string, name: IconName, entries: () => readonly MenuEntry[]) => {
+    const made = keepsFocusElsewhere(
+      element('button', { type: 'button', class: 'tool', 'aria-label': label, title: label }, icon(name)),
+    );
+    menuButton(made, label, entries);
+    return made;
+  };
+  const handles = menu('What the other handle does', HANDLE_ICONS.auto, () =>
+    entriesOf(
+      wb,
+      HANDLE_MODES.map((mode) => `handles.${mode}`),
+    ),
+  );
+  const collision = menu('A key moved onto another', 'collideReplace', () =>
+    entriesOf(wb, ['onCollision.replace', 'onCollision.step']),
+  );
+  const showModes = () => {
+    const view = wb.timeline.view.get();
+    handles.replaceChildren(icon(HANDLE_ICONS[view.handles]));
+    handles.title = `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`;
+    const replaces = view.onCollision === 'replace';
+    collision.replaceChildren(icon(replaces ? 'collideReplace' : 'collideStep'));
+    collision.title = `A key moved onto another ${replaces ? 'replaces it' : 'makes a step with it'}`;
+  };
+  const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
+  const group = (label: string, name: string, ...children: HTMLElement[]) =>
+    element('div', { class: `tools ${name}`, role: 'group', 'aria-label': label }, ...children);
+
+  const bar = element(
+    'div',
+    { class: 'curve-tools', role: 'group', 'aria-label': 'Curve tools' },
+    group(
+      'Tangents',
+      'tangent-tools',
+      tool('tangents.flat', 'Flat tangents', 'flat'),
+      tool('tangents.linear', 'Linear tangents', 'linear'),
+      tool('tangents.smooth', 'Smooth tangents', 'smooth'),
+      tool('tangents.fixed', 'Fixed slopes', 'fixed'),
+      tool('unify', 'Unify tangents', 'unify'),
+      tool('break', 'Break tangents', 'break'),
+      handles,
+    ),
+    group(
+      'Keys',
+      'key-tools',
+      tool('insertKey', 'Insert key at the playhead', 'insertKey'),
+      tool('delete', 'Delete keys', 'deleteKey'),
+      collision,
+    ),
+    group(
+      'Snapping',
+      'snap-tools',
+      tool('snapsToFrames', 'Snap to frames', 'snapFrames', true),
+      tool('snapsToValues', 'Snap to values', 'snapValues', true),
+      tool('scaleFrame', 'Frame to scale keys with', 'scaleFrame', true),
+    ),
+    group(
+      'Curves',
+      'whole-tools',
+      menu('Before and after the keys', 'extrapolate_cycle_offset', () => [
+        { kind: 'note', text: 'Before and after' },
+        ...entriesOf(wb, extrapolation('both')()),
+        { kind: 'line' },
+        { kind: 'menu', label: 'Before the keys', entries: () => entriesOf(wb, extrapolation('in')()) },
+        { kind: 'menu', label: 'After the keys', entries: () => entriesOf(wb, extrapolation('out')()) },
+      ]),
+      menu('Tools for whole curves', 'curveTools', () => entriesOf(wb, CURVE_TOOLS)),
+    ),
+    group(
+      'View',
+      'fit-tools',
+      tool('fitSelected', 'Fit selected keys', 'frame'),
+      tool('fitAll', 'Fit all', 'fitAll'),
+      tool('normalised', 'Normalised', 'normalised', true),
+    ),
+    keyFields(wb),
+  );
+  const show = oncePerFrame(() => {
+    for (const update of tools) update();
+    showModes();
+  });
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document || now.selection !== before.selection) show();
+  });
+  wb.timeline.view.subscribe(show);
+  show();
+  return bar;
+}

@@ -1,0 +1,98 @@
+/** The context menu of a DOF's row: its keys, its curve, its limits. */
+import { clearLimit, setLimit } from '../../edit/commands/limits.ts';
+import { setDofs } from '../../edit/commands/pose.ts';
+import { dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
+import { type Character, findCharacter } from '../../model/document.ts';
+import { type CharacterDof, characterDofs, filePose, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { isUnlimited, type Limit, UNLIMITED } from '../../model/skeleton.ts';
+import { type MenuEntry, openMenu } from '../menu.ts';
+import { openPanel } from '../panels.ts';
+import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow } from '../pose-edits.ts';
+import type { Workbench } from '../workbench.ts';
+import { editLimits } from './limit-editor.ts';
+import type { Slider } from './slider.ts';
+
+/** @param at where the mouse asked for it; without one the keyboard did, in the row's number */
+export function openDofMenu(
+  wb: Workbench,
+  slider: Slider,
+  characterId: string,
+  index: number,
+  at: { readonly x: number; readonly y: number } | undefined,
+): void {
+  const character = findCharacter(wb.store.document, characterId);
+  const dof = character && characterDofs(character.skeleton, character.morphs)[index];
+  if (!dof) return;
+  const list = entries(wb, slider, character, index, dof);
+  if (at) openMenu(at, list, { label: dof.name });
+  else {
+    openMenu(slider.$name.getBoundingClientRect(), list, {
+      label: dof.name,
+      opener: slider.$input,
+      focusFirst: true,
+    });
+  }
+}
+
+function entries(
+  wb: Workbench,
+  slider: Slider,
+  character: Character,
+  index: number,
+  dof: CharacterDof,
+): readonly MenuEntry[] {
+  const { id } = character;
+  const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({ kind: 'item', label, enabled, run });
+  const hasKeys = isDriven(character, index);
+  const value = shownValue(wb, character, index);
+  const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
+  const set = (to: number) =>
+    wb.store.apply(setDofs, {
+      characterId: id,
+      dofs: [{ index, value: to }],
+      timeSeconds: wb.transport.get().timeSeconds,
+      key: autoKey(wb),
+    });
+  const list: MenuEntry[] = [
+    item('Key here', character.skeleton !== undefined, () => keyNow(wb, id, [index])),
+    item('Delete the key here', isKeyedNow(wb, character, index), () => deleteKeysNow(wb, character, [index])),
+    item('Delete all its keys', hasKeys, () => deleteAllKeys(wb, character, index)),
+    { kind: 'line' },
+    item('Show its curve', hasKeys, () => showCurve(wb, character, index)),
+    { kind: 'line' },
+    item('Reset to the file’s pose', value !== inFile, () => set(inFile)),
+    item('Reset to zero', value !== 0, () => set(0)),
+  ];
+  // Neither root translation nor morphs have limits.
+  if (dof.joint < 0 || index < ROOT_TRANSLATION.length) return list;
+  const { min, max } = holds(dof.limit) ? dof.limit : UNLIMITED;
+  const limit = (next: Limit) => wb.store.apply(setLimit, { characterId: id, dof: index, ...next });
+  return [
+    ...list,
+    { kind: 'line' },
+    item('Limit from here', value <= max, () => limit({ min: value, max })),
+    item('Limit to here', value >= min, () => limit({ min, max: value })),
+    item('Type limits…', true, () => editLimits(wb, slider, id, index)),
+    item('No limits', !isUnlimited(dof.limit), () => wb.store.apply(clearLimit, { characterId: id, dof: index })),
+  ];
+}
+
+/** Crossed limits are none. */
+function holds({ min, max }: Limit): boolean {
+  return min <= max;
+}
+
+function shownValue(wb: Workbench, character: Character, index: number): number {
+  const pose = new Float64Array(dofCountOf(character));
+  poseAt(character, wb.transport.get().timeSeconds, pose);
+  return pose[index];
+}
+
+/** Alone in the curve editor, which opens for it. */
+function showCurve(wb: Workbench, character: Character, index: number): void {
+  wb.store.select({ ...wb.store.selection, characterId: character.id });
+  wb.timeline.isolate(undefined);
+  const hidden = wb.timeline.view.get().hidden.filter((c) => c !== index);
+  wb.timeline.change({ tab: 'curves', list: 'pinned', pinned: [index], hidden, filter: '' });
+  openPanel(wb, 'timeline', true);
+}

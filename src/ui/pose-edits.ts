@@ -1,0 +1,67 @@
+/**
+ * Posing and keying at the moment shown: what sliders, marks, menus and keys have in common. Whoever changes DOFs by
+ * hand asks `autoKey`, so that none of them forgets it.
+ */
+import { keyPose } from '../edit/commands/keying.ts';
+import { removeKeys } from '../edit/commands/keys.ts';
+import type { KeyOptions } from '../edit/key-dofs.ts';
+import { findKey } from '../edit/keys/same-time.ts';
+import { keysAtTime } from '../edit/keys/selection.ts';
+import { channelOf } from '../evaluate/pose.ts';
+import { type Character, shownClip } from '../model/document.ts';
+import type { ChannelKeys } from '../model/session.ts';
+import { channelsOfJoint } from './timeline/channels.ts';
+import type { Workbench } from './workbench.ts';
+
+/** How keys are made just now. */
+export function keyOptions(wb: Workbench): KeyOptions {
+  return { tangents: wb.settings.get().newKeyTangents, playedRange: wb.transport.get().range };
+}
+
+/** For commands that set DOFs: how to key them, while auto-key is on. */
+export function autoKey(wb: Workbench): KeyOptions | undefined {
+  return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
+}
+
+/** Keys DOFs as they are shown; all of them, where none are named. */
+export function keyNow(wb: Workbench, characterId: string, dofs?: readonly number[]): void {
+  const { timeSeconds } = wb.transport.get();
+  wb.store.apply(keyPose, { characterId, dofs, timeSeconds, ...keyOptions(wb) });
+}
+
+/** The keys of a character that stand at the moment shown; of these DOFs, or of all. */
+export function keysNow(wb: Workbench, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
+  const clip = character.skeleton && shownClip(character);
+  return clip ? keysAtTime(clip, dofs, clipTime(wb, character)) : [];
+}
+
+/** Deletes them. A channel that has no key left stands where it was. */
+export function deleteKeysNow(wb: Workbench, character: Character, dofs?: readonly number[]): void {
+  const keys = keysNow(wb, character, dofs);
+  if (keys.length)
+    wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
+}
+
+/** Deletes every key of a DOF, which goes on standing where it is. */
+export function deleteAllKeys(wb: Workbench, character: Character, dof: number): void {
+  const indices = [...(channelOf(character, dof)?.times.keys() ?? [])];
+  if (!indices.length) return;
+  const keys = [{ channel: dof, indices }];
+  wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
+}
+
+/** Whether a DOF has a key at the moment shown. Cheap enough for every row at every frame. */
+export function isKeyedNow(wb: Workbench, character: Character, dof: number): boolean {
+  const channel = channelOf(character, dof);
+  return channel !== undefined && findKey(channel, clipTime(wb, character)) >= 0;
+}
+
+/** The DOFs of a joint, and of the root its translation too, as inspector and timeline have it. */
+export function jointDofs(character: Character, joint: number): readonly number[] {
+  const [first, end] = channelsOfJoint(character, joint);
+  return Array.from({ length: end - first }, (_, i) => first + i);
+}
+
+function clipTime(wb: Workbench, character: Character): number {
+  return wb.transport.get().timeSeconds + character.timeOffsetSeconds;
+}

@@ -1,0 +1,107 @@
+/**
+ * Which channels the timeline lists, and which of them it draws. Both follow from the document, the selection and the
+ * timeline's settings alone; nothing is remembered here.
+ */
+import { type Character, shownClip } from '../../model/document.ts';
+import { type CharacterDof, characterDofs, firstDofs } from '../../model/dofs.ts';
+import type { Morph } from '../../model/morph.ts';
+import type { Selection } from '../../model/session.ts';
+import { type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import type { TimelineView } from './timeline.ts';
+
+/** A DOF in the list, with or without a channel that has keys. */
+export interface ListedChannel {
+  readonly channel: number;
+  /** Of its joint: `leg_fl`; of a morph or a channel past the DOFs it is empty. */
+  readonly joint: string;
+  /** `rx`, a morph's name, `channel 97`. */
+  readonly dof: string;
+  readonly unit: DofUnit;
+  /** Without keys it is listed, greyed, so that one sees what could be animated. */
+  readonly keyCount: number;
+}
+
+/** What of the timeline's settings decides the list. */
+export type ListSettings = Pick<TimelineView, 'list' | 'pinned' | 'filter'>;
+
+const dofLists = new WeakMap<Skeleton, { readonly morphs: readonly Morph[]; readonly dofs: readonly CharacterDof[] }>();
+
+/** The DOFs of a character, made once for a skeleton. */
+export function dofsFor({ skeleton, morphs }: Character): readonly CharacterDof[] {
+  if (!skeleton) return characterDofs(skeleton, morphs);
+  const known = dofLists.get(skeleton);
+  if (known?.morphs === morphs) return known.dofs;
+  const dofs = characterDofs(skeleton, morphs);
+  dofLists.set(skeleton, { morphs, dofs });
+  return dofs;
+}
+
+/**
+ * The channels of the list, in the order of the DOFs: the selected joint's (the root's translation with the root;
+ * everything where no joint is selected), all, or those that were pinned; of them those whose name the filter finds.
+ */
+export function listedChannels(character: Character, selection: Selection, settings: ListSettings): ListedChannel[] {
+  const dofs = dofsFor(character);
+  const channels = shownClip(character)?.channels ?? [];
+  const joint = selection.characterId === character.id ? selection.joint : undefined;
+  const words = settings.filter.toLowerCase().split(/\s+/).filter(Boolean);
+  const listed: ListedChannel[] = [];
+  const add = (channel: number) => {
+    const one = namedChannel(character, channel);
+    if (isFound(words, `${one.joint} ${one.dof}`.toLowerCase())) listed.push(one);
+  };
+  const count = Math.max(dofs.length, channels.length);
+  if (settings.list === 'pinned') {
+    for (const channel of settings.pinned) if (channel < count) add(channel);
+  } else {
+    const [first, end] =
+      settings.list === 'selected' && joint !== undefined ? channelsOfJoint(character, joint) : [0, count];
+    for (let channel = first; channel < end; channel++) add(channel);
+  }
+  return listed;
+}
+
+/** A channel as it would be listed. */
+export function namedChannel(character: Character, channel: number): ListedChannel {
+  const dof: CharacterDof | undefined = dofsFor(character)[channel];
+  const ofJoint = dof !== undefined && dof.joint >= 0;
+  return {
+    channel,
+    joint: ofJoint ? character.skeleton?.joints[dof.joint]?.name || 'root' : '',
+    dof: dof?.name ?? `channel ${channel}`,
+    unit: dof?.unit ?? 'weight',
+    keyCount: shownClip(character)?.channels[channel]?.times.length ?? 0,
+  };
+}
+
+/** First and end (not included) of a joint's channels; the root has its translation too. */
+export function channelsOfJoint({ skeleton }: Character, joint: number): readonly [number, number] {
+  const one = skeleton?.joints[joint];
+  if (!skeleton || !one) return [0, 0];
+  const first = firstDofs(skeleton)[joint];
+  return [joint === 0 ? 0 : first, first + dofsOf(one.motion).length];
+}
+
+function isFound(words: readonly string[], name: string): boolean {
+  return words.every((word) => name.includes(word));
+}
+
+/** The channels that are drawn: listed with keys, isolated or not hidden. */
+export function drawnChannels(
+  listed: readonly ListedChannel[],
+  { hidden, isolated }: Pick<TimelineView, 'hidden' | 'isolated'>,
+): number[] {
+  const keyed = listed.filter((l) => l.keyCount > 0);
+  const only = isolated && new Set(isolated);
+  // What was isolated has left the list with the joint: nothing drawn would look like a fault.
+  if (only && keyed.some((l) => only.has(l.channel))) {
+    return keyed.filter((l) => only.has(l.channel)).map((l) => l.channel);
+  }
+  const not = new Set(hidden);
+  return keyed.filter((l) => !not.has(l.channel)).map((l) => l.channel);
+}
+
+/** `leg_fl rx`. */
+export function channelName({ joint, dof }: Pick<ListedChannel, 'joint' | 'dof'>): string {
+  return joint ? `${joint} ${dof}` : dof;
+}

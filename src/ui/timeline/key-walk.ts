@@ -1,0 +1,55 @@
+/** Going from key to key with the keyboard: what a click does with the mouse. Pure; keys are indices into a clip. */
+import { lastNotAbove } from '../../math/search.ts';
+import type { Channel } from '../../model/clip.ts';
+import type { ChannelKeys } from '../../model/session.ts';
+
+/**
+ * The selection one key on (`step` 1) or back (−1) in each channel that has selected keys: from the last of them, or
+ * from the first. Where none is selected it begins at the key nearest to a time, in the first channel of `inView`.
+ *
+ * @param adds the keys that were selected stay so
+ */
+export function walkKeys(
+  channels: readonly Channel[],
+  keys: readonly ChannelKeys[],
+  inView: readonly number[],
+  clipSeconds: number,
+  step: 1 | -1,
+  adds: boolean,
+): ChannelKeys[] {
+  if (!keys.length) {
+    const channel = inView.find((c) => channels[c]?.times.length);
+    return channel === undefined ? [] : [{ channel, indices: [nearestKey(channels[channel].times, clipSeconds)] }];
+  }
+  return keys.map(({ channel, indices }) => {
+    const from = step > 0 ? indices[indices.length - 1] : indices[0];
+    const to = Math.min(channels[channel].times.length - 1, Math.max(0, from + step));
+    if (!adds) return { channel, indices: [to] };
+    if (to === from) return { channel, indices };
+    return { channel, indices: step > 0 ? [...indices, to] : [to, ...indices] };
+  });
+}
+
+/** The key nearest in time to the selected one, in the channel before or after it in view; the same where there is none. */
+export function walkChannels(
+  channels: readonly Channel[],
+  keys: readonly ChannelKeys[],
+  inView: readonly number[],
+  step: 1 | -1,
+): readonly ChannelKeys[] {
+  const having = inView.filter((c) => channels[c]?.times.length);
+  const from = step > 0 ? keys.at(-1) : keys[0];
+  if (!from) return keys;
+  const at = having.indexOf(from.channel);
+  const channel = at < 0 ? having[0] : having[at + step];
+  if (channel === undefined) return keys;
+  const time = channels[from.channel].times[from.indices[0]];
+  return [{ channel, indices: [nearestKey(channels[channel].times, time)] }];
+}
+
+/** Index of the key nearest to a time; of equally near ones the earlier. The channel has keys. */
+export function nearestKey(times: Float64Array, clipSeconds: number): number {
+  const before = lastNotAbove(times, 0, times.length, clipSeconds);
+  const after = Math.min(times.length - 1, before + 1);
+  return Math.abs(times[after] - clipSeconds) < Math.abs(clipSeconds - times[before]) ? after : before;
+}

@@ -1,0 +1,162 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { decode, emptyNumbers, RestoreError, storedNumbers } from '../../../src/app/autosave/decode.ts';
+import { encode, type Numbers, SMALL_BYTES } from '../../../src/app/autosave/encode.ts';
+import { Origins } from '../../../src/app/autosave/origins.ts';
+import { fill, Pieces, piecesOf } from '../../../src/app/autosave/pieces.ts';
+import type { ParsedFile } from '../../../src/model/files.ts';
+import {
+  animFile,
+  character,
+  clip,
+  documentOf,
+  file,
+  skeleton,
+  skelFile,
+  skin,
+  skinFile,
+} from '../../helpers/builders.ts';
+
+const blob = (path: string) => ({ path, blob: new Blob([path]) });
+
+/** Through the form in which it is stored, and back; `files` are read again, so they are other objects. */
+function thereAndBack(session: unknown, origins = new Origins(), files: readonly ParsedFile[] = []): unknown {
+  const encoded = encode(session, origins);
+  const { puts } = new Pieces().plan(encoded.arrays);
+  const stored = structuredClone({
+    tree: encoded.tree,
+    pieces: new Map(puts.map((put) => [put.id, put.bytes()])),
+    files: encoded.files.map((f) => f.path),
+  });
+  const arrays = new Map(storedNumbers(stored.tree).map((place) => [place, emptyNumbers(place)]));
+  for (const [place, array] of arrays) {
+    for (const piece of piecesOf(place)) fill(array, place, piece, stored.pieces.get(piece) ?? new Uint8Array());
+  }
+  const again = stored.files.map((path) => {
+    const found = files.find((f) => f.source.path === path);
+    if (!found) throw new Error(path);
+    return found;
+  });
+  return decode(stored.tree, again, arrays);
+}
+
+describe('encoding a session', () => {
+  it('gives back any plain data', () => {
+    const numbers = fc.oneof(
+      fc.array(fc.double()).map((values) => Float64Array.from(values)),
+      fc.array(fc.nat(255)).map((values) => Uint8Array.from(values)),
+      fc.array(fc.nat()).map((values) => Uint32Array.from(values)),
+      fc.nat(200_000).map((length) => Float64Array.from({ length }, (_, i) => i / 3)),
+    );
+    const { tree } = fc.letrec((tie) => ({
+      tree: fc.oneof(
+        { maxDepth: 4 },
+        fc.constantFrom(undefined, null, true, -0, Number.NaN, Number.NEGATIVE_INFINITY, ''),
+        fc.double(),
+        fc.string(),
+        numbers,
+        fc.array(tie('tree')),
+        fc.dictionary(
+          fc.string().filter((key) => key !== '__proto__'),
+          tie('tree'),
+          { noNullPrototype: true },
+        ),
+      ),
+    }));
+    fc.assert(
+      fc.property(tree, (value) => {
+        expect(thereAndBack(value)).toStrictEqual(value);
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('keeps what is shared shared, large arrays and small ones', () => {
+    const large = new Float64Array(100_000);
+    const small = Float64Array.of(1, 2);
+    const inner = { large };
+    // biome-ignore lint/suspicious/noExplicitAny: whatever came back is looked into
+    const back = thereAndBack({ a: inner, b: inner, c: [large], d: small, e: { small } }) as any;
+    expect(back.a).toBe(back.b);
+    expect(back.c[0]).toBe(back.a.large);
+    expect(back.d).toBe(back.e.small);
+  });
+
+  it('stores a small array that looks into a large buffer without the buffer', () => {
+    const window = new Float64Array(100_000).subarray(10, 12);
+    const { tree } = encode(window, new Origins());
+    expect((tree as Float64Array).buffer.byteLength).toBe(16);
+  });
+
+  it('has a few words for what came from files, however large', () => {
+    const big = skin('hero', 0, { positions: new Float64Array(3_000_000) });
+    const files = [skelFile('hero.skel', skeleton(3)), skinFile('hero.skin', big)];
+    const origins = new Origins();
+    origins.learn([blob('hero.skel'), blob('hero.skin')], files);
+    const [skel] = files;
+    const hero = character({ skeleton: skel.kind === 'skel' ? skel.skeletons[0] : skeleton(), skins: [big] });
+    const encoded = encode(documentOf(hero), origins);
+    expect(encoded.arrays.size).toBe(0);
+    expect(JSON.stringify(encoded.tree).length).toBeLessThan(2000);
+    expect(encoded.files.map((f) => f.path)).toEqual(['hero.skel', 'hero.skin']);
+  });
+
+  it('finds the parts of files again, unedited ones as the very objects of the files read anew', () => {
+    const read = () => [skelFile('d/hero.skel', skeleton(3)), animFile('d/walk.anim', clip('walk', [1, 2, 3, 4]))];
+    const files = read();
+    const origins = new Origins();
+    origins.learn([blob('d/hero.skel'), blob('d/walk.anim')], files);
+    const [skel, anim] = files;
+    if (skel.kind !== 'skel' || anim.kind !== 'anim') throw new Error('fixtures');
+    const walk = anim.clip;
+    const channels = walk.channels.map((c, i) => (i === 2 ? { ...c, values: Float64Array.of(9) } : c));
+    const session = documentOf(
+      character({ skeleton: skel.skeletons[0], clips: [{ ...walk, channels }], shownClip: 0, sources: [skel.source] }),
+    );
+    const again = read();
+    const back = thereAndBack(session, origins, again) as typeof session;
+    expect(back).toEqual(session);
+    const [newSkel, newAnim] = again;
+    if (newSkel.kind !== 'skel' || newAnim.kind !== 'anim') throw new Error('fixtures');
+    expect(back.characters[0].skeleton).toBe(newSkel.skeletons[0]);
+    expect(back.characters[0].sources[0]).toBe(newSkel.source);
+    expect(back.characters[0].clips[0].channels[1]).toBe(newAnim.clip.channels[1]);
+    expect(back.characters[0].clips[0].channels[2].times).toBe(newAnim.clip.channels[2].times);
+    expect([...back.characters[0].clips[0].channels[2].values]).toEqual([9]);
+  });
+
+  it('refuses where a file reads differently than it did', () => {
+    const files = [skelFile('hero.skel', skeleton(3))];
+    const origins = new Origins();
+    origins.learn([blob('hero.skel')], files);
+    const [skel] = files;
+    if (skel.kind !== 'skel') throw new Error('fixtures');
+    const session = { joint: skel.skeletons[0].joints[2] };
+    expect(() => thereAndBack(session, origins, [skelFile('hero.skel', skeleton(2))])).toThrow(RestoreError);
+  });
+
+  it('knows which of several files opened together a part is of, those in a zip too', () => {
+    const origins = new Origins();
+    const a = skelFile('heroes.zip/a.skel', skeleton(1));
+    const b = skelFile('b.skel', skeleton(1));
+    origins.learn([blob('heroes.zip'), blob('b.skel')], [a, b]);
+    expect(origins.find(a)?.file.given.given.path).toBe('heroes.zip');
+    expect(origins.find(b)?.file.given.given.path).toBe('b.skel');
+  });
+
+  it('takes nothing for a file’s where two were given under one name', () => {
+    const origins = new Origins();
+    const a = skelFile('a.skel', skeleton(1));
+    origins.learn([blob('a.skel'), blob('a.skel')], [a]);
+    expect(origins.find(a)).toBeUndefined();
+  });
+
+  it('keeps the picture of a texture by its file', () => {
+    const bytes = new Uint8Array(100_000) as Numbers & Uint8Array<ArrayBuffer>;
+    const picture = file('hero.png', { kind: 'texture', texture: { name: 'hero.png', mime: 'image/png', bytes } });
+    const origins = new Origins();
+    origins.learn([blob('hero.png')], [picture]);
+    expect(bytes.byteLength).toBeGreaterThan(SMALL_BYTES);
+    expect(encode({ bytes }, origins).arrays.size).toBe(0);
+  });
+});

@@ -1,0 +1,203 @@
+import { isDeepStrictEqual } from 'node:util';
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { RestoreError } from '../../../src/app/autosave/decode.ts';
+import { Keeper } from '../../../src/app/autosave/keeper.ts';
+import { Origins } from '../../../src/app/autosave/origins.ts';
+import { readSession } from '../../../src/app/autosave/restore.ts';
+import type { SessionState } from '../../../src/app/autosave/session-state.ts';
+import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
+import type { Channel } from '../../../src/model/clip.ts';
+import type { Document } from '../../../src/model/document.ts';
+import type { ParsedFile } from '../../../src/model/files.ts';
+import { NOTHING_SELECTED } from '../../../src/model/session.ts';
+import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/timeline/timeline.ts';
+import type { WorkerClient } from '../../../src/worker/client.ts';
+import { parse } from '../../../src/worker/parse.ts';
+import type { GivenBlob } from '../../../src/worker/protocol.ts';
+import { character, clip, documentOf } from '../../helpers/builders.ts';
+import { type MemoryStore, memoryStore } from './memory-store.ts';
+
+const SKEL = 'balljoint root {\n\tballjoint tip {\n\t\toffset 0 1 0\n\t}\n}\n';
+const given = (path: string, text = SKEL): GivenBlob => ({ path, blob: new Blob([text]) });
+
+function stateOf(document: Document): SessionState {
+  return {
+    document,
+    selection: NOTHING_SELECTED,
+    transport: DEFAULT_PLAYBACK,
+    timeline: DEFAULT_TIMELINE_VIEW,
+    camera: { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 },
+  };
+}
+
+/** The worker's job, without the worker, but a copy as it comes from there. */
+const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
+const worker: Pick<WorkerClient, 'run'> = { run: (_job, { files }) => read(files) };
+/** A test's own comparison of long arrays takes seconds. */
+const expectSame = (a: unknown, b: unknown) => expect(isDeepStrictEqual(a, b)).toBe(true);
+const options = { signal: new AbortController().signal, onProgress: () => undefined };
+const readBack = (store: MemoryStore, origins = new Origins(1000)) => readSession('s', store, worker, origins, options);
+
+function channel(keys: number, first = 0): Channel {
+  const column = () => Float64Array.from({ length: keys }, (_, i) => first + i);
+  const side = () => ({ kinds: new Uint8Array(keys).fill(2), slopes: column() });
+  return {
+    extrapolateIn: 'constant',
+    extrapolateOut: 'cycle',
+    times: column(),
+    values: column(),
+    tangentsIn: side(),
+    tangentsOut: side(),
+  };
+}
+
+const animated = (channels: readonly Channel[]) =>
+  documentOf(character({ clips: [{ ...clip('walk', []), channels }], shownClip: 0 }));
+
+async function opened(store: MemoryStore, ...blobs: GivenBlob[]) {
+  const origins = new Origins();
+  const { files } = await read(blobs);
+  origins.learn(blobs, files);
+  return { origins, files, keeper: new Keeper('s', store, origins) };
+}
+
+const skeletonOf = (file: ParsedFile) => {
+  if (file.kind !== 'skel') throw new Error('fixtures');
+  return file.skeletons[0];
+};
+
+describe('a session', () => {
+  it('puts an opened file once, and a few words afterwards', async () => {
+    const store = memoryStore();
+    const { keeper, files } = await opened(store, given('hero.skel'));
+    const document = documentOf(character({ skeleton: skeletonOf(files[0]) }));
+    await keeper.save(stateOf(document), 1);
+    expect(store.writes[0].files.map((f) => f.given.path)).toEqual(['hero.skel']);
+    const posed = documentOf({ ...document.characters[0], pose: [1, 2, 3] });
+    await keeper.save(stateOf(posed), 2);
+    expect(store.writes[1].files).toEqual([]);
+    expect(store.writes[1].pieces).toEqual([]);
+  });
+
+  it('writes of a long channel only the columns that changed', async () => {
+    const store = memoryStore();
+    const keeper = new Keeper('s', store, new Origins());
+    const [long, other] = [channel(100_000), channel(100_000, 7)];
+    await keeper.save(stateOf(animated([long, other])), 1);
+    await keeper.save(stateOf(animated([{ ...long, values: long.values.slice() }, other])), 2);
+    expect(store.lastBytes()).toBe(long.values.byteLength);
+  });
+
+  it('comes back as it was, through any saves', async () => {
+    const edit = fc.record({ index: fc.nat(5), keys: fc.nat(3000), first: fc.integer() });
+    await fc.assert(
+      fc.asyncProperty(fc.array(edit, { maxLength: 12 }), async (edits) => {
+        const store = memoryStore();
+        const { keeper, files, origins } = await opened(store, given('hero.skel'));
+        const channels = Array.from({ length: 6 }, (_, i) => channel(20 * i));
+        const build = () => {
+          const base = animated([...channels]);
+          return stateOf(documentOf({ ...base.characters[0], skeleton: skeletonOf(files[0]) }));
+        };
+        await keeper.save(build(), 1);
+        for (const { index, keys, first } of edits) {
+          channels[index] = channel(keys, first);
+          await keeper.save(build(), 2);
+        }
+        const { state } = await readBack(store, origins);
+        expectSame(state, build());
+      }),
+      { numRuns: 20 },
+    );
+  });
+
+  it('goes on after it was read: what is stored is not written again, what is not needed goes', async () => {
+    const store = memoryStore();
+    const { keeper, files } = await opened(store, given('hero.skel'));
+    const long = channel(50_000);
+    const base = animated([long, channel(100)]);
+    await keeper.save(stateOf(documentOf({ ...base.characters[0], skeleton: skeletonOf(files[0]) })), 1);
+    const back = await readBack(store);
+    const next = back.keeper();
+    const [hero] = back.state.document.characters;
+    await next.save(stateOf(documentOf({ ...hero, name: 'other' })), 2);
+    expect(store.writes[1]).toMatchObject({ files: [], pieces: [], goneFiles: [], gonePieces: [] });
+    await next.save(stateOf(documentOf({ ...hero, clips: [] })), 3);
+    expect(store.sessions.get('s')?.pieces.size).toBe(0);
+    expect(store.sessions.get('s')?.files.size).toBe(1);
+    await next.save(stateOf(documentOf(character())), 4);
+    expect(store.sessions.get('s')?.files.size).toBe(0);
+  });
+
+  it('is the earlier one where a save fails, and whole with the next', async () => {
+    const store = memoryStore();
+    const keeper = new Keeper('s', store, new Origins());
+    const before = stateOf(animated([channel(5000)]));
+    const after = stateOf(animated([channel(6000)]));
+    await keeper.save(before, 1);
+    store.onWrite = () => {
+      throw new DOMException('full', 'QuotaExceededError');
+    };
+    await expect(keeper.save(after, 2)).rejects.toThrow('full');
+    expectSame((await readBack(store)).state, before);
+    store.onWrite = () => undefined;
+    await keeper.save(after, 3);
+    expectSame((await readBack(store)).state, after);
+  });
+
+  it('keeps what came from a file that can’t be copied any more as its own', async () => {
+    const store = memoryStore();
+    const { keeper, files } = await opened(store, given('hero.skel'));
+    store.onWrite = (write) => {
+      if (write.files.length) throw new DOMException('It was changed on disk.', 'NotReadableError');
+    };
+    const state = stateOf(documentOf(character({ skeleton: skeletonOf(files[0]) })));
+    await keeper.save(state, 1);
+    expect(store.sessions.get('s')?.files.size).toBe(0);
+    expectSame((await readBack(store)).state, state);
+  });
+
+  it('is written anew where someone has cleared the store', async () => {
+    const store = memoryStore();
+    const keeper = new Keeper('s', store, new Origins());
+    const channels = [channel(5000)];
+    await keeper.save(stateOf(animated(channels)), 1);
+    store.sessions.clear();
+    const state = stateOf(animated([...channels, channel(10)]));
+    await keeper.save(state, 2);
+    expectSame((await readBack(store)).state, state);
+  });
+
+  it('is right when a hasty save overtakes one that is under way, whether that comes to an end or not', async () => {
+    for (const comesToAnEnd of [true, false]) {
+      const store = memoryStore();
+      const keeper = new Keeper('s', store, new Origins());
+      const [a, b] = [channel(40_000), channel(40_000, 5)];
+      await keeper.save(stateOf(animated([a])), 1);
+      let letGo = () => {};
+      store.onWrite = (write) => {
+        if (write.atOnce) return undefined;
+        return new Promise<void>((resolve, reject) => {
+          letGo = comesToAnEnd ? resolve : () => reject(new DOMException('full', 'QuotaExceededError'));
+        });
+      };
+      const slow = keeper.save(stateOf(animated([b])), 2).catch(() => undefined);
+      await new Promise((resolve) => setImmediate(resolve));
+      const last = stateOf(animated([a, b]));
+      const hasty = keeper.saveAtOnce(last, 3);
+      letGo();
+      await Promise.all([slow, hasty]);
+      expectSame((await readBack(store)).state, last);
+    }
+  });
+
+  it('is refused as a whole where a file reads differently', async () => {
+    const store = memoryStore();
+    const { keeper, files } = await opened(store, given('hero.skel'));
+    await keeper.save(stateOf(documentOf(character({ skeleton: skeletonOf(files[0]) }))), 1);
+    const kept = store.sessions.get('s')?.files;
+    for (const [id, file] of kept ?? []) kept?.set(id, { ...file, given: given('hero.skel', 'balljoint {') });
+    await expect(readBack(store)).rejects.toThrow(RestoreError);
+  });
+});

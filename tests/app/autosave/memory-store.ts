@@ -1,0 +1,87 @@
+/** A store and locks without a browser, for the tests of autosave: what goes in is cloned as IndexedDB would. */
+import type { SessionLocks } from '../../../src/io/session-locks.ts';
+import {
+  type KeptFile,
+  type SessionCard,
+  SessionLostError,
+  type SessionStore,
+  type SessionWrite,
+} from '../../../src/io/session-store.ts';
+
+interface Stored {
+  card: SessionCard;
+  head: unknown;
+  readonly files: Map<number, KeptFile>;
+  readonly pieces: Map<number, Uint8Array>;
+}
+
+export interface MemoryStore extends SessionStore {
+  readonly sessions: Map<string, Stored>;
+  /** Every write that went through, newest last. */
+  readonly writes: SessionWrite[];
+  /** Bytes of pieces that were put by the last write. */
+  lastBytes(): number;
+  apply(write: SessionWrite): Promise<void>;
+  /** Throws to make the next writes fail. */
+  onWrite: (write: SessionWrite) => void | Promise<void>;
+}
+
+export function memoryStore(): MemoryStore {
+  const sessions = new Map<string, Stored>();
+  const writes: SessionWrite[] = [];
+  /** One transaction at a time, as in a database. */
+  let last: Promise<unknown> = Promise.resolve();
+  return {
+    sessions,
+    writes,
+    onWrite: () => undefined,
+    lastBytes: () => writes.at(-1)?.pieces.reduce((sum, piece) => sum + piece.bytes().byteLength, 0) ?? 0,
+    list: async () => [...sessions.values()].map(({ card }) => card),
+    write(write) {
+      const turn = last.then(() => this.apply(write));
+      last = turn.catch(() => undefined);
+      return turn;
+    },
+    async apply(write) {
+      const { card, follows } = write;
+      await this.onWrite(write);
+      const before = sessions.get(card.id);
+      if (follows && !before) throw new SessionLostError('gone');
+      const stored = before ?? { card, head: undefined, files: new Map(), pieces: new Map() };
+      // Blobs are what they are; Node's structuredClone takes them too.
+      for (const file of write.files) stored.files.set(file.id, file);
+      for (const piece of write.pieces) stored.pieces.set(piece.id, structuredClone(piece.bytes()));
+      for (const id of write.goneFiles) stored.files.delete(id);
+      for (const id of write.gonePieces) stored.pieces.delete(id);
+      stored.card = card;
+      stored.head = structuredClone(write.head);
+      sessions.set(card.id, stored);
+      writes.push(write);
+    },
+    async read(id) {
+      const stored = sessions.get(id);
+      if (!stored) return undefined;
+      const files = [...stored.files.values()].sort((a, b) => a.id - b.id);
+      return { head: structuredClone(stored.head), files, pieces: [...stored.pieces.keys()] };
+    },
+    async readPieces(id, pieces, take) {
+      for (const piece of pieces) {
+        const bytes = sessions.get(id)?.pieces.get(piece);
+        if (!bytes) throw new SessionLostError('gone');
+        take(piece, bytes);
+      }
+    },
+    remove: async (id) => void sessions.delete(id),
+  };
+}
+
+/** One page's locks among those of all pages that share `held`. */
+export function memoryLocks(held = new Set<string>()): SessionLocks {
+  return {
+    async hold(id) {
+      if (held.has(id)) return undefined;
+      held.add(id);
+      return () => void held.delete(id);
+    },
+  };
+}

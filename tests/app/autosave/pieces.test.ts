@@ -1,0 +1,112 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { encode, type Numbers } from '../../../src/app/autosave/encode.ts';
+import { Origins } from '../../../src/app/autosave/origins.ts';
+import { LARGE_BYTES, PIECE_BYTES, type PiecePlan, Pieces } from '../../../src/app/autosave/pieces.ts';
+
+const LARGE = LARGE_BYTES / 8;
+
+/** A store that only pieces are in. */
+class Shelf {
+  readonly pieces = new Pieces();
+  readonly stored = new Map<number, Uint8Array>();
+
+  plan(arrays: readonly Numbers[]): PiecePlan {
+    return this.pieces.plan(encode(arrays, new Origins()).arrays);
+  }
+
+  put(plan: PiecePlan): void {
+    for (const { id, bytes } of plan.puts) this.stored.set(id, bytes());
+    for (const id of plan.gone) this.stored.delete(id);
+    plan.done();
+  }
+
+  save(arrays: readonly Numbers[]): PiecePlan {
+    const plan = this.plan(arrays);
+    this.put(plan);
+    return plan;
+  }
+
+  get bytes(): number {
+    return [...this.stored.values()].reduce((sum, piece) => sum + piece.byteLength, 0);
+  }
+}
+
+const numbers = (length: number, first = 0) => Float64Array.from({ length }, (_, i) => first + i);
+const sizes = (plan: PiecePlan) => plan.puts.map((put) => put.size);
+
+describe('pieces', () => {
+  it('writes an array once, and nothing when nothing changed', () => {
+    const shelf = new Shelf();
+    const arrays = [numbers(100), numbers(LARGE)];
+    expect(shelf.save(arrays).puts).toHaveLength(2);
+    expect(shelf.save(arrays).puts).toEqual([]);
+  });
+
+  it('cuts a large array into pieces, and joins small ones into one', () => {
+    const shelf = new Shelf();
+    const plan = shelf.save([numbers(PIECE_BYTES / 8 + 1), numbers(50), numbers(60)]);
+    expect(sizes(plan)).toEqual([PIECE_BYTES, 8, 8 * 110]);
+  });
+
+  it('writes only what is new, and deletes what is not needed any more', () => {
+    const shelf = new Shelf();
+    const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
+    shelf.save([a, b]);
+    const before = [...shelf.stored.keys()];
+    const plan = shelf.save([a, numbers(LARGE, 9)]);
+    expect(plan.puts).toHaveLength(1);
+    expect(plan.gone).toEqual([before[1]]);
+  });
+
+  it('writes again what a failed save did not write', () => {
+    const shelf = new Shelf();
+    const a = numbers(LARGE);
+    shelf.plan([a]).failed();
+    expect(shelf.save([a]).puts).toHaveLength(1);
+  });
+
+  it('takes nothing for stored that an earlier save has not finished, nor anything it deletes', () => {
+    const shelf = new Shelf();
+    const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
+    shelf.save([a]);
+    const under = shelf.plan([b]);
+    // `a` is doomed by the save under way, and `b` not stored for certain.
+    const hasty = shelf.plan([a, b]);
+    expect(hasty.puts).toHaveLength(2);
+    shelf.put(under);
+    shelf.put(hasty);
+    expect(shelf.save([a, b]).puts).toEqual([]);
+    expect(shelf.bytes).toBe(2 * LARGE_BYTES);
+  });
+
+  it('the same where the earlier save is given up', () => {
+    const shelf = new Shelf();
+    const [a, b] = [numbers(LARGE), numbers(LARGE, 5)];
+    shelf.save([a]);
+    const under = shelf.plan([b]);
+    const hasty = shelf.plan([a, b]);
+    under.failed();
+    shelf.put(hasty);
+    shelf.save([a, b]);
+    expect(shelf.bytes).toBe(2 * LARGE_BYTES);
+  });
+
+  it('stores little more than what is needed, whatever changes how often', () => {
+    const change = fc.record({ index: fc.nat(39), length: fc.integer({ min: 40, max: 40_000 }) });
+    fc.assert(
+      fc.property(fc.array(fc.array(change, { maxLength: 6 }), { minLength: 1, maxLength: 60 }), (saves) => {
+        const shelf = new Shelf();
+        const arrays = Array.from({ length: 40 }, (_, i) => numbers(50, i));
+        for (const changes of saves) {
+          for (const { index, length } of changes) arrays[index] = numbers(length, index);
+          shelf.save(arrays);
+          const needed = arrays.reduce((sum, array) => sum + array.byteLength, 0);
+          expect(shelf.bytes).toBeLessThanOrEqual(2 * needed);
+          expect(shelf.stored.size).toBeLessThanOrEqual(40 + needed / PIECE_BYTES + 40);
+        }
+      }),
+      { numRuns: 30 },
+    );
+  });
+});

@@ -1,0 +1,52 @@
+import { afterEach, beforeEach, expect, it, vi } from 'vitest';
+import { Rhythm } from '../../../src/app/autosave/rhythm.ts';
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+function counted() {
+  const due = vi.fn();
+  return { due, rhythm: new Rhythm(due) };
+}
+
+it('saves once, a while after the last change', () => {
+  const { due, rhythm } = counted();
+  rhythm.changed();
+  vi.advanceTimersByTime(500);
+  rhythm.changed();
+  vi.advanceTimersByTime(500);
+  expect(due).not.toHaveBeenCalled();
+  vi.advanceTimersByTime(500);
+  expect(due).toHaveBeenCalledTimes(1);
+  vi.advanceTimersByTime(60_000);
+  expect(due).toHaveBeenCalledTimes(1);
+});
+
+it('saves every few seconds while changes never end', () => {
+  const { due, rhythm } = counted();
+  for (let i = 0; i < 200; i++) {
+    rhythm.changed();
+    vi.advanceTimersByTime(100);
+  }
+  expect(due.mock.calls.length).toBeGreaterThanOrEqual(3);
+  expect(due.mock.calls.length).toBeLessThanOrEqual(4);
+});
+
+it('waits for the hand to let go', () => {
+  const { due, rhythm } = counted();
+  rhythm.hand(true);
+  rhythm.changed();
+  vi.advanceTimersByTime(10_000);
+  expect(due).not.toHaveBeenCalled();
+  rhythm.hand(false);
+  vi.advanceTimersByTime(1);
+  expect(due).toHaveBeenCalledTimes(1);
+});
+
+it('but not for a hand that never does', () => {
+  const { due, rhythm } = counted();
+  rhythm.hand(true);
+  rhythm.changed();
+  vi.advanceTimersByTime(31_000);
+  expect(due).toHaveBeenCalledTimes(1);
+});

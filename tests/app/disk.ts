@@ -1,0 +1,94 @@
+/** A disk, a browser before it, and a page with files open, for the tests of saving and reloading. */
+import { DiskHandles } from '../../src/app/disk-handles.ts';
+import { type Disk, Saver } from '../../src/app/saver.ts';
+import { Unsaved } from '../../src/app/unsaved.ts';
+import { openFiles } from '../../src/edit/open-files.ts';
+import { Store } from '../../src/edit/store.ts';
+import { DiskError } from '../../src/io/disk-files.ts';
+import type { GivenFile } from '../../src/io/given.ts';
+import type { Character } from '../../src/model/document.ts';
+import type { ParsedFile } from '../../src/model/files.ts';
+import { Messages } from '../../src/ui/messages.ts';
+import { parse } from '../../src/worker/parse.ts';
+
+/** As much of a handle as a stand-in for a disk looks at. */
+export function handleOf(name: string): FileSystemFileHandle {
+  // Nothing but the disk below ever looks into it.
+  return { kind: 'file', name } as FileSystemFileHandle;
+}
+
+/** Files by handle; a version is the content itself. */
+export class FakeDisk implements Disk {
+  readonly files = new Map<FileSystemFileHandle, string>();
+  readonly downloads: string[] = [];
+  /** Names that the person was asked about. */
+  readonly asked: string[] = [];
+  /** What the person picks; none downloads, `give up` closes the dialog. */
+  picks: FileSystemFileHandle | 'give up' | undefined;
+
+  put(name: string, text: string): FileSystemFileHandle {
+    const handle = handleOf(name);
+    this.files.set(handle, text);
+    return handle;
+  }
+  asksWhereToSave = () => this.picks !== undefined;
+  pickTarget = async (name: string) => {
+    this.asked.push(name);
+    return this.picks === 'give up' ? undefined : this.picks;
+  };
+  writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array) => {
+    if (!this.files.has(handle)) throw new DiskError('It is gone.', true);
+    const text = typeof content === 'string' ? content : `${content.length} bytes`;
+    this.files.set(handle, text);
+    return text;
+  };
+  versionOnDisk = async (handle: FileSystemFileHandle) => this.files.get(handle);
+  download = (name: string) => void this.downloads.push(name);
+}
+
+/** Opens texts as the opener does, with a handle on the disk for each where `onDisk` says so. */
+export async function pageWith(texts: Readonly<Record<string, string>>, onDisk = true) {
+  const disk = new FakeDisk();
+  const store = new Store();
+  const messages = new Messages();
+  const unsaved = new Unsaved(store);
+  const handles = new DiskHandles();
+  const open = async (given: readonly GivenFile[]): Promise<readonly ParsedFile[]> => {
+    const { files, broken } = await parse({ files: given }, () => undefined);
+    const result = openFiles(store.document, files, broken, store.selection.characterId);
+    store.replace(result.label, { document: result.document, selection: store.selection });
+    handles.note(given);
+    unsaved.opened(files);
+    return files;
+  };
+  await open(
+    Object.entries(texts).map(([path, text]): GivenFile => {
+      const given = { path, blob: new Blob([text]) };
+      if (!onDisk) return given;
+      return { ...given, handle: disk.put(path.slice(path.lastIndexOf('/') + 1), text), version: text };
+    }),
+  );
+  const change = (edit: (character: Character) => Character, index = 0) =>
+    store.replace('Change', {
+      document: {
+        ...store.document,
+        characters: store.document.characters.map((c, i) => (i === index ? edit(c) : c)),
+      },
+      selection: store.selection,
+    });
+  const saver = new Saver({ store, messages, unsaved, handles, disk });
+  return {
+    disk,
+    store,
+    messages,
+    unsaved,
+    handles,
+    saver,
+    open,
+    change,
+    names: () => unsaved.current().map(({ name }) => name),
+    /** The text of the file of that name that was put there first. */
+    text: (name: string) => [...disk.files].find(([handle]) => handle.name === name)?.[1],
+    handle: (name: string) => [...disk.files.keys()].find((handle) => handle.name === name),
+  };
+}

@@ -1,0 +1,223 @@
+import { describe, expect, it } from 'vitest';
+import { Opener } from '../../src/app/opening.ts';
+import { canReload, reload } from '../../src/app/reload.ts';
+import { saveCharacter } from '../../src/app/saving.ts';
+import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
+import { DiskError, type DiskFile } from '../../src/io/disk-files.ts';
+import { keylessChannel } from '../../src/model/clip.ts';
+import type { Character } from '../../src/model/document.ts';
+import { observable } from '../../src/ui/observable.ts';
+import type { Loading } from '../../src/ui/workbench.ts';
+import { WorkerClient } from '../../src/worker/client.ts';
+import { parse } from '../../src/worker/parse.ts';
+import type { Jobs } from '../../src/worker/protocol.ts';
+import { character, clip, skeleton } from '../helpers/builders.ts';
+import { pageWith } from './disk.ts';
+
+/** The worker's job without a thread. */
+class InThisThread extends WorkerClient {
+  constructor() {
+    super(() => {
+      throw new Error('No worker is needed.');
+    });
+  }
+  override run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
+    return parse(input, () => undefined);
+  }
+}
+
+const SKEL = saveCharacter(character(), 'skel')[0].text;
+const animOf = (value: number, name = 'hero_walk') =>
+  saveCharacter(character({ clips: [clip(name, new Array(9).fill(value), [0, 2])] }), 'anim')[0].text;
+const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': animOf(0.5) };
+
+async function page(texts: Readonly<Record<string, string>> = HERO) {
+  const base = await pageWith(texts);
+  const { store, messages, handles, unsaved, disk } = base;
+  const transport = observable({ ...DEFAULT_PLAYBACK, timeSeconds: 1.25, playing: true });
+  let framed = 0;
+  const opener = new Opener({
+    store,
+    transport,
+    messages,
+    loading: observable<Loading | undefined>(undefined),
+    viewport: { frameAll: () => void framed++ },
+    worker: new InThisThread(),
+  });
+  opener.subscribe(({ given, files }) => {
+    handles.note(given);
+    unsaved.opened(files);
+  });
+  const parts = {
+    store,
+    messages,
+    opener,
+    unsaved,
+    handles,
+    async readAgain({ path, handle }: DiskFile) {
+      const text = handle && disk.files.get(handle);
+      if (text === undefined) throw new DiskError('It is gone.', true);
+      return { path, blob: new Blob([text]), version: text, ...(handle && { handle }) };
+    },
+  };
+  const edit = (name: string, text: string) => {
+    const handle = base.handle(name);
+    if (handle) disk.files.set(handle, text);
+  };
+  const reloadIt = () => reload(parts, 'c1');
+  const own = () => store.document.characters[0];
+  return { ...base, transport, edit, reloadIt, own, parts, framed: () => framed };
+}
+
+const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
+const value = (c: Character) => c.clips[0].channels[0].values[0];
+
+describe('reloading', () => {
+  it('replaces the part whose file changed, and nothing else', async () => {
+    const here = await page();
+    const before = here.own();
+    here.edit('hero_walk.anim', animOf(2));
+    await here.reloadIt();
+    expect(value(here.own())).toBe(2);
+    expect(here.own().skeleton).toBe(before.skeleton);
+    expect(here.store.document.characters).toHaveLength(1);
+    expect(here.names()).toEqual([]);
+    expect(here.messages.passing.get()).toBe('Reloaded hero_walk.anim.');
+  });
+
+  it('keeps time, playing and camera, and what is selected', async () => {
+    const here = await page();
+    const selection = { characterId: 'c1', joint: 1 };
+    here.store.select(selection);
+    const before = here.transport.get();
+    here.edit('hero_walk.anim', animOf(2));
+    here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
+    await here.reloadIt();
+    expect(here.own().skeleton?.joints[0].offset).toEqual([0, 3, 0]);
+    expect(here.transport.get()).toBe(before);
+    expect(here.framed()).toBe(0);
+    expect(here.store.selection).toEqual(selection);
+  });
+
+  it('is one step for several files, and gives an edit back when undone', async () => {
+    const here = await page();
+    here.change(longer);
+    const edited = here.store.document;
+    here.edit('hero_walk.anim', animOf(2));
+    here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
+    await here.reloadIt();
+    expect(here.store.undoLabel).toBe('Reload hero.skel and 1 more');
+    here.store.undo();
+    expect(here.store.document).toEqual(edited);
+  });
+
+  it('keeps keys selected where their channel is the same, and lets others go', async () => {
+    const here = await page();
+    const keys = [0, 4].map((channel) => ({ channel, indices: [0] }));
+    here.store.select({ characterId: 'c1', keys });
+    here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
+    await here.reloadIt();
+    expect(here.store.selection.keys).toEqual(keys);
+    const other = clip('hero_walk', new Array(9).fill(0.5), [0, 2]);
+    const text = saveCharacter(
+      character({ clips: [{ ...other, channels: other.channels.map((c, i) => (i === 4 ? keylessChannel() : c)) }] }),
+      'anim',
+    )[0].text;
+    here.edit('hero_walk.anim', text);
+    await here.reloadIt();
+    expect(here.store.selection.keys).toEqual([keys[0]]);
+  });
+
+  it('goes on showing the take that was shown', async () => {
+    const here = await page({ ...HERO, 'hero_run.anim': animOf(1, 'hero_run') });
+    const [run, walk] = ['hero_run', 'hero_walk'].map((name) => here.own().clips.findIndex((c) => c.name === name));
+    here.change((c) => ({ ...c, shownClip: walk }));
+    here.edit('hero_run.anim', animOf(3, 'hero_run'));
+    await here.reloadIt();
+    expect(here.own().shownClip).toBe(walk);
+    expect(here.own().clips[run].channels[0].values[0]).toBe(3);
+  });
+
+  it('changes nothing where a file is broken, and takes it when it is whole again', async () => {
+    const here = await page();
+    const before = here.store.document;
+    here.edit('hero_walk.anim', animOf(2).replace('numchannels 9', 'numchannels nine'));
+    const diagnostics = await here.reloadIt();
+    expect(here.store.document).toBe(before);
+    expect(diagnostics.some((d) => d.severity === 'error' && d.file === 'hero_walk.anim')).toBe(true);
+    here.edit('hero_walk.anim', animOf(2));
+    await here.reloadIt();
+    expect(value(here.own())).toBe(2);
+    expect(here.messages.list.get()).toEqual([]);
+  });
+
+  it('gives back what the file has, where nothing changed there but something here', async () => {
+    const here = await page();
+    here.change(longer);
+    await here.reloadIt();
+    expect(here.own().clips[0].range).toEqual([0, 2]);
+    expect(here.names()).toEqual([]);
+    here.store.undo();
+    expect(here.names()).toEqual(['hero_walk.anim']);
+  });
+
+  it('leaves what was edited here alone where another file changed', async () => {
+    const here = await page();
+    here.change(longer);
+    here.edit('hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 3 0'));
+    await here.reloadIt();
+    expect(here.own().clips[0].range).toEqual([0, 7]);
+    expect(here.names()).toEqual(['hero_walk.anim']);
+  });
+
+  it('says that nothing has changed', async () => {
+    const here = await page();
+    const before = here.store.document;
+    await here.reloadIt();
+    expect(here.store.document).toBe(before);
+    expect(here.messages.passing.get()).toBe('Nothing has changed on disk.');
+  });
+
+  it('names a file that can’t be read, and reads the others', async () => {
+    const here = await page();
+    const gone = here.handle('hero.skel');
+    if (gone) here.disk.files.delete(gone);
+    here.edit('hero_walk.anim', animOf(2));
+    await here.reloadIt();
+    expect(value(here.own())).toBe(2);
+    expect(here.messages.list.get().map((m) => m.text)).toEqual(['hero.skel: Not reloaded. It is gone.']);
+  });
+
+  it('reads a take again that was made here and saved', async () => {
+    const here = await page();
+    here.change((c) => ({ ...c, clips: [...c.clips, clip('new', new Array(9).fill(1), [0, 3])], shownClip: 1 }));
+    const handle = here.disk.put('new.anim', '');
+    here.disk.picks = handle;
+    await here.saver.saveChanged();
+    here.disk.files.set(handle, animOf(6, 'new'));
+    await here.reloadIt();
+    expect(here.own().clips.map((c) => c.name)).toEqual(['hero_walk', 'new']);
+    expect(here.own().clips[1].channels[0].values[0]).toBe(6);
+  });
+
+  it('is for what came from files only, and not for the opening sample', async () => {
+    const here = await page();
+    expect(canReload(here.parts, 'c1')).toBe(true);
+    expect(canReload(here.parts, 'c9')).toBe(false);
+    here.store.amend({ ...here.store.document, isOpeningSample: true });
+    expect(canReload(here.parts, 'c1')).toBe(false);
+    const without = await pageWith({ 'hero.skel': SKEL }, false);
+    expect(canReload(without, 'c1')).toBe(false);
+  });
+});
+
+it('a skeleton that is read again has its own pose, and counts as saved', async () => {
+  const here = await page({ 'hero.skel': SKEL });
+  here.change((c) => ({ ...c, pose: c.pose.map((v, i) => (i === 4 ? 0.5 : v)) }));
+  expect(here.names()).toEqual(['hero.skel']);
+  here.edit('hero.skel', saveCharacter(character({ skeleton: skeleton(3) }), 'skel')[0].text);
+  await here.reloadIt();
+  expect(here.own().skeleton?.joints).toHaveLength(3);
+  expect(here.own().pose.every((v) => v === 0)).toBe(true);
+  expect(here.names()).toEqual([]);
+});

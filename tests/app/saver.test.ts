@@ -1,0 +1,165 @@
+import { describe, expect, it } from 'vitest';
+import { saveCharacter } from '../../src/app/saving.ts';
+import type { Character } from '../../src/model/document.ts';
+import { character, clip, skeleton } from '../helpers/builders.ts';
+import { pageWith } from './disk.ts';
+
+const SKEL = saveCharacter(character(), 'skel')[0].text;
+const ANIM = saveCharacter(character({ clips: [clip('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0].text;
+const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': ANIM };
+
+const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
+const posed = (c: Character): Character => ({ ...c, shownClip: -1, pose: c.pose.map((v, i) => (i === 4 ? 0.25 : v)) });
+const limited = (c: Character): Character => {
+  const own = c.skeleton ?? skeleton();
+  const joints = own.joints.map((j) => ({ ...j, limits: [{ min: -2, max: 3 }, ...j.limits.slice(1)] }));
+  return { ...c, skeleton: { ...own, joints } };
+};
+const said = (page: Awaited<ReturnType<typeof pageWith>>) => page.messages.passing.get();
+
+describe('saving what changed', () => {
+  it('writes it in place, and nothing else', async () => {
+    const page = await pageWith(HERO);
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.text('hero_walk.anim')).toContain('range 0 7');
+    expect(page.text('hero.skel')).toBe(SKEL);
+    expect(page.names()).toEqual([]);
+    expect(said(page)).toBe('Saved hero_walk.anim.');
+  });
+
+  it('says so where there is nothing to save', async () => {
+    const page = await pageWith(HERO);
+    await page.saver.saveChanged();
+    expect(said(page)).toBe('Everything is saved. Save as… writes copies.');
+  });
+
+  it('writes pose and limits into the skeleton’s file', async () => {
+    const page = await pageWith(HERO);
+    page.change((c) => limited(posed(c)));
+    await page.saver.saveChanged();
+    expect(page.text('hero.skel')).toContain('pose 0 0.25 0');
+    expect(page.text('hero.skel')).toContain('rotxlimit -2 3');
+    expect(page.names()).toEqual([]);
+  });
+
+  it('leaves a pose out that a take covers', async () => {
+    const page = await pageWith(HERO);
+    page.change((c) => limited({ ...posed(c), shownClip: 0 }));
+    await page.saver.saveChanged();
+    expect(page.text('hero.skel')).toContain('rotxlimit -2 3');
+    expect(page.text('hero.skel')).not.toContain('pose');
+  });
+
+  it('keeps all roots of a skeleton’s file', async () => {
+    const page = await pageWith({ 'two.skel': `${SKEL}${SKEL}` });
+    expect(page.store.document.characters).toHaveLength(2);
+    page.change(posed, 1);
+    await page.saver.saveChanged();
+    expect(page.text('two.skel')?.match(/balljoint joint0/g)).toHaveLength(2);
+    expect(page.text('two.skel')?.match(/pose/g)).toHaveLength(1);
+    expect(page.names()).toEqual([]);
+  });
+
+  it('asks for a place where there is none yet, and goes on writing there', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = page.disk.put('mine.anim', '');
+    page.change((c) => ({ ...c, clips: [...c.clips, clip('new', new Array(9).fill(1), [0, 3])] }));
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['new.anim']);
+    expect(page.text('mine.anim')).toContain('range 0 3');
+    expect(said(page)).toBe('Saved mine.anim.');
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toHaveLength(1);
+    expect(page.text('mine.anim')).toContain('range 0 7');
+  });
+
+  it('keeps the mark where the person gives up', async () => {
+    const page = await pageWith(HERO, false);
+    page.disk.picks = 'give up';
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.names()).toEqual(['hero_walk.anim']);
+    expect(page.disk.downloads).toEqual([]);
+    expect(said(page)).toBeUndefined();
+  });
+
+  it('downloads where the browser asks for no place', async () => {
+    const page = await pageWith(HERO, false);
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.disk.downloads).toEqual(['hero_walk.anim']);
+    expect(page.names()).toEqual([]);
+  });
+
+  it('says first, and overwrites when asked again, what someone else changed meanwhile', async () => {
+    const page = await pageWith(HERO);
+    const handle = page.handle('hero_walk.anim');
+    if (handle) page.disk.files.set(handle, 'theirs');
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.text('hero_walk.anim')).toBe('theirs');
+    expect(page.names()).toEqual(['hero_walk.anim']);
+    expect(page.messages.list.get()[0]?.text).toContain('changed on disk');
+    await page.saver.saveChanged();
+    expect(page.text('hero_walk.anim')).toContain('range 0 7');
+    expect(page.messages.list.get()).toEqual([]);
+  });
+
+  it('keeps the mark where writing fails, says why, and asks for another place next', async () => {
+    const page = await pageWith(HERO);
+    const handle = page.handle('hero_walk.anim');
+    if (handle) page.disk.files.delete(handle);
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.names()).toEqual(['hero_walk.anim']);
+    expect(page.messages.list.get()[0]?.text).toBe(
+      'hero_walk.anim: Not saved. It is gone. Save again to choose another place.',
+    );
+    page.disk.picks = page.disk.put('hero_walk.anim', '');
+    await page.saver.saveChanged();
+    expect(page.names()).toEqual([]);
+    expect(page.messages.list.get()).toEqual([]);
+  });
+
+  it('saves what is well though another file fails', async () => {
+    const page = await pageWith(HERO);
+    const handle = page.handle('hero.skel');
+    if (handle) page.disk.files.delete(handle);
+    page.change((c) => limited(longer(c)));
+    await page.saver.saveChanged();
+    expect(page.names()).toEqual(['hero.skel']);
+    expect(page.text('hero_walk.anim')).toContain('range 0 7');
+  });
+});
+
+describe('saving as', () => {
+  it('asks, and saves there from then on', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = page.disk.put('copy.anim', '');
+    page.change(longer);
+    await page.saver.saveAs('c1', 'anim');
+    expect(page.text('copy.anim')).toContain('range 0 7');
+    expect(page.text('hero_walk.anim')).toBe(ANIM);
+    expect(page.names()).toEqual([]);
+    page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 9] })) }));
+    await page.saver.saveChanged();
+    expect(page.text('copy.anim')).toContain('range 0 9');
+    expect(page.text('hero_walk.anim')).toBe(ANIM);
+  });
+
+  it('says what is not there', async () => {
+    const page = await pageWith(HERO);
+    await page.saver.saveAs('c1', 'skin');
+    expect(page.messages.list.get()[0]?.text).toBe('hero has nothing that could be saved as .skin.');
+  });
+
+  it('saves a whole character as one zip', async () => {
+    const page = await pageWith(HERO);
+    page.change(longer);
+    await page.saver.saveAll('c1');
+    expect(page.disk.downloads).toEqual(['hero.zip']);
+    expect(page.names()).toEqual([]);
+  });
+});

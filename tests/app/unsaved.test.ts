@@ -1,0 +1,218 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { titleFor } from '../../src/app/leaving.ts';
+import { sameData } from '../../src/app/same-data.ts';
+import { partsOf } from '../../src/app/saving.ts';
+import { Unsaved } from '../../src/app/unsaved.ts';
+import { renameCharacter } from '../../src/edit/commands/characters.ts';
+import { setDofs } from '../../src/edit/commands/pose.ts';
+import { openFiles } from '../../src/edit/open-files.ts';
+import { Store } from '../../src/edit/store.ts';
+import type { ChannelClip } from '../../src/model/clip.ts';
+import type { Character } from '../../src/model/document.ts';
+import type { ParsedFile } from '../../src/model/files.ts';
+import { animFile, clip, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../helpers/builders.ts';
+
+/** A page on which files were opened as the opener opens them. */
+function opened(...files: ParsedFile[]) {
+  const store = new Store();
+  const unsaved = new Unsaved(store);
+  const open = (...more: ParsedFile[]) => {
+    const result = openFiles(store.document, more, [], store.selection.characterId);
+    store.replace(result.label, { document: result.document, selection: store.selection });
+    unsaved.opened(more);
+  };
+  open(...files);
+  const names = () => unsaved.current().map(({ name }) => name);
+  const change = (edit: (character: Character) => Character, index = 0) =>
+    store.replace('Change', {
+      document: {
+        ...store.document,
+        characters: store.document.characters.map((c, i) => (i === index ? edit(c) : c)),
+      },
+      selection: store.selection,
+    });
+  const setDof = (dof: number, value: number) =>
+    store.apply(setDofs, { characterId: 'c1', dofs: [{ index: dof, value }], timeSeconds: 0 });
+  return { store, unsaved, open, names, change, setDof };
+}
+
+const hero = () => [
+  skelFile('hero.skel', skeleton()),
+  skinFile('hero.skin', skin()),
+  morphFile('hero_smile.morph', morph('hero_smile')),
+];
+const moved = (own: ChannelClip, by = 1): ChannelClip => ({
+  ...own,
+  channels: own.channels.map((c, i) => (i === 0 ? { ...c, values: c.values.map((v) => v + by) } : c)),
+});
+const withClip = (edit: (clip: ChannelClip) => ChannelClip) => (c: Character) => ({ ...c, clips: c.clips.map(edit) });
+
+describe('what is unsaved', () => {
+  it('is nothing of what was opened', () => {
+    expect(opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1]))).names()).toEqual([]);
+  });
+
+  it('is a clip that was edited, until it is undone', () => {
+    const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    change(withClip((c) => moved(c)));
+    expect(names()).toEqual(['hero_walk.anim']);
+    store.undo();
+    expect(names()).toEqual([]);
+    store.redo();
+    expect(names()).toEqual(['hero_walk.anim']);
+  });
+
+  it('is no clip that is as it was, though made anew', () => {
+    const { names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    change(withClip((c) => moved(c)));
+    change(withClip((c) => moved(c, -1)));
+    expect(names()).toEqual([]);
+  });
+
+  it('is a clip made here, and one that has another name now', () => {
+    const { names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    change((c) => ({ ...c, clips: [...c.clips, clip('new', [0])] }));
+    expect(names()).toEqual(['new.anim']);
+    change(withClip((c) => ({ ...c, name: `${c.name}2` })));
+    expect(names()).toEqual(['hero_walk2.anim', 'new2.anim']);
+  });
+
+  it('is the skeleton when its limits or the pose of its joints change', () => {
+    const { store, names, change, setDof } = opened(...hero());
+    setDof(4, 0.5);
+    expect(names()).toEqual(['hero.skel']);
+    setDof(4, 0);
+    expect(names()).toEqual([]);
+    const { joints } = skeleton();
+    const limited = joints.map((j) => ({ ...j, limits: [{ min: 0, max: 1 }, ...j.limits.slice(1)] }));
+    change((c) => ({ ...c, skeleton: { ...skeleton(), joints: limited } }));
+    expect(names()).toEqual(['hero.skel']);
+    store.undo();
+    expect(names()).toEqual([]);
+  });
+
+  it('is no skeleton for where the root stands, for a morph, nor for a pose that a take covers', () => {
+    const { names, change, setDof } = opened(...hero());
+    setDof(1, 3);
+    setDof(9, 1);
+    expect(names()).toEqual([]);
+    setDof(4, 0.5);
+    change((c) => ({ ...c, clips: [clip('hero_walk', new Array(10).fill(0))], shownClip: 0 }));
+    expect(names()).toEqual(['hero_walk.anim']);
+  });
+
+  it('is nothing for a name, a place, or another take shown', () => {
+    const files = [
+      ...hero(),
+      animFile('hero_a.anim', clip('hero_a', [1])),
+      animFile('hero_b.anim', clip('hero_b', [2])),
+    ];
+    const { store, names, change } = opened(...files);
+    store.apply(renameCharacter, { characterId: 'c1', name: 'someone' });
+    change((c) => ({ ...c, shownClip: 1, timeOffsetSeconds: 2 }));
+    expect(names()).toEqual([]);
+  });
+
+  it('is told by character, kind and index', () => {
+    const other = skelFile('b/other.skel', skeleton(2, 'other'));
+    const { unsaved, change } = opened(skelFile('a/hero.skel', skeleton()), other);
+    change((c) => ({ ...c, clips: [clip('x', [0])] }), 1);
+    expect(unsaved.current()).toEqual([{ characterId: 'c2', kind: 'anim', index: 0, name: 'x.anim' }]);
+  });
+
+  it('knows two takes of one name apart', () => {
+    const { names, change } = opened(
+      skelFile('hero.skel', skeleton()),
+      animFile('a/walk.anim', clip('walk', [1])),
+      animFile('b/walk.anim', clip('walk', [2])),
+    );
+    expect(names()).toEqual([]);
+    change((c) => ({ ...c, clips: [c.clips[0], moved(c.clips[1])] }));
+    expect(names()).toEqual(['walk.anim']);
+  });
+
+  it('is nothing of a file that waited for its character', () => {
+    const { names, open } = opened(morphFile('hero_smile.morph', morph('hero_smile')));
+    open(skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin()));
+    expect(names()).toEqual([]);
+  });
+
+  it('is decided anew by what is opened over it, and by taking that back', () => {
+    const { store, names, change, open } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    change(withClip((c) => moved(c)));
+    open(animFile('hero_walk.anim', clip('hero_walk', [7])));
+    expect(names()).toEqual([]);
+    store.undo();
+    expect(names()).toEqual(['hero_walk.anim']);
+  });
+});
+
+describe('saving', () => {
+  it('makes what was written the measure', () => {
+    const { store, unsaved, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    change(withClip((c) => moved(c)));
+    const [character] = store.document.characters;
+    for (const part of partsOf(character)) if (part.kind === 'anim') unsaved.saved('c1', part);
+    expect(names()).toEqual([]);
+    store.undo();
+    expect(names()).toEqual(['hero_walk.anim']);
+  });
+
+  it('tells those who listen once for a change, and not for what changes nothing', async () => {
+    const { unsaved, change, setDof } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    await Promise.resolve();
+    const heard: string[][] = [];
+    unsaved.parts.subscribe((parts) => heard.push(parts.map(({ name }) => name)));
+    change(withClip((c) => moved(c)));
+    change(withClip((c) => moved(c)));
+    await Promise.resolve();
+    setDof(1, 2);
+    await Promise.resolve();
+    expect(heard).toEqual([['hero_walk.anim']]);
+  });
+
+  it('can be taken down and given back', () => {
+    const first = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
+    first.change(withClip((c) => moved(c)));
+    first.setDof(4, 0.5);
+    const store = new Store(first.store.document);
+    const again = new Unsaved(store);
+    expect(again.current()).toHaveLength(4);
+    again.restore(structuredClone(first.unsaved.snapshot()));
+    expect(again.current()).toEqual(first.unsaved.current());
+    expect(again.current().map(({ name }) => name)).toEqual(['hero.skel', 'hero_walk.anim']);
+  });
+});
+
+describe('the title', () => {
+  it('names one file, and counts several', () => {
+    expect(titleFor('Marrow', [])).toBe('Marrow');
+    expect(titleFor('Marrow', [{ name: 'wasp_walk.anim' }])).toBe('• wasp_walk.anim – Marrow');
+    expect(titleFor('Marrow', [{ name: 'a' }, { name: 'b' }])).toBe('• 2 files – Marrow');
+  });
+});
+
+describe('same data', () => {
+  const leaf = fc.oneof(fc.double(), fc.string(), fc.constant(null), fc.float64Array(), fc.uint8Array());
+  const data = fc.letrec((tie) => ({
+    node: fc.oneof({ depthSize: 'small' }, leaf, fc.array(tie('node')), fc.dictionary(fc.string(), tie('node'))),
+  })).node;
+
+  it('is what a copy is', () => {
+    fc.assert(fc.property(data, (a) => sameData(a, structuredClone(a))));
+  });
+
+  it('agrees with comparing by hand, both ways round', () => {
+    const clean = (v: unknown) => JSON.stringify(v, (_, x) => (x instanceof Uint8Array ? ['bytes', ...x] : x));
+    const numbers = fc.oneof(fc.array(fc.nat(3)), fc.nat(3), fc.uint8Array({ maxLength: 2, max: 2 }));
+    const small = fc.dictionary(fc.constantFrom('a', 'b'), numbers, { noNullPrototype: true });
+    fc.assert(
+      fc.property(small, small, (a, b) => {
+        const sorted = (o: object) => clean(Object.fromEntries(Object.entries(o).sort(([x], [y]) => (x < y ? -1 : 1))));
+        expect(sameData(a, b)).toBe(sorted(a) === sorted(b));
+        expect(sameData(b, a)).toBe(sameData(a, b));
+      }),
+    );
+  });
+});

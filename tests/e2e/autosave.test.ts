@@ -1,0 +1,237 @@
+/** Work that outlives its page: killed, closed and reloaded, beside other tabs, and where nothing can be kept. */
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { dropFiles, type OpenPage, type PageOptions, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+
+const ARM = `balljoint shoulder {
+	boxmin -0.1 0 -0.1
+	boxmax 0.1 1 0.1
+	balljoint elbow { offset 0 1 0 boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }
+}`;
+
+const ready = (page: Page) => page.waitForFunction(() => window.marrow?.characters().length);
+const shown = (page: Page, name: string) =>
+  page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
+const kept = (page: Page) => page.waitForFunction(() => document.documentElement.dataset.autosave === 'kept');
+const dofs = (page: Page) => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
+const setDof = (page: Page, index: number, value: number) =>
+  page.evaluate(([i, v]) => window.marrow.run('pose.setDofs', { dofs: [{ index: i, value: v }] }), [index, value]);
+const offer = (page: Page) => page.getByRole('region', { name: 'Work that was not finished' });
+const restore = (page: Page) => offer(page).getByRole('button', { name: 'Restore' }).click();
+const openArm = async (page: Page) => {
+  await ready(page);
+  await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
+  await shown(page, 'arm');
+};
+
+/** Many pages come and go here, and each is drawn by the processor. */
+const withSmallPage = (body: (open: OpenPage) => Promise<void>, options: PageOptions = {}) =>
+  withPage(body, { size: { width: 960, height: 600 }, ...options });
+
+/** How a page ends in the middle of work. */
+async function crash(page: Page): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const crashed = page.waitForEvent('crash');
+  // It never answers: there is nobody left to.
+  session.send('Page.crash').catch(() => undefined);
+  await crashed;
+}
+
+describe('work', () => {
+  it('comes back after a crash: document, selection, time, and what was open is gone', () =>
+    withSmallPage(
+      async ({ page, openAnother }) => {
+        await openArm(page);
+        await page.getByRole('treeitem', { name: 'elbow' }).click();
+        await setDof(page, 6, 0.5);
+        await page.evaluate(() => window.marrow.seek(0.75));
+        await kept(page);
+        const before = await dofs(page);
+        await crash(page);
+
+        const again = await openAnother();
+        await ready(again);
+        await offer(again)
+          .getByText(/Your work of .* is still here: arm, 2 joints\./)
+          .waitFor();
+        await restore(again);
+        await shown(again, 'arm');
+        expect(await dofs(again)).toEqual(before);
+        await again.locator('[role=treeitem][aria-selected=true]', { hasText: 'elbow' }).waitFor();
+        expect(await again.getByRole('textbox', { name: 'Time in seconds' }).inputValue()).toContain('0.75');
+        expect(await again.evaluate(() => window.marrow.characters().map((c) => c.name))).toEqual(['arm']);
+        expect(await offer(again).count()).toBe(0);
+      },
+      // High enough for the tree to show the joints.
+      { expected: /crashed/, size: { width: 1280, height: 800 } },
+    ));
+
+  it('goes on being kept under the same session after it was restored', () =>
+    withSmallPage(async ({ page }) => {
+      await openArm(page);
+      await setDof(page, 6, 0.5);
+      await kept(page);
+      await page.reload();
+      await restore(page);
+      await shown(page, 'arm');
+      await setDof(page, 6, 0.7);
+      await kept(page);
+      await page.reload();
+      await ready(page);
+      await restore(page);
+      await shown(page, 'arm');
+      expect((await dofs(page))[6]).toBe(0.7);
+      await page.reload();
+      await offer(page).waitFor();
+      expect(await offer(page).getByRole('button', { name: /older/ }).count()).toBe(0);
+    }));
+
+  it('is kept to the last moment when its page is reloaded or closed', () =>
+    withSmallPage(async ({ page, openAnother }) => {
+      await openArm(page);
+      await setDof(page, 6, 0.25);
+      await kept(page);
+      await setDof(page, 6, 0.5);
+      await page.reload();
+      await restore(page);
+      await shown(page, 'arm');
+      expect((await dofs(page))[6]).toBe(0.5);
+      await setDof(page, 6, 0.75);
+      const another = await openAnother();
+      await page.close();
+      await another.reload();
+      await restore(another);
+      await shown(another, 'arm');
+      expect((await dofs(another))[6]).toBe(0.75);
+    }));
+
+  it('is not offered where nothing was done', () =>
+    withSmallPage(async ({ page, openAnother }) => {
+      await openArm(page);
+      await kept(page);
+      // A page with nothing but the sample, seen from elsewhere and at another time.
+      const idle = await openAnother();
+      await ready(idle);
+      await idle.evaluate(() => window.marrow.seek(0.5));
+      await idle.keyboard.press('1');
+      await idle.reload();
+      await ready(idle);
+      await page.close();
+      await idle.reload();
+      await offer(idle).getByText('arm, 2 joints').waitFor();
+      expect(await offer(idle).getByRole('button', { name: /older/ }).count()).toBe(0);
+    }));
+
+  it('of two tabs stays apart', () =>
+    withSmallPage(async ({ page, openAnother }) => {
+      await openArm(page);
+      await setDof(page, 6, 0.5);
+      await kept(page);
+      const other = await openAnother();
+      await openArm(other);
+      await setDof(other, 6, -0.5);
+      await kept(other);
+      await setDof(page, 7, 0.1);
+      await kept(page);
+      // Neither is offered the other's, which is still worked on.
+      expect(await offer(other).count()).toBe(0);
+      await other.close();
+      await page.reload();
+      await ready(page);
+      await offer(page).getByRole('button', { name: '1 older' }).waitFor();
+      await restore(page);
+      await shown(page, 'arm');
+      expect((await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
+    }));
+
+  it('that is discarded can be had back for a moment', () =>
+    withSmallPage(async ({ page }) => {
+      await openArm(page);
+      await kept(page);
+      await page.reload();
+      await offer(page).getByRole('button', { name: 'Discard' }).click();
+      await offer(page).getByRole('button', { name: 'Keep it after all' }).click();
+      await restore(page);
+      await shown(page, 'arm');
+    }));
+
+  it('restored over other work is one step, that undo takes back', () =>
+    withSmallPage(async ({ page }) => {
+      await openArm(page);
+      await setDof(page, 6, 0.5);
+      await kept(page);
+      await page.reload();
+      await ready(page);
+      await dropFiles(page, [{ name: 'other.skel', bytes: ARM }]);
+      await shown(page, 'other');
+      await offer(page)
+        .getByText(/^Work of/)
+        .waitFor();
+      await restore(page);
+      await shown(page, 'arm');
+      expect(await page.evaluate(() => window.marrow.undo())).toBe(true);
+      await shown(page, 'other');
+    }));
+});
+
+describeShared('a character with skin and walk', () => {
+  it('is back with every vertex where it was, edited channels and files alike', () =>
+    withSmallPage(async ({ page }) => {
+      await ready(page);
+      const files = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
+      await dropFiles(
+        page,
+        files.map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
+      );
+      await shown(page, 'wasp');
+      await page.evaluate(() => {
+        window.marrow.seek(0.4);
+        window.marrow.run('keys.move', { keys: [{ channel: 3, indices: [0] }], seconds: 0.01, values: [0.2] });
+      });
+      await kept(page);
+      const before = await page.evaluate(() => window.marrow.vertices());
+      await page.reload();
+      await ready(page);
+      await restore(page);
+      await shown(page, 'wasp');
+      expect(await page.evaluate(() => window.marrow.vertices())).toEqual(before);
+    }));
+});
+
+describe('where nothing can be kept', () => {
+  const forbidden: Record<string, PageOptions['before']> = {
+    'IndexedDB is forbidden': () => {
+      IDBFactory.prototype.open = () => {
+        throw new DOMException('Not here.', 'SecurityError');
+      };
+    },
+    'the store is full': () => {
+      IDBObjectStore.prototype.put = () => {
+        throw new DOMException('No room.', 'QuotaExceededError');
+      };
+    },
+    'there are no locks': () => {
+      Object.defineProperty(Navigator.prototype, 'locks', { value: undefined });
+    },
+  };
+  it.each(Object.entries(forbidden))('because %s, that is said once, and all else goes on', (_why, before) =>
+    withSmallPage(
+      async ({ page }) => {
+        await openArm(page);
+        await page.locator('.message-line').getByText('in case of a crash or a reload').waitFor();
+        await page.getByRole('button', { name: 'Dismiss' }).click();
+        for (const value of [0.5, 0.6]) {
+          await page.evaluate(() => {
+            document.documentElement.dataset.autosave = 'waiting';
+          });
+          await setDof(page, 6, value);
+          expect((await dofs(page))[6]).toBe(value);
+        }
+        await page.waitForFunction(() => document.documentElement.dataset.autosave !== 'waiting');
+        expect(await page.locator('.message-line').isVisible()).toBe(false);
+      },
+      before ? { before } : {},
+    ),
+  );
+});

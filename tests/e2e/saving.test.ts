@@ -1,0 +1,297 @@
+/**
+ * Saving, marks and reloading with real files: those of the browser's own private disk, whose handles are the same kind
+ * as a real disk's. Only the dialogs are stood in for, since no test can press a button of the system.
+ */
+import { readFileSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { dropFiles, type PageOptions, withPage } from '../helpers/page.ts';
+
+const SKEL = `balljoint root {
+	offset 0 1 0
+	balljoint tip {
+		offset 0 1 0
+	}
+}
+`;
+const key = (time: number, value: number) => `\t\t\t${time} ${value} smooth smooth\n`;
+const channel = (value: number) =>
+  `\tchannel {\n\t\textrapolate cycle cycle\n\t\tkeys 2 {\n${key(0, 0)}${key(2, value)}\t\t}\n\t}\n`;
+const anim = (value: number) =>
+  `animation {\n\trange 0 2\n\tnumchannels 9\n${new Array(9).fill(channel(value)).join('')}}\n`;
+const HERO = [
+  { name: 'hero.skel', bytes: SKEL },
+  { name: 'hero_walk.anim', bytes: anim(0.5) },
+];
+
+/** Dialogs that pick from the private disk: for opening all of it, for saving the name suggested. */
+function privateDisk(): void {
+  window.showOpenFilePicker = async () => {
+    const found: FileSystemFileHandle[] = [];
+    for await (const entry of (await navigator.storage.getDirectory()).values()) {
+      if (entry.kind === 'file') found.push(entry);
+    }
+    return found;
+  };
+  window.showSaveFilePicker = async ({ suggestedName }) =>
+    (await navigator.storage.getDirectory()).getFileHandle(suggestedName, { create: true });
+}
+
+function noDisk(): void {
+  delete window.showOpenFilePicker;
+  delete window.showSaveFilePicker;
+}
+
+const write = (page: Page, name: string, text: string) =>
+  page.evaluate(
+    async ([file, content]) => {
+      const handle = await (await navigator.storage.getDirectory()).getFileHandle(file, { create: true });
+      const stream = await handle.createWritable();
+      await stream.write(content);
+      await stream.close();
+    },
+    [name, text] as const,
+  );
+const read = (page: Page, name: string) =>
+  page.evaluate(async (file) => {
+    const handle = await (await navigator.storage.getDirectory()).getFileHandle(file);
+    return (await handle.getFile()).text();
+  }, name);
+
+const shown = (page: Page, name = 'hero') =>
+  page.waitForFunction((n) => window.marrow?.characters().some((c) => c.name === n), name);
+const titled = (page: Page, title: string) => page.waitForFunction((wanted) => document.title === wanted, title);
+const height = (page: Page) => page.evaluate(() => window.marrow.worldMatrices()[0][13]);
+const setRange = (page: Page, end: number) =>
+  page.evaluate((seconds) => window.marrow.run('clip.setRange', { range: [0, seconds] }), end);
+const menu = async (page: Page, title: string, entry: string) => {
+  await page.getByRole('menuitem', { name: title, exact: true }).click();
+  await page.getByRole('menuitem', { name: entry }).click();
+};
+
+/** A page on which the hero was opened from the private disk. */
+const withHero = (body: (page: Page) => Promise<void>, options: PageOptions = {}) =>
+  withPage(
+    async ({ page }) => {
+      await shown(page, await firstName(page));
+      for (const { name, bytes } of HERO) await write(page, name, bytes);
+      await menu(page, 'Open', 'Open files');
+      await shown(page);
+      await page.evaluate(() => {
+        window.marrow.pause();
+        window.marrow.seek(0.5);
+      });
+      await body(page);
+    },
+    { before: privateDisk, ...options },
+  );
+const firstName = async (page: Page) => {
+  await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+  return page.evaluate(() => window.marrow.characters()[0].name);
+};
+
+describe('saving in place', () => {
+  it('marks what changed in title and menu bar, takes the mark back with undo, and writes it', () =>
+    withHero(async (page) => {
+      expect(await page.title()).toBe('Marrow');
+      await setRange(page, 3);
+      await titled(page, '• hero_walk.anim – Marrow');
+      await page.getByText('Unsaved: hero_walk.anim').waitFor();
+      await page.keyboard.press('Control+z');
+      await titled(page, 'Marrow');
+      expect(await page.getByText('Unsaved:').isVisible()).toBe(false);
+      await page.keyboard.press('Control+Shift+z');
+      await titled(page, '• hero_walk.anim – Marrow');
+      await page.keyboard.press('Control+s');
+      await page.getByText('Saved hero_walk.anim.').waitFor();
+      await titled(page, 'Marrow');
+      expect(await read(page, 'hero_walk.anim')).toContain('range 0 3');
+      expect(await read(page, 'hero.skel')).toBe(SKEL);
+    }));
+
+  it('says so where nothing is to be saved', () =>
+    withHero(async (page) => {
+      await page.keyboard.press('Control+s');
+      await page.getByText('Everything is saved.').waitFor();
+    }));
+
+  it('writes limits into the skeleton', () =>
+    withHero(async (page) => {
+      await page.evaluate(() => window.marrow.run('skeleton.setLimit', { dof: 3, min: -1, max: 1 }));
+      await titled(page, '• hero.skel – Marrow');
+      await page.getByRole('button', { name: 'Save changes' }).click();
+      await titled(page, 'Marrow');
+      expect(await read(page, 'hero.skel')).toContain('rotxlimit -1 1');
+    }));
+
+  it('asks where a take made here goes, and then goes on writing there', () =>
+    withHero(async (page) => {
+      await page.evaluate(() => window.marrow.run('clip.create', { range: [0, 1], name: 'hero_new' }));
+      await titled(page, '• hero_new.anim – Marrow');
+      await page.keyboard.press('Control+s');
+      await titled(page, 'Marrow');
+      expect(await read(page, 'hero_new.anim')).toContain('range 0 1');
+      await setRange(page, 4);
+      await page.keyboard.press('Control+s');
+      await titled(page, 'Marrow');
+      expect(await read(page, 'hero_new.anim')).toContain('range 0 4');
+    }));
+
+  it('does not overwrite what was changed on disk meanwhile, unless it is saved again', () =>
+    withHero(async (page) => {
+      await setRange(page, 3);
+      await write(page, 'hero_walk.anim', anim(0.75));
+      await page.keyboard.press('Control+s');
+      await page.getByText('was changed on disk').first().waitFor();
+      expect(await read(page, 'hero_walk.anim')).toBe(anim(0.75));
+      expect(await page.title()).toBe('• hero_walk.anim – Marrow');
+      await page.keyboard.press('Control+s');
+      await titled(page, 'Marrow');
+      expect(await read(page, 'hero_walk.anim')).toContain('range 0 3');
+    }));
+
+  it('offers every part, elsewhere, with Save as', () =>
+    withHero(async (page) => {
+      await page.keyboard.press('Control+Shift+s');
+      await page.getByRole('dialog', { name: 'Save as' }).getByRole('button', { name: 'Rig' }).click();
+      await page.getByText('Saved hero.rig.').waitFor();
+      expect(await read(page, 'hero.rig')).toContain('skeleton hero.skel');
+    }));
+});
+
+describe('reloading', () => {
+  it('replaces what changed on disk as one step, and keeps time, camera and selection', () =>
+    withHero(async (page) => {
+      await page.getByRole('treeitem', { name: 'tip' }).click();
+      const before = {
+        height: await height(page),
+        clip: await page.evaluate(() => window.marrow.save('hero_walk.anim')),
+      };
+      // An edit of the take goes too: its file says otherwise now. It can be had back.
+      await setRange(page, 5);
+      await write(page, 'hero_walk.anim', anim(4));
+      await write(page, 'hero.skel', SKEL.replace('offset 0 1 0', 'offset 0 7 0'));
+      await page.keyboard.press('Alt+r');
+      await page.getByText('Reloaded hero.skel, hero_walk.anim.').waitFor();
+      expect(await height(page)).toBeGreaterThan(before.height + 5);
+      expect(await page.title()).toBe('Marrow');
+      expect(await page.evaluate(() => window.marrow.characters().length)).toBe(1);
+      expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
+      expect(await page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
+      // Time stands where it stood: the curve of 4 at 0.5 s, on top of the new offset.
+      const at = await page.evaluate(() => {
+        const now = window.marrow.worldMatrices()[0][13];
+        window.marrow.seek(0.5);
+        return [now, window.marrow.worldMatrices()[0][13]];
+      });
+      expect(at[0]).toBe(at[1]);
+      // Both are other than on disk again; then the edit goes as well.
+      await page.keyboard.press('Control+z');
+      await titled(page, '• 2 files – Marrow');
+      expect(await page.evaluate(() => window.marrow.save('hero_walk.anim'))).toContain('range 0 5');
+      await page.keyboard.press('Control+z');
+      expect(await height(page)).toBe(before.height);
+      expect(await page.evaluate(() => window.marrow.save('hero_walk.anim'))).toBe(before.clip);
+    }));
+
+  it('changes nothing where the file is wrong, and shows where', () =>
+    withHero(async (page) => {
+      const before = await height(page);
+      await write(page, 'hero_walk.anim', anim(0.5).replace('numchannels 9', 'numchannels nine'));
+      await page.keyboard.press('Alt+r');
+      await page.getByText('nine').first().waitFor();
+      expect(await height(page)).toBe(before);
+      // Put right, it comes in with the next.
+      await write(page, 'hero_walk.anim', anim(2));
+      await page.keyboard.press('Alt+r');
+      await page.getByText('Reloaded hero_walk.anim.').waitFor();
+      expect(await height(page)).toBeGreaterThan(before);
+    }));
+
+  it('says that nothing has changed', () =>
+    withHero(async (page) => {
+      await menu(page, 'Open', 'Reload from disk');
+      await page.getByText('Nothing has changed on disk.').waitFor();
+    }));
+
+  it('is what dropping a file of the same name again does, too', () =>
+    withPage(async ({ page }) => {
+      await firstName(page);
+      await dropFiles(page, HERO);
+      await shown(page);
+      await page.evaluate(() => {
+        window.marrow.pause();
+        window.marrow.seek(0.5);
+      });
+      await page.getByRole('treeitem', { name: 'tip' }).click();
+      const before = await height(page);
+      await setRange(page, 5);
+      await titled(page, '• hero_walk.anim – Marrow');
+      await dropFiles(page, [{ name: 'hero_walk.anim', bytes: anim(4) }]);
+      await titled(page, 'Marrow');
+      expect(await height(page)).toBeGreaterThan(before);
+      expect(await page.evaluate(() => window.marrow.characters()[0].clips)).toEqual(['hero_walk']);
+      expect(await page.getByRole('treeitem', { name: 'tip' }).getAttribute('aria-selected')).toBe('true');
+      await page.keyboard.press('Control+z');
+      await titled(page, '• hero_walk.anim – Marrow');
+      expect(await height(page)).toBe(before);
+    }));
+
+  it('fetches again what the address named', () => {
+    const files: Record<string, Uint8Array> = {};
+    for (const { name, bytes } of HERO) files[`given/${name}`] = new TextEncoder().encode(bytes);
+    return withPage(
+      async ({ page }) => {
+        await shown(page);
+        await page.evaluate(() => {
+          window.marrow.pause();
+          window.marrow.seek(0.5);
+        });
+        const before = await height(page);
+        files['given/hero_walk.anim'] = new TextEncoder().encode(anim(4));
+        await page.keyboard.press('Alt+r');
+        await page.getByText(/Reloaded .*hero_walk\.anim/).waitFor();
+        expect(await height(page)).toBeGreaterThan(before);
+      },
+      { query: `?files=${HERO.map(({ name }) => `given/${name}`).join(',')}`, files },
+    );
+  });
+});
+
+describe('without files in place', () => {
+  it('saves as a download', () =>
+    withPage(
+      async ({ page }) => {
+        await firstName(page);
+        await dropFiles(page, HERO);
+        await shown(page);
+        await setRange(page, 3);
+        const [download] = await Promise.all([page.waitForEvent('download'), page.keyboard.press('Control+s')]);
+        expect(download.suggestedFilename()).toBe('hero_walk.anim');
+        expect(readFileSync(await download.path(), 'utf8')).toContain('range 0 3');
+        await titled(page, 'Marrow');
+      },
+      { before: noDisk },
+    ));
+});
+
+describe('leaving', () => {
+  it('asks while something is unsaved, and only then', () =>
+    withHero(async (page) => {
+      const asked: string[] = [];
+      page.on('dialog', async (dialog) => {
+        asked.push(dialog.type());
+        await dialog.dismiss();
+      });
+      await setRange(page, 3);
+      await titled(page, '• hero_walk.anim – Marrow');
+      await page.close({ runBeforeUnload: true });
+      await expect.poll(() => asked).toEqual(['beforeunload']);
+      await page.keyboard.press('Control+s');
+      await titled(page, 'Marrow');
+      const closed = page.waitForEvent('close');
+      await page.close({ runBeforeUnload: true });
+      await closed;
+      expect(asked).toEqual(['beforeunload']);
+    }));
+});

@@ -1,0 +1,61 @@
+/** Columns of pixels as an image: what is covered, how far, and what lies over what. */
+import { describe, expect, it } from 'vitest';
+import { ColumnRaster } from '../../../src/ui/curves/picture-raster.ts';
+import { DOTTED_COLUMN, LineTrace, SOLID_COLUMN } from '../../../src/ui/curves/trace.ts';
+
+/** One column, at x = 1, from one height to another. */
+function columnTrace(top: number, bottom: number, kind = SOLID_COLUMN): LineTrace {
+  const trace = new LineTrace();
+  trace.columns = Float32Array.of(0, 0, top, bottom, 0, 0);
+  trace.columnKinds = Uint8Array.of(0, kind, 0);
+  trace.columnFrom = 1;
+  trace.columnTo = 2;
+  return trace;
+}
+
+function painted(lines: readonly { trace: LineTrace; colour: string }[], ratio = 1) {
+  const raster = new ColumnRaster();
+  raster.paint(
+    lines.map((l) => ({ ...l, width: 1 })),
+    3,
+    40,
+    ratio,
+  );
+  return (x: number, y: number) => [...raster.pixels.subarray(4 * (y * 3 + x), 4 * (y * 3 + x) + 4)];
+}
+
+describe('painted columns', () => {
+  it('cover the curve and half the line beyond it, the last pixels by their part', () => {
+    const at = painted([{ trace: columnTrace(5, 8.25), colour: '#336699' }]);
+    expect(at(1, 3)).toEqual([0, 0, 0, 0]);
+    expect(at(1, 4)).toEqual([0x33, 0x66, 0x99, 128]);
+    expect(at(1, 6)).toEqual([0x33, 0x66, 0x99, 255]);
+    expect(at(1, 8)[3]).toBe(191);
+    expect(at(0, 6)).toEqual([0, 0, 0, 0]);
+    expect(at(2, 6)).toEqual([0, 0, 0, 0]);
+  });
+
+  it('are as thick as the line where the curve lies flat', () => {
+    const at = painted([{ trace: columnTrace(5.5, 5.5), colour: '#336699' }]);
+    expect([at(1, 4)[3], at(1, 5)[3], at(1, 6)[3]]).toEqual([0, 255, 0]);
+  });
+
+  it('are laid over one another in order, and mix at their edges', () => {
+    const at = painted([
+      { trace: columnTrace(2, 30), colour: '#ff0000' },
+      { trace: columnTrace(5, 8.25), colour: '#0000ff' },
+    ]);
+    expect(at(1, 6)).toEqual([0, 0, 255, 255]);
+    expect(at(1, 20)).toEqual([255, 0, 0, 255]);
+    const [red, , blue, alpha] = at(1, 4);
+    expect(alpha).toBe(255);
+    expect(Math.abs(red - blue)).toBeLessThan(3);
+  });
+
+  it('are cut off at the edges of the image, and every other square of what is extrapolated is left out', () => {
+    const at = painted([{ trace: columnTrace(-5000, 5000, DOTTED_COLUMN), colour: '#ffffff' }]);
+    const alphas = Array.from({ length: 40 }, (_, y) => at(1, y)[3]);
+    expect(alphas.slice(0, 8)).toEqual([255, 255, 0, 0, 255, 255, 0, 0]);
+    expect(alphas[39]).toBe(0);
+  });
+});
