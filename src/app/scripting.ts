@@ -6,8 +6,9 @@ import { finiteNumber } from '../edit/arguments.ts';
 import { COMMANDS_BY_ID } from '../edit/commands/all.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
+import { resolvedSlopes } from '../evaluate/curves.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import type { Character } from '../model/document.ts';
+import { type Character, shownClip } from '../model/document.ts';
 import type { FileKind } from '../model/files.ts';
 import { runAction } from '../ui/actions.ts';
 import type { Observable } from '../ui/observable.ts';
@@ -38,6 +39,13 @@ export interface CharacterInfo {
   readonly vertexCount: number;
 }
 
+export interface KeyInfo {
+  readonly time: number;
+  readonly value: number;
+  readonly slopeIn: number;
+  readonly slopeOut: number;
+}
+
 export interface MarrowApi {
   /** Opens files as a drop of all of them at once would; gives what there is to say about them. */
   open(files: Iterable<ScriptFile> | ArrayLike<ScriptFile>): Promise<readonly Diagnostic[]>;
@@ -55,8 +63,17 @@ export interface MarrowApi {
    * `characterId`, `timeSeconds` and `playedRange` default to the selected character, the moment shown and the range.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): void;
+  /** The keys of a channel of the shown clip: seconds of the clip, values, and the slopes that their tangents come to. */
+  keys(channel: number, character?: CharacterRef): KeyInfo[];
+  /**
+   * Where on the page the curve editor draws a point of a channel, in CSS pixels; undefined where it does not show it.
+   * Seconds of the transport.
+   */
+  placeOf(channel: number, seconds: number, value: number): { readonly x: number; readonly y: number } | undefined;
   /** Of the last picture drawn. */
   stats(): FrameStats;
+  /** Names of the steps that undo and redo would take; absent where there is none. */
+  steps(): { readonly undo?: string | undefined; readonly redo?: string | undefined };
   /** False where there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;
@@ -95,7 +112,10 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
     },
     vertices: (character) => Array.from(facts(character).vertices()),
     run: (id, args = {}) => run(workbench, id, args),
+    keys: (channel, character) => keysOf(resolve(store, character), channel),
+    placeOf: (channel, seconds, value) => workbench.timeline.tab?.placeOf?.(channel, seconds, value),
     stats: () => viewport.stats(),
+    steps: () => ({ undo: store.undoLabel, redo: store.redoLabel }),
     undo: () => store.undo(),
     redo: () => store.redo(),
     save: (name) => saveByName(store, name),
@@ -138,6 +158,15 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
     clips: character.clips.map((c) => c.name),
     vertexCount: (character.skins[character.shownSkin]?.positions.length ?? 0) / 3,
   };
+}
+
+function keysOf(character: Character, channel: number): KeyInfo[] {
+  const found = shownClip(character)?.channels[channel];
+  if (!found) throw new Error(`${character.name} plays no take with a channel ${channel}.`);
+  const slopes = resolvedSlopes(found);
+  return Array.from(found.times, (time, k) => {
+    return { time, value: found.values[k], slopeIn: slopes.in[k], slopeOut: slopes.out[k] };
+  });
 }
 
 function run(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): void {

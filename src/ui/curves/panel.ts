@@ -20,6 +20,7 @@ export function curvePanel(wb: Workbench): TimelineTab {
     fitSelected: () => plot.fitSelected(),
     zoom: (time, value) => plot.zoom(time, value),
     pan: (time, value) => plot.pan(time, value),
+    placeOf: (channel, timeSeconds, value) => plot.placeOf(channel, timeSeconds, value),
     recolour: () => plot.recolour(),
   };
 }

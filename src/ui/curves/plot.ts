@@ -14,7 +14,7 @@ import { PlotScene, sameNumbers } from './plot-scene.ts';
 import { Readout } from './readout.ts';
 import { ScaleFrame } from './scale-frame.ts';
 import type { Box, CurveScene } from './scene.ts';
-import { type CurveSpace, PLOT_TOP, pan, xOf, zoom } from './space.ts';
+import { type CurveSpace, PLOT_TOP, pan, xOf, yOf, zoom } from './space.ts';
 
 type FitKind = 'all' | 'values';
 
@@ -112,6 +112,14 @@ export class CurvePlot implements PlotHost {
   pan(timePart: number, valuePart: number): void {
     const { space } = this.scene();
     this.look(pan(space, -timePart * space.width, valuePart * (space.height - PLOT_TOP)));
+  }
+
+  placeOf(channel: number, timeSeconds: number, value: number): { readonly x: number; readonly y: number } | undefined {
+    const { lines, space } = this.scene();
+    const line = lines.find((l) => l.channel === channel);
+    if (!line) return undefined;
+    const { left, top } = this.element.getBoundingClientRect();
+    return { x: left + xOf(space, timeSeconds), y: top + yOf(space, line, value) };
   }
 
   showBox(box: Box | undefined): void {

@@ -6,7 +6,7 @@ import { type Character, findCharacter, shownSkin } from '../../model/document.t
 import type { CharacterDof } from '../../model/dofs.ts';
 import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
-import { element } from '../dom.ts';
+import { element, uniqueId } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { shown } from '../number-text.ts';
 import { autoKey } from '../pose-edits.ts';
@@ -37,12 +37,11 @@ export function addDofRow(
   const slider = new Slider(folder, dof.name, 0, sliderOptions(dof, character, angles));
   const { id } = character;
   const mark = new DofMark(wb, slider.domElement, id, index);
-  const name = element('span', { class: `dof-name ${axisClass(dof)}` }, shortName(dof, character));
-  slider.$name.replaceChildren(
-    mark.element,
-    ...(prefix ? [element('span', { class: 'dof-joint' }, prefix)] : []),
-    name,
-  );
+  const name = element('span', { class: `dof-name ${axisClass(dof)}`, id: uniqueId('dof') }, shortName(dof, character));
+  const names = [...(prefix ? [element('span', { class: 'dof-joint', id: uniqueId('dof') }, prefix)] : []), name];
+  slider.$name.replaceChildren(mark.element, ...names);
+  // Without the mark's own words.
+  slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
   slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${limitText(dof, character, angles)}`;
   slider.domElement.classList.add('dof');
 

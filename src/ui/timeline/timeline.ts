@@ -82,6 +82,11 @@ export interface TimelineTab {
   zoom?(timeFactor: number, valueFactor: number): void;
   /** Moves on by parts of what is shown: to later times, to larger values. */
   pan?(timePart: number, valuePart: number): void;
+  /**
+   * Where on the page a point of a channel's curve is drawn, in CSS pixels; undefined where the channel is not.
+   * @param timeSeconds of the transport
+   */
+  placeOf?(channel: number, timeSeconds: number, value: number): { readonly x: number; readonly y: number } | undefined;
   /** Another theme: colours are read anew. */
   recolour(): void;
 }
