@@ -9,6 +9,8 @@ const LABEL_SPACING = 34;
 /** Of a second axis on the right. */
 const LABEL_WIDTH = 46;
 const HATCH_PIXELS = 7;
+/** Curves run over it. */
+const HATCH_OPACITY = 0.6;
 
 const UNITS: Readonly<Record<AxisName, string>> = {
   angle: 'angle',
@@ -98,8 +100,10 @@ export function drawLimits(
   }
   const { width, height } = scene.space;
   g.fillStyle = hatchPattern(g, ratio, colours.hatch) ?? colours.hatch;
+  g.globalAlpha = HATCH_OPACITY;
   if (top > PLOT_TOP) g.fillRect(0, PLOT_TOP, width, Math.min(height, top) - PLOT_TOP);
   if (bottom < height) g.fillRect(0, Math.max(PLOT_TOP, bottom), width, height - Math.max(PLOT_TOP, bottom));
+  g.globalAlpha = 1;
   g.fillStyle = colours.hatch;
   for (const y of [top, bottom]) if (y > PLOT_TOP && y < height) g.fillRect(0, Math.round(y), width, 1);
 }

@@ -7,8 +7,7 @@
  */
 import { keySlope } from '../../evaluate/curves.ts';
 import { countBefore } from '../shown-keys.ts';
-import type { HandleSide } from './hit.ts';
-import { type CurveLine, type CurveScene, lineOf } from './scene.ts';
+import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
 import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 
 export const HANDLE_PIXELS = 44;

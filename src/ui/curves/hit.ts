@@ -3,20 +3,13 @@ import { evaluateChannel } from '../../evaluate/curves.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { countBefore } from '../shown-keys.ts';
 import { handlesOf } from './handles.ts';
-import type { Box, CurveLine, CurveScene } from './scene.ts';
+import type { Box, CurveLine, CurveScene, Hit } from './scene.ts';
 import { PLOT_TOP } from './space.ts';
 import { traceMap } from './trace.ts';
 import { ChannelExtremes } from './trace-extremes.ts';
 import type { TraceMap } from './trace-path.ts';
 
-export type HandleSide = 'in' | 'out';
-
-export type Hit =
-  | { readonly kind: 'key'; readonly channel: number; readonly index: number }
-  | { readonly kind: 'handle'; readonly channel: number; readonly index: number; readonly side: HandleSide }
-  /** The curve itself, at a time of the clip and the value there. */
-  | { readonly kind: 'curve'; readonly channel: number; readonly timeSeconds: number; readonly value: number }
-  | { readonly kind: 'empty' };
+export type { Hit };
 
 const EMPTY: Hit = { kind: 'empty' };
 /** A selected key or handle is taken before another that is so much nearer: it is what one was busy with. */

@@ -11,6 +11,8 @@ import { CURVE, MOVE, type TracedPath, type TraceMap } from './trace-path.ts';
 
 export const LINE_WIDTH = 1.5;
 const EMPHASISED_WIDTH = 2;
+/** With more lines than this, columns are as wide as a CSS pixel, however fine the screen: nobody sees the difference. */
+const MOST_FINE_LINES = 12;
 const DOT = 2;
 const DOTS: readonly number[] = [DOT, DOT_PERIOD - DOT];
 const UNBROKEN: readonly number[] = [];
@@ -20,14 +22,16 @@ interface Traced {
   readonly map: TraceMap;
   readonly columnsPerPixel: number;
   readonly trace: LineTrace;
-  readonly solid: Path2D;
-  readonly dotted: Path2D;
+  readonly solid: Path2D | undefined;
+  readonly dotted: Path2D | undefined;
 }
 
 export class CurveLayer {
   private traced = new Map<number, Traced>();
   private readonly raster = new ColumnRaster();
   private readonly columns = document.createElement('canvas');
+  /** Of the raster's own bytes. */
+  private image: ImageData | undefined;
 
   /** @param g scaled so that it counts in CSS pixels, `ratio` of the screen's to each */
   draw(
@@ -40,22 +44,25 @@ export class CurveLayer {
     const { lines } = scene;
     const before = this.traced;
     this.traced = new Map();
-    for (const line of lines) this.traced.set(line.channel, traceAgain(scene, line, ratio, before.get(line.channel)));
+    const columnsPerPixel = lines.length > MOST_FINE_LINES ? 1 : ratio;
+    for (const line of lines) {
+      this.traced.set(line.channel, traceAgain(scene, line, columnsPerPixel, before.get(line.channel)));
+    }
     // Those that stand out are drawn over the others.
     const order = [...lines.filter((line) => !isEmphasised(line)), ...lines.filter(isEmphasised)];
     const widthOf = (line: CurveLine) => (isEmphasised(line) ? EMPHASISED_WIDTH : LINE_WIDTH);
-    this.drawColumns(g, scene, order, widthOf, ratio, palette);
+    this.drawColumns(g, scene, order, widthOf, ratio, columnsPerPixel, palette);
     g.lineJoin = 'round';
     for (const line of order) {
       const traced = this.traced.get(line.channel);
       if (!traced) continue;
       g.strokeStyle = mixed(line.colour, palette);
       g.lineWidth = widthOf(line);
-      if (traced.trace.dotted.verbCount > 0) {
+      if (traced.dotted) {
         g.setLineDash(DOTS);
         g.stroke(traced.dotted);
       }
-      if (traced.trace.solid.verbCount === 0) continue;
+      if (!traced.solid) continue;
       g.setLineDash(line.colour.dash);
       g.stroke(traced.solid);
     }
@@ -66,9 +73,9 @@ export class CurveLayer {
   outline(g: CanvasRenderingContext2D, channel: number): void {
     const traced = this.traced.get(channel);
     if (!traced) return;
-    g.stroke(traced.solid);
+    if (traced.solid) g.stroke(traced.solid);
     g.setLineDash(DOTS);
-    g.stroke(traced.dotted);
+    if (traced.dotted) g.stroke(traced.dotted);
     g.setLineDash(UNBROKEN);
   }
 
@@ -78,25 +85,27 @@ export class CurveLayer {
     order: readonly CurveLine[],
     widthOf: (line: CurveLine) => number,
     ratio: number,
+    columnsPerPixel: number,
     palette: Readonly<Record<BaseColour, string>>,
   ): void {
     const dense: ColumnLine[] = [];
     for (const line of order) {
-      const trace = this.traced.get(line.channel)?.trace;
-      if (!trace || trace.columnFrom === trace.columnTo) continue;
-      dense.push({ trace, colour: mixed(line.colour, palette), width: widthOf(line) });
+      const columns = this.traced.get(line.channel)?.trace.columns;
+      if (!columns || columns.from === columns.to) continue;
+      dense.push({ columns, colour: mixed(line.colour, palette), width: widthOf(line) });
     }
     if (dense.length === 0) return;
     const width = Math.ceil(space.width * ratio);
     const height = Math.ceil(space.height * ratio);
-    this.raster.paint(dense, width, height, ratio);
+    this.raster.paint(dense, width, height, ratio, columnsPerPixel);
     if (this.columns.width !== width || this.columns.height !== height) {
       this.columns.width = width;
       this.columns.height = height;
     }
-    const image = this.columns.getContext('2d');
-    if (!image) return;
-    image.putImageData(new ImageData(this.raster.pixels, width, height), 0, 0);
+    if (this.image?.data !== this.raster.pixels || this.image.width !== width) {
+      this.image = new ImageData(this.raster.pixels, width, height);
+    }
+    this.columns.getContext('2d')?.putImageData(this.image, 0, 0);
     // Pixel for pixel, whatever the context counts in.
     g.save();
     g.setTransform(1, 0, 0, 1, 0, 0);
@@ -116,7 +125,9 @@ function traceAgain(scene: CurveScene, line: CurveLine, columnsPerPixel: number,
   return { channel, map, columnsPerPixel, trace, solid: pathOf(trace.solid), dotted: pathOf(trace.dotted) };
 }
 
-function pathOf({ verbs, points, verbCount }: TracedPath): Path2D {
+/** None for nothing: a hundred paths are made in a frame. */
+function pathOf({ verbs, points, verbCount }: TracedPath): Path2D | undefined {
+  if (verbCount === 0) return undefined;
   const path = new Path2D();
   let p = 0;
   for (let v = 0; v < verbCount; v++) {

@@ -89,8 +89,8 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
   const selectedCount = markCount;
   let inView = 0;
   for (const line of scene.lines) {
-    const { from, to } = keysInView(scene, line);
-    inView += to - from;
+    const { from, to, dense } = keysInView(scene, line);
+    if (!dense) inView += to - from;
   }
   for (let l = scene.lines.length - 1; l >= 0; l--) markAll(scene, scene.lines[l], inView > MOST_KEYS);
   g.strokeStyle = colours.plot;
@@ -107,7 +107,8 @@ function keysInView(scene: CurveScene, line: CurveLine) {
   const map = traceMap(scene, line);
   const from = countBefore(times, map.left - KEY_PIXELS / map.perSecond);
   const to = countBefore(times, map.left + (map.width + KEY_PIXELS) / map.perSecond);
-  return { map, from, to };
+  const pixels = to > from ? Math.max(1, (times[to - 1] - times[from]) * map.perSecond) : 1;
+  return { map, from, to, dense: to - from > 8 && (to - from) * DENSE_PIXELS > pixels };
 }
 
 /** Positions in `indices` of the selected keys in view. */
@@ -136,10 +137,9 @@ function markSelected(scene: CurveScene, part: ReturnType<typeof selectedInView>
 
 function markAll(scene: CurveScene, line: CurveLine, crowded: boolean): void {
   const { times, values } = scene.clip.channels[line.channel];
-  const { map, from, to } = keysInView(scene, line);
-  if (from === to) return;
-  const pixels = Math.max(1, (times[to - 1] - times[from]) * map.perSecond);
-  const dense = crowded || (to - from > 8 && (to - from) * DENSE_PIXELS > pixels);
+  const view = keysInView(scene, line);
+  const { map, from, to } = view;
+  const dense = crowded || view.dense;
   let k = from;
   while (k < to) {
     const x = (times[k] - map.left) * map.perSecond;

@@ -4,10 +4,10 @@
  *
  * Columns are painted in strips, each column contiguous and near, and copied to rows from there.
  */
-import { DOTTED_COLUMN, type LineTrace, NO_COLUMN } from './trace.ts';
+import { DOTTED_COLUMN, NO_COLUMN, type TracedColumns } from './trace-columns.ts';
 
 export interface ColumnLine {
-  readonly trace: LineTrace;
+  readonly columns: TracedColumns;
   /** `#rrggbb` */
   readonly colour: string;
   /** CSS pixels. */
@@ -25,88 +25,149 @@ export class ColumnRaster {
   /** Red, green, blue, alpha in bytes, row by row: an ImageData's. */
   pixels: Uint8ClampedArray<ArrayBuffer> = new Uint8ClampedArray(0);
   private words = new Uint32Array(0);
+  /** Premultiplied, as colours are that lie over one another; the image is not. */
   private strip = new Uint32Array(0);
+  /** Rows of the strip that something was painted on: from, and up to (not including). */
+  private top = 0;
+  private bottom = 0;
+  /** The same of every strip of the picture before, which are all that has to be cleared. */
+  private tops = new Int32Array(0);
+  private bottoms = new Int32Array(0);
 
-  /** @param lines back to front. @param ratio pixels of the image in a CSS pixel; columns of traces are the image's */
-  paint(lines: readonly ColumnLine[], width: number, height: number, ratio: number): void {
-    if (this.words.length !== width * height) {
+  /**
+   * @param lines back to front
+   * @param ratio pixels of the image in a CSS pixel
+   * @param columnsPerPixel columns of the traces in a CSS pixel; where the image has more, they are drawn as wide
+   */
+  paint(lines: readonly ColumnLine[], width: number, height: number, ratio: number, columnsPerPixel = ratio): void {
+    const wide = ratio / columnsPerPixel;
+    const count = Math.ceil(width / wide);
+    const strips = Math.ceil(count / STRIP);
+    if (this.words.length !== width * height || this.tops.length !== strips) {
       this.pixels = new Uint8ClampedArray(4 * width * height);
       this.words = new Uint32Array(this.pixels.buffer);
+      this.tops = new Int32Array(strips);
+      this.bottoms = new Int32Array(strips);
     }
     if (this.strip.length !== STRIP * height) this.strip = new Uint32Array(STRIP * height);
-    const words = lines.map((line) => wordOf(line.colour));
+    const colours = lines.map((line) => wordOf(line.colour));
+    for (let s = 0; s < strips; s++) {
+      const left = s * STRIP;
+      const right = Math.min(count, left + STRIP);
+      this.top = height;
+      this.bottom = 0;
+      for (let l = 0; l < lines.length; l++) {
+        this.paintLine(lines[l], colours[l], left, right, height, ratio, columnsPerPixel);
+      }
+      const from = Math.min(this.top, this.tops[s]);
+      const to = Math.max(this.bottom, this.bottoms[s]);
+      this.copyStrip(
+        left,
+        Math.ceil(left * wide),
+        Math.min(width, Math.ceil(right * wide)),
+        wide,
+        width,
+        height,
+        from,
+        to,
+      );
+      this.tops[s] = this.top;
+      this.bottoms[s] = this.bottom;
+    }
+  }
+
+  /** The strip's columns as the image's, rows `from` up to `to`; the strip is empty after it. */
+  private copyStrip(
+    left: number,
+    x0: number,
+    x1: number,
+    wide: number,
+    width: number,
+    height: number,
+    from: number,
+    to: number,
+  ): void {
+    const { strip, words } = this;
+    if (from >= to) return;
+    for (let x = x0; x < x1; x++) {
+      let at = from * width + x;
+      const column = (Math.floor(x / wide) - left) * height;
+      for (let y = column + from; y < column + to; y++) {
+        const word = strip[y];
+        const alpha = word >>> 24;
+        words[at] = alpha === 0 || alpha === 255 ? word : unpremultiplied(word, alpha);
+        at += width;
+      }
+    }
+    strip.fill(0);
+  }
+
+  private paintLine(
+    line: ColumnLine,
+    word: number,
+    left: number,
+    right: number,
+    height: number,
+    ratio: number,
+    columnsPerPixel: number,
+  ): void {
+    const { tops, bottoms, kinds } = line.columns;
     const { strip } = this;
-    for (let left = 0; left < width; left += STRIP) {
-      const right = Math.min(width, left + STRIP);
-      strip.fill(0);
-      for (let l = 0; l < lines.length; l++) this.paintLine(lines[l], words[l], left, right, height, ratio);
-      for (let y = 0; y < height; y++) {
-        for (let x = left; x < right; x++) this.words[y * width + x] = strip[(x - left) * height + y];
+    const half = (line.width * ratio) / 2;
+    const end = Math.min(right, line.columns.to);
+    for (let x = Math.max(left, line.columns.from); x < end; x++) {
+      const kind = kinds[x];
+      if (kind === NO_COLUMN) continue;
+      const from = Math.max(0, tops[x] * ratio - half);
+      const to = Math.min(height, bottoms[x] * ratio + half);
+      if (!(from < to)) continue;
+      const first = from | 0;
+      const last = Math.ceil(to) - 1;
+      if (first < this.top) this.top = first;
+      if (last >= this.bottom) this.bottom = last + 1;
+      const column = (x - left) * height;
+      if (kind === DOTTED_COLUMN) {
+        this.dottedRun(column, Math.floor(x / columnsPerPixel), from, to, word, DOT_PIXELS * ratio);
+      } else if (first === last) {
+        strip[column + first] = over(strip[column + first], word, ((to - from) * 256) | 0);
+      } else {
+        // The first and the last pixel by their part, and all between.
+        strip[column + first] = over(strip[column + first], word, ((first + 1 - from) * 256) | 0);
+        strip[column + last] = over(strip[column + last], word, ((to - last) * 256) | 0);
+        if (last - first > LONG_RUN) strip.fill(word, column + first + 1, column + last);
+        else for (let y = column + first + 1; y < column + last; y++) strip[y] = word;
       }
     }
   }
 
-  private paintLine(line: ColumnLine, word: number, left: number, right: number, height: number, ratio: number): void {
-    const { columns, columnKinds, columnFrom, columnTo } = line.trace;
-    const half = (line.width * ratio) / 2;
-    const end = Math.min(right, columnTo);
-    for (let x = Math.max(left, columnFrom); x < end; x++) {
-      const kind = columnKinds[x];
-      if (kind === NO_COLUMN) continue;
-      const from = Math.max(0, columns[2 * x] * ratio - half);
-      const to = Math.min(height, columns[2 * x + 1] * ratio + half);
-      if (!(from < to)) continue;
-      if (kind === DOTTED_COLUMN) this.dottedRun((x - left) * height, x, from, to, word, DOT_PIXELS * ratio);
-      else this.run((x - left) * height, from, to, word);
-    }
-  }
-
-  /** One column from one height to another, fractions of pixels included. */
-  private run(column: number, from: number, to: number, word: number): void {
-    const { strip } = this;
-    const first = Math.floor(from);
-    const last = Math.ceil(to) - 1;
-    if (first === last) {
-      this.cover(column + first, word, to - from);
-      return;
-    }
-    this.cover(column + first, word, first + 1 - from);
-    this.cover(column + last, word, to - last);
-    if (last - first > LONG_RUN) strip.fill(word, column + first + 1, column + last);
-    else for (let y = first + 1; y < last; y++) strip[column + y] = word;
-  }
-
-  /** The same, of every other square of a chessboard. */
+  /** One column of every other square of a chessboard; `x` in CSS pixels, the rest in the image's. */
   private dottedRun(column: number, x: number, from: number, to: number, word: number, square: number): void {
-    const odd = Math.floor(x / square) % 2;
+    const odd = Math.floor(x / DOT_PIXELS) % 2;
     const last = Math.ceil(to) - 1;
     for (let y = Math.floor(from); y <= last; y++) {
       if (Math.floor(y / square) % 2 !== odd) continue;
-      this.cover(column + y, word, Math.min(to, y + 1) - Math.max(from, y));
-    }
-  }
-
-  /** Lays a colour over a pixel, not premultiplied. */
-  private cover(at: number, word: number, coverage: number): void {
-    const { strip } = this;
-    const below = strip[at];
-    const alphaBelow = below >>> 24;
-    if (coverage >= 0.998) strip[at] = word;
-    else if (alphaBelow === 0) strip[at] = ((coverage * 255 + 0.5) << 24) | (word & 0xffffff);
-    else if (alphaBelow === 255) strip[at] = OPAQUE | blend(below, word, (coverage * 256 + 0.5) | 0);
-    else {
-      const both = coverage * 255 + alphaBelow * (1 - coverage);
-      strip[at] = ((both + 0.5) << 24) | blend(below, word, ((coverage * 255 * 256) / both) | 0);
+      const coverage = Math.min(to, y + 1) - Math.max(from, y);
+      this.strip[column + y] = over(this.strip[column + y], word, (coverage * 256) | 0);
     }
   }
 }
 
-/** Red, green and blue from one colour to another by 256ths, two of them at a time. */
-function blend(from: number, to: number, part: number): number {
+/**
+ * An opaque colour over a premultiplied one, covering `part` 256ths of the pixel. Two of the four bytes at a time, each
+ * with room for the product above it.
+ */
+function over(below: number, word: number, part: number): number {
   const rest = 256 - part;
-  const redBlue = ((Math.imul(from & 0xff00ff, rest) + Math.imul(to & 0xff00ff, part)) >>> 8) & 0xff00ff;
-  const green = (((from & 0xff00) * rest + (to & 0xff00) * part) >>> 8) & 0xff00;
-  return redBlue | green;
+  const redBlue = Math.imul(below & 0xff00ff, rest) + Math.imul(word & 0xff00ff, part);
+  const alphaGreen = Math.imul((below >>> 8) & 0xff00ff, rest) + Math.imul((word >>> 8) & 0xff00ff, part);
+  return ((redBlue >>> 8) & 0xff00ff) | (alphaGreen & 0xff00ff00);
+}
+
+function unpremultiplied(word: number, alpha: number): number {
+  const red = Math.min(255, ((word & 255) * 255) / alpha + 0.5);
+  const green = Math.min(255, (((word >>> 8) & 255) * 255) / alpha + 0.5);
+  const blue = Math.min(255, (((word >>> 16) & 255) * 255) / alpha + 0.5);
+  return (alpha << 24) | (blue << 16) | (green << 8) | red;
 }
 
 /** As it lies in memory: every machine that a browser runs on stores the lowest byte first. */

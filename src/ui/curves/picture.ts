@@ -12,11 +12,10 @@ import { element } from '../dom.ts';
 import { drawPlayhead, drawTimeRuler } from '../timeline/time-ruler.ts';
 import { drawGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { handleOf } from './handles.ts';
-import type { Hit } from './hit.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer } from './picture-curves.ts';
 import { drawKeys, KEY_PIXELS } from './picture-keys.ts';
-import { type Box, type CurveLine, type CurveScene, lineOf } from './scene.ts';
+import { type Box, type CurveLine, type CurveScene, type Hit, lineOf } from './scene.ts';
 import { PLOT_TOP, xOf, yOf } from './space.ts';
 
 const HOVER_WIDTH = 3;

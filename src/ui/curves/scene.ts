@@ -6,7 +6,6 @@ import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../model/skeleton.ts';
 import { axisColour, type LineColour, otherColour } from './colours.ts';
-import type { Hit } from './hit.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 
 /** A channel that is drawn. */
@@ -46,6 +45,16 @@ export interface CurveScene {
   readonly hover?: Hit;
   readonly box?: Box;
 }
+
+/** What is under a point of the plot (`hit.ts`). */
+export type Hit =
+  | { readonly kind: 'key'; readonly channel: number; readonly index: number }
+  | { readonly kind: 'handle'; readonly channel: number; readonly index: number; readonly side: HandleSide }
+  /** The curve itself, at a time of the clip and the value there. */
+  | { readonly kind: 'curve'; readonly channel: number; readonly timeSeconds: number; readonly value: number }
+  | { readonly kind: 'empty' };
+
+export type HandleSide = 'in' | 'out';
 
 /** Two corners in pixels, in any order. */
 export interface Box {

@@ -187,12 +187,18 @@ export class ChannelExtremes {
     while (true) {
       const ends = key < last && times[key + 1] <= to;
       const o = 2 * (key - first);
-      for (let i = o; i < o + 2; i++) {
-        // NaN where it doesn't turn.
-        if (!(turns[i] > since && (ends || turns[i] < until))) continue;
-        const turned = this.valueAt(key, turns[i]);
-        if (turned < low) low = turned;
-        if (turned > high) high = turned;
+      const turn = turns[o];
+      const other = turns[o + 1];
+      // NaN where it doesn't turn.
+      if (turn > since && (ends || turn < until)) {
+        const turned = this.valueAt(key, turn);
+        low = Math.min(low, turned);
+        high = Math.max(high, turned);
+      }
+      if (other > since && (ends || other < until)) {
+        const turned = this.valueAt(key, other);
+        low = Math.min(low, turned);
+        high = Math.max(high, turned);
       }
       if (!ends) break;
       key++;
@@ -208,12 +214,14 @@ export class ChannelExtremes {
       }
       const o4 = 4 * key;
       value = cubics[o4];
-      if (value < low) low = value;
-      if (value > high) high = value;
+      low = Math.min(low, value);
+      high = Math.max(high, value);
       since = 0;
       until = to - times[key];
     }
-    value = this.valueAt(key, until);
+    const o = 4 * key;
+    value =
+      key === last ? cubics[o] : ((cubics[o + 3] * until + cubics[o + 2]) * until + cubics[o + 1]) * until + cubics[o];
     this.low = value < low ? value : low;
     this.high = value > high ? value : high;
     this.value = value;

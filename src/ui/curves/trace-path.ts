@@ -16,7 +16,7 @@ export const LINE = 1;
 export const CURVE = 2;
 
 /** Values further than this from the plot are cut off. */
-const FAR_PIXELS = 4096;
+export const FAR_PIXELS = 4096;
 /** A span is drawn straight where its curve is nowhere further from the line than this. */
 const STRAIGHT_PIXELS = 0.03;
 
@@ -85,6 +85,12 @@ export interface TraceMap {
   readonly width: number;
   readonly top: number;
   readonly bottom: number;
+}
+
+/** Height of a value, cut off where drawing does. */
+export function heightOf(map: TraceMap, value: number): number {
+  const y = map.bottom - (value - map.low) * map.perUnit;
+  return Math.min(map.bottom + FAR_PIXELS, Math.max(map.top - FAR_PIXELS, y));
 }
 
 /** Draws cubics of one compiled clip into paths; kept and set up again for the next. */

@@ -13,8 +13,8 @@ import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
 import type { CurveScene } from './scene.ts';
 import { type OnAxis, PLOT_TOP, pixelsPerSecond, pixelsPerUnit, valueAt } from './space.ts';
-import { ChannelExtremes, type SpanExtremes } from './trace-extremes.ts';
-import { SpanTracer, TracedPath, type TraceMap } from './trace-path.ts';
+import { TracedColumns } from './trace-columns.ts';
+import { FAR_PIXELS, heightOf, SpanTracer, TracedPath, type TraceMap } from './trace-path.ts';
 
 /** Dots of what is extrapolated: pixels from one to the next. They stand still beside the curve as the view moves. */
 export const DOT_PERIOD = 5;
@@ -26,31 +26,18 @@ const DENSE_SPANS = 24;
 const BESIDE_PIXELS = 8;
 /** Up to so many plots wide, a period is drawn whole, so that its dots stand still. */
 const WHOLE_PERIOD_PLOTS = 4;
-/** What is cut off in columns, beyond top and bottom. */
-const FAR_PIXELS = 4096;
 
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');
 const CYCLE = EXTRAPOLATIONS.indexOf('cycle');
 const CYCLE_OFFSET = EXTRAPOLATIONS.indexOf('cycle_offset');
 const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
 
-export const NO_COLUMN = 0;
-export const SOLID_COLUMN = 1;
-export const DOTTED_COLUMN = 2;
-
 /** What one line comes to; made once and filled again. */
 export class LineTrace {
   readonly solid: TracedPath = new TracedPath();
   readonly dotted: TracedPath = new TracedPath();
-  /** Top and bottom of the curve in each column, CSS pixels; as long as the last picture that had columns. */
-  columns = new Float32Array(0);
-  /** NO_COLUMN, SOLID_COLUMN or DOTTED_COLUMN for each. */
-  columnKinds = new Uint8Array(0);
-  /** First column that is anything, and the one after the last. Equal where there is none. */
-  columnFrom = 0;
-  columnTo = 0;
-  /** Held on to, or it would have to be found anew with every move of the view. */
-  extremes: SpanExtremes | undefined;
+  /** What is drawn as columns instead. */
+  readonly columns: TracedColumns = new TracedColumns();
 }
 
 /** How a line's channel gets to the plot. */
@@ -81,7 +68,6 @@ export function sameMap(a: TraceMap, b: TraceMap): boolean {
 }
 
 const tracer = new SpanTracer();
-const extremes = new ChannelExtremes();
 
 /**
  * @param index of `channel` in the clip that is compiled
@@ -97,7 +83,7 @@ export function traceLine(
 ): void {
   out.solid.clear();
   out.dotted.clear();
-  out.columnFrom = out.columnTo = 0;
+  out.columns.clear();
   const right = map.left + map.width / map.perSecond;
   const first = curves.firstKey[index];
   const last = curves.firstKey[index + 1] - 1;
@@ -130,8 +116,7 @@ function inside(
   if (!(to > from)) return;
   const spans = lastNotAbove(times, first, last + 1, to) - lastNotAbove(times, first, last + 1, from);
   if (isDense(spans, (to - from) * map.perSecond)) {
-    out.extremes = extremes.open(curves, index, channel);
-    fillColumns(map, from, to, SOLID_COLUMN, columnsPerPixel, out);
+    out.columns.keyed(curves, index, channel, map, from, to, columnsPerPixel);
     return;
   }
   tracer.open(curves, map, out.solid);
@@ -178,8 +163,7 @@ function outside(
   const visible = (to - from) * map.perSecond;
   const pixels = length * map.perSecond;
   if (isDense(((last - first) * visible) / pixels, visible)) {
-    out.extremes = extremes.open(curves, index, channel);
-    fillColumns(map, from, to, DOTTED_COLUMN, columnsPerPixel, out);
+    out.columns.repeated(curves, index, channel, map, from, to, columnsPerPixel);
     return;
   }
   const begin = side === 0 ? Math.floor((from - start) / length) : Math.max(1, Math.floor((from - start) / length));
@@ -240,53 +224,6 @@ function straight(
   path.lineTo(p1.x, p1.y);
 }
 
-function heightOf(map: TraceMap, value: number): number {
-  const y = map.bottom - (value - map.low) * map.perUnit;
-  return Math.min(map.bottom + FAR_PIXELS, Math.max(map.top - FAR_PIXELS, y));
-}
-
 function isDense(spans: number, pixels: number): boolean {
   return spans > DENSE_SPANS && spans * DENSE_PIXELS > pixels;
-}
-
-/** Columns of the stretch of time, of the channel that `extremes` was opened for. */
-function fillColumns(
-  map: TraceMap,
-  from: number,
-  to: number,
-  kind: number,
-  columnsPerPixel: number,
-  out: LineTrace,
-): void {
-  const count = Math.ceil(map.width * columnsPerPixel);
-  if (out.columnKinds.length !== count) {
-    out.columns = new Float32Array(2 * count);
-    out.columnKinds = new Uint8Array(count);
-  }
-  const { columns, columnKinds } = out;
-  if (out.columnFrom === out.columnTo) columnKinds.fill(NO_COLUMN);
-  const perSecond = map.perSecond * columnsPerPixel;
-  const begin = Math.max(0, Math.floor((from - map.left) * perSecond));
-  const end = Math.min(count, Math.ceil((to - map.left) * perSecond));
-  if (begin >= end) return;
-  const keyed = kind === SOLID_COLUMN;
-  if (keyed) extremes.begin(Math.max(from, map.left + begin / perSecond));
-  for (let i = begin; i < end; i++) {
-    const until = Math.min(to, map.left + (i + 1) / perSecond);
-    if (keyed) extremes.next(until);
-    else extremes.over(Math.max(from, map.left + i / perSecond), until);
-    let top = heightOf(map, extremes.high);
-    let bottom = heightOf(map, extremes.low);
-    if (columnKinds[i] !== NO_COLUMN) {
-      // Where the keys end within a column, it has something of both sides.
-      top = Math.min(top, columns[2 * i]);
-      bottom = Math.max(bottom, columns[2 * i + 1]);
-    }
-    columns[2 * i] = top;
-    columns[2 * i + 1] = bottom;
-    if (columnKinds[i] !== SOLID_COLUMN) columnKinds[i] = kind;
-  }
-  const had = out.columnFrom < out.columnTo;
-  out.columnFrom = had ? Math.min(out.columnFrom, begin) : begin;
-  out.columnTo = had ? Math.max(out.columnTo, end) : end;
 }

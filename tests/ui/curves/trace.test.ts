@@ -3,7 +3,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type CompiledClip, compileChannels, evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { type Channel, SMOOTH } from '../../../src/model/clip.ts';
-import { LineTrace, NO_COLUMN, traceLine } from '../../../src/ui/curves/trace.ts';
+import { LineTrace, traceLine } from '../../../src/ui/curves/trace.ts';
+import { NO_COLUMN } from '../../../src/ui/curves/trace-columns.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../src/ui/curves/trace-path.ts';
 import { anyChannel, anyMap, PLOT } from './arbitraries.ts';
 
@@ -98,7 +99,7 @@ describe('a traced line', () => {
         for (const u of us) {
           const x = u * PLOT.width;
           const column = Math.min(PLOT.width - 1, Math.floor(x));
-          if (line.columnTo > column && line.columnKinds[column] !== NO_COLUMN) continue;
+          if (line.columns.to > column && line.columns.kinds[column] !== NO_COLUMN) continue;
           const [low, high] = heightsAbout(curves, map, x);
           if (high < 0 || low > PLOT.bottom) continue;
           expect(drawn.some((p) => p.x0 <= x + ASIDE_PIXELS && p.x1 >= x - ASIDE_PIXELS)).toBe(true);
@@ -113,11 +114,11 @@ describe('a traced line', () => {
     fc.assert(
       fc.property(anyChannel(60, 2), anyMap(10, 400), fc.constantFrom(1, 2), (c, map, perPixel) => {
         const { curves, line } = trace(c, map, perPixel);
-        for (let i = line.columnFrom; i < line.columnTo; i += 7) {
-          if (line.columnKinds[i] === NO_COLUMN) continue;
+        for (let i = line.columns.from; i < line.columns.to; i += 7) {
+          if (line.columns.kinds[i] === NO_COLUMN) continue;
           // A column at the edge of the keys shares its pixel with a straight line.
-          if (line.columnKinds[i - 1] === NO_COLUMN || line.columnKinds[i + 1] === NO_COLUMN) continue;
-          if (i === line.columnFrom || i === line.columnTo - 1) continue;
+          if (line.columns.kinds[i - 1] === NO_COLUMN || line.columns.kinds[i + 1] === NO_COLUMN) continue;
+          if (i === line.columns.from || i === line.columns.to - 1) continue;
           let top = Number.POSITIVE_INFINITY;
           let bottom = Number.NEGATIVE_INFINITY;
           for (let s = 0; s <= samples; s++) {
@@ -127,8 +128,8 @@ describe('a traced line', () => {
             bottom = Math.max(bottom, y);
           }
           const cut = (y: number) => Math.min(map.bottom + FAR, Math.max(map.top - FAR, y));
-          expect(line.columns[2 * i]).toBeLessThanOrEqual(cut(top) + WITHIN_PIXELS);
-          expect(line.columns[2 * i + 1]).toBeGreaterThanOrEqual(cut(bottom) - WITHIN_PIXELS);
+          expect(line.columns.tops[i]).toBeLessThanOrEqual(cut(top) + WITHIN_PIXELS);
+          expect(line.columns.bottoms[i]).toBeGreaterThanOrEqual(cut(bottom) - WITHIN_PIXELS);
         }
       }),
       { numRuns: 300 },
@@ -165,14 +166,14 @@ describe('a line of many keys', () => {
       view({ perSecond: 1 }),
     );
     expect(line.solid.verbCount).toBe(0);
-    for (let i = line.columnFrom; i < line.columnTo; i++) {
+    for (let i = line.columns.from; i < line.columns.to; i++) {
       const [a, b] = [Math.sin((100 * i) / 3000), Math.sin((100 * (i + 1)) / 3000)];
       const turn = Math.cos((100 * i) / 3000) * Math.cos((100 * (i + 1)) / 3000) < 0;
       if (turn) continue;
-      expect(line.columns[2 * i]).toBeCloseTo(122 - 100 * Math.max(a, b), 1);
-      expect(line.columns[2 * i + 1]).toBeCloseTo(122 - 100 * Math.min(a, b), 1);
+      expect(line.columns.tops[i]).toBeCloseTo(122 - 100 * Math.max(a, b), 1);
+      expect(line.columns.bottoms[i]).toBeCloseTo(122 - 100 * Math.min(a, b), 1);
     }
-    expect([line.columnFrom, line.columnTo]).toEqual([0, 300]);
+    expect([line.columns.from, line.columns.to]).toEqual([0, 300]);
   });
 
   it('shows one key out of thousands that stands out', () => {
@@ -180,8 +181,8 @@ describe('a line of many keys', () => {
       steady(20_001, (i) => (i === 7_777 ? 1 : 0)),
       view({ perSecond: 1 }),
     );
-    expect(line.columns[2 * 77]).toBeCloseTo(22, 3);
-    expect(line.columns[2 * 76]).toBeCloseTo(122, 3);
+    expect(line.columns.tops[77]).toBeCloseTo(22, 3);
+    expect(line.columns.tops[76]).toBeCloseTo(122, 3);
   });
 
   it('is a path again when looked at closely', () => {
@@ -189,7 +190,7 @@ describe('a line of many keys', () => {
       steady(20_001, (i) => Math.sin(i)),
       view({ perSecond: 3000, left: 50 }),
     );
-    expect(line.columnTo).toBe(0);
+    expect(line.columns.to).toBe(0);
     expect(line.solid.verbCount).toBeGreaterThan(8);
     expect(line.solid.verbCount).toBeLessThan(20);
   });
@@ -207,8 +208,8 @@ describe('what is extrapolated', () => {
       high = Math.max(high, value);
     }
     for (let i = 0; i < 300; i++) {
-      expect(line.columns[2 * i]).toBeCloseTo(122 - 100 * high, 2);
-      expect(line.columns[2 * i + 1]).toBeCloseTo(122 - 100 * low, 2);
+      expect(line.columns.tops[i]).toBeCloseTo(122 - 100 * high, 2);
+      expect(line.columns.bottoms[i]).toBeCloseTo(122 - 100 * low, 2);
     }
   });
 
