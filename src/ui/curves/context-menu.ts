@@ -9,8 +9,8 @@ import { channelName, namedChannel } from '../timeline/channels.ts';
 import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { extrapolate } from '../timeline/key-edits.ts';
 import type { Workbench } from '../workbench.ts';
-import type { Hit } from './hit.ts';
 import { insertOnCurve } from './insert.ts';
+import type { Hit } from './scene.ts';
 
 interface Place {
   readonly x: number;

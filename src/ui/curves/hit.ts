@@ -9,8 +9,6 @@ import { traceMap } from './trace.ts';
 import { ChannelExtremes } from './trace-extremes.ts';
 import type { TraceMap } from './trace-path.ts';
 
-export type { Hit };
-
 const EMPTY: Hit = { kind: 'empty' };
 /** A selected key or handle is taken before another that is so much nearer: it is what one was busy with. */
 const SELECTED_PIXELS = 3;

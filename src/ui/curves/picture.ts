@@ -29,7 +29,6 @@ export class CurvePicture {
   private readonly lines = new CurveLayer();
   private colours: PictureColours | undefined;
   private scene: CurveScene | undefined;
-  private timeSeconds = 0;
 
   /** @param host positioned; the canvases fill it */
   constructor(host: HTMLElement) {
@@ -44,7 +43,7 @@ export class CurvePicture {
     host.append(this.element);
   }
 
-  /** Draws what is different from the scene drawn before: parts are compared by identity. */
+  /** Draws what is different from the scene drawn before: parts are compared by identity. The overlay comes after. */
   draw(scene: CurveScene): void {
     const before = this.scene;
     this.scene = scene;
@@ -60,12 +59,10 @@ export class CurvePicture {
       const { colours } = this;
       this.keys.draw((g) => drawKeys(g, scene, colours));
     }
-    this.drawOverlay(this.timeSeconds, scene.hover, scene.box);
   }
 
   /** Playhead (the transport's seconds), what is under the pointer, the box being dragged. Nothing else is touched. */
   drawOverlay(timeSeconds: number, hover?: Hit, box?: Box): void {
-    this.timeSeconds = timeSeconds;
     const { scene, colours } = this;
     if (!scene || !colours) return;
     this.overlay.draw((g) => {

@@ -42,8 +42,6 @@ export interface CurveScene {
   readonly inFrames: boolean;
   /** Angles are labelled in degrees. */
   readonly degrees: boolean;
-  readonly hover?: Hit;
-  readonly box?: Box;
 }
 
 /** What is under a point of the plot (`hit.ts`). */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import type { Hit } from '../../../src/ui/curves/hit.ts';
 import { isolatedAfter } from '../../../src/ui/curves/isolating.ts';
+import type { Hit } from '../../../src/ui/curves/scene.ts';
 import { cursorOf, intentOf, type Press } from '../../../src/ui/curves/tools/intent.ts';
 import { wheelMeans } from '../../../src/ui/curves/tools/navigate.ts';
 import { movesBoth, sameSlope } from '../../../src/ui/curves/tools/slope.ts';

@@ -11,7 +11,7 @@
  *
  * The middle button pans everywhere, the right one zooms with Alt and opens the menu without.
  */
-import type { Hit } from '../hit.ts';
+import type { Hit } from '../scene.ts';
 import type { PointerAt } from './tool.ts';
 
 export type Intent = 'scrub' | 'pan' | 'zoom' | 'slope' | 'scale' | 'keys' | 'curve' | 'insert' | 'box' | 'menu';

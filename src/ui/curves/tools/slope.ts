@@ -9,8 +9,8 @@ import { HandEdit } from '../../hand-edit.ts';
 import { keysInHand, takeInHand } from '../../timeline/in-hand.ts';
 import type { HandleMode } from '../../timeline/timeline.ts';
 import { slopeFromHandle } from '../handles.ts';
-import type { Hit } from '../hit.ts';
 import { slopeText } from '../readout-text.ts';
+import type { Hit } from '../scene.ts';
 import { lineOf } from '../scene.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
