@@ -59,13 +59,17 @@ const compiled = new WeakMap<ChannelClip, WeakRef<CompiledClip>>();
 /** Where a channel was compiled last: an edit of one channel copies all others from there. */
 const homes = new WeakMap<Channel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
 
+/** The clip compiled last, which may be the one before an edit. */
+let latest: WeakRef<ChannelClip> | undefined;
+
 /** The clip's compiled form, made anew only where nobody holds it any more. */
 export function compileClip(clip: ChannelClip): CompiledClip {
   const known = compiled.get(clip)?.deref();
   if (known) return known;
-  const made = compileChannels(clip.channels);
+  const made = pack(clip.channels, latest?.deref()?.channels);
   const reference = new WeakRef(made);
   compiled.set(clip, reference);
+  latest = new WeakRef(clip);
   clip.channels.forEach((channel, index) => {
     homes.set(channel, { clip: reference, index });
   });
@@ -74,6 +78,11 @@ export function compileClip(clip: ChannelClip): CompiledClip {
 
 /** Compiles channels that belong to no clip (not cached). */
 export function compileChannels(channels: readonly Channel[]): CompiledClip {
+  return pack(channels);
+}
+
+/** @param before the channels of a clip of which these may be an edit */
+function pack(channels: readonly Channel[], before?: readonly Channel[]): CompiledClip {
   const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
   const made: CompiledClip = {
     channelCount: channels.length,
@@ -89,7 +98,7 @@ export function compileChannels(channels: readonly Channel[]): CompiledClip {
     const home = homes.get(channel);
     const from = home?.clip.deref();
     if (home && from) copyChannel(from, home.index, made, index);
-    else compileChannel(channel, made, index);
+    else compileChannel(channel, made, index, before?.[index]);
     next += compiledKeyCount(channel);
   });
   made.firstKey[channels.length] = next;
@@ -100,8 +109,11 @@ function compiledKeyCount({ times, rest }: Channel): number {
   return times.length === 0 && rest !== undefined ? 1 : times.length;
 }
 
-/** Compiles one channel into its place, which begins at `firstKey[index]`. */
-function compileChannel(channel: Channel, to: CompiledClip, index: number): void {
+/**
+ * Compiles one channel into its place, which begins at `firstKey[index]`.
+ * @param before what may have been edited into this channel: spans that are the same in both are copied
+ */
+function compileChannel(channel: Channel, to: CompiledClip, index: number, before?: Channel): void {
   const { cubics, extrapolations, beyond } = to;
   const next = to.firstKey[index];
   const { times, values } = channel;
@@ -112,7 +124,8 @@ function compileChannel(channel: Channel, to: CompiledClip, index: number): void
     return;
   }
   to.times.set(times, next);
-  for (let k = 0; k < last; k++) {
+  const [from, end] = before ? copySameSpans(channel, before, to, next) : [0, last];
+  for (let k = from; k < end; k++) {
     const h = times[k + 1] - times[k];
     const m0 = slope(channel, k, channel.tangentsOut);
     const m1 = slope(channel, k + 1, channel.tangentsIn);
@@ -126,6 +139,66 @@ function compileChannel(channel: Channel, to: CompiledClip, index: number): void
   beyond[4 * index + 1] = values[last] - values[0];
   beyond[4 * index + 2] = slope(channel, 0, channel.tangentsIn);
   beyond[4 * index + 3] = slope(channel, last, channel.tangentsOut);
+}
+
+/** Shorter channels are compiled sooner than compared. */
+const LONG_CHANNEL = 512;
+
+/**
+ * Copies the cubics of the spans around which nothing changed; a span depends on its two keys and their two neighbours.
+ *
+ *     keys      the same: head      others      the same: tail
+ *     spans     0 … head − 3      [from, end)      count − tail + 1 … last − 1
+ *
+ * @returns from which span up to (not including) which the rest has to be compiled
+ */
+function copySameSpans(channel: Channel, before: Channel, to: CompiledClip, next: number): readonly [number, number] {
+  const count = channel.times.length;
+  const all = [0, count - 1] as const;
+  if (count < LONG_CHANNEL || before.times.length < LONG_CHANNEL) return all;
+  const home = homes.get(before);
+  const source = home?.clip.deref();
+  if (!home || !source) return all;
+  const columns = columnsOf(channel);
+  const others = columnsOf(before);
+  const most = Math.min(count, before.times.length);
+  let head = most;
+  let tail = most;
+  columns.forEach((column, c) => {
+    head = sameHead(column, others[c], head);
+    tail = sameTail(column, others[c], tail);
+  });
+  const from = Math.max(0, head - 2);
+  const end = Math.max(from, count - tail + 1);
+  const first = source.firstKey[home.index];
+  to.cubics.set(source.cubics.subarray(4 * first, 4 * (first + from)), 4 * next);
+  if (end >= count - 1) return [from, count - 1];
+  const shift = before.times.length - count;
+  const rest = source.cubics.subarray(4 * (first + end + shift), 4 * (first + count - 1 + shift));
+  to.cubics.set(rest, 4 * (next + end));
+  return [from, end];
+}
+
+type Column = Float64Array | Uint8Array;
+
+function columnsOf({ times, values, tangentsIn, tangentsOut }: Channel): readonly Column[] {
+  return [times, values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
+}
+
+/** How many elements, at most `most`, are the same from the beginning. */
+function sameHead(a: Column, b: Column, most: number): number {
+  if (a === b) return most;
+  let same = 0;
+  while (same < most && a[same] === b[same]) same++;
+  return same;
+}
+
+/** How many, at most `most`, are the same from the end. */
+function sameTail(a: Column, b: Column, most: number): number {
+  if (a === b) return most;
+  let same = 0;
+  while (same < most && a[a.length - 1 - same] === b[b.length - 1 - same]) same++;
+  return same;
 }
 
 function copyChannel(from: CompiledClip, channel: number, to: CompiledClip, index: number): void {

@@ -76,26 +76,30 @@ export function arrange(
 }
 
 /**
- * The column of times where no key passes or meets another, as in most moves of a mouse: one pass, and nothing else is
- * touched. The very same column where no time changes; undefined where keys have to be put in order.
+ * The column of times where no key passes or meets another, as in most moves of a mouse: only the moved keys and their
+ * neighbours are looked at. The very same column where no time changes; undefined where keys have to be put in order.
  */
 function movedInPlace(times: Float64Array, indices: readonly number[], newTimes: Float64Array) {
   let changed = false;
   for (let i = 0; i < indices.length; i++) changed ||= newTimes[i] !== times[indices[i]];
   if (!changed) return times;
   const next = times.slice();
-  const moves = new Uint8Array(times.length);
+  for (let i = 0; i < indices.length; i++) next[indices[i]] = newTimes[i];
   for (let i = 0; i < indices.length; i++) {
-    next[indices[i]] = newTimes[i];
-    moves[indices[i]] = 1;
-  }
-  for (let k = 1; k < next.length; k++) {
-    const gap = next[k] - next[k - 1];
-    if (moves[k] === moves[k - 1] ? !(gap > 0 || (gap === 0 && times[k] === times[k - 1])) : !(gap > 0))
-      return undefined;
-    if (moves[k] !== moves[k - 1] && sameTime(next[k], next[k - 1])) return undefined;
+    const k = indices[i];
+    const alongside = i > 0 && indices[i - 1] === k - 1;
+    if (k > 0 && !inOrderStill(times, next, k - 1, alongside)) return undefined;
+    const last = i + 1 === indices.length || indices[i + 1] !== k + 1;
+    if (last && k + 1 < times.length && !inOrderStill(times, next, k, false)) return undefined;
   }
   return next;
+}
+
+/** Whether key `k` is before the next one still; the halves of a step may move together. */
+function inOrderStill(times: Float64Array, next: Float64Array, k: number, together: boolean): boolean {
+  const gap = next[k + 1] - next[k];
+  if (together) return gap > 0 || (gap === 0 && times[k + 1] === times[k]);
+  return gap > 0 && !sameTime(next[k + 1], next[k]);
 }
 
 /** The keys that stay where they are, ascending. */
