@@ -6,7 +6,7 @@ import { finiteNumber } from '../edit/arguments.ts';
 import { COMMANDS_BY_ID } from '../edit/commands/all.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
-import { resolvedSlopes } from '../evaluate/curves.ts';
+import { resolvedSlopes } from '../evaluate/slopes.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { FileKind } from '../model/files.ts';

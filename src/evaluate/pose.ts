@@ -10,7 +10,8 @@ import type { Channel } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import { ROOT_TRANSLATION } from '../model/dofs.ts';
-import { compileClip, evaluateClip } from './curves.ts';
+import { compileClip } from './compiled-clip.ts';
+import { evaluateClip } from './curves.ts';
 import { clampDofs, compileSkeleton } from './kinematics.ts';
 
 /** Times nearer than this are the same moment; seconds. */

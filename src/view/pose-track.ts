@@ -17,7 +17,7 @@
  *    bounces and stops by itself; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
  */
 import { type AnimationAction, AnimationClip, AnimationMixer, Interpolant, NumberKeyframeTrack, Object3D } from 'three';
-import { type CompiledClip, compileClip } from '../evaluate/curves.ts';
+import { type CompiledClip, compileClip } from '../evaluate/compiled-clip.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { type Character, shownClip } from '../model/document.ts';
 

@@ -4,7 +4,7 @@
  * loop knows nothing of cubics, tangents or extrapolation. A frame has 16 ms, of which tracing may take a few.
  */
 import { bench, describe } from 'vitest';
-import { compileClip } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { type Channel, type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
 import { LineTrace, traceLine } from '../../src/ui/curves/trace.ts';
 import type { TraceMap } from '../../src/ui/curves/trace-path.ts';

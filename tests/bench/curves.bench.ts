@@ -3,7 +3,8 @@
  * cubic a channel, without extrapolation. To hold: within 2×.
  */
 import { bench, describe } from 'vitest';
-import { compileClip, evaluateClip } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateClip } from '../../src/evaluate/curves.ts';
 import type { ChannelClip } from '../../src/model/clip.ts';
 import { SMOOTH } from '../../src/model/clip.ts';
 

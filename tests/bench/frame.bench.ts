@@ -17,9 +17,10 @@ import {
   SkinnedMesh,
 } from 'three';
 import { bench, describe } from 'vitest';
-import { compileClip, resolvedSlopes } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { compileSkin } from '../../src/evaluate/deform.ts';
 import { compileSkeleton } from '../../src/evaluate/kinematics.ts';
+import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
 import { type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';

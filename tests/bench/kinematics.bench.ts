@@ -4,7 +4,7 @@
  * of affine matrices) with nothing to look up. To hold, with bone textures besides: within 3×.
  */
 import { bench, describe } from 'vitest';
-import { compileClip } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { compileSkin, skinMatrices } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';

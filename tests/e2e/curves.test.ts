@@ -1,7 +1,8 @@
 /** The picture of the curves against the evaluator: every coloured pixel is on its curve, and the curve is all there. */
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { compileClip, evaluateChannel } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import type { ChannelClip } from '../../src/model/clip.ts';
 import { TIME_RULER_HEIGHT } from '../../src/ui/timeline/time-ruler.ts';

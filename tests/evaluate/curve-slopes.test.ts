@@ -1,6 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileChannels, evaluateChannel, evaluateSlope, keySlope } from '../../src/evaluate/curves.ts';
+import { compileChannels } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel, evaluateSlope } from '../../src/evaluate/curves.ts';
+import { keySlope } from '../../src/evaluate/slopes.ts';
 import { keylessChannel } from '../../src/model/clip.ts';
 import { between, channelOf, channels } from '../edit/keys/channels.ts';
 

@@ -1,12 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import {
-  compileChannels,
-  compileClip,
-  evaluateChannel,
-  evaluateClip,
-  resolvedSlopes,
-} from '../../src/evaluate/curves.ts';
+import { compileChannels, compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel, evaluateClip } from '../../src/evaluate/curves.ts';
+import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
 import type { Channel, Extrapolation } from '../../src/model/clip.ts';
 import { EXTRAPOLATIONS, FIXED, keylessChannel, TANGENT_KINDS } from '../../src/model/clip.ts';
 import { expectClose } from '../helpers/close.ts';

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { compileClip, evaluateChannel } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
 import { FIXED, FLAT, keylessChannel, LINEAR, SMOOTH } from '../../src/model/clip.ts';

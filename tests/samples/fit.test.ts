@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { compileChannels, evaluateChannel } from '../../src/evaluate/curves.ts';
+import { compileChannels } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { fitChannel } from '../../src/samples/motion/fit.ts';
 
 const wave = (t: number) => Math.sin(2 * Math.PI * t) + 0.3 * Math.cos(6 * Math.PI * t);

@@ -1,6 +1,7 @@
 /** What a believable walk is, measured from the written curves and the evaluator's matrices. */
 import { describe, expect, it } from 'vitest';
-import { compileClip, evaluateClip } from '../../src/evaluate/curves.ts';
+import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import { evaluateClip } from '../../src/evaluate/curves.ts';
 import { clampDofs, compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { firstDofs } from '../../src/model/dofs.ts';

@@ -1,5 +1,6 @@
 /** `marrow channels`: an animation's channels at given times, as they are: no skeleton, no limits. */
-import { compileClip, evaluateChannel } from '../../evaluate/curves.ts';
+import { compileClip } from '../../evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../evaluate/curves.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Command } from '../io.ts';

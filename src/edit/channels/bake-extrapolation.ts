@@ -14,7 +14,7 @@
  *
  * The time before the keys is that after them, of the channel mirrored in time.
  */
-import { resolvedSlopes, type Slopes } from '../../evaluate/curves.ts';
+import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
 import { type Channel, type Extrapolation, FIXED, FLAT, LINEAR } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';

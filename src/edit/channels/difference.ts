@@ -6,7 +6,7 @@
  * whose largest size lies at one of the two ends or where d′(τ) = b + 2c·τ + 3d·τ² is 0. (Sampling would miss narrow
  * peaks, and cost more: one difference a span against a dozen.)
  */
-import { compileChannels } from '../../evaluate/curves.ts';
+import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import type { Channel } from '../../model/clip.ts';
 
 /** The largest difference, and where it is. */

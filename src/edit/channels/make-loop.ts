@@ -11,7 +11,7 @@
  * was set by hand, flat or a number, on either side of the seam is kept for both; of two, the mean. (The mean of all
  * slopes, whatever their kind, would be right for even keys only.)
  */
-import { resolvedSlopes } from '../../evaluate/curves.ts';
+import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED, FLAT, type Tangents } from '../../model/clip.ts';
 
 export interface Looped {

@@ -9,7 +9,8 @@
  * A step that lies on a frame stays one. Between two frames none can be held: it becomes a slope over that one frame.
  * How far the new curve is from the old one is measured, which such a step, if there is one, decides.
  */
-import { compileChannels, resolvedSlopes } from '../../evaluate/curves.ts';
+import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED, LINEAR } from '../../model/clip.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
 import { CommandError } from '../store.ts';

@@ -13,7 +13,8 @@
  *
  * Where the keys repeat and the seam was smooth, both its sides get one slope, and it stays smooth.
  */
-import { compileChannels, resolvedSlopes, type Slopes } from '../../evaluate/curves.ts';
+import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED, FLAT, LINEAR, SMOOTH, type Tangents } from '../../model/clip.ts';
 import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';

@@ -2,7 +2,7 @@
  * Keys with the slopes that their tangents come to: `smooth` and `linear` ask the neighbours, and where those change,
  * a key keeps its shape only as numbers.
  */
-import type { Slopes } from '../../evaluate/curves.ts';
+import type { Slopes } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED, FLAT } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent } from '../keys/columns.ts';
 

@@ -1,5 +1,6 @@
 /** Keys: making them, moving them, taking them away. Seconds are the clip's. */
-import { compileClip, evaluateChannel } from '../../evaluate/curves.ts';
+import { compileClip } from '../../evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../evaluate/curves.ts';
 import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';

@@ -15,7 +15,9 @@
  *
  * Where a key is already, nothing changes; of a step it is the later key, which holds from that time on.
  */
-import { compileChannels, evaluateChannel, evaluateSlope, keySlope } from '../../evaluate/curves.ts';
+import { compileChannels } from '../../evaluate/compiled-clip.ts';
+import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
+import { keySlope } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED, FLAT, LINEAR, SMOOTH } from '../../model/clip.ts';
 import { type Tangent, tangent } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';

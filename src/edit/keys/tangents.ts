@@ -2,7 +2,7 @@
  * Tangents of keys, a side at a time. Slopes that are asked for become numbers (FIXED); a kind by name follows the
  * neighbours from then on.
  */
-import { keySlope } from '../../evaluate/curves.ts';
+import { keySlope } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED, type Tangents } from '../../model/clip.ts';
 import { type Tangent, tangent } from './columns.ts';
 

@@ -5,7 +5,7 @@
  *
  * so dragging one sets a slope and nothing else: how far it is dragged does not count.
  */
-import { keySlope } from '../../evaluate/curves.ts';
+import { keySlope } from '../../evaluate/slopes.ts';
 import { countBefore } from '../shown-keys.ts';
 import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
 import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';

@@ -4,7 +4,7 @@
  */
 import { setKeys } from '../../edit/commands/keys.ts';
 import { countKeys } from '../../edit/keys/selection.ts';
-import { keySlope } from '../../evaluate/curves.ts';
+import { keySlope } from '../../evaluate/slopes.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';

@@ -2,7 +2,7 @@
  * The scene of the moment, from document, selection and settings. Parts that did not change keep their identity from
  * one scene to the next, by which the picture knows what to draw anew.
  */
-import { compileClip } from '../../evaluate/curves.ts';
+import { compileClip } from '../../evaluate/compiled-clip.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { currentCharacter } from '../actions/action.ts';

@@ -1,5 +1,5 @@
 /** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
-import type { CompiledClip } from '../../evaluate/curves.ts';
+import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs } from '../../model/dofs.ts';

@@ -8,7 +8,7 @@
  * and so is each part of it, which is how curves are cut at the edges of what is seen: canvases count in single floats,
  * and a span of a minute seen for a millisecond would have its control points millions of pixels away.
  */
-import type { CompiledClip } from '../../evaluate/curves.ts';
+import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 
 /** What a point of a path is for: two coordinates each, a curve six. */
 export const MOVE = 0;

@@ -8,7 +8,7 @@
  * A path of a hundred thousand spans costs little script and very much drawing (150 ms of it in software for 100
  * channels of 1,000 keys); columns cost as much as the plot is wide, whatever the channel.
  */
-import type { CompiledClip } from '../../evaluate/curves.ts';
+import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
 import type { CurveScene } from './scene.ts';

@@ -6,7 +6,7 @@
 
 import { allKeys, unionKeys } from '../../edit/keys/selection.ts';
 import { withKeys } from '../../edit/store.ts';
-import { compileChannels, compileClip } from '../../evaluate/curves.ts';
+import { compileChannels, compileClip } from '../../evaluate/compiled-clip.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { element, setAttribute, setText } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';

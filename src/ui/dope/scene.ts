@@ -1,5 +1,5 @@
 /** What the dope sheet shows at one moment: all that drawing needs, and nothing it may change. */
-import type { CompiledClip } from '../../evaluate/curves.ts';
+import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { Box } from '../curves/scene.ts';
 import type { SheetKeys } from './hit.ts';

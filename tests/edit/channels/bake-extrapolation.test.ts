@@ -2,7 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { bakeExtrapolation, unrolled } from '../../../src/edit/channels/bake-extrapolation.ts';
 import { CommandError } from '../../../src/edit/store.ts';
-import { compileChannels, evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { type Channel, EXTRAPOLATIONS, type Extrapolation } from '../../../src/model/clip.ts';
 import { channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf, valueAt } from '../keys/channels.ts';
 

@@ -1,5 +1,6 @@
 /** Measuring by brute force, independently of how the code does it. */
-import { compileChannels, evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import type { Channel } from '../../../src/model/clip.ts';
 
 /** The largest difference of two channels at even times, leaving out both ends. */

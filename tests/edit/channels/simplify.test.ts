@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { simplifyChannel } from '../../../src/edit/channels/simplify.ts';
-import { compileClip, evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { type Channel, FIXED } from '../../../src/model/clip.ts';
 import { referenceClip } from '../../helpers/reference.ts';
 import { describeShared } from '../../helpers/shared.ts';

@@ -1,7 +1,9 @@
 /** Channels for the tests of edits: written key by key, or made by fast-check. */
 import fc from 'fast-check';
 import { expect } from 'vitest';
-import { compileChannels, evaluateChannel, keySlope } from '../../../src/evaluate/curves.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { keySlope } from '../../../src/evaluate/slopes.ts';
 import { type Channel, EXTRAPOLATIONS, type Extrapolation, FIXED, TANGENT_KINDS } from '../../../src/model/clip.ts';
 import { evenly } from '../dice.ts';
 

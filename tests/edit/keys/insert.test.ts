@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { insertKey } from '../../../src/edit/keys/insert.ts';
-import { compileChannels, evaluateChannel, evaluateSlope } from '../../../src/evaluate/curves.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel, evaluateSlope } from '../../../src/evaluate/curves.ts';
 import { type Channel, EXTRAPOLATIONS, keylessChannel } from '../../../src/model/clip.ts';
 import { between, channelOf, channels, expectSound, pointsOf, rowsOf, slopesAt, valueAt } from './channels.ts';
 

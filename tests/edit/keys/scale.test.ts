@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Scaling, scaleKeys } from '../../../src/edit/keys/scale.ts';
-import { compileChannels, evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { FIXED } from '../../../src/model/clip.ts';
 import { between, channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf, withSome } from './channels.ts';
 

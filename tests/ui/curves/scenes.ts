@@ -1,5 +1,5 @@
 /** A scene of given channels on a plot of 400 × 222 pixels that shows seconds 0 … 4, and −1 … 1 of every axis. */
-import { compileClip } from '../../../src/evaluate/curves.ts';
+import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
 import { type Channel, FIXED } from '../../../src/model/clip.ts';
 import type { CurveLine, CurveScene } from '../../../src/ui/curves/scene.ts';
 import type { AxisName, CurveSpace } from '../../../src/ui/curves/space.ts';

@@ -1,7 +1,8 @@
 /** What is drawn is what the evaluator says: paths on the curve, columns around it, and nothing of it left out. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type CompiledClip, compileChannels, evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { type CompiledClip, compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { type Channel, SMOOTH } from '../../../src/model/clip.ts';
 import { LineTrace, traceLine } from '../../../src/ui/curves/trace.ts';
 import { NO_COLUMN } from '../../../src/ui/curves/trace-columns.ts';

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileChannels, evaluateChannel } from '../../../src/evaluate/curves.ts';
+import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
+import { evaluateChannel } from '../../../src/evaluate/curves.ts';
 import { type Channel, LINEAR } from '../../../src/model/clip.ts';
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../src/ui/dope/marks.ts';
 import { channel } from '../builders.ts';

@@ -4,7 +4,7 @@
  */
 import { setSlopes } from '../../../edit/commands/tangents.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
-import { keySlope } from '../../../evaluate/curves.ts';
+import { keySlope } from '../../../evaluate/slopes.ts';
 import { HandEdit } from '../../hand-edit.ts';
 import { keysInHand, takeInHand } from '../../timeline/in-hand.ts';
 import type { HandleMode } from '../../timeline/timeline.ts';

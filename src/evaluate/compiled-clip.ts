@@ -1,0 +1,195 @@
+/**
+ * Clips made ready to be evaluated: all channels packed into a handful of typed arrays, each span as a cubic.
+ *
+ * An edit makes a new clip of mostly the same channels, and a new channel of mostly the same keys; what was compiled
+ * before is copied as far as it is the same.
+ */
+import { hermiteCubic } from '../math/hermite.ts';
+import { type Channel, type ChannelClip, EXTRAPOLATIONS, type Extrapolation } from '../model/clip.ts';
+import { slope } from './slopes.ts';
+
+/**
+ * A clip ready to be evaluated. Its keys are those of the channels, one after the other; a channel that stands at a
+ * value without keys has one here.
+ */
+export interface CompiledClip {
+  readonly channelCount: number;
+  /** One more than there are channels: channel c has the keys `firstKey[c]` up to (not including) `firstKey[c + 1]`. */
+  readonly firstKey: Int32Array;
+  /** Seconds, a key. */
+  readonly times: Float64Array;
+  /** Four a key: a, b, c, d of `math/hermite.ts`, in the time since the key. `a` is the key's value. */
+  readonly cubics: Float64Array;
+  /** Two a channel: what holds before and after its keys, as an index into EXTRAPOLATIONS. */
+  readonly extrapolations: Uint8Array;
+  /** Four a channel: the period in seconds, how far the value gets in one, slope before and slope after the keys. */
+  readonly beyond: Float64Array;
+}
+
+const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
+
+/**
+ * Compiled forms live as long as someone plays them, not as long as their clip: the history keeps clips by the hundred,
+ * each of which would hold on to megabytes for the sake of the one channel that its step changed.
+ */
+const compiled = new WeakMap<ChannelClip, WeakRef<CompiledClip>>();
+/** Where a channel was compiled last: an edit of one channel copies all others from there. */
+const homes = new WeakMap<Channel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
+
+/** The clip compiled last, which may be the one before an edit. */
+let latest: WeakRef<ChannelClip> | undefined;
+
+/** The clip's compiled form, made anew only where nobody holds it any more. */
+export function compileClip(clip: ChannelClip): CompiledClip {
+  const known = compiled.get(clip)?.deref();
+  if (known) return known;
+  const made = pack(clip.channels, latest?.deref()?.channels);
+  const reference = new WeakRef(made);
+  compiled.set(clip, reference);
+  latest = new WeakRef(clip);
+  clip.channels.forEach((channel, index) => {
+    homes.set(channel, { clip: reference, index });
+  });
+  return made;
+}
+
+/** Compiles channels that belong to no clip (not cached). */
+export function compileChannels(channels: readonly Channel[]): CompiledClip {
+  return pack(channels);
+}
+
+/** @param before the channels of a clip of which these may be an edit */
+function pack(channels: readonly Channel[], before?: readonly Channel[]): CompiledClip {
+  const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
+  const made: CompiledClip = {
+    channelCount: channels.length,
+    firstKey: new Int32Array(channels.length + 1),
+    times: new Float64Array(keyCount),
+    cubics: new Float64Array(4 * keyCount),
+    extrapolations: new Uint8Array(2 * channels.length),
+    beyond: new Float64Array(4 * channels.length),
+  };
+  let next = 0;
+  channels.forEach((channel, index) => {
+    made.firstKey[index] = next;
+    const home = homes.get(channel);
+    const from = home?.clip.deref();
+    if (home && from) copyChannel(from, home.index, made, index);
+    else compileChannel(channel, made, index, before?.[index]);
+    next += compiledKeyCount(channel);
+  });
+  made.firstKey[channels.length] = next;
+  return made;
+}
+
+function compiledKeyCount({ times, rest }: Channel): number {
+  return times.length === 0 && rest !== undefined ? 1 : times.length;
+}
+
+/**
+ * Compiles one channel into its place, which begins at `firstKey[index]`.
+ * @param before what may have been edited into this channel: spans that are the same in both are copied
+ */
+function compileChannel(channel: Channel, to: CompiledClip, index: number, before?: Channel): void {
+  const { cubics, extrapolations, beyond } = to;
+  const next = to.firstKey[index];
+  const { times, values } = channel;
+  const last = times.length - 1;
+  if (last < 0) {
+    // Constant on both sides of a key at 0 s, as all is that was not set.
+    if (channel.rest !== undefined) cubics[4 * next] = channel.rest;
+    return;
+  }
+  to.times.set(times, next);
+  const [from, end] = before ? copySameSpans(channel, before, to, next) : [0, last];
+  for (let k = from; k < end; k++) {
+    const h = times[k + 1] - times[k];
+    const m0 = slope(channel, k, channel.tangentsOut);
+    const m1 = slope(channel, k + 1, channel.tangentsIn);
+    hermiteCubic(values[k], m0, values[k + 1], m1, h, cubics, 4 * (next + k));
+  }
+  cubics[4 * (next + last)] = values[last];
+  const period = times[last] - times[0];
+  extrapolations[2 * index] = extrapolationCode(channel.extrapolateIn, period);
+  extrapolations[2 * index + 1] = extrapolationCode(channel.extrapolateOut, period);
+  beyond[4 * index] = period;
+  beyond[4 * index + 1] = values[last] - values[0];
+  beyond[4 * index + 2] = slope(channel, 0, channel.tangentsIn);
+  beyond[4 * index + 3] = slope(channel, last, channel.tangentsOut);
+}
+
+/** Shorter channels are compiled sooner than compared. */
+const LONG_CHANNEL = 512;
+
+/**
+ * Copies the cubics of the spans around which nothing changed; a span depends on its two keys and their two neighbours.
+ *
+ *     keys      the same: head      others      the same: tail
+ *     spans     0 … head − 3      [from, end)      count − tail + 1 … last − 1
+ *
+ * @returns from which span up to (not including) which the rest has to be compiled
+ */
+function copySameSpans(channel: Channel, before: Channel, to: CompiledClip, next: number): readonly [number, number] {
+  const count = channel.times.length;
+  const all = [0, count - 1] as const;
+  if (count < LONG_CHANNEL || before.times.length < LONG_CHANNEL) return all;
+  const home = homes.get(before);
+  const source = home?.clip.deref();
+  if (!home || !source) return all;
+  const columns = columnsOf(channel);
+  const others = columnsOf(before);
+  const most = Math.min(count, before.times.length);
+  let head = most;
+  let tail = most;
+  columns.forEach((column, c) => {
+    head = sameHead(column, others[c], head);
+    tail = sameTail(column, others[c], tail);
+  });
+  const from = Math.max(0, head - 2);
+  const end = Math.max(from, count - tail + 1);
+  const first = source.firstKey[home.index];
+  to.cubics.set(source.cubics.subarray(4 * first, 4 * (first + from)), 4 * next);
+  if (end >= count - 1) return [from, count - 1];
+  const shift = before.times.length - count;
+  const rest = source.cubics.subarray(4 * (first + end + shift), 4 * (first + count - 1 + shift));
+  to.cubics.set(rest, 4 * (next + end));
+  return [from, end];
+}
+
+type Column = Float64Array | Uint8Array;
+
+function columnsOf({ times, values, tangentsIn, tangentsOut }: Channel): readonly Column[] {
+  return [times, values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
+}
+
+/** How many elements, at most `most`, are the same from the beginning. */
+function sameHead(a: Column, b: Column, most: number): number {
+  if (a === b) return most;
+  let same = 0;
+  while (same < most && a[same] === b[same]) same++;
+  return same;
+}
+
+/** How many, at most `most`, are the same from the end. */
+function sameTail(a: Column, b: Column, most: number): number {
+  if (a === b) return most;
+  let same = 0;
+  while (same < most && a[a.length - 1 - same] === b[b.length - 1 - same]) same++;
+  return same;
+}
+
+function copyChannel(from: CompiledClip, channel: number, to: CompiledClip, index: number): void {
+  const first = from.firstKey[channel];
+  const end = from.firstKey[channel + 1];
+  const next = to.firstKey[index];
+  to.times.set(from.times.subarray(first, end), next);
+  to.cubics.set(from.cubics.subarray(4 * first, 4 * end), 4 * next);
+  to.extrapolations.set(from.extrapolations.subarray(2 * channel, 2 * channel + 2), 2 * index);
+  to.beyond.set(from.beyond.subarray(4 * channel, 4 * channel + 4), 4 * index);
+}
+
+/** Without a period nothing can repeat. */
+function extrapolationCode(extrapolation: Extrapolation, period: number): number {
+  if (extrapolation !== 'linear' && !(period > 0 && Number.isFinite(period))) return CONSTANT;
+  return EXTRAPOLATIONS.indexOf(extrapolation);
+}
