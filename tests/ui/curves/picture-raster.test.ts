@@ -1,4 +1,5 @@
 /** Columns of pixels as an image: what is covered, how far, and what lies over what. */
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { ColumnRaster } from '../../../src/ui/curves/picture-raster.ts';
 import { DOTTED_COLUMN, SOLID_COLUMN, TracedColumns } from '../../../src/ui/curves/trace-columns.ts';
@@ -52,6 +53,35 @@ describe('painted columns', () => {
     const [red, , blue, alpha] = at(1, 4);
     expect(alpha).toBe(255);
     expect(Math.abs(red - blue)).toBeLessThan(3);
+  });
+
+  it('are what laying each over those behind it gives, however many hide one another', () => {
+    const height = fc.double({ min: -3, max: 43, noNaN: true });
+    const line = fc.record({ a: height, b: height, grey: fc.integer({ min: 0, max: 255 }) });
+    fc.assert(
+      fc.property(fc.array(line, { minLength: 1, maxLength: 12 }), (list) => {
+        const ends = ({ a, b }: { a: number; b: number }) => [Math.min(a, b), Math.max(a, b)] as const;
+        const at = painted(
+          list.map((l) => {
+            const byte = l.grey.toString(16).padStart(2, '0');
+            return { columns: columnsOf(...ends(l)), colour: `#${byte}${byte}${byte}` };
+          }),
+        );
+        for (let y = 0; y < 40; y++) {
+          let alpha = 0;
+          let grey = 0;
+          for (const l of list) {
+            const [top, bottom] = ends(l);
+            const part = Math.max(0, Math.min(y + 1, bottom + 0.5) - Math.max(y, top - 0.5));
+            alpha = part + alpha * (1 - part);
+            grey = l.grey * part + grey * (1 - part);
+          }
+          const [shade, , , cover] = at(1, y);
+          expect(Math.abs(cover - 255 * alpha)).toBeLessThan(2 + list.length);
+          expect(Math.abs((shade * cover) / 255 - grey)).toBeLessThan(3 + list.length);
+        }
+      }),
+    );
   });
 
   it('are cut off at the edges of the image, and every other square of what is extrapolated is left out', () => {
