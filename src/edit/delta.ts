@@ -21,7 +21,9 @@ export type Delta =
   | { readonly kind: 'object'; readonly changed: readonly Change<string>[]; readonly gone: readonly string[] }
   /** A list as long as before. */
   | { readonly kind: 'items'; readonly changed: readonly Change<number>[] }
-  /** A list or typed array: so many elements from the beginning, others, so many from the end. */
+  /** A typed array as long as before, with other numbers here and there. */
+  | { readonly kind: 'runs'; readonly runs: readonly Run[] }
+  /** A list or typed array of another length: so many elements from the beginning, others, so many from the end. */
   | { readonly kind: 'stretch'; readonly head: number; readonly middle: Sequence; readonly tail: number };
 
 interface Change<Key> {
@@ -29,13 +31,23 @@ interface Change<Key> {
   readonly delta: Delta;
 }
 
+interface Run {
+  readonly start: number;
+  readonly numbers: Numbers;
+}
+
+/** Runs nearer to each other than this are kept as one: a run has a cost of its own. */
+const NEAR_RUNS = 16;
+
 type Numbers = Float64Array | Float32Array | Uint32Array | Int32Array | Uint8Array;
 type Sequence = readonly unknown[] | Numbers;
 
 /** undefined where both are the same value. */
 export function deltaTo(target: unknown, from: unknown): Delta | undefined {
   if (Object.is(target, from)) return undefined;
-  if (isNumbers(target) && isNumbers(from) && target.constructor === from.constructor) return stretch(target, from);
+  if (isNumbers(target) && isNumbers(from) && target.constructor === from.constructor) {
+    return target.length === from.length ? runs(target, from) : stretch(target, from);
+  }
   if (Array.isArray(target) && Array.isArray(from)) {
     return target.length === from.length ? items(target, from) : stretch(target, from);
   }
@@ -61,6 +73,12 @@ export function applyDelta(from: unknown, delta: Delta | undefined): unknown {
       for (const { key, delta: change } of delta.changed) made[key] = applyDelta(made[key], change);
       return made;
     }
+    case 'runs': {
+      // What it was made from is a typed array of that length.
+      const made = (from as Numbers).slice();
+      for (const { start, numbers } of delta.runs) made.set(numbers, start);
+      return made;
+    }
     case 'stretch':
       return joined(from, delta.head, delta.middle, delta.tail);
   }
@@ -84,6 +102,22 @@ function items(target: readonly unknown[], from: readonly unknown[]): Delta | un
     if (delta) changed.push({ key, delta });
   }
   return changed.length ? { kind: 'items', changed } : undefined;
+}
+
+/** Many small runs cost more than the whole. */
+function runs(target: Numbers, from: Numbers): Delta | undefined {
+  const found: Run[] = [];
+  const { length } = target;
+  for (let start = 0; start < length; start++) {
+    if (Object.is(target[start], from[start])) continue;
+    let end = start + 1;
+    for (let i = end; i < length && i < end + NEAR_RUNS; i++) if (!Object.is(target[i], from[i])) end = i + 1;
+    found.push({ start, numbers: target.slice(start, end) });
+    start = end;
+  }
+  if (found.length === 0) return undefined;
+  const kept = found.reduce((sum, { numbers }) => sum + NEAR_RUNS + numbers.length, 0);
+  return kept < length ? { kind: 'runs', runs: found } : whole(target);
 }
 
 function stretch(target: Sequence, from: Sequence): Delta | undefined {

@@ -42,17 +42,37 @@ describe('deltaTo and applyDelta', () => {
     expect((made as typeof from).clips[0]).toBe(from.clips[0]);
   });
 
-  it('keep of a long column only the stretch that is another', () => {
+  it('keep of a long column only the numbers that are others, however far apart', () => {
     const from = Float64Array.from({ length: 100_000 }, (_, i) => i);
     const target = from.slice();
-    target[500] = -1;
-    target[502] = -1;
+    for (const i of [0, 500, 502, 99_999]) target[i] = -1;
     expect(deltaTo(target, from)).toEqual({
-      kind: 'stretch',
-      head: 500,
-      middle: Float64Array.of(-1, 501, -1),
-      tail: 100_000 - 503,
+      kind: 'runs',
+      runs: [
+        { start: 0, numbers: Float64Array.of(-1) },
+        { start: 500, numbers: Float64Array.of(-1, 501, -1) },
+        { start: 99_999, numbers: Float64Array.of(-1) },
+      ],
     });
+  });
+
+  it('keep of a column that has grown or shrunk only the stretch that is another', () => {
+    const from = Float64Array.from({ length: 100_000 }, (_, i) => i);
+    const target = Float64Array.from({ length: 100_001 }, (_, i) => (i < 500 ? i : i === 500 ? -1 : i - 1));
+    const delta = deltaTo(target, from);
+    expect(delta).toEqual({ kind: 'stretch', head: 500, middle: Float64Array.of(-1), tail: 99_500 });
+    expect(deltaTo(from, target)).toEqual({ kind: 'stretch', head: 500, middle: new Float64Array(0), tail: 99_500 });
+  });
+
+  it('make any column out of any other of its length', () => {
+    const column = fc.array(fc.constantFrom(0, -0, 1, Number.NaN), { minLength: 100, maxLength: 100 });
+    fc.assert(
+      fc.property(column, column, fc.array(fc.nat(99)), (a, b, same) => {
+        const [target, from] = [Float64Array.from(a), Float64Array.from(b)];
+        for (const i of same) from[i] = target[i];
+        expect(applyDelta(from, deltaTo(target, from))).toStrictEqual(target);
+      }),
+    );
   });
 
   it('keep of a list that lost an element only that one', () => {
