@@ -58,7 +58,10 @@ const workbench: Workbench = {
 followRange(store, transport);
 opener.subscribe(({ given, files }) => {
   handles.note(given);
-  unsaved.opened(files);
+  const replaced = unsaved.opened(files);
+  if (replaced.length) {
+    messages.note(`Unsaved changes of ${replaced.join(', ')} were replaced; undo brings them back.`, 'warning');
+  }
 });
 markUnsaved(workbench.files, window);
 mountWorkbench(root, workbench);

@@ -91,6 +91,7 @@ export class Opener {
       );
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
+      store.settle();
       const { reloads } = options;
       const meant = reloads ?? store.selection.characterId;
       const result = openFiles(store.document, output.files, output.broken, meant);

@@ -8,7 +8,7 @@ import type { Store } from '../edit/store.ts';
 import type { Character } from '../model/document.ts';
 import { findCharacter } from '../model/document.ts';
 import { filePose, ROOT_TRANSLATION } from '../model/dofs.ts';
-import type { ParsedFile } from '../model/files.ts';
+import { type ParsedFile, sameName } from '../model/files.ts';
 import { type Observable, observable } from '../ui/observable.ts';
 import type { PartKind, UnsavedPart } from '../ui/workbench.ts';
 import { sameData } from './same-data.ts';
@@ -54,14 +54,21 @@ export class Unsaved {
     return this.parts.get();
   }
 
-  /** These files were read into the document: what they hold is saved. */
-  opened(files: readonly ParsedFile[]): void {
+  /**
+   * These files were read into the document just now: what they hold is saved.
+   * @returns names of those that took the place of something unsaved
+   */
+  opened(files: readonly ParsedFile[]): readonly string[] {
+    // The list is that of before still: it follows at the end of the task.
+    const unsavedBefore = this.parts.get();
+    const replaced = files.filter(({ source }) => unsavedBefore.some((part) => sameName(part.name, source.name)));
     const fresh = new Set<object>([...files, ...this.waiting].flatMap(contentOf));
     for (const character of this.store.document.characters) {
       const read = partsOf(character).filter(({ part }) => fresh.has(part));
       if (read.length) this.mark(character, read, jointsOf(filePose(character.skeleton, 0)));
     }
     this.waiting = this.store.document.unused.map(({ file }) => file);
+    return replaced.map(({ source }) => source.name);
   }
 
   /**

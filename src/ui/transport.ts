@@ -9,6 +9,7 @@ import { type MenuEntry, menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { NumberField } from './number-field.ts';
 import { seconds, shown } from './number-text.ts';
+import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';
 import { keepTooltip, withKey } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
@@ -164,6 +165,7 @@ function times(wb: Workbench): HTMLElement[] {
     text: (value) => shown(value, 3),
     commit(framesPerSecond) {
       if (framesPerSecond >= 1 && framesPerSecond <= 1000) wb.transport.update((p) => ({ ...p, framesPerSecond }));
+      else wb.messages.note(`Frames per second have to be from 1 to 1000; ${framesPerSecond} was typed.`, 'warning');
     },
     step: 1,
   });
@@ -201,10 +203,14 @@ function range(wb: Workbench): HTMLElement[] {
       label,
       class: 'range-field',
       text: (value) => shown(value, 4),
-      commit: (value) => wb.transport.update((p) => ({ ...p, range: make(value / perUnit(), p.range) })),
+      commit(value) {
+        typeRange(wb, make(value / perUnit(), wb.transport.get().range));
+        // What was refused shows as it is.
+        show();
+      },
     });
-  const first = end('Range begins', (value, now) => [value, Math.max(value, now[1])]);
-  const last = end('Range ends', (value, now) => [Math.min(value, now[0]), value]);
+  const first = end('Range begins', (value, now) => [value, now[1]]);
+  const last = end('Range ends', (value, now) => [now[0], value]);
   const show = () => {
     const [from, to] = wb.transport.get().range;
     first.show(noNoise(from * perUnit()));
@@ -224,7 +230,7 @@ function range(wb: Workbench): HTMLElement[] {
         text,
       ),
     );
-    setAttribute(begins, 'title', `Range. ${keys.join(', ')}`);
+    setAttribute(begins, 'title', `Range, saved with the take where one plays. ${keys.join(', ')}`);
   };
   wb.transport.subscribe(show);
   wb.settings.subscribe(() => {

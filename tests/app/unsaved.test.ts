@@ -20,7 +20,7 @@ function opened(...files: ParsedFile[]) {
   const open = (...more: ParsedFile[]) => {
     const result = openFiles(store.document, more, [], store.selection.characterId);
     store.replace(result.label, { document: result.document, selection: store.selection });
-    unsaved.opened(more);
+    return unsaved.opened(more);
   };
   open(...files);
   const names = () => unsaved.current().map(({ name }) => name);
@@ -76,6 +76,17 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['new.anim']);
     change(withClip((c) => ({ ...c, name: `${c.name}2` })));
     expect(names()).toEqual(['hero_walk2.anim', 'new2.anim']);
+  });
+
+  it('is told of when a file of its name takes its place', () => {
+    const walk = () => animFile('hero_walk.anim', clip('hero_walk', [1]));
+    const { open, names, change } = opened(...hero(), walk());
+    expect(open(walk())).toEqual([]);
+    change(withClip((c) => moved(c)));
+    expect(names()).toEqual(['hero_walk.anim']);
+    expect(open(skinFile('hero.skin', skin()))).toEqual([]);
+    expect(open(walk())).toEqual(['hero_walk.anim']);
+    expect(names()).toEqual([]);
   });
 
   it('is the skeleton when its limits or the pose of its joints change', () => {

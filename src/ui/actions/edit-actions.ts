@@ -20,7 +20,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     shortcuts: ['Ctrl+Z'],
     repeats: true,
     enabled: (wb) => wb.store.undoLabel !== undefined,
-    run: (wb) => void wb.store.undo(),
+    run: (wb) => travel(wb, 'undo'),
   },
   {
     id: 'edit.redo',
@@ -31,7 +31,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
     shortcuts: ['Ctrl+Shift+Z', 'Ctrl+Y'],
     repeats: true,
     enabled: (wb) => wb.store.redoLabel !== undefined,
-    run: (wb) => void wb.store.redo(),
+    run: (wb) => travel(wb, 'redo'),
   },
   {
     id: 'pose.resetToFile',
@@ -154,6 +154,21 @@ export const EDIT_ACTIONS: readonly Action[] = [
 
 function lowerFirst(text: string): string {
   return text.charAt(0).toLowerCase() + text.slice(1);
+}
+
+/**
+ * What was said of a step in passing is not so any more. A step that takes characters away, or brings them, is more than
+ * one may have meant: it is said.
+ */
+function travel(wb: Workbench, way: 'undo' | 'redo'): void {
+  const label = way === 'undo' ? wb.store.undoLabel : wb.store.redoLabel;
+  const idsOf = () => wb.store.document.characters.map((c) => c.id).join();
+  const before = idsOf();
+  wb.messages.passing.set(undefined);
+  if (way === 'undo') wb.store.undo();
+  else wb.store.redo();
+  if (label === undefined || idsOf() === before) return;
+  wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo brings it back.` : `Redone: ${label}.`);
 }
 
 function reset(wb: Workbench, to: 'file' | 'zero'): void {

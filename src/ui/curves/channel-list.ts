@@ -15,7 +15,7 @@ import { isMac } from '../keys.ts';
 import { openMenu } from '../menu.ts';
 import { plural } from '../number-text.ts';
 import { channelName, type ListedChannel } from '../timeline/channels.ts';
-import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
 import { cssColour } from './colours.ts';
@@ -269,7 +269,7 @@ export class ChannelList {
     const take = takeInHand(this.wb);
     if (at?.cell !== 'name' || !take) return;
     const keys = allKeys(take.clip, [this.channels[at.index].channel]);
-    selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(keysInHand(this.wb), keys) : keys);
+    selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(selectedKeys(this.wb), keys) : keys);
   }
 
   private onMenu(event: MouseEvent): void {

@@ -38,7 +38,7 @@ const extremes = new ChannelExtremes();
 /**
  * Axes of which there is nothing to show stay as they are.
  *
- * @param what the lines' keys and the clip's range, or the selected keys (all where none is selected)
+ * @param what the lines' keys and the played range, or the selected keys (all where none is selected)
  * @param keepTime leaves the window of time alone, and fits the values that are in it
  */
 export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): CurveSpace {

@@ -1,7 +1,6 @@
 /** A key on a curve where it was clicked. */
 import { insertKeys } from '../../edit/commands/keys.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
-import { applyToTake } from '../timeline/key-edits.ts';
 import type { Workbench } from '../workbench.ts';
 
 /** On the curve, whose shape stays; on the nearest frame where keys snap to frames. @param clipSeconds of the clip */
@@ -12,5 +11,5 @@ export function insertOnCurve(wb: Workbench, channel: number, clipSeconds: numbe
   const offset = take.character.timeOffsetSeconds;
   const snapped = Math.round((clipSeconds - offset) * framesPerSecond) / framesPerSecond + offset;
   const timeSeconds = wb.timeline.view.get().snapsToFrames ? snapped : clipSeconds;
-  applyToTake(wb, insertKeys, { characterId: take.character.id, channels: [channel], timeSeconds });
+  wb.store.apply(insertKeys, { characterId: take.character.id, channels: [channel], timeSeconds });
 }

@@ -5,15 +5,16 @@
 import { setKeys } from '../../edit/commands/keys.ts';
 import { countKeys } from '../../edit/keys/selection.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
+import { unitOfChannel } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
 import { element } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
 import { NumberField } from '../number-field.ts';
-import { shown } from '../number-text.ts';
+import { brief } from '../number-text.ts';
 import { dofsFor } from '../timeline/channels.ts';
-import { keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { framesOf } from '../timeline/snapping.ts';
 import type { Workbench } from '../workbench.ts';
 
@@ -27,6 +28,8 @@ export interface SharedNumbers {
 
 /** More than this are not looked through: nobody types a time for all of them. */
 const MOST_KEYS = 5000;
+/** What a field has room for: `-418.731`. */
+const MOST_CHARACTERS = 8;
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
 export function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
@@ -58,17 +61,20 @@ export function keyFields(wb: Workbench): HTMLElement {
     const take = takeInHand(wb);
     if (!take) return undefined;
     const dofs = dofsFor(take.character);
-    const units = new Set(keysInHand(wb).map((k) => dofs[k.channel]?.unit ?? 'weight'));
+    const units = new Set(keysInHand(wb).map((k) => unitOfChannel(dofs, k.channel)));
     const [unit] = units;
     return units.size === 1 ? unit : undefined;
   };
-  const perUnit = () => shownPerUnit(unitOf() ?? 'weight', wb.settings.get().angles);
+  const perUnit = () => {
+    const unit = unitOf();
+    return unit ? shownPerUnit(unit, wb.settings.get().angles) : 1;
+  };
   const set = (typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>) => {
     const take = takeInHand(wb);
     const keys = keysInHand(wb);
     if (!take || !keys.length) return;
     try {
-      wb.store.apply(setKeys, { characterId: take.character.id, keys, ...typed });
+      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: take.character.id, keys, ...typed });
     } catch (error) {
       wb.messages.note(error instanceof Error ? error.message : String(error), 'warning');
     }
@@ -82,25 +88,25 @@ export function keyFields(wb: Workbench): HTMLElement {
       const seconds = inFrames() ? typed / framesPerSecond : typed;
       set({ timeSeconds: seconds + (takeInHand(wb)?.character.timeOffsetSeconds ?? 0) });
     },
-    (value) => shown(value, inFrames() ? 2 : 4),
+    (value) => brief(value, inFrames() ? 2 : 4, MOST_CHARACTERS),
     1,
   );
   const value = field(
     'Value of the selected keys',
     (typed) => set({ value: typed / perUnit() }),
-    (v) => shown(v, 4),
+    (v) => brief(v, 4, MOST_CHARACTERS),
     1,
   );
   const slopeIn = field(
     'Slope before the selected keys, per second',
     (typed) => set({ slopeIn: typed / perUnit() }),
-    (v) => shown(v, 3),
+    (v) => brief(v, 3, MOST_CHARACTERS),
     1,
   );
   const slopeOut = field(
     'Slope after the selected keys, per second',
     (typed) => set({ slopeOut: typed / perUnit() }),
-    (v) => shown(v, 3),
+    (v) => brief(v, 3, MOST_CHARACTERS),
     1,
   );
   const all = [time, value, slopeIn, slopeOut];
@@ -135,6 +141,7 @@ export function keyFields(wb: Workbench): HTMLElement {
   wb.store.subscribe((now, before) => {
     if (now.document !== before.document || now.selection !== before.selection) show();
   });
+  wb.timeline.view.subscribe(show);
   wb.settings.subscribe(show);
   wb.transport.subscribe((now, before) => {
     if (now.framesPerSecond !== before.framesPerSecond) show();

@@ -13,6 +13,8 @@ export const LINE_WIDTH = 1.5;
 const EMPHASISED_WIDTH = 2;
 /** With more lines than this, columns are as wide as a CSS pixel, however fine the screen: nobody sees the difference. */
 const MOST_FINE_LINES = 12;
+/** While the view moves, columns of many lines are twice as wide: what passes by is not read to the pixel. */
+const MOVING_COLUMNS_PER_PIXEL = 0.5;
 const DOT = 2;
 const DOTS: readonly number[] = [DOT, DOT_PERIOD - DOT];
 const UNBROKEN: readonly number[] = [];
@@ -33,25 +35,31 @@ export class CurveLayer {
   /** Of the raster's own bytes. */
   private image: ImageData | undefined;
 
-  /** @param g scaled so that it counts in CSS pixels, `ratio` of the screen's to each */
+  /**
+   * @param g scaled so that it counts in CSS pixels, `ratio` of the screen's to each
+   * @param moving the view is on its way: may be drawn more coarsely
+   * @returns whether it was, and should be drawn once more at rest
+   */
   draw(
     g: CanvasRenderingContext2D,
     scene: CurveScene,
     isEmphasised: (line: CurveLine) => boolean,
     ratio: number,
     palette: Readonly<Record<BaseColour, string>>,
-  ): void {
+    moving: boolean,
+  ): boolean {
     const { lines } = scene;
     const before = this.traced;
     this.traced = new Map();
-    const columnsPerPixel = lines.length > MOST_FINE_LINES ? 1 : ratio;
+    const many = lines.length > MOST_FINE_LINES;
+    const columnsPerPixel = many ? (moving ? MOVING_COLUMNS_PER_PIXEL : 1) : ratio;
     for (const line of lines) {
       this.traced.set(line.channel, traceAgain(scene, line, columnsPerPixel, before.get(line.channel)));
     }
     // Those that stand out are drawn over the others.
     const order = [...lines.filter((line) => !isEmphasised(line)), ...lines.filter(isEmphasised)];
     const widthOf = (line: CurveLine) => (isEmphasised(line) ? EMPHASISED_WIDTH : LINE_WIDTH);
-    this.drawColumns(g, scene, order, widthOf, ratio, columnsPerPixel, palette);
+    const hasColumns = this.drawColumns(g, scene, order, widthOf, ratio, columnsPerPixel, palette);
     g.lineJoin = 'round';
     for (const line of order) {
       const traced = this.traced.get(line.channel);
@@ -67,6 +75,7 @@ export class CurveLayer {
       g.stroke(traced.solid);
     }
     g.setLineDash(UNBROKEN);
+    return moving && many && hasColumns;
   }
 
   /** A line once more, over what is drawn: the one under the pointer. */
@@ -87,14 +96,14 @@ export class CurveLayer {
     ratio: number,
     columnsPerPixel: number,
     palette: Readonly<Record<BaseColour, string>>,
-  ): void {
+  ): boolean {
     const dense: ColumnLine[] = [];
     for (const line of order) {
       const columns = this.traced.get(line.channel)?.trace.columns;
       if (!columns || columns.from === columns.to) continue;
       dense.push({ columns, colour: mixed(line.colour, palette), width: widthOf(line) });
     }
-    if (dense.length === 0) return;
+    if (dense.length === 0) return false;
     const width = Math.ceil(space.width * ratio);
     const height = Math.ceil(space.height * ratio);
     this.raster.paint(dense, width, height, ratio, columnsPerPixel);
@@ -111,6 +120,7 @@ export class CurveLayer {
     g.setTransform(1, 0, 0, 1, 0, 0);
     g.drawImage(this.columns, 0, 0);
     g.restore();
+    return true;
   }
 }
 

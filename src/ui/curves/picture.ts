@@ -20,6 +20,9 @@ import { PLOT_TOP, xOf, yOf } from './space.ts';
 
 const HOVER_WIDTH = 3;
 
+/** The view has stood still for so long that its dense lines are worth every pixel. */
+const REST_MS = 120;
+
 export class CurvePicture {
   /** Fills its container and takes no pointer events of its own: listen on the container. */
   readonly element: HTMLElement;
@@ -28,6 +31,7 @@ export class CurvePicture {
   private readonly overlay = new Layer();
   private readonly lines = new CurveLayer();
   private colours: PictureColours | undefined;
+  private atRest: ReturnType<typeof setTimeout> | undefined;
   private scene: CurveScene | undefined;
 
   /** @param host positioned; the canvases fill it */
@@ -54,7 +58,8 @@ export class CurvePicture {
     // Each is asked, for each has to take on the size.
     const resized = [this.curves, this.keys, this.overlay].filter((layer) => layer.resize(width, height, ratio));
     const all = resized.length > 0 || !before || !sameGround(before, scene);
-    if (all || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
+    const moving = resized.length === 0 && before?.clip === scene.clip && before.space !== scene.space;
+    if (all || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours, moving);
     if (all || before.selected !== scene.selected) {
       const { colours } = this;
       this.keys.draw((g) => drawKeys(g, scene, colours));
@@ -80,13 +85,15 @@ export class CurvePicture {
     if (scene) this.draw(scene);
   }
 
-  private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours): void {
+  private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours, moving = false): void {
+    clearTimeout(this.atRest);
     const standOut = emphasisOf(scene);
     const emphasised = scene.lines.filter((line) => standOut.has(line.channel));
     this.curves.draw((g) => {
       drawGround(g, scene, colours);
       drawLimits(g, scene, emphasised, ratio, colours);
-      this.lines.draw(g, scene, (line) => standOut.has(line.channel), ratio, colours.palette);
+      const isCoarse = this.lines.draw(g, scene, (line) => standOut.has(line.channel), ratio, colours.palette, moving);
+      if (isCoarse) this.atRest = setTimeout(() => this.drawCurves(scene, ratio, colours), REST_MS);
       drawValueLabels(g, scene, colours);
       drawTimeRuler(g, timeView(scene), colours.time);
     });

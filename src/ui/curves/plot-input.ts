@@ -1,15 +1,14 @@
 /** Everything a pointer and the held keys do in the plot: what they mean is `tools/intent.ts`, what follows the tools. */
 import { hasKey } from '../../edit/keys/selection.ts';
 import { oncePerFrame } from '../frame.ts';
-import { isMac } from '../keys.ts';
-import { insertAtPlayhead } from '../timeline/key-edits.ts';
+import { isMac, waitOutDrag } from '../keys.ts';
 import { openPlotMenu } from './context-menu.ts';
 import { hitTest } from './hit.ts';
 import { insertOnCurve } from './insert.ts';
 import type { Hit } from './scene.ts';
 import { PLOT_TOP, pan, timeAt, zoom } from './space.ts';
 import { boxDrag } from './tools/box.ts';
-import { cursorOf, type Intent, intentOf } from './tools/intent.ts';
+import { buttonMeant, cursorOf, type Intent, intentOf } from './tools/intent.ts';
 import { keysDrag } from './tools/move-keys.ts';
 import { panDrag, wheelMeans, zoomDrag } from './tools/navigate.ts';
 import { scaleDrag } from './tools/scale.ts';
@@ -22,6 +21,8 @@ const TREMBLE_PIXELS = 3;
 const REACH_MOUSE = 6;
 const REACH_TOUCH = 14;
 const NO_HIT: Hit = { kind: 'empty' };
+/** Drags that change neither document nor selection. */
+const LOOKING: readonly Intent[] = ['scrub', 'pan', 'zoom'];
 
 /** What input needs of the plot beside what drags do. */
 export interface PlotHost extends PlotAccess {
@@ -40,7 +41,9 @@ export class PlotInput {
   private grabbed = -1;
   /** Where it is; undefined outside. */
   pointer: PointerAt | undefined;
-  private scaling = false;
+  /** Code of the key that is down, and of the one that scaling lasts as long as; none where it was asked for otherwise. */
+  private down: string | undefined;
+  private heldForScaling: string | undefined;
   private drag: { readonly drag: Drag; readonly from: PointerAt; moved: boolean; waiting?: PointerAt } | undefined;
   private readonly moveSoon = oncePerFrame(() => this.flushMove());
 
@@ -80,10 +83,23 @@ export class PlotInput {
     target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
     target.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     target.addEventListener('contextmenu', (event) => this.onMenu(event));
-    target.addEventListener('keydown', (event) => this.onKey(event, true));
-    target.addEventListener('keyup', (event) => this.onKey(event, false));
+    target.addEventListener('keydown', (event) => {
+      if (!event.repeat) this.down = event.code;
+      this.holdKeys(event);
+    });
+    target.addEventListener('keyup', (event) => {
+      const { scaling } = this.plot.wb.timeline;
+      if (event.code === this.heldForScaling) scaling.set(false);
+      if (event.code === this.down) this.down = undefined;
+      this.holdKeys(event);
+    });
     target.addEventListener('blur', () => {
-      this.scaling = false;
+      this.down = undefined;
+      this.plot.wb.timeline.scaling.set(false);
+    });
+    this.plot.wb.timeline.scaling.subscribe((scales) => {
+      this.heldForScaling = scales ? this.down : undefined;
+      this.refresh();
     });
   }
 
@@ -104,14 +120,14 @@ export class PlotInput {
   }
 
   private intent(at: PointerAt, button: number, hit: Hit): Intent {
-    return intentOf({ ...at, button, inRuler: at.y < PLOT_TOP, scaling: this.scaling }, hit);
+    return intentOf({ ...at, button, inRuler: at.y < PLOT_TOP, scaling: this.plot.wb.timeline.scaling.get() }, hit);
   }
 
   private onPress(event: PointerEvent): void {
     if (this.drag || event.target instanceof HTMLButtonElement) return;
     const at = this.at(event);
     const hit = this.hitAt(at, event.pointerType === 'mouse' ? REACH_MOUSE : REACH_TOUCH);
-    const intent = this.intent(at, event.button, hit);
+    const intent = this.intent(at, buttonMeant(event, isMac), hit);
     event.preventDefault();
     this.plot.element.focus({ preventScroll: true });
     if (intent === 'menu' || !this.plot.scene()) return;
@@ -127,6 +143,7 @@ export class PlotInput {
     this.plot.freeze(true);
     this.plot.element.setPointerCapture(event.pointerId);
     this.plot.element.style.cursor = drag.cursor(at);
+    window.addEventListener('keydown', LOOKING.includes(intent) ? this.onLookingKey : this.onDragKey, true);
     // The ruler answers to the press itself.
     if (intent === 'scrub') drag.move(at);
   }
@@ -179,7 +196,31 @@ export class PlotInput {
     this.afterDrag();
   }
 
+  private cancelDrag(event: KeyboardEvent): void {
+    event.preventDefault();
+    event.stopPropagation();
+    const { drag } = this;
+    this.drag = undefined;
+    drag?.drag.cancel();
+    this.afterDrag();
+  }
+
+  private readonly onLookingKey = (event: KeyboardEvent) => {
+    if (event.key === 'Escape') this.cancelDrag(event);
+  };
+
+  private readonly onDragKey = (event: KeyboardEvent) => {
+    waitOutDrag(event);
+    if (event.key === 'Escape') this.cancelDrag(event);
+    // What is held changes what the drag does at once, wherever the focus is.
+    else this.holdKeys(event);
+  };
+
   private afterDrag(): void {
+    window.removeEventListener('keydown', this.onLookingKey, true);
+    window.removeEventListener('keydown', this.onDragKey, true);
+    // It was for this drag alone, unless its key is still held.
+    if (this.heldForScaling === undefined) this.plot.wb.timeline.scaling.set(false);
     if (this.pointer) this.lookUnder(this.pointer);
     this.plot.afterDrag();
   }
@@ -225,7 +266,7 @@ export class PlotInput {
     event.preventDefault();
     // Alt and the right button zoom.
     if (event.altKey || this.drag) return;
-    const byKeyboard = event.button !== 2;
+    const byKeyboard = buttonMeant(event, isMac) !== 2;
     const at = this.at(event);
     const hit = byKeyboard ? NO_HIT : this.hitAt(at, REACH_MOUSE);
     const box = this.plot.element.getBoundingClientRect();
@@ -233,26 +274,10 @@ export class PlotInput {
     openPlotMenu(this.plot.wb, hit, where, byKeyboard);
   }
 
-  private onKey(event: KeyboardEvent, down: boolean): void {
-    if (event.key === 'Escape' && down && this.drag) {
-      event.preventDefault();
-      const { drag } = this.drag;
-      this.drag = undefined;
-      drag.cancel();
-      this.afterDrag();
-      return;
-    }
-    const modifiers = event.ctrlKey || event.metaKey || event.altKey || event.shiftKey;
-    if (event.key.toLowerCase() === 's' && (!modifiers || !down)) {
-      this.scaling = down;
-      if (down) event.preventDefault();
-    } else if (event.key === 'Enter' && down && !modifiers) {
-      event.preventDefault();
-      insertAtPlayhead(this.plot.wb);
-    }
+  /** The cursor, and what is being dragged, tell at once what a key that is held changes. */
+  private holdKeys(event: KeyboardEvent): void {
     const { pointer } = this;
     if (!pointer) return;
-    // The cursor tells at once what the key has changed.
     this.pointer = {
       ...pointer,
       shift: event.shiftKey,

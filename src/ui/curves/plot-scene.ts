@@ -79,7 +79,7 @@ export class PlotScene {
       lines: this.lines,
       selected: keysInHand(wb),
       space: { width: this.width, height: this.height, window: view.window, axes: this.axes },
-      range: take ? this.range(clip, offsetSeconds) : wb.transport.get().range,
+      range: wb.transport.get().range,
       framesPerSecond,
       inFrames: settings.timeDisplay === 'frames',
       degrees: settings.angles === 'degrees',
@@ -115,15 +115,6 @@ export class PlotScene {
     const now = this.listed.map((l) => l.channel);
     if (!sameNumbers(now, this.numbers)) this.numbers = now;
     return this.numbers;
-  }
-
-  private lastRange: readonly [number, number] = [0, 0];
-
-  private range(clip: ChannelClip, offsetSeconds: number): readonly [number, number] {
-    const from = clip.range[0] - offsetSeconds;
-    const to = clip.range[1] - offsetSeconds;
-    if (this.lastRange[0] !== from || this.lastRange[1] !== to) this.lastRange = [from, to];
-    return this.lastRange;
   }
 }
 

@@ -1,5 +1,6 @@
 /** The plot: the picture of the curves and what floats over it, kept in step with document, settings and time. */
 import { element, setText, uniqueId } from '../dom.ts';
+import { HAS_KEYS } from '../focus.ts';
 import { oncePerFrame } from '../frame.ts';
 import { revealTime } from '../time-window.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
@@ -43,6 +44,7 @@ export class CurvePlot implements PlotHost {
     this.element = element('div', {
       class: 'curve-plot',
       tabindex: 0,
+      [HAS_KEYS]: true,
       role: 'application',
       'aria-roledescription': 'curve editor',
       'aria-label': 'Curves',

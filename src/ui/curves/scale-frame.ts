@@ -1,6 +1,7 @@
 /** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
 import { button, element } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
+import { waitOutDrag } from '../keys.ts';
 import type { CurveScene } from './scene.ts';
 import { PLOT_TOP, timeAt, xOf, yOf } from './space.ts';
 import { scaler } from './tools/scale.ts';
@@ -104,10 +105,12 @@ export class ScaleFrame {
       moveSoon();
     };
     grip.addEventListener('pointermove', onMove);
+    window.addEventListener('keydown', waitOutDrag, true);
     grip.addEventListener(
       'lostpointercapture',
       () => {
         grip.removeEventListener('pointermove', onMove);
+        window.removeEventListener('keydown', waitOutDrag, true);
         if (last !== event) move();
         scale.edit.commit();
         this.dragging = false;

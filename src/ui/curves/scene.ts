@@ -2,7 +2,7 @@
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
-import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../model/skeleton.ts';
 import { axisColour, type LineColour, otherColour } from './colours.ts';
@@ -36,7 +36,7 @@ export interface CurveScene {
   /** Channels that stand out (chosen in the list, say); their limits are hatched. Those with selected keys do anyway. */
   readonly emphasised?: readonly number[];
   readonly space: CurveSpace;
-  /** The clip's own range, seconds of the transport. */
+  /** What is played, seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;
@@ -90,7 +90,7 @@ export function sceneLines(
     // The root's translation and its rotation are different things on different axes: they may look alike.
     const group = dof ? `${dof.joint}` : '';
     if (axis && !ordinals.has(group)) ordinals.set(group, ordinals.size);
-    const unit = dof?.unit ?? 'weight';
+    const unit = unitOfChannel(dofs, channel);
     lines.push({
       channel,
       name: lineName(character, channel, dof),
@@ -107,7 +107,7 @@ export function sceneLines(
 }
 
 /** `hips rx`, `root tx`, a morph's name, or `channel 12`. */
-export function lineName(character: Character, channel: number, dof: CharacterDof | undefined): string {
+function lineName(character: Character, channel: number, dof: CharacterDof | undefined): string {
   if (!dof) return `channel ${channel}`;
   if (dof.joint < 0) return dof.name;
   const joint = character.skeleton?.joints[dof.joint];
@@ -127,7 +127,7 @@ function isLimited(limit: Limit): boolean {
 const normalisations = new WeakMap<Channel, Normalise>();
 
 /** The smallest key goes to −1, the largest to 1; a channel of one value to 0. */
-export function normalisation(channel: Channel): Normalise {
+function normalisation(channel: Channel): Normalise {
   const known = normalisations.get(channel);
   if (known) return known;
   let low = Number.POSITIVE_INFINITY;

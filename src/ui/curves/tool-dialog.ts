@@ -1,12 +1,15 @@
 /**
  * Dialogs of the tools for whole curves: a few numbers, what they would come to, and the curves themselves as they would
- * be, while one types. The preview is a drag without a mouse: one step of undo when applied, nothing when closed.
+ * be, while one types: one step of undo when applied, nothing when closed.
  */
 import { type Command, CommandError, type Edit } from '../../edit/store.ts';
+import type { Document } from '../../model/document.ts';
 import type { DialogContent } from '../dialog.ts';
 import { element, setText } from '../dom.ts';
 import { atMostEvery } from '../frame.ts';
 import { parseNumber } from '../number-text.ts';
+import { aboutKeysInHand } from '../timeline/in-hand.ts';
+import { Trial } from '../trial.ts';
 import type { DialogName, Workbench } from '../workbench.ts';
 
 export interface NumberAsked {
@@ -42,8 +45,8 @@ export interface ToolDialog<A> {
   readonly asked: readonly Asked[];
   readonly command: Command<A, Edit>;
   args(answers: Answers): A;
-  /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. */
-  result(args: A): string;
+  /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. `after` is the document as it would be. */
+  result(args: A, after: Document): string;
 }
 
 /** Typing is answered at most so often. */
@@ -67,36 +70,41 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     },
     choice: (name) => fields.get(name)?.value ?? '',
   };
+  const name = tool.title.replace('…', '');
+  const command = aboutKeysInHand(wb, tool.command);
+  const trial = new Trial(store, name, () => {
+    wb.messages.note(`${name} was not applied: something else has changed meanwhile.`, 'warning');
+    unsubscribe();
+    close();
+  });
   // The first document is what is measured against, whatever is previewed.
-  const base = store.document;
-  const gesture = store.begin(tool.title.replace('…', ''));
-  let over = false;
+  const { base } = trial;
   const preview = () => {
-    if (over) return;
+    if (trial.over) return;
     try {
       const args = tool.args(answers);
-      gesture.preview(tool.command.run(base, args));
-      setText(result, tool.result(args));
+      const edit = command.run(base, args);
+      trial.show(edit);
+      setText(result, tool.result(args, edit.document));
       result.classList.remove('wrong');
       apply.disabled = store.document === base;
     } catch (error) {
       if (!(error instanceof CommandError)) throw error;
-      gesture.preview(base);
+      trial.show(base);
       setText(result, error.message);
       result.classList.add('wrong');
       apply.disabled = true;
     }
   };
   const end = (keep: boolean) => {
-    if (over) return;
+    if (trial.over) return;
     if (keep) preview();
-    over = true;
     unsubscribe();
-    if (keep) gesture.commit();
-    else gesture.cancel();
+    if (keep) trial.keep();
+    else trial.putBack();
   };
-  const unsubscribe = wb.dialog.subscribe((name) => {
-    if (name !== tool.name) end(false);
+  const unsubscribe = wb.dialog.subscribe((shown) => {
+    if (shown !== tool.name) end(false);
   });
   const soon = atMostEvery(PREVIEW_MS, preview);
   body.addEventListener('input', soon);

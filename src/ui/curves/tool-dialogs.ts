@@ -11,15 +11,24 @@ import {
 } from '../../edit/commands/channels.ts';
 import { scaleKeys } from '../../edit/commands/keys.ts';
 import { countKeys } from '../../edit/keys/selection.ts';
+import { type Document, findCharacter, shownClip } from '../../model/document.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText } from '../angles.ts';
 import type { DialogContent } from '../dialog.ts';
 import { element } from '../dom.ts';
 import { count, plural, shown } from '../number-text.ts';
-import { dofsFor } from '../timeline/channels.ts';
 import { channelsInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import type { Workbench } from '../workbench.ts';
-import { type Answers, type Asked, toolDialog } from './tool-dialog.ts';
+import {
+  bakeArguments,
+  resampleArguments,
+  scaleArguments,
+  simplifyArguments,
+  UNITS,
+  unitsOf,
+} from './tool-arguments.ts';
+import { changesBeyond } from './tool-changes.ts';
+import { type Asked, toolDialog } from './tool-dialog.ts';
 
 /** What is hardly seen: half a degree, a hundredth of a length, half a per cent of a morph. In what is shown. */
 const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> = {
@@ -27,15 +36,12 @@ const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> =
   length: ['Lengths within', 0.01, 0.01],
   weight: ['Weights within', 0.005, 0.005],
 };
-const UNITS: readonly DofUnit[] = ['angle', 'length', 'weight'];
 
 export function simplifyDialog(wb: Workbench, close: () => void): DialogContent {
   return withTake(wb, (take, channels) => {
     const { angles } = wb.settings.get();
-    const found = unitsOf(take, channels);
+    const found = unitsOf(take.character, channels);
     const document = wb.store.document;
-    const toleranceOf = (unit: DofUnit, answers: Answers) =>
-      found.includes(unit) ? answers.number(unit) / shownPerUnit(unit, angles) : 1;
     return toolDialog(wb, close, {
       name: 'simplify',
       title: 'Simplify',
@@ -46,15 +52,7 @@ export function simplifyDialog(wb: Workbench, close: () => void): DialogContent 
         return { kind: 'number', name: unit, label, value, unit: unitText(unit, angles).trim() };
       }),
       command: simplify,
-      args: (answers) => ({
-        characterId: take.character.id,
-        channels,
-        tolerance: {
-          angle: toleranceOf('angle', answers),
-          length: toleranceOf('length', answers),
-          weight: toleranceOf('weight', answers),
-        },
-      }),
+      args: (answers) => simplifyArguments(take.character, channels, answers, angles),
       result: (args) => reductionText(wb, simplifyPreview(document, args)),
     });
   });
@@ -69,7 +67,7 @@ export function resampleDialog(wb: Workbench, close: () => void): DialogContent 
       about: `A key on every frame of ${plural(channels.length, 'curve')}; keys outside stay.`,
       asked: [
         number('rate', 'Frames per second', wb.transport.get().framesPerSecond),
-        ...rangeAsked(take),
+        ...rangeAsked(keysSpan(take, channels)),
         {
           kind: 'choice',
           name: 'tangents',
@@ -82,14 +80,9 @@ export function resampleDialog(wb: Workbench, close: () => void): DialogContent 
         },
       ],
       command: resample,
-      args: (answers) => ({
-        characterId: take.character.id,
-        channels,
-        framesPerSecond: answers.number('rate'),
-        ...rangeOf(take, answers),
-        tangents: answers.choice('tangents') === 'linear' ? ('linear' as const) : ('smooth' as const),
-      }),
-      result: (args) => reductionText(wb, resamplePreview(document, args)),
+      args: (answers) => resampleArguments(take.character, channels, answers),
+      result: (args, after) =>
+        [`${reductionText(wb, resamplePreview(document, args))}.`, ...beyond(take, after, channels)].join(' '),
     });
   });
 }
@@ -101,14 +94,13 @@ export function bakeDialog(wb: Workbench, close: () => void): DialogContent {
       name: 'bake',
       title: 'Bake extrapolation to keys',
       about: `What ${plural(channels.length, 'curve')} do beyond their ends, as keys of their own.`,
-      asked: rangeAsked(take, wb.transport.get().range),
+      asked: rangeAsked(wb.transport.get().range),
       command: bakeExtrapolation,
-      args: (answers) => ({ characterId: take.character.id, channels, ...rangeOf(take, answers) }),
-      result(args) {
-        const { keysBefore, keysAfter, periodsChanged } = bakePreview(document, args);
-        const keys = `${count(keysBefore)} → ${plural(keysAfter, 'key')}`;
-        if (!periodsChanged.length) return keys;
-        return `${keys}; ${plural(periodsChanged.length, 'curve')} will repeat in another time on the other side`;
+      args: (answers) => bakeArguments(take.character, channels, answers),
+      result(args, after) {
+        const { keysBefore, keysAfter } = bakePreview(document, args);
+        const keys = `${count(keysBefore)} → ${plural(keysAfter, 'key')}.`;
+        return [keys, ...beyond(take, after, channels)].join(' ');
       },
     });
   });
@@ -119,10 +111,9 @@ export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
     const keys = keysInHand(wb);
     const { angles } = wb.settings.get();
     const found = unitsOf(
-      take,
+      take.character,
       keys.map((k) => k.channel),
     );
-    const dofs = dofsFor(take.character);
     const pivots = found.map((unit): Asked => {
       const what = { angle: 'Angles about', length: 'Lengths about', weight: 'Weights about' }[unit];
       return { kind: 'number', name: unit, label: what, value: 0, unit: unitText(unit, angles).trim() };
@@ -139,15 +130,7 @@ export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
       ],
       command: scaleKeys,
       args: (answers) => ({
-        characterId: take.character.id,
-        keys,
-        pivotSeconds: answers.number('pivot') + take.character.timeOffsetSeconds,
-        timeFactor: answers.number('time'),
-        valueFactor: answers.number('value'),
-        pivotValues: keys.map((k) => {
-          const unit = dofs[k.channel]?.unit ?? 'weight';
-          return answers.number(unit) / shownPerUnit(unit, angles);
-        }),
+        ...scaleArguments(take.character, keys, answers, angles),
         onCollision: wb.timeline.view.get().onCollision,
       }),
       result: () => '',
@@ -163,29 +146,31 @@ function withTake(wb: Workbench, make: (take: Take, channels: readonly number[])
   return { title: 'Curve tools', body, kind: 'tool-dialog' };
 }
 
-function unitsOf(take: Take, channels: readonly number[]): DofUnit[] {
-  const dofs = dofsFor(take.character);
-  const found = new Set(channels.map((c) => dofs[c]?.unit ?? 'weight'));
-  return UNITS.filter((unit) => found.has(unit));
-}
-
 function number(name: string, label: string, value: number, unit?: string): Asked {
   return { kind: 'number', name, label, value: Number(value.toPrecision(12)), ...(unit && { unit }) };
 }
 
 /** In seconds of the transport. */
-function rangeAsked({ clip, character }: Take, range?: readonly [number, number]): Asked[] {
-  const offset = character.timeOffsetSeconds;
-  return [
-    number('from', 'From', range ? range[0] : clip.range[0] - offset, 's'),
-    number('to', 'to', range ? range[1] : clip.range[1] - offset, 's'),
-  ];
+function rangeAsked(range: readonly [number, number]): Asked[] {
+  return [number('from', 'From', range[0], 's'), number('to', 'to', range[1], 's')];
 }
 
-/** In seconds of the clip. */
-function rangeOf({ character }: Take, answers: Answers) {
+/** From the first key of these channels to the last one, in seconds of the transport. */
+function keysSpan({ clip, character }: Take, channels: readonly number[]): readonly [number, number] {
+  let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const { times } of channels.map((c) => clip.channels[c])) {
+    from = Math.min(from, times[0]);
+    to = Math.max(to, times[times.length - 1]);
+  }
   const offset = character.timeOffsetSeconds;
-  return { from: answers.number('from') + offset, to: answers.number('to') + offset };
+  return [from - offset, to - offset];
+}
+
+/** What becomes of the take's curves beyond their keys. */
+function beyond({ character, clip }: Take, after: Document, channels: readonly number[]): string[] {
+  const changed = findCharacter(after, character.id);
+  const now = changed && shownClip(changed);
+  return now ? changesBeyond(clip, now, channels) : [];
 }
 
 /** `1,240 → 86 keys, largest error 0.12°`. */

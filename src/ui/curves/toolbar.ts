@@ -20,6 +20,13 @@ const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
   together: 'handlesTogether',
 };
 
+/** Groups that give way where there is no room (`curves.css`): what of them a menu has then. */
+const YIELDING: Readonly<Record<string, readonly string[]>> = {
+  'key-tools': ['insertKey', 'delete', 'onCollision.replace', 'onCollision.step'],
+  'snap-tools': ['snapsToFrames', 'snapsToValues', 'scaleFrame'],
+  'fit-tools': ['fitSelected', 'fitAll', 'normalised'],
+};
+
 const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'];
 
 export function curveToolbar(wb: Workbench): HTMLElement {
@@ -63,6 +70,13 @@ export function curveToolbar(wb: Workbench): HTMLElement {
   const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
   const group = (label: string, name: string, ...children: HTMLElement[]) =>
     element('div', { class: `tools ${name}`, role: 'group', 'aria-label': label }, ...children);
+  const isHidden = (name: string) => bar.querySelector(`.${name}`)?.getClientRects().length === 0;
+  const more = menu('More tools', 'more', () =>
+    Object.entries(YIELDING)
+      .filter(([name]) => isHidden(name))
+      .flatMap(([, ids], i) => [...(i ? [{ kind: 'line' } as const] : []), ...entriesOf(wb, ids)]),
+  );
+  more.classList.add('more-tools');
 
   const bar = element(
     'div',
@@ -111,6 +125,7 @@ export function curveToolbar(wb: Workbench): HTMLElement {
       tool('fitAll', 'Fit all', 'fitAll'),
       tool('normalised', 'Normalised', 'normalised', true),
     ),
+    more,
     keyFields(wb),
   );
   const show = oncePerFrame(() => {

@@ -8,7 +8,7 @@
  *     anything else    a box: Shift adds, Ctrl takes away; a click selects nothing
  */
 import { toggleKeys, unionKeys, withoutKeys } from '../../edit/keys/selection.ts';
-import { keysInHand, selectKeys } from '../timeline/in-hand.ts';
+import { keysInHand, selectedKeys, selectKeys } from '../timeline/in-hand.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
 import type { SheetHit } from './hit.ts';
 import { MoveKeys, type MoveWay, ScaleKeys } from './key-drags.ts';
@@ -38,7 +38,7 @@ function pressKeys(
   at: Pointer,
 ): Gesture | undefined {
   const { wb } = host;
-  const before = keysInHand(wb);
+  const before = selectedKeys(wb);
   const had = areSelected(keys, before);
   if (at.shift && had) {
     selectKeys(wb, withoutKeys(before, keys));

@@ -7,10 +7,9 @@ import { pasteKeys } from '../../edit/commands/paste.ts';
 import { type CopiedKeys, copyKeys } from '../../edit/keys/clipboard.ts';
 import { countKeys } from '../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { HandEdit } from '../hand-edit.ts';
+import type { HandEdit } from '../hand-edit.ts';
 import { plural, shown } from '../number-text.ts';
-import { keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
-import { sayPeriods } from '../timeline/key-edits.ts';
+import { aboutKeysInHand, editOfTake, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { framesOf, snapSeconds } from '../timeline/snapping.ts';
 import type { Workbench } from '../workbench.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
@@ -19,7 +18,7 @@ import { secondsPerPixel, timeAt } from './sheet.ts';
 /** What moving and scaling have in common: the keys as they were, and an edit that is kept or given up. */
 abstract class KeyDrag implements Gesture {
   readout: string | undefined;
-  protected readonly edit: HandEdit;
+  protected readonly edit: HandEdit | undefined;
   protected readonly take: Take | undefined;
   protected readonly keys: readonly ChannelKeys[];
   /** From the first selected key to the last, the transport's seconds. */
@@ -30,34 +29,34 @@ abstract class KeyDrag implements Gesture {
     protected readonly from: Pointer,
   ) {
     const { wb } = host;
-    this.edit = new HandEdit(wb.store, wb.messages);
     this.take = takeInHand(wb);
+    this.edit = this.take && editOfTake(wb, this.take);
     this.keys = keysInHand(wb);
     this.span = host.shown().selectedSpan ?? [0, 0];
   }
 
   move(at: Pointer): void {
     const { take, keys } = this;
-    const text = take && keys.length && !this.edit.cancelled ? this.preview(at, take) : undefined;
-    this.readout = text && `${text} · ${plural(countKeys(keys), 'key')}`;
+    const { edit } = this;
+    const text = take && edit && keys.length && !edit.cancelled ? this.preview(at, take, edit) : undefined;
+    this.readout = text && !edit?.cancelled ? `${text} · ${plural(countKeys(keys), 'key')}` : undefined;
   }
 
   /** Shows the edit as it would be here, and says what it comes to. */
-  protected abstract preview(at: Pointer, take: Take): string | undefined;
+  protected abstract preview(at: Pointer, take: Take, edit: HandEdit): string | undefined;
 
   release(_at: Pointer, moved: boolean): void {
     this.readout = undefined;
     if (!moved) {
-      this.edit.cancel();
+      this.edit?.cancel();
       return;
     }
-    this.edit.commit();
-    sayPeriods(this.host.wb, this.take?.clip);
+    this.edit?.commit();
   }
 
   cancel(): void {
     this.readout = undefined;
-    this.edit.cancel();
+    this.edit?.cancel();
   }
 
   /** Seconds that the pointer has gone since the press, such that a key taken at `grabbed` lands on a frame. */
@@ -77,6 +76,8 @@ const WAY_WORDS: Readonly<Record<MoveWay, string>> = { move: '', ripple: 'Ripple
 
 export class MoveKeys extends KeyDrag {
   private readonly copied: CopiedKeys | undefined;
+  private readonly moving: typeof moveKeys;
+  private readonly rippling: typeof rippleKeys;
 
   /** @param grabbedSeconds the key that is put on frames: the one taken hold of, else the first */
   constructor(
@@ -86,11 +87,13 @@ export class MoveKeys extends KeyDrag {
     private readonly grabbedSeconds?: number,
   ) {
     super(host, from);
+    this.moving = aboutKeysInHand(host.wb, moveKeys);
+    this.rippling = aboutKeysInHand(host.wb, rippleKeys);
     this.copied = way === 'copy' && this.take ? copyKeys(this.take.clip, this.keys) : undefined;
   }
 
-  protected preview(at: Pointer, { character }: Take): string {
-    const { keys, way, copied, edit } = this;
+  protected preview(at: Pointer, { character }: Take, edit: HandEdit): string {
+    const { keys, way, copied } = this;
     const { wb } = this.host;
     const { id: characterId, timeOffsetSeconds } = character;
     // Ctrl held for a copy is not held to come off the frames.
@@ -99,9 +102,9 @@ export class MoveKeys extends KeyDrag {
       const timeSeconds = this.span[0] + timeOffsetSeconds + seconds;
       edit.preview(pasteKeys, { characterId, copied, timeSeconds, mode: 'merge' });
     } else if (way === 'ripple') {
-      edit.preview(rippleKeys, { characterId, keys, seconds });
+      edit.preview(this.rippling, { characterId, keys, seconds });
     } else {
-      edit.preview(moveKeys, { characterId, keys, seconds, onCollision: wb.timeline.view.get().onCollision });
+      edit.preview(this.moving, { characterId, keys, seconds, onCollision: wb.timeline.view.get().onCollision });
     }
     return `${WAY_WORDS[way]}${amountText(wb, seconds)}`;
   }
@@ -109,15 +112,18 @@ export class MoveKeys extends KeyDrag {
 
 /** Scales times about the other end, or with Alt about the playhead; values stay. */
 export class ScaleKeys extends KeyDrag {
+  private readonly scaling: typeof scaleKeys;
+
   constructor(
     host: DopeHost,
     from: Pointer,
     private readonly end: 'start' | 'end',
   ) {
     super(host, from);
+    this.scaling = aboutKeysInHand(host.wb, scaleKeys);
   }
 
-  protected preview(at: Pointer, { character }: Take): string | undefined {
+  protected preview(at: Pointer, { character }: Take, edit: HandEdit): string | undefined {
     const { wb } = this.host;
     const { timeSeconds, framesPerSecond } = wb.transport.get();
     const { snapsToFrames, onCollision } = wb.timeline.view.get();
@@ -131,7 +137,7 @@ export class ScaleKeys extends KeyDrag {
     // Never onto the pivot or through it: all keys would fall on each other.
     const least = snapsToFrames === at.ctrl ? secondsPerPixel(this.host.sheet()) : 1 / framesPerSecond;
     const timeFactor = Math.max(Math.min(1, least / Math.abs(reach)), (reach + by) / reach);
-    this.edit.preview(scaleKeys, {
+    edit.preview(this.scaling, {
       characterId: character.id,
       keys: this.keys,
       pivotSeconds: pivot + character.timeOffsetSeconds,

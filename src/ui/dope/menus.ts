@@ -4,7 +4,7 @@ import { actionsOf } from '../actions.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { itemOf, itemsOf } from '../menu-entries.ts';
 import { plural } from '../number-text.ts';
-import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';
 import type { Workbench } from '../workbench.ts';
 import type { SheetHit } from './hit.ts';
@@ -62,7 +62,7 @@ export function rowMenu(wb: Workbench, row: DopeRow, at: Place): void {
   const name = rowName(row);
   const own: MenuEntry[] = [
     item(`Select ${plural(count, 'key')} of the row`, () => selectKeys(wb, keys), count > 0),
-    item('Add them to the selection', () => selectKeys(wb, unionKeys(keysInHand(wb), keys)), count > 0),
+    item('Add them to the selection', () => selectKeys(wb, unionKeys(selectedKeys(wb), keys)), count > 0),
     item('Insert keys at the playhead', () => insertAtPlayhead(wb, row.channels), row.channels.length > 0),
     item('Show its curves', () => showCurves(wb, row.channels)),
     { kind: 'line' },

@@ -7,11 +7,11 @@
 import { allKeys, unionKeys } from '../../edit/keys/selection.ts';
 import { withKeys } from '../../edit/store.ts';
 import { compileChannels, compileClip } from '../../evaluate/compiled-clip.ts';
-import type { ChannelClip } from '../../model/clip.ts';
 import { element, setAttribute, setText } from '../dom.ts';
+import { HAS_KEYS } from '../focus.ts';
 import { oncePerFrame } from '../frame.ts';
 import { fitWindow, panWindow, revealTime, type TimeWindow, zoomWindow } from '../time-window.ts';
-import { keysInHand, NO_KEYS, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { keysInHand, NO_KEYS, selectedKeys, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import type { TimelineTab } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
@@ -44,6 +44,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     class: 'dope-sheet',
     role: 'application',
     tabindex: 0,
+    [HAS_KEYS]: true,
     'aria-roledescription': 'dope sheet',
   });
   private readonly empty = element('p', { class: 'empty dope-empty', hidden: true });
@@ -90,7 +91,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     });
     wb.transport.subscribe((now, before) => {
       if (!this.visible) return;
-      if (now.framesPerSecond !== before.framesPerSecond) this.redraw();
+      if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
       // Jumped to, by a key or a number: bring it into view. While playing the window stays where it was put.
       if (now.timeSeconds !== before.timeSeconds && !now.playing) {
         const { window } = wb.timeline.view.get();
@@ -274,7 +275,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const { take } = this;
     if (!take) return;
     const keys = allKeys(take.clip, row.channels);
-    selectKeys(this.wb, adds ? unionKeys(this.selected(), keys) : keys);
+    selectKeys(this.wb, adds ? unionKeys(selectedKeys(this.wb), keys) : keys);
   }
 
   // Drawing.
@@ -312,7 +313,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
       curves: take ? compileClip(take.clip) : NO_CURVES,
       selected: this.selected(),
       selectedJoint: this.jointInHand(),
-      range: take ? rangeOf(take.clip, take.character.timeOffsetSeconds) : range,
+      range,
       framesPerSecond,
       inFrames: this.wb.settings.get().timeDisplay === 'frames',
     };
@@ -323,10 +324,6 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const label = take ? `Keys of ${take.character.name}. ${selectedText(this.wb)}` : 'Keys. There is no take.';
     setAttribute(this.plot, 'aria-label', label);
   }
-}
-
-function rangeOf({ range }: ChannelClip, offset: number): readonly [number, number] {
-  return [range[0] - offset, range[1] - offset];
 }
 
 /** Whether two takes have the same rows. */

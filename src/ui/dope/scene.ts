@@ -11,7 +11,7 @@ export interface DopeScene extends SheetKeys {
   readonly selected: readonly ChannelKeys[];
   /** Its rows stand out. */
   readonly selectedJoint: number | undefined;
-  /** The clip's own range, seconds of the transport. */
+  /** What is played, seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;

@@ -2,7 +2,7 @@
 import { unionKeys, withoutKeys } from '../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { Box } from '../curves/scene.ts';
-import { keysInHand, selectKeys } from '../timeline/in-hand.ts';
+import { selectedKeys, selectKeys } from '../timeline/in-hand.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
 import { keysInBox } from './hit.ts';
 import { HEAD, rowsTop, timeAt, xOf } from './sheet.ts';
@@ -21,7 +21,7 @@ export class SelectBox implements Gesture {
     private readonly onSummary: boolean,
   ) {
     const sheet = host.sheet();
-    this.before = keysInHand(host.wb);
+    this.before = selectedKeys(host.wb);
     this.seconds = timeAt(sheet, from.x);
     this.down = from.y + sheet.scrollTop;
   }

@@ -7,6 +7,7 @@ import { scaleDrag } from '../../../src/ui/curves/tools/scale.ts';
 import { slopeDrag } from '../../../src/ui/curves/tools/slope.ts';
 import type { PlotAccess, PointerAt } from '../../../src/ui/curves/tools/tool.ts';
 import { keysInHand, selectKeys } from '../../../src/ui/timeline/in-hand.ts';
+import { deleteKeys, insertAtPlayhead } from '../../../src/ui/timeline/key-edits.ts';
 import type { Workbench } from '../../../src/ui/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 
@@ -124,6 +125,46 @@ describe('dragging keys', () => {
     const { end, to } = drag(0, 1, 10, 0);
     end(to, true);
     expect(held(1).times[1]).toBe(2);
+    // And selected: they are there again when the curve is.
+    wb.timeline.change({ hidden: [] });
+    expect(keysInHand(wb)).toEqual([
+      { channel: 0, indices: [1] },
+      { channel: 1, indices: [1] },
+    ]);
+  });
+
+  it('ends when the key is deleted under it, and moves no other one', () => {
+    selectKeys(wb, [{ channel: 0, indices: [1] }]);
+    const { move, end, to } = drag(0, 1, 10, 0);
+    deleteKeys(wb);
+    move({ ...to, x: to.x + 30 });
+    end({ ...to, x: to.x + 30 }, true);
+    expect([...held(0).times]).toEqual([0, 2]);
+  });
+
+  it('ends when an inserted key is undone under it', () => {
+    insertAtPlayhead(wb, [3]);
+    const { move, end, to, cancelled } = drag(3, 0, 10, 0);
+    wb.store.undo();
+    wb.store.undo();
+    expect(cancelled?.()).toBe(true);
+    move({ ...to, x: to.x + 30 });
+    end({ ...to, x: to.x + 30 }, true);
+    expect([...held(3).times]).toEqual([0.5, 1.5]);
+    expect(wb.store.redoLabel).toBeDefined();
+  });
+
+  it('does not begin on another take than the one that was pressed in', () => {
+    const from = pointOf(0, 1);
+    const made = keysDrag(plot, { kind: 'key', channel: 0, index: 1 }, from);
+    const [walker] = wb.store.document.characters;
+    const clips = [...walker.clips, clip([0, 2], channel(0, 1, 2))];
+    const document = { ...wb.store.document, characters: [{ ...walker, clips, shownClip: 1 }] };
+    wb.store.replace('Another take', { document, selection: wb.store.selection });
+    made.move(at(from.x + 50, from.y));
+    made.end(at(from.x + 50, from.y), true);
+    expect(wb.store.document).toBe(document);
+    expect(wb.store.undoLabel).toBe('Another take');
   });
 
   it('puts everything back when it is given up', () => {
@@ -160,6 +201,15 @@ describe('dragging a handle', () => {
 });
 
 describe('scaling with S', () => {
+  it('leaves keys alone that are out of view, and selected', () => {
+    const keys = [0, 1].map((c) => ({ channel: c, indices: [0, 1] }));
+    selectKeys(wb, keys);
+    wb.timeline.change({ hidden: [1] });
+    scaleDrag(plot, at(100, 100)).end(at(150, 101), true);
+    expect([...held(1).times]).toEqual([0, 2]);
+    expect(wb.store.selection.keys).toEqual(keys);
+  });
+
   it('goes about the playhead, in the direction it set out in', () => {
     selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
     const made = scaleDrag(plot, at(100, 100));

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { isolatedAfter } from '../../../src/ui/curves/isolating.ts';
 import type { Hit } from '../../../src/ui/curves/scene.ts';
-import { cursorOf, intentOf, type Press } from '../../../src/ui/curves/tools/intent.ts';
+import { buttonMeant, cursorOf, intentOf, type Press } from '../../../src/ui/curves/tools/intent.ts';
 import { wheelMeans } from '../../../src/ui/curves/tools/navigate.ts';
 import { movesBoth, sameSlope } from '../../../src/ui/curves/tools/slope.ts';
 
@@ -109,4 +109,10 @@ describe('isolating channels', () => {
     expect(isolatedAfter([1, 3], [1], true)).toEqual([3]);
     expect(isolatedAfter([3], [3], true)).toBeUndefined();
   });
+});
+
+it('takes a click with Ctrl for a Mac’s right button', () => {
+  expect(buttonMeant({ button: 0, ctrlKey: true }, true)).toBe(2);
+  expect(buttonMeant({ button: 0, ctrlKey: true }, false)).toBe(0);
+  expect(buttonMeant({ button: 1, ctrlKey: true }, true)).toBe(1);
 });

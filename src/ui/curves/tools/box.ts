@@ -2,7 +2,7 @@
 import { allKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural } from '../../number-text.ts';
-import { keysInHand, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
+import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
 import { keysInBox } from '../hit.ts';
 import type { Box } from '../scene.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
@@ -10,7 +10,7 @@ import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 /** @param curve the channel whose curve was pressed on, if one was */
 export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag {
   const { wb } = plot;
-  const before = keysInHand(wb);
+  const before = selectedKeys(wb);
   const boxTo = (at: PointerAt): Box => ({ x0: from.x, y0: from.y, x1: at.x, y1: at.y });
   const select = (found: readonly ChannelKeys[], at: PointerAt) => {
     if (at.ctrl || from.ctrl) selectKeys(wb, withoutKeys(before, found));

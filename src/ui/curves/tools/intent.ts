@@ -24,6 +24,11 @@ export interface Press extends Pick<PointerAt, 'shift' | 'ctrl' | 'alt'> {
   readonly scaling: boolean;
 }
 
+/** The button that a press stands for: a click with Ctrl is a Mac's right button. */
+export function buttonMeant({ button, ctrlKey }: Pick<MouseEvent, 'button' | 'ctrlKey'>, mac: boolean): number {
+  return mac && button === 0 && ctrlKey ? 2 : button;
+}
+
 export function intentOf(press: Press, hit: Hit): Intent {
   if (press.button === 1) return 'pan';
   if (press.button === 2) return press.alt ? 'zoom' : 'menu';

@@ -8,8 +8,14 @@ import { moveKeys } from '../../../edit/commands/keys.ts';
 import { hasKey, toggleKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { shownPerUnit } from '../../angles.ts';
-import { HandEdit } from '../../hand-edit.ts';
-import { keysInHand, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
+import {
+  aboutKeysInHand,
+  editOfTake,
+  keysInHand,
+  selectedKeys,
+  selectKeys,
+  takeInHand,
+} from '../../timeline/in-hand.ts';
 import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
 import { deltaText } from '../readout-text.ts';
 import type { Hit } from '../scene.ts';
@@ -22,7 +28,7 @@ type KeyHit = Extract<Hit, { kind: 'key' }>;
 export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
   const { wb } = plot;
   const grabbed: ChannelKeys = { channel: hit.channel, indices: [hit.index] };
-  const before = keysInHand(wb);
+  const before = selectedKeys(wb);
   const wasSelected = hasKey(before, hit.channel, hit.index);
   if (!wasSelected && !from.ctrl) selectKeys(wb, from.shift ? unionKeys(before, [grabbed]) : [grabbed]);
 
@@ -57,10 +63,10 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   // Where in the key it was taken: the key stays under the pointer as it was, also if one zooms meanwhile.
   const offX = from.x - xOf(scene.space, keyTime);
   const offY = from.y - yOf(scene.space, line, keyValue);
-  const edit = new HandEdit(wb.store, wb.messages);
-  // What is selected but out of view stays where it is: nobody can see what would become of it.
+  const edit = editOfTake(wb, take);
+  const command = aboutKeysInHand(wb, moveKeys);
   const drawn = new Map(scene.lines.map((l) => [l.channel, l]));
-  const keys = keysInHand(wb).filter((k) => drawn.has(k.channel));
+  const keys = keysInHand(wb);
 
   const to = (at: PointerAt) => {
     const space = plot.scene()?.space ?? scene.space;
@@ -74,7 +80,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
       const shownPer = shownPerUnit(line.unit, wb.settings.get().angles);
       value = snapValue(keyValue, value, valueStep(pixelsPerUnit(space, line), shownPer));
     }
-    edit.preview(moveKeys, {
+    edit.preview(command, {
       characterId: take.character.id,
       keys,
       seconds,

@@ -5,10 +5,8 @@
  *     t' = pivot + factor · (t − pivot)          v' = pivot + factor · (v − pivot)
  */
 import { scaleKeys } from '../../../edit/commands/keys.ts';
-import type { ChannelKeys } from '../../../model/session.ts';
-import { HandEdit } from '../../hand-edit.ts';
 import { shown } from '../../number-text.ts';
-import { keysInHand, takeInHand } from '../../timeline/in-hand.ts';
+import { aboutKeysInHand, editOfTake, keysInHand, takeInHand } from '../../timeline/in-hand.ts';
 import { valueAt, xOf } from '../space.ts';
 import { isSideways } from './move-keys.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
@@ -66,14 +64,14 @@ export function scaler(plot: PlotAccess) {
   const take = takeInHand(wb);
   const first = plot.scene();
   if (!take || !first) return undefined;
-  // As with moving: what is out of view stays.
   const drawn = new Map(first.lines.map((l) => [l.channel, l]));
-  const keys: readonly ChannelKeys[] = keysInHand(wb).filter((k) => drawn.has(k.channel));
+  const keys = keysInHand(wb);
   if (!keys.length) return undefined;
-  const edit = new HandEdit(wb.store, wb.messages);
+  const edit = editOfTake(wb, take);
+  const command = aboutKeysInHand(wb, scaleKeys);
   const to = ({ pivotSeconds, timeFactor, pivotY, valueFactor }: Scaling) => {
     const scene = plot.scene() ?? first;
-    edit.preview(scaleKeys, {
+    edit.preview(command, {
       characterId: take.character.id,
       keys,
       pivotSeconds: pivotSeconds + take.character.timeOffsetSeconds,

@@ -5,8 +5,7 @@
 import { setSlopes } from '../../../edit/commands/tangents.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
 import { keySlope } from '../../../evaluate/slopes.ts';
-import { HandEdit } from '../../hand-edit.ts';
-import { keysInHand, takeInHand } from '../../timeline/in-hand.ts';
+import { editOfTake, selectedKeys, takeInHand } from '../../timeline/in-hand.ts';
 import type { HandleMode } from '../../timeline/timeline.ts';
 import { slopeFromHandle } from '../handles.ts';
 import { slopeText } from '../readout-text.ts';
@@ -20,10 +19,10 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const { wb } = plot;
   const take = takeInHand(wb);
   const channel = take?.clip.channels[hit.channel];
-  const edit = new HandEdit(wb.store, wb.messages);
+  const edit = take && editOfTake(wb, take);
   const wereEqual =
     channel !== undefined && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
-  const selected = keysInHand(wb);
+  const selected = selectedKeys(wb);
   // One key's slope is set, but all that were selected stay so, with their handles.
   const command: Command<Parameters<typeof setSlopes.run>[1], Edit> = {
     ...setSlopes,
@@ -33,7 +32,7 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const move = (at: PointerAt) => {
     const scene = plot.scene();
     const line = scene && lineOf(scene, hit.channel);
-    if (!scene || !take || !line) return;
+    if (!scene || !take || !edit || !line) return;
     const slope = slopeFromHandle(scene, line, hit.index, hit.side, at.x, at.y);
     const both = movesBoth(wb.timeline.view.get().handles, wereEqual, at);
     edit.preview(command, {
@@ -49,10 +48,10 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
     move,
     end(at, moved) {
       if (moved) move(at);
-      edit.commit();
+      edit?.commit();
     },
-    cancel: () => edit.cancel(),
-    cancelled: () => edit.cancelled,
+    cancel: () => edit?.cancel(),
+    cancelled: () => edit?.cancelled ?? false,
   };
 }
 
