@@ -73,6 +73,22 @@ export function play(playback: Playback): Playback {
   return { ...playback, timeSeconds, playing: true, turned: playback.loop === 'pingpong' && playback.turned };
 }
 
+/**
+ * Stops playing: at this very moment, or on the frame that is nearest to it, where one counts in frames. In a range that
+ * doesn't end on a frame that is the nearest one inside.
+ */
+export function pause(playback: Playback, onFrame: boolean): Playback {
+  const { timeSeconds, framesPerSecond, range } = playback;
+  const stopped = { ...playback, playing: false };
+  if (!onFrame) return stopped;
+  const isInside = (time: number) => time >= range[0] && time <= range[1];
+  const at = timeSeconds * framesPerSecond;
+  // Plus 0: no time is −0.
+  const near = [Math.round(at), Math.floor(at), Math.ceil(at)].map((frame) => (frame + 0) / framesPerSecond);
+  const found = isInside(timeSeconds) ? near.find(isInside) : near[0];
+  return { ...stopped, timeSeconds: found ?? timeSeconds };
+}
+
 /** Steps by whole frames, onto the frame grid: from between two frames to the nearer side's next one. */
 export function stepFrames(playback: Playback, frames: number): Playback {
   const at = playback.timeSeconds * playback.framesPerSecond;

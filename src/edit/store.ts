@@ -33,23 +33,35 @@ export class CommandError extends Error {
   override readonly name = 'CommandError';
 }
 
-/** A drag: previews replace each other, and all of them are one step when committed. */
+/**
+ * A drag: previews replace each other, and all of them are one step when committed. Anything else that changes the
+ * document ends it first; from then on it does nothing more.
+ */
 export interface Gesture {
   /** The document as it was when the gesture began: previews are made from it, so nothing drifts. */
   readonly base: Document;
+  /** Committed or cancelled, by its own hand or by something else that has happened. */
+  readonly closed: boolean;
   preview(change: Document | Edit): void;
   commit(): void;
   /** Everything as it was before. */
   cancel(): void;
 }
 
+/**
+ * What becomes of a gesture when something else happens before its own end. A drag is `kept`: one has seen what one's
+ * hand did. What is only being `tried`, as behind a dialog that has an Apply button, is put back.
+ */
+export type Unfinished = 'kept' | 'tried';
+
 type Listener = (now: State, before: State) => void;
 
 export class Store {
   private present: State;
   private readonly history = new History();
-  private gesture: Gesture | undefined;
+  private gesture: (Gesture & { readonly unfinished: Unfinished }) | undefined;
   private readonly listeners = new Set<Listener>();
+  private readonly stepListeners = new Set<Listener>();
 
   constructor(document: Document = EMPTY_DOCUMENT) {
     this.present = { document, selection: NOTHING_SELECTED };
@@ -78,35 +90,60 @@ export class Store {
     return () => this.listeners.delete(listener);
   }
 
-  /** One step. Nothing happens where the command changes nothing. */
-  apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
-    this.gesture?.commit();
-    const next = stateAfter(this.present, command.run(this.document, args));
-    this.step(command.label(this.document, args), next);
+  /**
+   * Calls back after each step that was made in this document, by a command or a gesture that is over: once, with the
+   * states on both sides. Not for previews, nor for documents made elsewhere, nor on the way back and forth.
+   */
+  onStep(listener: Listener): () => void {
+    this.stepListeners.add(listener);
+    return () => this.stepListeners.delete(listener);
   }
 
-  /** A document made elsewhere (files opened), with the selection that goes with it, as one step. */
+  /** One step. Nothing happens where the command changes nothing. */
+  apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+    this.settle();
+    const before = this.present;
+    const next = stateAfter(before, command.run(before.document, args));
+    this.step(command.label(before.document, args), next);
+    this.tellStep(next, before);
+  }
+
+  /**
+   * A document made elsewhere (files opened), with the selection that goes with it, as one step. Whoever makes it from
+   * this store's document calls `settle` before, or what is only being tried would be made part of it.
+   */
   replace(label: string, next: State): void {
-    this.gesture?.commit();
+    this.settle();
     this.step(label, next);
   }
 
-  /** Begins a drag; one that was under way is committed. */
-  begin(label: string): Gesture {
-    this.gesture?.commit();
+  /** Ends a gesture that is under way: a drag is committed, what is only being tried is put back. */
+  settle(): void {
+    if (this.gesture?.unfinished === 'tried') this.gesture.cancel();
+    else this.gesture?.commit();
+  }
+
+  /** Begins a gesture; one that is under way ends. */
+  begin(label: string, unfinished: Unfinished = 'kept'): Gesture {
+    this.settle();
     const before = this.present;
     let previewed = before.selection;
     const close = (end: () => void) => () => {
-      if (this.gesture !== gesture) return;
+      if (!isOpen()) return;
       this.gesture = undefined;
       end();
     };
-    const gesture: Gesture = {
+    const isOpen = () => this.gesture === gesture;
+    const gesture: Gesture & { readonly unfinished: Unfinished } = {
       base: before.document,
+      unfinished,
+      get closed() {
+        return !isOpen();
+      },
       preview: (change) => {
         // From what was selected at first: keys that a drag has passed over come back as it goes on.
         const selection = this.selection === previewed ? before.selection : this.selection;
-        if (this.gesture !== gesture) return;
+        if (!isOpen()) return;
         const next = stateAfter({ document: before.document, selection }, change);
         previewed = next.selection;
         this.become(next);
@@ -116,6 +153,7 @@ export class Store {
         if (after.document === before.document) return;
         this.history.remember(label, before, after);
         this.become(after);
+        this.tellStep(after, before);
       }),
       cancel: close(() => this.become(before)),
     };
@@ -137,14 +175,14 @@ export class Store {
   }
 
   undo(): boolean {
-    this.gesture?.commit();
+    this.settle();
     const before = this.history.undo(this.present);
     if (before) this.become(before);
     return before !== undefined;
   }
 
   redo(): boolean {
-    this.gesture?.commit();
+    this.settle();
     const after = this.history.redo(this.present);
     if (after) this.become(after);
     return after !== undefined;
@@ -153,6 +191,11 @@ export class Store {
   private step(label: string, next: State): void {
     if (next.document !== this.document) this.history.remember(label, this.present, next);
     this.become(next);
+  }
+
+  private tellStep(next: State, before: State): void {
+    if (next.document === before.document) return;
+    for (const listener of this.stepListeners) listener(next, before);
   }
 
   private become(next: State): void {

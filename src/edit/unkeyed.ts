@@ -28,26 +28,21 @@ export function withoutUnkeyed(character: Character): Character {
   return rest;
 }
 
-/** How many values were set by hand at another time than this. */
-export function countStale(document: Document, timeSeconds: number): number {
-  return document.characters.reduce((sum, c) => sum + (isStale(c, timeSeconds) ? (c.unkeyed?.dofs.length ?? 0) : 0), 0);
+/**
+ * How many values are set by hand in all of the document; without those of one moment of the transport.
+ * Null stands for no moment.
+ */
+export function countUnkeyed({ characters }: Document, exceptSeconds: number | null): number {
+  return characters.reduce((sum, c) => sum + (isOfAnother(c, exceptSeconds) ? (c.unkeyed?.dofs.length ?? 0) : 0), 0);
 }
 
-/** The document without what was set by hand at another time than this; the same object where there is nothing. */
-export function dropUnkeyed(document: Document, timeSeconds: number): Document {
-  return dropWhere(document, (c) => isStale(c, timeSeconds));
-}
-
-/** The document without anything set by hand and not keyed. */
-export function dropAllUnkeyed(document: Document): Document {
-  return dropWhere(document, (c) => c.unkeyed !== undefined);
-}
-
-function isStale({ unkeyed }: Character, timeSeconds: number): boolean {
-  return unkeyed !== undefined && unkeyed.timeSeconds !== timeSeconds;
-}
-
-function dropWhere(document: Document, gone: (character: Character) => boolean): Document {
+/** The document without those values; the same object where there is none. */
+export function dropUnkeyed(document: Document, exceptSeconds: number | null): Document {
+  const gone = (character: Character) => isOfAnother(character, exceptSeconds);
   if (!document.characters.some(gone)) return document;
   return { ...document, characters: document.characters.map((c) => (gone(c) ? withoutUnkeyed(c) : c)) };
+}
+
+function isOfAnother({ unkeyed }: Character, timeSeconds: number | null): boolean {
+  return unkeyed !== undefined && unkeyed.timeSeconds !== timeSeconds;
 }

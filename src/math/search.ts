@@ -14,3 +14,18 @@ export function lastNotAbove(sorted: Float64Array, first: number, end: number, x
   }
   return low;
 }
+
+/**
+ * Index of the first of the ascending `sorted[first … end − 1]` that is not less than `x`; `end` where all are less. As
+ * many of them are below `x`, counted from `first`.
+ */
+export function firstNotBelow(sorted: ArrayLike<number>, x: number, first = 0, end = sorted.length): number {
+  let low = first;
+  let high = end;
+  while (low < high) {
+    const middle = (low + high) >>> 1;
+    if (sorted[middle] < x) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

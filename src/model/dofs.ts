@@ -7,7 +7,7 @@
  *
  * Sliders, commands, channels and the mixer's track all address a DOF by its index in this list.
  */
-import { type Dof, dofsOf, type Limit, type Skeleton, UNLIMITED } from './skeleton.ts';
+import { type Dof, type DofUnit, dofsOf, type Limit, type Skeleton, UNLIMITED } from './skeleton.ts';
 
 export const ROOT_TRANSLATION: readonly Dof[] = [
   { name: 'tx', unit: 'length' },
@@ -52,6 +52,14 @@ export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly {
   });
   for (const morph of morphs) all.push({ name: morph.name, unit: 'weight', joint: -1, limit: { min: 0, max: 1 } });
   return all;
+}
+
+/**
+ * What a channel's values measure: what those of the DOF that it drives do. One past the DOFs, or of a clip that has no
+ * skeleton yet, drives nothing and is a plain number, as a weight is.
+ */
+export function unitOfChannel(dofs: readonly CharacterDof[], channel: number): DofUnit {
+  return channel < dofs.length ? dofs[channel].unit : 'weight';
 }
 
 /** The file's pose as a character's DOFs: root translation 0, joints as written, morph weights 0. */

@@ -1,6 +1,8 @@
 /**
  * Making elements, in one expression and never from markup: text that comes out of files stays text.
  */
+import { isTextField, letGo } from './focus.ts';
+
 type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
 type Child = Node | string | undefined | false;
 
@@ -26,9 +28,16 @@ export function button(label: string, attributes: Attributes, content: Child, on
   return made;
 }
 
-/** A mouse click on it leaves the focus where it was, so that keys go on meaning what they meant. Tab still gets there. */
+/**
+ * A mouse click on it leaves the focus where it was, so that keys go on meaning what they meant. Tab still gets there.
+ * Only a text field lets go, as it would of any other click: its typing is over, and keys are meant for the panel again.
+ */
 export function keepsFocusElsewhere<T extends HTMLElement>(target: T): T {
-  target.addEventListener('mousedown', (event) => event.preventDefault());
+  target.addEventListener('mousedown', (event) => {
+    event.preventDefault();
+    const { activeElement } = document;
+    if (isTextField(activeElement) && !target.contains(activeElement)) letGo(activeElement, target);
+  });
   return target;
 }
 

@@ -41,16 +41,17 @@ export function inspector(wb: Workbench): HTMLElement {
   const show = () => {
     const next = whatIsShown(wb);
     const target = findCharacter(wb.store.document, next.id);
-    if (!shown || !sameRows(shown, next)) {
-      dofs.rebuild(target, next.joint);
-      character.rebuild(target);
-      empty.hidden = target !== undefined;
-      factsFolder.show(target !== undefined);
-    }
+    const isSame = shown?.id === next.id && shown?.joint === next.joint;
+    const goBack = isSame ? placeIn(gui.$children) : undefined;
+    if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joint);
+    if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
+    empty.hidden = target !== undefined;
+    factsFolder.show(target !== undefined);
     shown = next;
     character.update(target);
     dofs.showUnkeyed(target);
     facts.show();
+    goBack?.();
     live.update();
   };
   const showSoon = oncePerFrame(show);
@@ -106,17 +107,42 @@ function whatIsShown(wb: Workbench): Shown {
   };
 }
 
-function sameRows(a: Shown, b: Shown): boolean {
+/** A take changes nothing about the sliders: the one that is being dragged while the first key is made goes on. */
+function sameDofs(a: Shown, b: Shown): boolean {
   return (
     a.id === b.id &&
     a.joint === b.joint &&
     a.skeleton === b.skeleton &&
     a.morphs === b.morphs &&
     a.clamps === b.clamps &&
+    a.angles === b.angles
+  );
+}
+
+function sameCharacterRows(a: Shown, b: Shown): boolean {
+  return (
+    a.id === b.id &&
+    a.skeleton === b.skeleton &&
+    a.morphs === b.morphs &&
     a.copies === b.copies &&
     a.hasTake === b.hasTake &&
     a.angles === b.angles
   );
+}
+
+/** Where one is in the rows, so that one can be there again when they were made anew: what is in view, and the focus. */
+function placeIn(scroller: HTMLElement): () => void {
+  const { scrollTop } = scroller;
+  const focused = document.activeElement;
+  const row = focused?.closest<HTMLElement>('[data-dof]');
+  const folder = row?.closest('.lil-gui');
+  return () => {
+    if (row && !row.isConnected && document.activeElement === document.body) {
+      const again = folder?.querySelector<HTMLElement>(`[data-dof="${row.dataset.dof}"]`);
+      again?.querySelector<HTMLElement>('input')?.focus({ preventScroll: true });
+    }
+    if (scroller.scrollTop !== scrollTop) scroller.scrollTop = scrollTop;
+  };
 }
 
 /** A folder that is next time as it was left. */

@@ -6,7 +6,7 @@ import { compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
 import { determinant3 } from '../math/mat4.ts';
 import { type Character, shownSkin } from '../model/document.ts';
 import { firstDofs, ROOT_TRANSLATION } from '../model/dofs.ts';
-import { dofsOf, isUnlimited, type Motion } from '../model/skeleton.ts';
+import { dofsOf, type Motion, UNLIMITED } from '../model/skeleton.ts';
 import { currentCharacter } from './actions/action.ts';
 import { shownPerUnit, withoutNoise } from './angles.ts';
 import { element } from './dom.ts';
@@ -136,9 +136,9 @@ function dofTable(wb: Workbench, character: Character, index: number, list: Fact
   note(rows.some((dof) => dof.unit === 'angle') ? angles : '');
   own.forEach((dof, i) => {
     const limit = joint.limits[i];
-    const factor = isUnlimited(limit) ? 1 : shownPerUnit(dof.unit, angles);
-    grid.set(rootRows + i, 1, isUnlimited(limit) ? -Infinity : withoutNoise(limit.min * factor));
-    grid.set(rootRows + i, 2, isUnlimited(limit) ? Infinity : withoutNoise(limit.max * factor));
+    const factor = shownPerUnit(dof.unit, angles);
+    grid.set(rootRows + i, 1, limit.min <= UNLIMITED.min ? -Infinity : withoutNoise(limit.min * factor));
+    grid.set(rootRows + i, 2, limit.max >= UNLIMITED.max ? Infinity : withoutNoise(limit.max * factor));
   });
   for (let i = 0; i < rootRows; i++) {
     grid.set(i, 1, -Infinity);

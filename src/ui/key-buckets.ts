@@ -2,7 +2,8 @@
  * Which pixels of the scrubber have a key. The answer is as long as the scrubber is wide, whatever the clip: a channel
  * with far more keys in view than there are pixels is not walked but jumped through, from one pixel's edge to the next.
  */
-import { countBefore, type ShownChannel } from './shown-keys.ts';
+import { firstNotBelow } from '../math/search.ts';
+import type { ShownChannel } from './shown-keys.ts';
 
 export const NO_KEY = 0;
 export const OTHER_KEY = 1;
@@ -27,8 +28,8 @@ export function bucketKeys(
   for (const { times, offsetSeconds, meant } of channels) {
     const mark = meant ? MEANT_KEY : OTHER_KEY;
     const start = from + offsetSeconds;
-    let index = countBefore(times, start);
-    const end = countBefore(times, start + pixels * secondsPerPixel);
+    let index = firstNotBelow(times, start);
+    const end = firstNotBelow(times, start + pixels * secondsPerPixel);
     const dense = end - index > DENSE * pixels;
     while (index < end) {
       const pixel = Math.min(pixels - 1, Math.floor((times[index] - start) / secondsPerPixel));
@@ -38,17 +39,7 @@ export function bucketKeys(
         continue;
       }
       // Never stands still, though rounding may put the next edge at this very key.
-      index = Math.max(index + 1, firstFrom(times, index, end, start + (pixel + 1) * secondsPerPixel));
+      index = Math.max(index + 1, firstNotBelow(times, start + (pixel + 1) * secondsPerPixel, index, end));
     }
   }
-}
-
-/** Index of the first time at or after `limit`, within low … high. */
-function firstFrom(times: Float64Array, low: number, high: number, limit: number): number {
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (times[middle] < limit) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

@@ -1,6 +1,7 @@
 /** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
 import { type Action, actionLabel, isEnabled } from './actions/action.ts';
 import { actionsOf } from './actions.ts';
+import { isTextField, isTypedIn, watchTyping } from './focus.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -8,8 +9,22 @@ export const isMac = /mac|iphone|ipad/i.test(globalThis.navigator?.userAgent ?? 
 
 /** Listens until the signal says otherwise. */
 export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
+  watchTyping(signal);
   window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
 }
+
+/**
+ * For a listener in the capture phase while something is dragged: the keyboard waits, for what is deleted or undone under
+ * the hand can't be dragged on. Escape and what is only held go on.
+ */
+export function waitOutDrag(event: KeyboardEvent): void {
+  if (event.key === 'Escape') return;
+  // Alt would open the browser's menu.
+  event.preventDefault();
+  if (!MODIFIERS.includes(event.key)) event.stopPropagation();
+}
+
+const MODIFIERS = ['Alt', 'Control', 'Shift', 'Meta'];
 
 /** Runs the action that the key means, unless the focused control, a panel or a dialog has it. */
 export function handleKey(wb: Workbench, event: KeyboardEvent): void {
@@ -38,11 +53,7 @@ export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
 }
 
 function focusKind(target: Element): FocusKind {
-  if (target instanceof HTMLTextAreaElement) return 'text';
-  if (target instanceof HTMLElement && target.isContentEditable) return 'text';
+  if (isTextField(target)) return isTypedIn(target) ? 'text' : 'untyped';
   if (target instanceof HTMLSelectElement) return 'select';
-  if (target instanceof HTMLInputElement) {
-    return /^(checkbox|radio|button|submit|color|file)$/.test(target.type) ? 'press' : 'text';
-  }
-  return target.matches('button,a[href],summary,[role=button]') ? 'press' : 'none';
+  return target.matches('input,button,a[href],summary,[role=button]') ? 'press' : 'none';
 }

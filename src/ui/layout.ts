@@ -42,7 +42,9 @@ export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: A
     root.style.setProperty('--outliner-width', `${clampSize('outlinerWidth', panels.outlinerWidth)}px`);
     root.style.setProperty('--inspector-width', `${clampSize('inspectorWidth', panels.inspectorWidth)}px`);
     root.style.setProperty('--files-height', `${clampSize('filesHeight', panels.filesHeight)}px`);
-    root.style.setProperty('--timeline-height', `${clampSize('timelineHeight', panels.timelineHeight)}px`);
+    const { timelineHeight } = panels;
+    if (timelineHeight) root.style.setProperty('--timeline-height', `${clampSize('timelineHeight', timelineHeight)}px`);
+    else root.style.removeProperty('--timeline-height');
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
       const open = isPanelOpen(settings, name);

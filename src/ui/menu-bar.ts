@@ -77,7 +77,7 @@ function letMenusDrop(wb: Workbench, bar: HTMLElement, titles: readonly HTMLButt
       event.preventDefault();
     });
   });
-  bar.addEventListener('mousedown', (event) => event.preventDefault());
+  keepsFocusElsewhere(bar);
 }
 
 function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' | 'inspector'): HTMLButtonElement {
@@ -96,7 +96,10 @@ function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' 
 
 /** Beside what is loaded, where nothing stands otherwise: what is not saved yet, and the button that saves it. */
 function whatIsUnsaved(wb: Workbench): HTMLElement {
-  const text = element('span', { class: 'unsaved-text', role: 'status' });
+  const names = element('span');
+  // Where room is short the mark says it, and the word is only spoken.
+  const word = element('span', { class: 'unsaved-word' }, 'Unsaved: ');
+  const text = element('span', { class: 'unsaved-text', role: 'status' }, word, names);
   const save = keepsFocusElsewhere(
     button('Save changes', { class: 'link' }, 'Save', () => runAction(wb, 'save.changed')),
   );
@@ -106,19 +109,19 @@ function whatIsUnsaved(wb: Workbench): HTMLElement {
     const parts = wb.files.unsaved.get();
     // Room is kept for nothing here, so appearing pushes nothing aside.
     all.hidden = parts.length === 0;
-    setText(text, unsavedText(parts));
-    setAttribute(text, 'title', parts.map(({ name }) => name).join('\n'));
+    setText(names, unsavedNames(parts));
+    setAttribute(text, 'title', `Unsaved:\n${parts.map(({ name }) => name).join('\n')}`);
   };
   wb.files.unsaved.subscribe(show);
   show();
   return all;
 }
 
-/** `Unsaved: wasp_walk.anim`; `Unsaved: wasp.skel and 2 more`. */
-export function unsavedText(parts: readonly { readonly name: string }[]): string {
+/** `wasp_walk.anim`; `wasp.skel and 2 more`. */
+export function unsavedNames(parts: readonly { readonly name: string }[]): string {
   const [first, ...others] = parts;
   if (!first) return '';
-  return `Unsaved: ${first.name}${others.length ? ` and ${others.length} more` : ''}`;
+  return `${first.name}${others.length ? ` and ${others.length} more` : ''}`;
 }
 
 /** On the right: what is loaded, or how far a file has come, in the same place so that nothing shifts. */

@@ -22,7 +22,9 @@ import { outliner } from './outliner.ts';
 import { startPlayer } from './player.ts';
 import { Scrubber } from './scrubber.ts';
 import { followTheme } from './theme.ts';
+import { followCharacter } from './timeline/follow-character.ts';
 import { timelinePanel } from './timeline/panel.ts';
+import { followPeriods } from './timeline/period.ts';
 import type { TimelineTab, TimelineTabName } from './timeline/timeline.ts';
 import { transport } from './transport.ts';
 import { viewportPane } from './viewport-pane.ts';
@@ -33,6 +35,10 @@ import type { Workbench } from './workbench.ts';
  * and system. `signal` takes the listeners on window and document away again.
  */
 export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new AbortController().signal): void {
+  const stopFollowing = [followCharacter(wb), followPeriods(wb)];
+  signal.addEventListener('abort', () => {
+    for (const stop of stopFollowing) stop();
+  });
   const scrubber = new Scrubber(wb);
   const tabs: TimelineTab[] = [];
   const loadTab = async (name: TimelineTabName) => {

@@ -1,5 +1,9 @@
-/** A number to read and to type: rounded while it is only looked at, exact once it has the focus. */
+/**
+ * A number to read and to type: rounded while it is only looked at, exact once it has the focus. Enter takes what was
+ * typed and lets go, Escape lets go without.
+ */
 import { element } from './dom.ts';
+import { letGo } from './focus.ts';
 import { exact, parseNumber } from './number-text.ts';
 
 export interface NumberFieldOptions {
@@ -45,7 +49,10 @@ export class NumberField {
     this.value = value;
     if (document.activeElement !== this.element) this.refresh();
     // What was typed and taken, or changed elsewhere; what is being typed stays.
-    else if (this.element.value === this.own) this.write(this.exactText);
+    else if (this.element.value === this.own) {
+      this.write(this.exactText);
+      this.element.select();
+    }
   }
 
   /** The same number in another manner. */
@@ -79,11 +86,10 @@ export class NumberField {
     const { step } = this.options;
     if (event.key === 'Enter') {
       this.finish();
-      if (parseNumber(this.element.value) === undefined) this.write(this.exactText);
-      this.element.select();
+      letGo(this.element);
     } else if (event.key === 'Escape') {
       this.write(this.exactText);
-      this.element.blur();
+      letGo(this.element);
     } else if (step && (event.key === 'ArrowUp' || event.key === 'ArrowDown')) {
       const sign = event.key === 'ArrowUp' ? 1 : -1;
       const typed = parseNumber(this.element.value) ?? this.value;

@@ -36,6 +36,12 @@ export function fitted(value: number, decimals: number, characters: number): str
   return aligned(value, Number.isFinite(whole) ? Math.max(1, Math.min(decimals, characters - whole)) : decimals);
 }
 
+/** `shown` with fewer decimals for larger numbers, so that a field of `characters` holds it. */
+export function brief(value: number, decimals: number, characters: number): string {
+  const whole = String(Math.trunc(Math.abs(value))).length + (value < 0 ? 2 : 1);
+  return shown(value, Math.max(0, Math.min(decimals, characters - whole)));
+}
+
 /** Times on screen: up to 6 decimals of a second. */
 export function seconds(value: number): string {
   return shown(value, 6);

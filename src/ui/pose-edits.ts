@@ -10,7 +10,9 @@ import { keysAtTime } from '../edit/keys/selection.ts';
 import { channelOf } from '../evaluate/pose.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
+import { standStill } from './stand-still.ts';
 import { channelsOfJoint } from './timeline/channels.ts';
+import { clipTime } from './timeline/in-hand.ts';
 import type { Workbench } from './workbench.ts';
 
 /** How keys are made just now. */
@@ -23,8 +25,9 @@ export function autoKey(wb: Workbench): KeyOptions | undefined {
   return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
 }
 
-/** Keys DOFs as they are shown; all of them, where none are named. */
+/** Keys DOFs as they are shown; all of them, where none are named. What plays stops. */
 export function keyNow(wb: Workbench, characterId: string, dofs?: readonly number[]): void {
+  standStill(wb);
   const { timeSeconds } = wb.transport.get();
   wb.store.apply(keyPose, { characterId, dofs, timeSeconds, ...keyOptions(wb) });
 }
@@ -60,8 +63,4 @@ export function isKeyedNow(wb: Workbench, character: Character, dof: number): bo
 export function jointDofs(character: Character, joint: number): readonly number[] {
   const [first, end] = channelsOfJoint(character, joint);
   return Array.from({ length: end - first }, (_, i) => first + i);
-}
-
-function clipTime(wb: Workbench, character: Character): number {
-  return wb.transport.get().timeSeconds + character.timeOffsetSeconds;
 }

@@ -33,6 +33,7 @@ export interface Panels {
   readonly inspectorWidth: number;
   /** Of the files and messages below the tree. */
   readonly filesHeight: number;
+  /** 0 until it is chosen: what suits the window. */
   readonly timelineHeight: number;
   readonly outlinerOpen: boolean;
   readonly inspectorOpen: boolean;
@@ -50,7 +51,7 @@ export const DEFAULT_SETTINGS: Settings = {
     outlinerWidth: 240,
     inspectorWidth: 312,
     filesHeight: 232,
-    timelineHeight: 264,
+    timelineHeight: 0,
     outlinerOpen: true,
     inspectorOpen: true,
     timelineOpen: true,

@@ -8,6 +8,7 @@ import type { DialogContent } from './dialog.ts';
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
 import { isMac } from './keys.ts';
+import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 import { isSingleKey, shortcutsOf, shortcutText, withKeys } from './shortcuts.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -19,7 +20,7 @@ export function shortcutsPage(wb: Workbench): DialogContent {
   const said = element('p', { class: 'shortcut-said', role: 'status' });
   const show = (news = '') => {
     said.textContent = news;
-    body.replaceChildren(switches(wb, said, show), ...groups(wb, show), mouseGroup());
+    body.replaceChildren(switches(wb, said, show), ...groups(wb, show), ...mouseGroups());
   };
   show();
   return { title: 'Shortcuts', body, kind: 'shortcuts-dialog' };
@@ -143,24 +144,16 @@ function without<T>(record: Readonly<Record<string, T>>, key: string): Record<st
   return Object.fromEntries(Object.entries(record).filter(([k]) => k !== key));
 }
 
-/** What the mouse does; no actions, for they begin at a place. */
-function mouseGroup(): HTMLElement {
-  const lines: readonly (readonly [string, string])[] = [
-    ['Orbit', 'drag'],
-    ['Pan', 'right drag or Shift+drag'],
-    ['Dolly', 'wheel'],
-    ['Pick a joint or vertex', 'click'],
-    ['Zoom the time ruler', 'wheel'],
-    ['Pan the time ruler', 'Shift+wheel'],
-    ['Fit the time ruler', 'double click'],
-    ['Fine steps on a slider', 'Alt+↑ ↓'],
-  ];
-  return element(
-    'section',
-    {},
-    element('h3', {}, 'Mouse'),
-    ...lines.map(([what, how]) =>
-      element('div', { class: 'shortcut-line' }, element('span', {}, what), element('span', { class: 'faint' }, how)),
+function mouseGroups(): HTMLElement[] {
+  return MOUSE_GESTURES.map(({ where, lines }) =>
+    element(
+      'section',
+      {},
+      element('h3', {}, where),
+      ...lines.map(([what, how]) => {
+        const keys = element('span', { class: 'faint' }, isMac ? macText(how) : how);
+        return element('div', { class: 'shortcut-line' }, element('span', {}, what), keys);
+      }),
     ),
   );
 }

@@ -141,8 +141,8 @@ export function withKeys<A extends Bindable>(
   return { keys: given, losers };
 }
 
-/** What kind of control has the focus, as far as keys go. */
-export type FocusKind = 'text' | 'select' | 'press' | 'none';
+/** What kind of control has the focus, as far as keys go; `untyped` is a text field where nothing was typed as yet. */
+export type FocusKind = 'text' | 'untyped' | 'select' | 'press' | 'none';
 
 /** Commands that a text field has itself, with Ctrl. */
 const TEXT_COMMANDS = new Set(['A', 'C', 'V', 'X', 'Z', 'Y', 'Left', 'Right', 'Up', 'Down', 'Home', 'End']);
@@ -156,5 +156,8 @@ export function swallows(focus: FocusKind, event: KeyLike, mac: boolean): boolea
   const command = mac ? event.metaKey : event.ctrlKey;
   // AltGr types characters, and browsers report it as Ctrl+Alt.
   if (!command || event.altKey) return true;
-  return TEXT_COMMANDS.has(key.length === 1 ? key.toUpperCase() : key) || key === 'Backspace' || key === 'Delete';
+  const name = key.length === 1 ? key.toUpperCase() : key;
+  // With nothing typed there is nothing of the field's to undo: the person means what they did last.
+  if (focus === 'untyped' && (name === 'Z' || name === 'Y')) return false;
+  return TEXT_COMMANDS.has(name) || key === 'Backspace' || key === 'Delete';
 }

@@ -5,6 +5,7 @@
  * Times on the transport are a clip's times less the character's offset. Nothing is merged or sorted beforehand: a clip
  * of millions of keys costs a binary search a channel here, and one pass over its times when drawn (`key-buckets.ts`).
  */
+import { firstNotBelow } from '../math/search.ts';
 import type { Channel } from '../model/clip.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import { firstDofs } from '../model/dofs.ts';
@@ -56,7 +57,7 @@ export function previousKey(channels: readonly ShownChannel[], timeSeconds: numb
   let best: number | undefined;
   for (const { times, offsetSeconds, meant } of channels) {
     if (!meant) continue;
-    const index = countBefore(times, timeSeconds + offsetSeconds - SAME_SECONDS) - 1;
+    const index = firstNotBelow(times, timeSeconds + offsetSeconds - SAME_SECONDS) - 1;
     if (index < 0) continue;
     const time = times[index] - offsetSeconds;
     if (best === undefined || time > best) best = time;
@@ -69,24 +70,12 @@ export function nextKey(channels: readonly ShownChannel[], timeSeconds: number):
   let best: number | undefined;
   for (const { times, offsetSeconds, meant } of channels) {
     if (!meant) continue;
-    const index = countBefore(times, timeSeconds + offsetSeconds + SAME_SECONDS);
+    const index = firstNotBelow(times, timeSeconds + offsetSeconds + SAME_SECONDS);
     if (index >= times.length) continue;
     const time = times[index] - offsetSeconds;
     if (best === undefined || time < best) best = time;
   }
   return best;
-}
-
-/** How many of the ascending `times` are below `limit`. */
-export function countBefore(times: Float64Array, limit: number): number {
-  let low = 0;
-  let high = times.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (times[middle] < limit) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }
 
 /** From the first start to the last end of all takes that are shown, on the transport. */

@@ -40,8 +40,14 @@ export function splitter(wb: Workbench, size: Size, label: string): HTMLElement 
     const change: Partial<Panels> = { [size]: clampSize(size, value) };
     wb.settings.update((s) => ({ ...s, panels: { ...s.panels, ...change } }));
   };
-  const show = () => edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size]));
+  const chosen = () => clampSize(size, wb.settings.get().panels[size]);
+  // What is not chosen as yet, or doesn't fit on the page, is moved on from where it is seen.
+  const sizeNow = () => (size === 'timelineHeight' && edge.parentElement?.offsetHeight) || chosen();
+  const show = () => {
+    edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size] ? chosen() : sizeNow()));
+  };
   wb.settings.subscribe(show);
+  edge.addEventListener('focus', show);
   show();
 
   edge.addEventListener('pointerdown', (event) => {
@@ -49,7 +55,7 @@ export function splitter(wb: Workbench, size: Size, label: string): HTMLElement 
     event.preventDefault();
     edge.setPointerCapture(event.pointerId);
     const from = vertical ? event.clientX : event.clientY;
-    const base = wb.settings.get().panels[size];
+    const base = sizeNow();
     const move = (e: PointerEvent) => set(base + GROWS[size] * ((vertical ? e.clientX : e.clientY) - from));
     edge.classList.add('dragging');
     edge.addEventListener('pointermove', move);
@@ -64,7 +70,7 @@ export function splitter(wb: Workbench, size: Size, label: string): HTMLElement 
     const step = steps[event.key];
     if (!step) return;
     event.preventDefault();
-    set(wb.settings.get().panels[size] + GROWS[size] * step * KEY_STEP);
+    set(sizeNow() + GROWS[size] * step * KEY_STEP);
   });
   return edge;
 }

@@ -4,11 +4,11 @@
  * redone it stays in the document, shown at its moment and no other: undoing, looking round and redoing has to work, and
  * a step would end it.
  */
-import { countStale, dropUnkeyed } from '../edit/unkeyed.ts';
+import { dropUnkeyed } from '../edit/commands/pose.ts';
+import { countUnkeyed } from '../edit/unkeyed.ts';
 import { findCharacter } from '../model/document.ts';
 import { ACTIONS } from './actions.ts';
 import { isMac } from './keys.ts';
-import { plural } from './number-text.ts';
 import type { Settings } from './settings.ts';
 import { shortcutsFor, shortcutText } from './shortcuts.ts';
 import type { Workbench } from './workbench.ts';
@@ -17,11 +17,12 @@ type Parts = Pick<Workbench, 'store' | 'transport' | 'settings' | 'messages'>;
 
 /** Drops what was set at another time than this, and says so once. */
 export function dropStale({ store, settings, messages }: Parts, timeSeconds: number): void {
-  const { document, selection, redoLabel } = store;
-  const next = dropUnkeyed(document, timeSeconds);
-  if (next === document || redoLabel !== undefined) return;
-  const count = countStale(document, timeSeconds);
-  store.replace(`Drop ${plural(count, 'unkeyed value')}`, { document: next, selection });
+  if (countUnkeyed(store.document, timeSeconds) === 0 || store.redoLabel !== undefined) return;
+  // A drag that ends with the moment may leave none.
+  store.settle();
+  const count = countUnkeyed(store.document, timeSeconds);
+  if (count === 0) return;
+  store.apply(dropUnkeyed, { exceptSeconds: timeSeconds });
   const undo = keyNameOf(settings.get(), 'edit.undo');
   const key = keyNameOf(settings.get(), 'key.pose');
   const hints = [undo && `${undo} brings ${count === 1 ? 'it' : 'them'} back`, key && `${key} keeps such values`];

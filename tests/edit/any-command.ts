@@ -3,6 +3,7 @@
  * that are there, times that keys are at, values near theirs. Some are refused, as some of what people ask for is.
  */
 import fc from 'fast-check';
+import type { KeyOptions } from '../../src/edit/key-dofs.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../src/edit/keys/selection.ts';
 import type { Store } from '../../src/edit/store.ts';
@@ -51,6 +52,13 @@ function channels({ dice, clip }: Situation, share = 0.3): number[] {
 
 const of = ({ character, keys }: Situation) => ({ characterId: character.id, keys });
 
+/** How auto-key asks for keys, or not at all. */
+function autoKey(dice: Dice): { readonly key?: KeyOptions } {
+  if (dice.is(0.6)) return {};
+  const tangents = dice.pick(['smooth', 'linear', 'flat', undefined] as const);
+  return { key: { tangents, playedRange: dice.is(0.5) ? range(dice) : undefined } };
+}
+
 /** By the command's id; undefined where there is nothing to do it with. */
 const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> = {
   'pose.setDofs': ({ dice, character }) => ({
@@ -59,12 +67,15 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
       .some([...characterDofs(character.skeleton, character.morphs).keys()], 0.2)
       .map((index) => ({ index, value: value(dice) })),
     timeSeconds: time(dice),
+    ...autoKey(dice),
   }),
   'pose.reset': ({ dice, character }) => ({
     characterId: character.id,
     to: dice.pick(['file', 'zero']),
     timeSeconds: time(dice),
+    ...autoKey(dice),
   }),
+  'pose.dropUnkeyed': ({ dice }) => ({ exceptSeconds: dice.is(0.5) ? time(dice) : null }),
   'pose.setClamping': ({ dice, character }) => ({ characterId: character.id, clamps: dice.is(0.5) }),
   'pose.key': ({ dice, character }) => ({
     characterId: character.id,
@@ -118,7 +129,11 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     ...(s.dice.is(0.3) && { slopeIn: value(s.dice) }),
     ...(s.dice.is(0.3) && { slopeOut: value(s.dice) }),
   }),
-  'keys.snap': (s) => ({ ...of(s), framesPerSecond: s.dice.pick([4, 30]) }),
+  'keys.snap': (s) => ({
+    ...of(s),
+    framesPerSecond: s.dice.pick([4, 30]),
+    offsetSeconds: s.dice.is(0.5) ? seconds(s.dice) : undefined,
+  }),
   'keys.remove': (s) => ({ ...of(s), timeSeconds: time(s.dice) }),
   'keys.ripple': (s) => ({ ...of(s), seconds: seconds(s.dice) }),
   'keys.setTangents': (s) => ({ ...of(s), side: side(s.dice), kind: s.dice.pick(TANGENT_KINDS) }),
@@ -132,12 +147,20 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     into: s.dice.is(0.5) ? undefined : channels(s),
     mode: s.dice.pick(['merge', 'replace', 'insert']),
   }),
-  'channels.simplify': (s) => ({ characterId: s.character.id, channels: channels(s), tolerance: s.dice.number() }),
+  'channels.simplify': (s) => ({
+    characterId: s.character.id,
+    channels: channels(s),
+    tolerance: s.dice.is(0.5)
+      ? s.dice.number()
+      : { angle: s.dice.number(), length: s.dice.number(), weight: s.dice.number() },
+    range: s.dice.is(0.5) ? range(s.dice) : undefined,
+  }),
   'channels.resample': (s) => {
     const [from, to] = range(s.dice);
     const framesPerSecond = s.dice.pick([2, 5]);
     const tangents = s.dice.pick(['smooth', 'linear']);
-    return { characterId: s.character.id, channels: channels(s), framesPerSecond, from, to, tangents };
+    const offsetSeconds = s.dice.is(0.5) ? seconds(s.dice) : undefined;
+    return { characterId: s.character.id, channels: channels(s), framesPerSecond, offsetSeconds, from, to, tangents };
   },
   'channels.eulerFilter': (s) => ({ characterId: s.character.id, channels: channels(s, 0.9) }),
   'channels.bakeExtrapolation': (s) => {
@@ -156,7 +179,7 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
 export const COMMANDS_HERE: readonly string[] = Object.keys(ARGUMENTS);
 
 /** Done less often: keys are what matters, and each of these leads to a take without any, or with others. */
-const OFTEN = COMMANDS_HERE.filter((id) => /^(keys|channels|pose\.key)/.test(id));
+const OFTEN = COMMANDS_HERE.filter((id) => /^(keys|channels|pose\.(key|setDofs|dropUnkeyed))/.test(id));
 
 /** One of the commands, by chance. */
 export const anyCommand = fc.oneof(

@@ -1,6 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { advance, DEFAULT_PLAYBACK, LOOP_MODES, type Playback, play, stepFrames } from '../../src/edit/playback.ts';
+import {
+  advance,
+  DEFAULT_PLAYBACK,
+  LOOP_MODES,
+  type Playback,
+  pause,
+  play,
+  stepFrames,
+} from '../../src/edit/playback.ts';
 
 const playing = (more: Partial<Playback>): Playback => ({ ...DEFAULT_PLAYBACK, playing: true, range: [1, 3], ...more });
 
@@ -73,5 +81,26 @@ describe('stepFrames', () => {
     expect(at(10 / 30, 1)).toBeCloseTo(11, 9);
     expect(at(10.4 / 30, 1)).toBeCloseTo(11, 9);
     expect(at(10.4 / 30, -1)).toBeCloseTo(10, 9);
+  });
+});
+
+describe('pause', () => {
+  const paused = (timeSeconds: number, onFrame: boolean, range: readonly [number, number] = [1, 3]) =>
+    pause(playing({ timeSeconds, range }), onFrame);
+
+  it('stops at the very moment, or on the nearest frame', () => {
+    expect(paused(1.417, false)).toMatchObject({ playing: false, timeSeconds: 1.417 });
+    expect(paused(1.417, true)).toMatchObject({ playing: false, timeSeconds: 43 / 30 });
+    expect(paused(1.411, true).timeSeconds).toBe(42 / 30);
+  });
+
+  it('stays within a range that does not end on a frame, and where it is in one that has no frame at all', () => {
+    expect(paused(1.418, true, [1, 1.42]).timeSeconds).toBe(42 / 30);
+    expect(paused(1.41, true, [1.41, 3]).timeSeconds).toBe(43 / 30);
+    expect(paused(1.411, true, [1.41, 1.412]).timeSeconds).toBe(1.411);
+  });
+
+  it('takes the nearest frame where it runs on past the range', () => {
+    expect(paused(9.99, true).timeSeconds).toBe(300 / 30);
   });
 });

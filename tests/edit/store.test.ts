@@ -33,6 +33,34 @@ describe('Store', () => {
     expect(store.undoLabel).toBeUndefined();
   });
 
+  it('tells of each step made here, once, and of nothing else', () => {
+    const store = new Store(start);
+    const told = vi.fn();
+    const stop = store.onStep(({ document }, before) =>
+      told(before.document.characters[0].name, document.characters[0].name),
+    );
+    store.apply(renameCharacter, rename('b'));
+    store.apply(renameCharacter, rename('b'));
+    const drag = store.begin('Drag');
+    drag.preview(renameCharacter.run(drag.base, rename('c')));
+    drag.preview(renameCharacter.run(drag.base, rename('d')));
+    drag.commit();
+    const other = store.begin('Drag');
+    other.preview(renameCharacter.run(other.base, rename('e')));
+    other.cancel();
+    store.undo();
+    store.redo();
+    store.select({ characterId: 'c1' });
+    store.replace('Open', { document: start, selection: {} });
+    expect(told.mock.calls).toEqual([
+      ['a', 'b'],
+      ['b', 'd'],
+    ]);
+    stop();
+    store.apply(renameCharacter, rename('f'));
+    expect(told).toHaveBeenCalledTimes(2);
+  });
+
   it('says so where there is nothing to undo or redo', () => {
     const store = new Store(start);
     expect([store.undo(), store.redo()]).toEqual([false, false]);
@@ -96,6 +124,47 @@ describe('Store', () => {
     expect(nameIn(store)).toBe('b');
     store.undo();
     expect(nameIn(store)).toBe('a');
+  });
+
+  it('puts back what was only being tried before anything else happens', () => {
+    const others: readonly ((store: Store) => void)[] = [
+      (store) => store.apply(renameCharacter, rename('c')),
+      (store) => store.replace('Open', { document: documentOf(character({ name: 'c' })), selection: {} }),
+      (store) => store.begin('Drag').commit(),
+      (store) => store.undo(),
+      (store) => store.redo(),
+      (store) => store.settle(),
+    ];
+    for (const other of others) {
+      const store = new Store(start);
+      const trial = store.begin('Simplify', 'tried');
+      trial.preview(renameCharacter.run(trial.base, rename('b')));
+      const seen: string[] = [];
+      store.subscribe((now) => seen.push(now.document.characters[0].name));
+      other(store);
+      expect(seen[0]).toBe('a');
+      expect(trial.closed).toBe(true);
+      trial.preview(renameCharacter.run(trial.base, rename('d')));
+      trial.commit();
+      trial.cancel();
+      expect(['a', 'c']).toContain(nameIn(store));
+      store.undo();
+      expect(store.document).toBe(start);
+      expect(store.undoLabel).toBeUndefined();
+    }
+  });
+
+  it('makes one step of what was tried and is wanted, and none of what is not', () => {
+    const store = new Store(start);
+    const trial = store.begin('Simplify', 'tried');
+    expect(trial.closed).toBe(false);
+    trial.preview(renameCharacter.run(trial.base, rename('b')));
+    trial.commit();
+    expect([trial.closed, store.undoLabel, nameIn(store)]).toEqual([true, 'Simplify', 'b']);
+    const other = store.begin('Resample', 'tried');
+    other.preview(renameCharacter.run(other.base, rename('c')));
+    other.cancel();
+    expect([other.closed, store.undoLabel, nameIn(store)]).toEqual([true, 'Simplify', 'b']);
   });
 
   it('amends without a step', () => {

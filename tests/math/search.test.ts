@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { lastNotAbove } from '../../src/math/search.ts';
+import { firstNotBelow, lastNotAbove } from '../../src/math/search.ts';
 
 describe('searching sorted numbers', () => {
   it('finds what looking at each would find', () => {
@@ -16,5 +16,17 @@ describe('searching sorted numbers', () => {
 
   it('ends at the first for NaN', () => {
     expect(lastNotAbove(Float64Array.of(1, 2, 3), 0, 3, Number.NaN)).toBe(0);
+  });
+
+  it('finds where entries end that are less', () => {
+    const number = fc.integer({ min: -10, max: 10 });
+    fc.assert(
+      fc.property(fc.array(number, { maxLength: 40 }), fc.nat(3), number, (list, first, x) => {
+        const sorted = [...Array(first).fill(99), ...list.sort((a, b) => a - b), -99];
+        const less = list.filter((entry) => entry < x).length;
+        expect(firstNotBelow(sorted, x, first, first + list.length)).toBe(first + less);
+        expect(firstNotBelow(Float64Array.from(list), x)).toBe(less);
+      }),
+    );
   });
 });

@@ -90,6 +90,29 @@ describe('runAction', () => {
     expect(wb.transport.get().timeSeconds).toBe(0.5);
   });
 
+  it('pauses on a frame where time is in frames, and at the very moment where it is in seconds', () => {
+    const { wb } = walker();
+    for (const [timeDisplay, pausedAt] of [
+      ['seconds', 0.71],
+      ['frames', 21 / 30],
+    ] as const) {
+      wb.settings.update((s) => ({ ...s, timeDisplay }));
+      wb.transport.update((p) => ({ ...p, timeSeconds: 0.71, playing: true }));
+      runAction(wb, 'play.toggle');
+      expect(wb.transport.get()).toMatchObject({ playing: false, timeSeconds: pausedAt });
+    }
+  });
+
+  it('takes back what was said of a step with the step', () => {
+    const { wb } = walker();
+    runAction(wb, 'pose.holdLimits');
+    for (const way of ['edit.undo', 'edit.redo']) {
+      wb.messages.note('Said of a step.');
+      runAction(wb, way);
+      expect(wb.messages.passing.get()).toBeUndefined();
+    }
+  });
+
   it('sets the range at the time shown, and back to the takes', () => {
     const { wb } = walker();
     wb.transport.update((p) => ({ ...p, timeSeconds: 3 }));

@@ -71,6 +71,26 @@ describe('keying from the menu', () => {
     expect(autoKey(wb)).toEqual({ tangents: 'linear', playedRange: [0, 2] });
   });
 
+  it('stops what plays to key it, on a frame where keys snap to frames', () => {
+    const timesAfter = (snapsToFrames: boolean) => {
+      const { wb } = workbench(documentOf(bare), { playing: true, timeSeconds: 51.4 / 30 });
+      wb.timeline.change({ snapsToFrames });
+      runAction(wb, 'key.pose');
+      expect(wb.transport.get().playing).toBe(false);
+      const [time] = wasp(wb).clips[0].channels[4].times;
+      expect(time).toBe(wb.transport.get().timeSeconds);
+      return time * 30;
+    };
+    expect(timesAfter(true)).toBeCloseTo(51, 12);
+    expect(timesAfter(false)).toBeCloseTo(51.4, 12);
+  });
+
+  it('keys where the playhead stands, on a frame or not', () => {
+    const { wb } = workbench(documentOf(bare), { timeSeconds: 51.4 / 30 });
+    runAction(wb, 'key.pose');
+    expect(wasp(wb).clips[0].channels[4].times).toEqual(Float64Array.of(51.4 / 30));
+  });
+
   it('keys a reset too while auto-key is on', () => {
     const { wb } = workbench(documentOf({ ...bare, pose: [1, 0, 0, 0, 0, 0, 0, 0, 0] }));
     runAction(wb, 'key.auto');

@@ -1,6 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { aligned, bytes, count, exact, fitted, parseNumber, plural, seconds, shown } from '../../src/ui/number-text.ts';
+import {
+  aligned,
+  brief,
+  bytes,
+  count,
+  exact,
+  fitted,
+  parseNumber,
+  plural,
+  seconds,
+  shown,
+} from '../../src/ui/number-text.ts';
 
 describe('exact', () => {
   it('reads back the same', () => {
@@ -67,6 +78,17 @@ it('counts', () => {
     '5000 GB',
   ]);
   expect(seconds(1.2)).toBe('1.2');
+});
+
+it.each([
+  [-118.3412, '-118.341'],
+  [-418.73, '-418.73'],
+  [0.123456, '0.1235'],
+  [-12345.678, '-12345.7'],
+  [1234567.89, '1234568'],
+  [90, '90'],
+])('writes %d briefly', (value, text) => {
+  expect(brief(value, 4, 8)).toBe(text);
 });
 
 describe('fitted', () => {

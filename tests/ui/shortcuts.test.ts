@@ -113,6 +113,13 @@ describe('swallows', () => {
     expect(swallows('text', press('F1'), false)).toBe(false);
   });
 
+  it('takes undo and redo of a text field in which nothing was typed, and leaves it the rest', () => {
+    for (const key of ['z', 'Z', 'y']) expect(swallows('untyped', press(key, { ctrlKey: true }), false)).toBe(false);
+    expect(swallows('untyped', press('z', { metaKey: true }), true)).toBe(false);
+    expect(swallows('untyped', press('z'), false)).toBe(true);
+    for (const key of ['a', 'c', 'v']) expect(swallows('untyped', press(key, { ctrlKey: true }), false)).toBe(true);
+  });
+
   it('leaves AltGr, which types, to a text field', () => {
     expect(swallows('text', press('@', { ctrlKey: true, altKey: true }), false)).toBe(true);
   });

@@ -1,7 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { CharacterDof } from '../../src/model/dofs.ts';
 import { UNLIMITED } from '../../src/model/skeleton.ts';
-import { limitText, reachOf, sliderOptions } from '../../src/ui/inspector/dof-rows.ts';
+import { limitText, sliderOptions } from '../../src/ui/inspector/dof-rows.ts';
+import { typedLimit } from '../../src/ui/inspector/limit-editor.ts';
+import { lengthStep, reachOf } from '../../src/ui/reach.ts';
 import { clampSize } from '../../src/ui/splitter.ts';
 import { character, skeleton } from './builders.ts';
 
@@ -46,6 +48,29 @@ describe('sliderOptions', () => {
     expect(sliderOptions({ ...rx, unit: 'length' }, arm, 'degrees').span).toEqual([-2, 2]);
     expect(sliderOptions({ ...rx, unit: 'weight' }, arm, 'degrees').span).toEqual([0, 1]);
   });
+});
+
+it('steps lengths by a hundredth of the reach, as a power of ten', () => {
+  expect([lengthStep(arm.skeleton), lengthStep(undefined)]).toEqual([0.01, 0.01]);
+});
+
+it('bears a limit on one side alone', () => {
+  const above = { ...rx, limit: { min: -Math.PI / 6, max: UNLIMITED.max } };
+  const below = { ...rx, limit: { min: UNLIMITED.min, max: Math.PI / 4 } };
+  expect(sliderOptions(above, arm, 'degrees').span).toEqual([-30, 180]);
+  expect(sliderOptions(below, arm, 'degrees').span).toEqual([-180, 45]);
+  expect(sliderOptions({ ...rx, limit: { min: 7, max: UNLIMITED.max } }, arm, 'radians').span?.[1]).toBeGreaterThan(7);
+  expect(limitText(above, arm, 'degrees')).toBe('limits from -30°');
+  expect(limitText(below, arm, 'degrees')).toBe('limits up to 45°');
+});
+
+it('reads typed limits: a number, or nothing for no limit', () => {
+  expect(typedLimit('-90', '45', 180 / Math.PI)).toEqual({ min: -Math.PI / 2, max: Math.PI / 4 });
+  expect(typedLimit('', ' 2 ', 1)).toEqual({ min: UNLIMITED.min, max: 2 });
+  expect(typedLimit('0', '', 1)).toEqual({ min: 0, max: UNLIMITED.max });
+  expect(typedLimit('', '', 1)).toEqual(UNLIMITED);
+  expect(typedLimit('two', '', 1)).toContain('number');
+  expect(typedLimit('2', '1', 1)).toContain('above');
 });
 
 it('has a reach for anything', () => {

@@ -1,6 +1,6 @@
 /**
  * A key on every frame, for tools that know frames only, or to begin anew from an even grid. Frame n is at n / rate
- * seconds of the clip.
+ * seconds of the clip, plus the offset that is given: a character that begins later has its frames elsewhere.
  *
  * `smooth` gives each key the slope that the curve has there, as a number. Cubics with the true slopes at both ends are
  * off by h⁴/384 · |f⁗|; the tangent kind `smooth` would take its slopes from the neighbours and be off by h³, and swing
@@ -20,6 +20,11 @@ import { frozen, meets, slopedKey } from './sloped-key.ts';
 
 export interface Resampling {
   readonly framesPerSecond: number;
+  /**
+   * Where frame 0 is, in seconds of the clip; 0 where absent. The character's time offset gives the transport's frames,
+   * those that are seen.
+   */
+  readonly offsetSeconds?: number;
   /** Seconds of the clip: the frames between, both included, get a key. */
   readonly from: number;
   readonly to: number;
@@ -43,19 +48,21 @@ const ON_FRAME = 1e-5;
  * repeated on that side is held from there on, since its period has changed. The very same channel where it has no key
  * or the range no frame. Throws a `CommandError` above a million frames.
  */
-export function resampleChannel(channel: Channel, { framesPerSecond, from, to, tangents }: Resampling): Resampled {
+export function resampleChannel(channel: Channel, resampling: Resampling): Resampled {
+  const { framesPerSecond, offsetSeconds = 0, from, to, tangents } = resampling;
   const keysBefore = channel.times.length;
   // Plus 0: a key at −0 s would be written as that.
-  const firstFrame = Math.ceil((from - ON_FRAME) * framesPerSecond) + 0;
-  const lastFrame = Math.floor((to + ON_FRAME) * framesPerSecond) + 0;
+  const firstFrame = Math.ceil((from - offsetSeconds - ON_FRAME) * framesPerSecond) + 0;
+  const lastFrame = Math.floor((to - offsetSeconds + ON_FRAME) * framesPerSecond) + 0;
   if (lastFrame - firstFrame >= MOST_KEYS) {
     throw new CommandError(`That would take ${lastFrame - firstFrame + 1} keys for a curve, which is too much.`);
   }
   if (keysBefore === 0 || firstFrame > lastFrame) {
     return { channel, keysBefore, keysAfter: keysBefore, largestError: 0, atSeconds: channel.times[0] ?? 0 };
   }
-  const whole = unrolled(channel, firstFrame / framesPerSecond, lastFrame / framesPerSecond);
-  const resampled = withKeyList(whole, framesOf(whole, firstFrame, lastFrame, framesPerSecond, tangents === 'linear'));
+  const timeOf = (frame: number) => frame / framesPerSecond + offsetSeconds;
+  const whole = unrolled(channel, timeOf(firstFrame), timeOf(lastFrame));
+  const resampled = withKeyList(whole, framesOf(whole, firstFrame, lastFrame, timeOf, tangents === 'linear'));
   return {
     channel: resampled,
     keysBefore,
@@ -65,7 +72,13 @@ export function resampleChannel(channel: Channel, { framesPerSecond, from, to, t
 }
 
 /** Keys on the frames of a channel that reaches from the first to the last one, and its own beside them. */
-function framesOf(channel: Channel, firstFrame: number, lastFrame: number, rate: number, isLinear: boolean): Key[] {
+function framesOf(
+  channel: Channel,
+  firstFrame: number,
+  lastFrame: number,
+  timeOf: (frame: number) => number,
+  isLinear: boolean,
+): Key[] {
   const { times } = channel;
   const { cubics } = compileChannels([channel]);
   const slopes = resolvedSlopes(channel);
@@ -73,10 +86,10 @@ function framesOf(channel: Channel, firstFrame: number, lastFrame: number, rate:
   const keys: Key[] = [];
   const borderKey = (key: number) => frozen(slopedKey(channel, slopes, key));
   let k = 0;
-  for (; k <= last && times[k] < firstFrame / rate - ON_FRAME; k++) keys.push(keyAt(channel, k));
+  for (; k <= last && times[k] < timeOf(firstFrame) - ON_FRAME; k++) keys.push(keyAt(channel, k));
   if (k > 0) keys[k - 1] = borderKey(k - 1);
   for (let frame = firstFrame; frame <= lastFrame; frame++) {
-    const time = frame / rate;
+    const time = timeOf(frame);
     // Outwards the slope is a number: what lies there stays.
     const sideIn = (slope: number) => (isLinear && frame > firstFrame ? tangent(LINEAR) : tangent(FIXED, slope));
     const sideOut = (slope: number) => (isLinear && frame < lastFrame ? tangent(LINEAR) : tangent(FIXED, slope));

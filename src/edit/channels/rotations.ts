@@ -23,6 +23,8 @@ export function filterCharacter(
   const filtered = [...channels];
   const notes: string[] = [];
   const done = new Set<number>();
+  /** Joints of which it was said why. */
+  const noted = new Set<number>();
   for (const index of given) {
     const dof = dofs[index];
     if (done.has(index)) continue;
@@ -31,26 +33,27 @@ export function filterCharacter(
       continue;
     }
     const joint = skeleton?.joints[dof.joint];
-    const first = starts[dof.joint];
-    const together = [first, first + 1, first + 2];
-    const limits = together.map((i) => dofs[i].limit);
     if (joint?.motion.kind === 'ball') {
-      for (const i of together) done.add(i);
+      const first = starts[dof.joint];
+      const together = [first, first + 1, first + 2];
+      const limits = together.map((i) => dofs[i].limit);
       const why = hindrance(channels, given, together);
       if (!why) {
         const [x, y, z] = [filtered[first], filtered[first + 1], filtered[first + 2]];
         const made = filterRotations([x, y, z], joint.motion.order, clampsToLimits ? limits : []);
         made.forEach((channel, i) => {
           filtered[first + i] = channel;
+          done.add(first + i);
         });
         continue;
       }
-      notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${why}, so whole turns alone are taken out.`);
+      if (!noted.has(dof.joint)) {
+        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${why}, so whole turns alone are taken out.`);
+      }
+      noted.add(dof.joint);
     }
-    for (const i of together) {
-      if (!given.includes(i)) continue;
-      filtered[i] = unrollAngle(filtered[i], clampsToLimits ? dofs[i].limit : undefined);
-    }
+    done.add(index);
+    filtered[index] = unrollAngle(filtered[index], clampsToLimits ? dof.limit : undefined);
   }
   return { channels: filtered, keysChanged: keysChanged(channels, filtered), notes };
 }

@@ -18,7 +18,7 @@ import { keyPose } from './keying.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { clearLimit, setLimit } from './limits.ts';
 import { pasteKeys } from './paste.ts';
-import { resetPose, setClamping, setDofs } from './pose.ts';
+import { dropUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
 /** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */
@@ -26,6 +26,7 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setDofs,
   resetPose,
   setClamping,
+  dropUnkeyed,
   keyPose,
   createClip,
   renameClip,

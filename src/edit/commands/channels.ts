@@ -5,7 +5,7 @@
  */
 import type { Channel } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
-import { characterDofs } from '../../model/dofs.ts';
+import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
@@ -19,8 +19,11 @@ import { requireCharacter } from '../characters.ts';
 import { allKeys } from '../keys/selection.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
-/** How far a curve may get from what it was, in its own unit: radians, the file's lengths, weights of morphs. */
-export type Tolerances = Readonly<Record<DofUnit, number>>;
+/**
+ * How far a curve may get from what it was, in its own unit (`unitOfChannel`): radians, the file's lengths, weights.
+ * Units that none of the channels has can be left out; where one is missing that is needed, the command refuses.
+ */
+export type Tolerances = Readonly<Partial<Record<DofUnit, number>>>;
 
 export interface Simplify extends OfChannels {
   /** More than 0: one for each unit, so that half a degree and a millimetre can stand together, or one for all. */
@@ -171,8 +174,11 @@ function resampled(document: Document, args: Resample) {
   const [from, to] = interval(args.from, args.to);
   const framesPerSecond = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
   if (!(framesPerSecond > 0)) throw new CommandError(`A frame rate is more than 0; ${framesPerSecond} was given.`);
+  const offsetSeconds = finiteNumber(args.offsetSeconds ?? 0, '"offsetSeconds"');
   const tangents = oneOf<Resampling['tangents']>(args.tangents, ['smooth', 'linear'], '"tangents"');
-  return results(document, args, (channel) => resampleChannel(channel, { framesPerSecond, from, to, tangents }));
+  return results(document, args, (channel) =>
+    resampleChannel(channel, { framesPerSecond, offsetSeconds, from, to, tangents }),
+  );
 }
 
 function baked(document: Document, args: BakeExtrapolation): Map<number, Baked> {
@@ -200,11 +206,10 @@ function reduction(
   return reductionOf(list, units(document, args));
 }
 
-/** A channel's unit is that of the DOF it drives; one that drives none has an angle's. */
 function units(document: Document, { characterId }: OfChannels): (channel: number) => DofUnit {
   const { skeleton, morphs } = requireCharacter(document, characterId);
   const dofs = characterDofs(skeleton, morphs);
-  return (channel) => dofs[channel]?.unit ?? 'angle';
+  return (channel) => unitOfChannel(dofs, channel);
 }
 
 function interval(from: unknown, to: unknown): readonly [number, number] {

@@ -5,7 +5,8 @@ import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../c
 import { SIDES, type Side } from '../keys/tangents.ts';
 import type { Command } from '../store.ts';
 
-const NAMES: Readonly<Record<Extrapolation, string>> = {
+/** As labels have them. */
+export const EXTRAPOLATION_NAMES: Readonly<Record<Extrapolation, string>> = {
   constant: 'Constant',
   linear: 'Linear',
   cycle: 'Cycle',
@@ -22,7 +23,7 @@ export interface SetExtrapolation extends OfChannels {
 /** Keys stay what they are, and those that are selected stay selected. */
 export const setExtrapolation: Command<SetExtrapolation> = {
   id: 'channels.setExtrapolation',
-  label: (_document, { side, extrapolation }) => `${NAMES[extrapolation]} ${WHERE[side]}`,
+  label: (_document, { side, extrapolation }) => `${EXTRAPOLATION_NAMES[extrapolation]} ${WHERE[side]}`,
   run(document, { characterId, channels, side, extrapolation }) {
     oneOf(side, SIDES, '"side"');
     oneOf(extrapolation, EXTRAPOLATIONS, '"extrapolation"');

@@ -150,15 +150,27 @@ export const setKeys: Command<OfKeys & TypedKey, Edit> = {
   },
 };
 
+export interface SnapKeys extends OfKeys {
+  readonly framesPerSecond: number;
+  /**
+   * Where frame 0 is, in seconds of the clip; 0 where absent. The character's time offset gives the transport's frames,
+   * those that are seen.
+   */
+  readonly offsetSeconds?: number;
+}
+
 /** To the nearest frame. */
-export const snapKeys: Command<OfKeys & { readonly framesPerSecond: number }, Edit> = {
+export const snapKeys: Command<SnapKeys, Edit> = {
   id: 'keys.snap',
   label: (_document, { keys }) => `Snap ${keyCount(keys)} to frames`,
-  run(document, { characterId, keys, framesPerSecond }) {
+  run(document, { characterId, keys, framesPerSecond, offsetSeconds = 0 }) {
     if (finiteNumber(framesPerSecond, '"framesPerSecond"') <= 0) {
       throw new CommandError(`A frame rate has to be above 0; ${framesPerSecond} was given.`);
     }
-    return changeKeys(document, { characterId, keys }, (channel, indices) => snap(channel, indices, framesPerSecond));
+    finiteNumber(offsetSeconds, '"offsetSeconds"');
+    return changeKeys(document, { characterId, keys }, (channel, indices) =>
+      snap(channel, indices, framesPerSecond, offsetSeconds),
+    );
   },
 };
 

@@ -18,7 +18,7 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { standingAt, withTake } from '../takes.ts';
-import { unkeyedAt, withUnkeyed } from '../unkeyed.ts';
+import { countUnkeyed, dropUnkeyed as drop, unkeyedAt, withUnkeyed } from '../unkeyed.ts';
 
 export interface DofValue {
   /** Into the character's DOFs (`model/dofs.ts`). */
@@ -84,6 +84,24 @@ export const setClamping: Command<{ readonly characterId: string; readonly clamp
     changeCharacter(document, characterId, (c) =>
       c.clampsToLimits === oneOf(clamps, [true, false], '"clamps"') ? c : { ...c, clampsToLimits: clamps },
     ),
+};
+
+export interface DropUnkeyed {
+  /** Of the transport: what was set by hand at that moment stays. With null all of it goes. */
+  readonly exceptSeconds: number | null;
+}
+
+/** Of all characters, values that were set by hand over keys and not keyed: each DOF is again where its keys have it. */
+export const dropUnkeyed: Command<DropUnkeyed> = {
+  id: 'pose.dropUnkeyed',
+  label(document, { exceptSeconds }) {
+    const count = countUnkeyed(document, exceptSeconds);
+    return `Drop ${count} unkeyed ${count === 1 ? 'value' : 'values'}`;
+  },
+  run(document, { exceptSeconds }) {
+    if (exceptSeconds !== null) finiteNumber(exceptSeconds, '"exceptSeconds"');
+    return drop(document, exceptSeconds);
+  },
 };
 
 /** The document with a character's DOFs at these values, by whichever way they go. */

@@ -94,7 +94,7 @@ function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonl
   if (channels.length !== 1 && targets.length !== channels.length) {
     throw new CommandError(
       `Keys of ${channels.length} channels go into as many channels, or those of one into any number; ` +
-        `${targets.length} are selected.`,
+        `there ${targets.length === 1 ? 'is 1' : `are ${targets.length}`} to paste into.`,
     );
   }
   if (new Set(targets).size !== targets.length) throw new CommandError('Keys are pasted into each channel once.');

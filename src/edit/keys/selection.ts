@@ -3,7 +3,7 @@
  * Everything here keeps that order, and merges sorted lists rather than searching in them: all the keys of a long clip
  * are selected as fast as one.
  */
-import { lastNotAbove } from '../../math/search.ts';
+import { firstNotBelow } from '../../math/search.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { sameTime } from './same-time.ts';
@@ -31,23 +31,6 @@ export function keysAtTime(
   });
 }
 
-/** The keys between two moments of the clip, both included; the moments in either order. */
-export function keysInRange(
-  clip: ChannelClip,
-  channels: readonly number[] | undefined,
-  from: number,
-  to: number,
-): readonly ChannelKeys[] {
-  const [start, end] = from <= to ? [from, to] : [to, from];
-  return collect(clip, channels, (times) => {
-    let first = firstNotBelow(times, start);
-    while (first > 0 && sameTime(times[first - 1], start)) first--;
-    let stop = times.length && times[0] <= end ? lastNotAbove(times, 0, times.length, end) + 1 : 0;
-    while (stop < times.length && sameTime(times[stop], end)) stop++;
-    return [first, stop];
-  });
-}
-
 /** Those in either. */
 export function unionKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]): readonly ChannelKeys[] {
   return combine(a, b, (inA, inB) => inA || inB);
@@ -66,15 +49,7 @@ export function withoutKeys(a: readonly ChannelKeys[], b: readonly ChannelKeys[]
 /** Whether a key is among them. O(log), for picking and drawing. */
 export function hasKey(keys: readonly ChannelKeys[] | undefined, channel: number, index: number): boolean {
   const indices = keys?.find((k) => k.channel === channel)?.indices;
-  if (!indices) return false;
-  let low = 0;
-  let high = indices.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (indices[middle] < index) low = middle + 1;
-    else high = middle;
-  }
-  return indices[low] === index;
+  return indices !== undefined && indices[firstNotBelow(indices, index)] === index;
 }
 
 export function countKeys(keys: readonly ChannelKeys[] | undefined): number {
@@ -142,15 +117,4 @@ function combineIndices(
     if (keep(inA, inB)) kept.push(index);
   }
   return kept;
-}
-
-function firstNotBelow(times: Float64Array, time: number): number {
-  let low = 0;
-  let high = times.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (times[middle] < time) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

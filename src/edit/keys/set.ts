@@ -34,10 +34,19 @@ export function setKeys(
   return arrange(sloped, indices, new Float64Array(indices.length).fill(timeSeconds), 'replace');
 }
 
-/** The channel with keys moved to the nearest frame; of those that come to one frame the last stays. */
-export function snapKeys(channel: Channel, indices: readonly number[], framesPerSecond: number): Moved {
+/**
+ * The channel with keys moved to the nearest frame; of those that come to one frame the last stays.
+ * @param offsetSeconds where frame 0 is, in seconds of the clip
+ */
+export function snapKeys(
+  channel: Channel,
+  indices: readonly number[],
+  framesPerSecond: number,
+  offsetSeconds = 0,
+): Moved {
   // Plus 0: frame −0 is frame 0.
-  const toFrame = (time: number) => Math.round(time * framesPerSecond) / framesPerSecond + 0;
+  const toFrame = (time: number) =>
+    Math.round((time - offsetSeconds) * framesPerSecond) / framesPerSecond + offsetSeconds + 0;
   return arrange(
     channel,
     indices,

@@ -2,8 +2,7 @@
 import { rippleKeys } from '../../edit/commands/keys.ts';
 import { allFolds } from '../dope/rows.ts';
 import { showCurves } from '../dope/show-curves.ts';
-import { keysInHand, takeInHand } from '../timeline/in-hand.ts';
-import { applyToTake } from '../timeline/key-edits.ts';
+import { aboutKeysInHand, keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import type { Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
 
@@ -91,7 +90,11 @@ function ripple(id: string, label: string, shortcut: string, frames: number): Ac
       const take = takeInHand(wb);
       if (!take) return;
       const seconds = frames / wb.transport.get().framesPerSecond;
-      applyToTake(wb, rippleKeys, { characterId: take.character.id, keys: keysInHand(wb), seconds });
+      wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
+        characterId: take.character.id,
+        keys: keysInHand(wb),
+        seconds,
+      });
     },
   };
 }

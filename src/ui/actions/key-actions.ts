@@ -1,4 +1,5 @@
 /** What is done to selected keys. The keys on the keyboard are the timeline's: elsewhere on the page they mean other things. */
+import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import { stepFrames } from '../../edit/playback.ts';
 import { EXTRAPOLATIONS, type Extrapolation, TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
@@ -32,14 +33,6 @@ export const TANGENT_LABELS: Readonly<Record<TangentKind, string>> = {
   fixed: 'Fixed slope',
 };
 
-export const EXTRAPOLATION_LABELS: Readonly<Record<Extrapolation, string>> = {
-  constant: 'Constant',
-  linear: 'Linear',
-  cycle: 'Cycle',
-  cycle_offset: 'Cycle with offset',
-  bounce: 'Bounce',
-};
-
 /** An action of the timeline panel. */
 function key(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
   const action: Action = { id: `timeline.${id}`, label, group: 'Keys', panel: 'timeline', ...more };
@@ -47,7 +40,7 @@ function key(id: string, label: string, shortcuts: readonly string[], more: Omit
 }
 
 const edits: readonly Action[] = [
-  key('insertKey', 'Insert key at the playhead', ['I'], {
+  key('insertKey', 'Insert key at the playhead', ['I', 'Enter'], {
     menu: 'Keys',
     section: 10,
     icon: 'insertKey',
@@ -282,7 +275,7 @@ export function extrapolationIcon(extrapolation: Extrapolation) {
 }
 
 function extrapolationLabel(extrapolation: Extrapolation, side: 'both' | 'in' | 'out'): string {
-  const label = EXTRAPOLATION_LABELS[extrapolation];
+  const label = EXTRAPOLATION_NAMES[extrapolation];
   return side === 'both' ? label : `${label}, ${side === 'in' ? 'before' : 'after'} the keys`;
 }
 

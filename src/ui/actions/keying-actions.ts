@@ -1,7 +1,7 @@
 /** Making keys from the pose, and what takes are there. */
 import { createClip, duplicateClip, removeClip, setClipRange } from '../../edit/commands/clips.ts';
+import { dropUnkeyed } from '../../edit/commands/pose.ts';
 import { rangeOfKeys } from '../../edit/takes.ts';
-import { dropAllUnkeyed } from '../../edit/unkeyed.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { deleteKeysNow, jointDofs, keyNow, keysNow } from '../pose-edits.ts';
 import type { NEW_KEY_TANGENTS } from '../settings.ts';
@@ -64,10 +64,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     enabled: (wb) => wb.store.document.characters.some((c) => c.unkeyed !== undefined),
-    run(wb) {
-      const { document, selection } = wb.store;
-      wb.store.replace('Drop unkeyed values', { document: dropAllUnkeyed(document), selection });
-    },
+    run: (wb) => wb.store.apply(dropUnkeyed, { exceptSeconds: null }),
   },
   {
     id: 'key.auto',

@@ -1,5 +1,5 @@
 /** The transport. */
-import { LOOP_MODES, type LoopMode, type Playback, play, stepFrames } from '../../edit/playback.ts';
+import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../shown-keys.ts';
 import type { Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
@@ -24,7 +24,10 @@ export const PLAY_ACTIONS: readonly Action[] = [
     menu: 'Play',
     shortcuts: ['Space'],
     icon: 'play',
-    run: (wb) => wb.transport.update((p) => (p.playing ? { ...p, playing: false } : play(p))),
+    run(wb) {
+      const inFrames = wb.settings.get().timeDisplay === 'frames';
+      wb.transport.update((p) => (p.playing ? pause(p, inFrames) : play(p)));
+    },
   },
   at('play.stepBack', 'Step back one frame', ['Left'], 1, 'back', (p) => stepFrames(p, -1)),
   at('play.stepForward', 'Step forward one frame', ['Right'], 1, 'forward', (p) => stepFrames(p, 1)),

@@ -89,11 +89,15 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     enabled: inHand,
     run: tool('bake'),
   }),
-  curves('scaleKeys', 'Scale keys…', ['Ctrl+Shift+S'], {
+  curves('scaleKeys', 'Scale keys…', ['Shift+T'], {
     menu: 'Keys/Curve tools',
     section: 15,
     enabled: hasKeys,
     run: tool('scaleKeys'),
+  }),
+  curves('scaleDrag', 'Scale the selected keys by dragging, while held', ['S'], {
+    enabled: (wb) => hasKeys(wb) && wb.timeline.view.get().tab === 'curves',
+    run: (wb) => wb.timeline.scaling.set(true),
   }),
   curves('euler', 'Euler filter', [], {
     menu: 'Keys/Curve tools',

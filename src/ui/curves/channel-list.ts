@@ -5,8 +5,10 @@
  * Space does what a click does. The focus stays on the grid, which names the control that is meant
  * (aria-activedescendant): rows that scroll away can't take it with them.
  */
+
+import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import { allKeys, unionKeys } from '../../edit/keys/selection.ts';
-import { EXTRAPOLATION_LABELS, extrapolationIcon } from '../actions/key-actions.ts';
+import { extrapolationIcon } from '../actions/key-actions.ts';
 import { LIST_LABELS } from '../actions/timeline-actions.ts';
 import { element, setAttribute, setText, uniqueId } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
@@ -22,6 +24,7 @@ import { cssColour } from './colours.ts';
 import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.ts';
 import { isolatedAfter } from './isolating.ts';
 import type { CurveLine } from './scene.ts';
+import { buttonMeant } from './tools/intent.ts';
 
 const ROW_PIXELS = 22;
 /** Rows beyond the edges, so that a quick turn of the wheel doesn't show gaps. */
@@ -208,7 +211,7 @@ export class ChannelList {
       if (!way || cell.dataset.way === way) continue;
       cell.dataset.way = way;
       cell.replaceChildren(icon(extrapolationIcon(way)));
-      describe(cell, `${side === 'in' ? 'Before' : 'After'} the keys: ${EXTRAPOLATION_LABELS[way]}`);
+      describe(cell, `${side === 'in' ? 'Before' : 'After'} the keys: ${EXTRAPOLATION_NAMES[way]}`);
       cell.setAttribute('aria-haspopup', 'menu');
     }
     for (const cell of CELLS) {
@@ -275,7 +278,7 @@ export class ChannelList {
   private onMenu(event: MouseEvent): void {
     event.preventDefault();
     const at = this.indexAt(event);
-    const byKeyboard = event.button !== 2;
+    const byKeyboard = buttonMeant(event, isMac) !== 2;
     const index = byKeyboard ? this.active : at?.index;
     if (index === undefined || !this.channels[index]) return;
     const box = this.rows[index - this.first]?.element.getBoundingClientRect();

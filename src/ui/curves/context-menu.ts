@@ -1,7 +1,8 @@
 /** Menus of the plot and of the channel list. What is pressed on is selected first: then the menu is about what one sees. */
+
+import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../edit/keys/selection.ts';
 import { EXTRAPOLATIONS } from '../../model/clip.ts';
-import { EXTRAPOLATION_LABELS } from '../actions/key-actions.ts';
 import { actionsOf } from '../actions.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { itemOf } from '../menu-entries.ts';
@@ -144,7 +145,7 @@ export function extrapolationEntries(wb: Workbench, channel: number, side: 'in' 
   const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
   return EXTRAPOLATIONS.map((extrapolation) => ({
     kind: 'item',
-    label: EXTRAPOLATION_LABELS[extrapolation],
+    label: EXTRAPOLATION_NAMES[extrapolation],
     radio: true,
     checked: extrapolation === now,
     enabled: held !== undefined,

@@ -25,7 +25,7 @@ export function timeView(scene: CurveScene): TimeView {
 }
 
 /** The axes that lines are drawn on: the first is labelled on the left and has the grid. */
-export function shownAxes(lines: readonly CurveLine[]): AxisName[] {
+function shownAxes(lines: readonly CurveLine[]): AxisName[] {
   const shown = AXES.filter((axis) => lines.some((line) => line.axis === axis));
   return shown.length ? shown : ['angle'];
 }

@@ -5,8 +5,9 @@
  *
  * so dragging one sets a slope and nothing else: how far it is dragged does not count.
  */
+
 import { keySlope } from '../../evaluate/slopes.ts';
-import { countBefore } from '../shown-keys.ts';
+import { firstNotBelow } from '../../math/search.ts';
 import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
 import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 
@@ -40,8 +41,8 @@ export function handlesOf(scene: CurveScene): Handle[] {
     const line = lineOf(scene, channel);
     const times = clip.channels[channel]?.times;
     if (!line || !times) continue;
-    const first = countBefore(times, left);
-    for (let i = firstFrom(indices, first); i < indices.length && times[indices[i]] <= right; i++) {
+    const first = firstNotBelow(times, left);
+    for (let i = firstNotBelow(indices, first); i < indices.length && times[indices[i]] <= right; i++) {
       if (handles.length >= 2 * MOST_KEYS_WITH_HANDLES) return [];
       const index = indices[i];
       if (times[index - 1] !== times[index]) handles.push(handleOf(scene, line, index, 'in'));
@@ -80,16 +81,4 @@ export function slopeFromHandle(
   const dx = side === 'in' ? Math.min(-LEAST_PIXELS_ASIDE, aside) : Math.max(LEAST_PIXELS_ASIDE, aside);
   const up = yOf(space, line, channel.values[index]) - y;
   return ((up / pixelsPerUnit(space, line)) * pixelsPerSecond(space)) / dx;
-}
-
-/** Position in ascending `indices` of the first that is at least `index`. */
-function firstFrom(indices: readonly number[], index: number): number {
-  let low = 0;
-  let high = indices.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (indices[middle] < index) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

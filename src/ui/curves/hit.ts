@@ -1,7 +1,8 @@
 /** What is under a point of the plot, and which keys a box holds. Distances are what one sees: pixels. */
+
 import { evaluateChannel } from '../../evaluate/curves.ts';
+import { firstNotBelow } from '../../math/search.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { countBefore } from '../shown-keys.ts';
 import { handlesOf } from './handles.ts';
 import type { Box, CurveLine, CurveScene, Hit } from './scene.ts';
 import { PLOT_TOP } from './space.ts';
@@ -43,8 +44,8 @@ function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): 
     const line = scene.lines[l];
     const { times, values } = scene.clip.channels[line.channel];
     const map = traceMap(scene, line);
-    const end = countBefore(times, map.left + (x + reach) / map.perSecond);
-    for (let k = countBefore(times, map.left + (x - reach) / map.perSecond); k < end; k++) {
+    const end = firstNotBelow(times, map.left + (x + reach) / map.perSecond);
+    for (let k = firstNotBelow(times, map.left + (x - reach) / map.perSecond); k < end; k++) {
       const distance = Math.hypot((times[k] - map.left) * map.perSecond - x, heightOf(map, values[k]) - y);
       if (distance > reach) continue;
       const indices = selected.get(line.channel);
@@ -121,14 +122,7 @@ function heightOf(map: TraceMap, value: number): number {
 
 /** Whether ascending `indices` have one. */
 function holds(indices: readonly number[], index: number): boolean {
-  let low = 0;
-  let high = indices.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (indices[middle] < index) low = middle + 1;
-    else high = middle;
-  }
-  return indices[low] === index;
+  return indices[firstNotBelow(indices, index)] === index;
 }
 
 /** The keys of all lines that lie in a box, its edges included. */
@@ -140,7 +134,7 @@ export function keysInBox(scene: CurveScene, box: Box): ChannelKeys[] {
     const { times, values } = scene.clip.channels[line.channel];
     const map = traceMap(scene, line);
     const indices: number[] = [];
-    for (let k = countBefore(times, map.left + left / map.perSecond); k < times.length; k++) {
+    for (let k = firstNotBelow(times, map.left + left / map.perSecond); k < times.length; k++) {
       if ((times[k] - map.left) * map.perSecond > right) break;
       const y = heightOf(map, values[k]);
       if (y >= top && y <= bottom) indices.push(k);

@@ -32,7 +32,7 @@ const MOST_KEYS = 5000;
 const MOST_CHARACTERS = 8;
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
-export function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
+function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
   if (!keys.length || countKeys(keys) > MOST_KEYS) return MIXED;
   let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
   for (const { channel: c, indices } of keys) {

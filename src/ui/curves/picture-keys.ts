@@ -4,8 +4,8 @@
  * than a few pixels, or there are thousands, one is drawn every so many pixels, smaller; a hundred thousand keys then
  * cost as many jumps as there are cells. (Ten thousand diamonds cost a software canvas more than all curves.)
  */
+import { firstNotBelow } from '../../math/search.ts';
 import { FIXED } from '../../model/clip.ts';
-import { countBefore } from '../shown-keys.ts';
 import { type Handle, handlesOf } from './handles.ts';
 import type { PictureColours } from './picture-colours.ts';
 import { type CurveLine, type CurveScene, lineOf } from './scene.ts';
@@ -105,8 +105,8 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
 function keysInView(scene: CurveScene, line: CurveLine) {
   const { times } = scene.clip.channels[line.channel];
   const map = traceMap(scene, line);
-  const from = countBefore(times, map.left - KEY_PIXELS / map.perSecond);
-  const to = countBefore(times, map.left + (map.width + KEY_PIXELS) / map.perSecond);
+  const from = firstNotBelow(times, map.left - KEY_PIXELS / map.perSecond);
+  const to = firstNotBelow(times, map.left + (map.width + KEY_PIXELS) / map.perSecond);
   const pixels = to > from ? Math.max(1, (times[to - 1] - times[from]) * map.perSecond) : 1;
   return { map, from, to, dense: to - from > 8 && (to - from) * DENSE_PIXELS > pixels };
 }
@@ -131,7 +131,7 @@ function markSelected(scene: CurveScene, part: ReturnType<typeof selectedInView>
     i++;
     if (!dense) continue;
     const next = ((Math.floor(x / cell) + 1) * cell) / map.perSecond;
-    i = Math.max(i, firstNotBelow(indices, countBefore(times, map.left + next)));
+    i = Math.max(i, firstNotBelow(indices, firstNotBelow(times, map.left + next)));
   }
 }
 
@@ -148,7 +148,7 @@ function markAll(scene: CurveScene, line: CurveLine, crowded: boolean): void {
     k++;
     if (!dense) continue;
     const next = map.left + ((Math.floor(x / DENSE_CELL) + 1) * DENSE_CELL) / map.perSecond;
-    k = firstAtOrAfter(times, k, to, next);
+    k = firstNotBelow(times, next, k, to);
   }
 }
 
@@ -209,24 +209,4 @@ function drawHandles(
   }
   g.strokeStyle = colours.plot;
   g.lineWidth = 1;
-}
-
-function firstNotBelow(indices: readonly number[], index: number): number {
-  let low = 0;
-  let high = indices.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (indices[middle] < index) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
-
-function firstAtOrAfter(times: Float64Array, low: number, high: number, limit: number): number {
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (times[middle] < limit) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

@@ -91,7 +91,7 @@ export function valueAt(space: CurveSpace, line: OnAxis, y: number): number {
 }
 
 /** Pixels for each unit of an axis. */
-export function axisPixels(space: CurveSpace, axis: AxisName): number {
+function axisPixels(space: CurveSpace, axis: AxisName): number {
   const { low, high } = space.axes[axis];
   return Math.max(1, space.height - PLOT_TOP) / (high - low);
 }

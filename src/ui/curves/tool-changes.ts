@@ -1,6 +1,7 @@
 /** What a tool for whole curves changes beyond their ends, in sentences: nobody should have to find it out later. */
+
+import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import type { ChannelClip, Extrapolation } from '../../model/clip.ts';
-import { EXTRAPOLATION_LABELS } from '../actions/key-actions.ts';
 import { plural, seconds } from '../number-text.ts';
 import { period } from '../timeline/period.ts';
 
@@ -30,17 +31,17 @@ export function changesBeyond(before: ChannelClip, after: ChannelClip, channels:
   return sentences;
 }
 
-/** Beyond that they all repeat what is keyed, and what is keyed takes another time now. */
+/** What repeats does so with all that is keyed by then. */
 function spansText(spans: readonly (readonly [number, number])[]): string {
   const [[was, now]] = spans;
-  const who = `${plural(spans.length, 'curve')} will go on repeating, but`;
+  const what = `${plural(spans.length, 'curve')} will repeat all keys, the new ones too:`;
   const alike = spans.every(([w, n]) => !isOther(w, was) && !isOther(n, now));
-  if (!alike) return `${who} with all the keys there are then, in other periods than before.`;
-  return `${who} every ${seconds(now)} s instead of every ${seconds(was)} s.`;
+  if (!alike) return `${what} not as before.`;
+  return `${what} every ${seconds(now)} s instead of every ${seconds(was)} s.`;
 }
 
 function nameOf(extrapolation: Extrapolation): string {
-  return EXTRAPOLATION_LABELS[extrapolation].toLowerCase();
+  return EXTRAPOLATION_NAMES[extrapolation].toLowerCase();
 }
 
 function repeats(extrapolation: Extrapolation): boolean {

@@ -82,7 +82,7 @@ export function resampleDialog(wb: Workbench, close: () => void): DialogContent 
       command: resample,
       args: (answers) => resampleArguments(take.character, channels, answers),
       result: (args, after) =>
-        [`${reductionText(wb, resamplePreview(document, args))}.`, ...beyond(take, after, channels)].join(' '),
+        [`${reductionText(wb, resamplePreview(document, args))}.`, ...beyond(take, after, channels)].join('\n'),
     });
   });
 }
@@ -100,7 +100,7 @@ export function bakeDialog(wb: Workbench, close: () => void): DialogContent {
       result(args, after) {
         const { keysBefore, keysAfter } = bakePreview(document, args);
         const keys = `${count(keysBefore)} → ${plural(keysAfter, 'key')}.`;
-        return [keys, ...beyond(take, after, channels)].join(' ');
+        return [keys, ...beyond(take, after, channels)].join('\n');
       },
     });
   });

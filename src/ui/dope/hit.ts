@@ -52,7 +52,7 @@ function diamondNear(sheet: Sheet, shown: SheetKeys, row: number, x: number): nu
 }
 
 /** All keys that one diamond stands for: the row's keys in the pixel of one of them, as they are drawn. */
-export function keysUnder(sheet: Sheet, shown: SheetKeys, row: number, timeSeconds: number): ChannelKeys[] {
+function keysUnder(sheet: Sheet, shown: SheetKeys, row: number, timeSeconds: number): ChannelKeys[] {
   const pixel = secondsPerPixel(sheet);
   const left = sheet.window.from + Math.floor((timeSeconds - sheet.window.from) / pixel) * pixel;
   const same = Math.min(SAME_SECONDS, pixel / 4);

@@ -3,11 +3,12 @@
  * long as the sheet is wide, whatever the clip: a channel with far more keys in view than there are pixels is jumped
  * through, from one pixel's edge to the next, by binary search (as the scrubber's `key-buckets.ts` does).
  */
+import { countNotAbove } from '../../edit/keys/same-time.ts';
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
+import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { countBefore } from '../shown-keys.ts';
-import { countUpTo, firstFrom, indicesIn } from './row-keys.ts';
+import { indicesIn } from './row-keys.ts';
 
 /** Bits of a pixel's mark: a pixel with both stands for keys of which only some are selected. */
 export const PLAIN = 1;
@@ -45,17 +46,17 @@ function markChannel(
   out: Uint8Array,
 ): void {
   const pixels = out.length;
-  let index = countBefore(times, from);
-  const end = countBefore(times, from + pixels * secondsPerPixel);
+  let index = firstNotBelow(times, from);
+  const end = firstNotBelow(times, from + pixels * secondsPerPixel);
   const dense = end - index > DENSE * pixels;
-  let next = firstFrom(selected, index);
+  let next = firstNotBelow(selected, index);
   while (index < end) {
     const pixel = Math.min(pixels - 1, Math.floor((times[index] - from) / secondsPerPixel));
     // One pixel's keys are index … after.
     const after = dense
       ? Math.max(index + 1, firstTimeFrom(times, index, end, from + (pixel + 1) * secondsPerPixel))
       : index + 1;
-    const nextAfter = selected[next] < after ? firstFrom(selected, after, next) : next;
+    const nextAfter = selected[next] < after ? firstNotBelow(selected, after, next) : next;
     const chosen = nextAfter - next;
     if (chosen > 0) out[pixel] |= SELECTED;
     if (chosen < after - index) out[pixel] |= PLAIN;
@@ -103,8 +104,8 @@ export function markMoves(
     first = Math.min(first, pixelOf(times[0]));
     last = Math.max(last, pixelOf(times[times.length - 1]));
     // Every span that reaches into view.
-    let key = Math.max(0, countUpTo(times, from) - 1);
-    const end = Math.min(times.length - 1, countBefore(times, from + pixels * secondsPerPixel));
+    let key = Math.max(0, countNotAbove(times, from) - 1);
+    const end = Math.min(times.length - 1, firstNotBelow(times, from + pixels * secondsPerPixel));
     // Spans of less than two pixels each are too short for a bar.
     if (2 * (end - key) > pixels) {
       moves.fill(1, Math.max(0, pixelOf(times[key])), clampTo(pixelOf(times[end]) + 1, pixels));

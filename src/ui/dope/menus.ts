@@ -1,5 +1,5 @@
 /** Context menus of the dope sheet: what can be done with the keys or the row under the pointer. */
-import { allKeys, keysAtTime, unionKeys } from '../../edit/keys/selection.ts';
+import { allKeys, countKeys, keysAtTime, unionKeys } from '../../edit/keys/selection.ts';
 import { actionsOf } from '../actions.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { itemOf, itemsOf } from '../menu-entries.ts';
@@ -58,7 +58,7 @@ export function rowMenu(wb: Workbench, row: DopeRow, at: Place): void {
   const take = takeInHand(wb);
   if (!take) return;
   const keys = allKeys(take.clip, row.channels);
-  const count = keys.reduce((sum, k) => sum + k.indices.length, 0);
+  const count = countKeys(keys);
   const name = rowName(row);
   const own: MenuEntry[] = [
     item(`Select ${plural(count, 'key')} of the row`, () => selectKeys(wb, keys), count > 0),

@@ -4,14 +4,14 @@
  * frame what has changed of them, only while they can be seen.
  */
 
-import { allKeys, unionKeys } from '../../edit/keys/selection.ts';
+import { allKeys, NO_KEYS, unionKeys } from '../../edit/keys/selection.ts';
 import { withKeys } from '../../edit/store.ts';
 import { compileChannels, compileClip } from '../../evaluate/compiled-clip.ts';
 import { element, setAttribute, setText } from '../dom.ts';
 import { HAS_KEYS } from '../focus.ts';
 import { oncePerFrame } from '../frame.ts';
 import { fitWindow, panWindow, revealTime, type TimeWindow, zoomWindow } from '../time-window.ts';
-import { keysInHand, NO_KEYS, selectedKeys, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { keysInHand, selectedKeys, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import type { TimelineTab } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';

@@ -4,9 +4,10 @@
  *
  * Times here are the CLIP's; the sheet shows the transport's, which are less by the character's offset.
  */
+import { countNotAbove } from '../../edit/keys/same-time.ts';
+import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import { countBefore } from '../shown-keys.ts';
 
 /** The keys of these channels from one time to another, both included. */
 export function keysBetween(
@@ -18,8 +19,8 @@ export function keysBetween(
   const found: ChannelKeys[] = [];
   for (const channel of of) {
     const { times } = channels[channel];
-    const first = countBefore(times, from);
-    const end = countUpTo(times, to);
+    const first = firstNotBelow(times, from);
+    const end = countNotAbove(times, to);
     if (end > first) found.push({ channel, indices: indexRange(first, end) });
   }
   return found;
@@ -36,7 +37,7 @@ export function nearestKeyTime(
   let least = reach;
   for (const channel of of) {
     const { times } = channels[channel];
-    const after = countBefore(times, time);
+    const after = firstNotBelow(times, time);
     for (let i = Math.max(0, after - 1); i <= after && i < times.length; i++) {
       const distance = Math.abs(times[i] - time);
       if (distance > least || (distance === least && best !== undefined)) continue;
@@ -85,7 +86,7 @@ export function spanOf(channels: readonly Channel[], keys: readonly ChannelKeys[
 export function areSelected(keys: readonly ChannelKeys[], selected: readonly ChannelKeys[]): boolean {
   return keys.every(({ channel, indices }) => {
     const own = indicesIn(selected, channel);
-    return own !== undefined && indices.every((i) => own[firstFrom(own, i)] === i);
+    return own !== undefined && indices.every((i) => own[firstNotBelow(own, i)] === i);
   });
 }
 
@@ -99,30 +100,6 @@ export function indicesIn(keys: readonly ChannelKeys[], channel: number): readon
     else high = middle;
   }
   return keys[low]?.channel === channel ? keys[low].indices : undefined;
-}
-
-/** Place of the first of the ascending `indices` that is at least `limit`. */
-export function firstFrom(indices: readonly number[], limit: number, low = 0): number {
-  let from = low;
-  let high = indices.length;
-  while (from < high) {
-    const middle = (from + high) >>> 1;
-    if (indices[middle] < limit) from = middle + 1;
-    else high = middle;
-  }
-  return from;
-}
-
-/** How many of the ascending `times` are at or below `limit`. */
-export function countUpTo(times: Float64Array, limit: number): number {
-  let low = 0;
-  let high = times.length;
-  while (low < high) {
-    const middle = (low + high) >>> 1;
-    if (times[middle] <= limit) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }
 
 function indexRange(first: number, end: number): number[] {

@@ -113,13 +113,6 @@ export function allFolds(character: Character, clip: ChannelClip): number[] {
   return groupsOf(character, dofs, clip.channels.length).map((g) => g.fold);
 }
 
-/** The fold that a channel is in; undefined where the clip has no such channel. */
-export function foldOfChannel(character: Character, clip: ChannelClip, channel: number): number | undefined {
-  const dofs = dofsFor(character);
-  return groupsOf(character, dofs, clip.channels.length).find((g) => channel >= g.first && channel < g.first + g.count)
-    ?.fold;
-}
-
 /** In the order of channels, which is the order of DOFs; cut where the clip ends. */
 function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCount: number): Group[] {
   const groups: Group[] = [];

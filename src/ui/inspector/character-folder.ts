@@ -7,8 +7,8 @@ import { runAction } from '../actions.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
 import { button, element } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
+import { lengthStep } from '../reach.ts';
 import type { Workbench } from '../workbench.ts';
-import { reachOf } from './dof-rows.ts';
 import { emptyFolder, Slider } from './slider.ts';
 import { addTakeRows, askForTakeName } from './take-rows.ts';
 
@@ -126,8 +126,7 @@ export class CharacterFolder {
     }
     const { angles } = this.wb.settings.get();
     const degrees = shownPerUnit('angle', angles);
-    const reach = reachOf(character.skeleton);
-    const step = 10 ** Math.floor(Math.log10(reach / 100));
+    const step = lengthStep(character.skeleton);
     this.addVector(
       'Position',
       1,

@@ -50,6 +50,7 @@ export class DofFolders {
       emptyFolder(folder);
       folder.show(character !== undefined);
     }
+    const { listed } = this;
     this.listed = undefined;
     this.end.remove();
     if (!character) return;
@@ -62,6 +63,9 @@ export class DofFolders {
     this.all.title(`All DOFs (${dofs.length})`);
     this.listed = { character, dofs, next: 0 };
     this.all.$children.append(this.end);
+    // As far as it had been looked through, so that it can be scrolled to where it was.
+    const until = listed?.character.id === character.id ? Math.min(listed.next, dofs.length) : 0;
+    while (this.listed.next < until && !this.all._closed) this.listMore();
   }
 
   /** Says at the foot what will go when time moves. */

@@ -4,13 +4,15 @@ import { setDofs } from '../../edit/commands/pose.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { type Character, findCharacter, shownSkin } from '../../model/document.ts';
 import type { CharacterDof } from '../../model/dofs.ts';
-import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
 import { element, uniqueId } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { shown } from '../number-text.ts';
 import { autoKey } from '../pose-edits.ts';
+import { reachOf } from '../reach.ts';
 import type { Settings } from '../settings.ts';
+import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import { DofMark } from './dof-mark.ts';
 import { openDofMenu } from './dof-menu.ts';
@@ -44,6 +46,7 @@ export function addDofRow(
   slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
   slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${limitText(dof, character, angles)}`;
   slider.domElement.classList.add('dof');
+  slider.domElement.dataset.dof = String(index);
 
   const update = () => {
     const now = findCharacter(wb.store.document, id);
@@ -56,7 +59,7 @@ export function addDofRow(
     const now = findCharacter(wb.store.document, id);
     // A playing clip would take the value back at the next frame.
     const key = autoKey(wb);
-    if (now && (key || isDriven(now, index))) wb.transport.update((p) => (p.playing ? { ...p, playing: false } : p));
+    if (now && (key || isDriven(now, index))) standStill(wb);
     const { timeSeconds } = wb.transport.get();
     edit.preview(setDofs, { characterId: id, dofs: [{ index, value: value / factor }], timeSeconds, key });
     if (edit.cancelled) update();
@@ -94,11 +97,17 @@ export function sliderOptions(
   if (isUnlimited(limit) || limit.min > limit.max) return { span: scale(full, factor), suffix, ...resolution };
   const limits = scale([limit.min, limit.max], factor);
   if (character.clampsToLimits && limit.max > limit.min) {
-    return { span: limits, bounds: limits, limits, suffix, ...resolution };
+    return { span: scale(withOpenEnds(limit, full), factor), bounds: limits, limits, suffix, ...resolution };
   }
-  const wide = [Math.min(full[0], limit.min), Math.max(full[1], limit.max)] as const;
+  const [low, high] = withOpenEnds(limit, full);
+  const wide = [Math.min(full[0], low), Math.max(full[1], high)] as const;
   const bounds = character.clampsToLimits ? { bounds: limits } : {};
   return { span: scale(wide, factor), limits, suffix, ...bounds, ...resolution };
+}
+
+/** From limit to limit; where there is none on one side, as far as a slider without any goes. */
+function withOpenEnds({ min, max }: Limit, [low, high]: readonly [number, number]): readonly [number, number] {
+  return [min > UNLIMITED.min ? min : Math.min(low, max + low), max < UNLIMITED.max ? max : Math.max(high, min + high)];
 }
 
 /** Without limits: ±π, or ± the character's reach. */
@@ -118,32 +127,16 @@ function scale([low, high]: readonly [number, number], factor: number): readonly
   return [withoutNoise(low * factor), withoutNoise(high * factor)];
 }
 
-const reaches = new WeakMap<Skeleton, number>();
-
-/** How far the farthest joint can be from the root; a sensible number also for one joint. */
-export function reachOf(skeleton: Skeleton | undefined): number {
-  if (!skeleton?.joints.length) return 1;
-  const known = reaches.get(skeleton);
-  if (known !== undefined) return known;
-  const far = new Float64Array(skeleton.joints.length);
-  let reach = 0;
-  skeleton.joints.forEach(({ parent, offset, box }, j) => {
-    const own = parent < 0 ? 0 : Math.hypot(...offset);
-    far[j] = own + (parent < 0 ? 0 : far[parent]);
-    reach = Math.max(reach, far[j], Math.hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]));
-  });
-  const result = reach > 0 && Number.isFinite(reach) ? reach : 1;
-  reaches.set(skeleton, result);
-  return result;
-}
-
-/** `−30° to 45°`, `no limits`. */
+/** `limits −30° to 45°`, `limits from −30°`, `no limits`. */
 export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsToLimits'>, angles: Settings['angles']) {
   if (dof.unit === 'weight') return '0 to 1, and beyond if typed';
   if (isUnlimited(dof.limit)) return 'no limits';
   const factor = shownPerUnit(dof.unit, angles);
   const unit = unitText(dof.unit, angles);
-  const range = `${shown(dof.limit.min * factor, 4)}${unit} to ${shown(dof.limit.max * factor, 4)}${unit}`;
+  const [low, high] = [dof.limit.min, dof.limit.max].map((value) => `${shown(value * factor, 4)}${unit}`);
+  let range = `${low} to ${high}`;
+  if (dof.limit.min <= UNLIMITED.min) range = `up to ${high}`;
+  else if (dof.limit.max >= UNLIMITED.max) range = `from ${low}`;
   if (dof.limit.min > dof.limit.max) return `limits ${range} are crossed, and ignored`;
   return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not held`;
 }

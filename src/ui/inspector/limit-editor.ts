@@ -1,11 +1,11 @@
 /**
- * Two numbers over a DOF's row: its limits, typed. Both become one step when they are taken, so that typing never passes
+ * Two numbers over a DOF's row: its limits, typed; an empty field is no limit on that side. Both become one step when they are taken, so that typing never passes
  * through limits that nobody meant.
  */
 import { setLimit } from '../../edit/commands/limits.ts';
 import { findCharacter } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
-import { isUnlimited } from '../../model/skeleton.ts';
+import { type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
 import { element } from '../dom.ts';
 import { exact, parseNumber } from '../number-text.ts';
@@ -18,7 +18,7 @@ export function editLimits(wb: Workbench, slider: Slider, characterId: string, i
   if (!dof) return;
   const { angles } = wb.settings.get();
   const factor = shownPerUnit(dof.unit, angles);
-  const shown = (value: number) => (isUnlimited(dof.limit) ? '' : exact(withoutNoise(value * factor)));
+  const shown = (value: number, none: number) => (value === none ? '' : exact(withoutNoise(value * factor)));
   const field = (label: string, value: string) =>
     element('input', {
       type: 'text',
@@ -30,8 +30,8 @@ export function editLimits(wb: Workbench, slider: Slider, characterId: string, i
       placeholder: 'none',
       value,
     });
-  const min = field('Lower limit', shown(dof.limit.min));
-  const max = field('Upper limit', shown(dof.limit.max));
+  const min = field('Lower limit', shown(dof.limit.min, UNLIMITED.min));
+  const max = field('Upper limit', shown(dof.limit.max, UNLIMITED.max));
   const said = element('p', { class: 'limit-error', role: 'alert' });
   const form = element(
     'form',
@@ -46,13 +46,11 @@ export function editLimits(wb: Workbench, slider: Slider, characterId: string, i
   const dialog = element('dialog', { class: 'limit-editor', 'aria-label': `Limits of ${dof.name}` }, form, said);
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    const low = parseNumber(min.value);
-    const high = parseNumber(max.value);
-    if (low === undefined || high === undefined) said.textContent = 'Two numbers are needed.';
-    else if (low > high) said.textContent = 'The lower limit is above the upper one.';
+    const limit = typedLimit(min.value, max.value, factor);
+    if (typeof limit === 'string') said.textContent = limit;
     else {
       dialog.close();
-      wb.store.apply(setLimit, { characterId, dof: index, min: low / factor, max: high / factor });
+      wb.store.apply(setLimit, { characterId, dof: index, ...limit });
     }
   });
   dialog.addEventListener('close', () => dialog.remove());
@@ -67,4 +65,19 @@ export function editLimits(wb: Workbench, slider: Slider, characterId: string, i
   dialog.style.left = `${Math.max(4, Math.min(row.left, window.innerWidth - width - 4))}px`;
   dialog.style.top = `${Math.max(4, Math.min(row.bottom, window.innerHeight - height - 4))}px`;
   min.select();
+}
+
+/**
+ * The limits that two fields stand for, or what is wrong with them.
+ * @param perUnit what a model unit is shown as
+ */
+export function typedLimit(lower: string, upper: string, perUnit: number): Limit | string {
+  const numberIn = (text: string, none: number) => {
+    const typed = parseNumber(text);
+    return text.trim() === '' ? none : typed === undefined ? Number.NaN : typed / perUnit;
+  };
+  const min = numberIn(lower, UNLIMITED.min);
+  const max = numberIn(upper, UNLIMITED.max);
+  if (Number.isNaN(min) || Number.isNaN(max)) return 'A limit is a number, or empty for none.';
+  return min > max ? 'The lower limit is above the upper one.' : { min, max };
 }

@@ -3,6 +3,7 @@ import type { GUI } from 'lil-gui';
 import { renameClip, setClipRange } from '../../edit/commands/clips.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../model/document.ts';
+import { withoutNoise } from '../angles.ts';
 import { attempt } from '../attempt.ts';
 import { element } from '../dom.ts';
 import { NumberField } from '../number-field.ts';
@@ -82,10 +83,4 @@ export function askForTakeName(wb: Workbench, folder: GUI): void {
   field?.scrollIntoView({ block: 'nearest' });
   field?.focus();
   field?.select();
-}
-
-/** A whole number of frames stays one. */
-function withoutNoise(value: number): number {
-  const rounded = Math.round(value);
-  return Math.abs(value - rounded) < 1e-9 * Math.max(1, Math.abs(value)) ? rounded : value;
 }

@@ -3,7 +3,7 @@
  * timeline's settings alone; nothing is remembered here.
  */
 import { type Character, shownClip } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, firstDofs } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { Morph } from '../../model/morph.ts';
 import type { Selection } from '../../model/session.ts';
 import { type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
@@ -63,13 +63,14 @@ export function listedChannels(character: Character, selection: Selection, setti
 
 /** A channel as it would be listed. */
 export function namedChannel(character: Character, channel: number): ListedChannel {
-  const dof: CharacterDof | undefined = dofsFor(character)[channel];
+  const dofs = dofsFor(character);
+  const dof: CharacterDof | undefined = dofs[channel];
   const ofJoint = dof !== undefined && dof.joint >= 0;
   return {
     channel,
     joint: ofJoint ? character.skeleton?.joints[dof.joint]?.name || 'root' : '',
     dof: dof?.name ?? `channel ${channel}`,
-    unit: dof?.unit ?? 'weight',
+    unit: unitOfChannel(dofs, channel),
     keyCount: shownClip(character)?.channels[channel]?.times.length ?? 0,
   };
 }

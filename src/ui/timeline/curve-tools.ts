@@ -2,7 +2,8 @@
 import { eulerFilter, eulerFilterPreview, makeLoop } from '../../edit/commands/channels.ts';
 import { plural } from '../number-text.ts';
 import type { Workbench } from '../workbench.ts';
-import { channelsInHand, takeInHand } from './in-hand.ts';
+import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
+import { period } from './period.ts';
 
 export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
   const take = takeInHand(wb);
@@ -15,12 +16,14 @@ export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
       const { extrapolateIn, extrapolateOut } = take.clip.channels[c];
       return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
     });
-    wb.store.apply(makeLoop, { ...args, keepOffset });
-    wb.messages.note(changedText(wb, take.clip.channels, 'now loop', 'These curves loop already.'));
+    wb.store.apply(aboutKeysInHand(wb, makeLoop), { ...args, keepOffset });
+    const standStill = channels.every((c) => period(take.clip.channels[c]) === 0);
+    const nothing = standStill ? 'A loop takes two keys, at two times.' : 'These curves loop already.';
+    wb.messages.note(changedText(wb, take.clip.channels, 'now loop', nothing));
     return;
   }
   const { notes } = eulerFilterPreview(wb.store.document, args);
-  wb.store.apply(eulerFilter, args);
+  wb.store.apply(aboutKeysInHand(wb, eulerFilter), args);
   const text = changedText(wb, take.clip.channels, 'filtered', 'Nothing to filter: no angle jumps.');
   wb.messages.note([text, ...notes].join(' '));
 }

@@ -4,37 +4,32 @@ import { insertKeys, moveKeys, removeKeys, rippleKeys, snapKeys } from '../../ed
 import { pasteKeys } from '../../edit/commands/paste.ts';
 import { breakTangents, setTangents, unifyTangents } from '../../edit/commands/tangents.ts';
 import { type CopiedKeys, copyKeys } from '../../edit/keys/clipboard.ts';
+import { countKeys } from '../../edit/keys/selection.ts';
 import type { Side } from '../../edit/keys/tangents.ts';
-import type { Command, Edit } from '../../edit/store.ts';
 import type { Extrapolation, TangentKind } from '../../model/clip.ts';
+import { unitOfChannel } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { plural } from '../number-text.ts';
+import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import { channelName, dofsFor, namedChannel } from './channels.ts';
-import { channelsInHand, channelsInView, clipTime, keysInHand, NO_KEYS, selectKeys, takeInHand } from './in-hand.ts';
-import { periodNote } from './period.ts';
+import {
+  aboutKeysInHand,
+  channelsInHand,
+  channelsInView,
+  clipTime,
+  keysInHand,
+  selectKeys,
+  takeInHand,
+} from './in-hand.ts';
 import { framesOf, nudgeStep } from './snapping.ts';
-
-/** Applies a command about the shown take, and says when that changes how long something repeats. */
-export function applyToTake<A>(wb: Workbench, command: Command<A, Edit>, args: A): void {
-  const before = takeInHand(wb);
-  wb.store.apply(command, args);
-  sayPeriods(wb, before?.clip);
-}
-
-/** Says which channels repeat in another time than they did in `before`. */
-export function sayPeriods(wb: Workbench, before: Parameters<typeof periodNote>[0] | undefined): void {
-  const after = takeInHand(wb);
-  if (!before || !after || before === after.clip) return;
-  const text = periodNote(before, after.clip, (c) => channelName(namedChannel(after.character, c)));
-  if (text) wb.messages.note(text, 'info');
-}
 
 /** A key on each curve in view at the playhead; where none is in view, nothing. */
 export function insertAtPlayhead(wb: Workbench, channels: readonly number[] = channelsInView(wb)): void {
   const take = takeInHand(wb);
   if (!take || !channels.length) return;
-  applyToTake(wb, insertKeys, {
+  standStill(wb);
+  wb.store.apply(insertKeys, {
     characterId: take.character.id,
     channels,
     timeSeconds: clipTime(wb, take.character),
@@ -46,7 +41,7 @@ export function deleteKeys(wb: Workbench): void {
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
   const timeSeconds = clipTime(wb, take.character);
-  wb.store.apply(removeKeys, { characterId: take.character.id, keys, timeSeconds });
+  wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: take.character.id, keys, timeSeconds });
 }
 
 export function copyToTray(wb: Workbench): boolean {
@@ -54,7 +49,7 @@ export function copyToTray(wb: Workbench): boolean {
   const keys = keysInHand(wb);
   if (!take || !keys.length) return false;
   wb.timeline.copied = copyKeys(take.clip, keys);
-  const count = keys.reduce((sum, k) => sum + k.indices.length, 0);
+  const count = countKeys(keys);
   wb.messages.note(`${plural(count, 'key')} copied from ${plural(keys.length, 'channel')}.`);
   return true;
 }
@@ -67,7 +62,8 @@ export function copyToTray(wb: Workbench): boolean {
 export function paste(wb: Workbench, mode: 'merge' | 'insert', into?: readonly number[], copied = wb.timeline.copied) {
   const take = takeInHand(wb);
   if (!take || !copied) return;
-  applyToTake(wb, pasteKeys, {
+  standStill(wb);
+  wb.store.apply(pasteKeys, {
     characterId: take.character.id,
     copied,
     timeSeconds: clipTime(wb, take.character),
@@ -94,16 +90,21 @@ export function nudge(wb: Workbench, frames: number, valueSteps: number): void {
   const { tab, ripples } = wb.timeline.view.get();
   // What the mouse does in the dope sheet, the arrow keys do there too.
   if (ripples && tab === 'dope' && valueSteps === 0) {
-    applyToTake(wb, rippleKeys, { characterId: take.character.id, keys, seconds: frames / framesPerSecond });
+    wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
+      characterId: take.character.id,
+      keys,
+      seconds: frames / framesPerSecond,
+    });
     return;
   }
   const degrees = wb.settings.get().angles === 'degrees';
+  const { skeleton } = take.character;
   const dofs = dofsFor(take.character);
-  wb.store.apply(moveKeys, {
+  wb.store.apply(aboutKeysInHand(wb, moveKeys), {
     characterId: take.character.id,
     keys,
     seconds: frames / framesPerSecond,
-    values: keys.map(({ channel }) => valueSteps * nudgeStep(dofs[channel]?.unit ?? 'weight', degrees)),
+    values: keys.map(({ channel }) => valueSteps * nudgeStep(unitOfChannel(dofs, channel), degrees, skeleton)),
     onCollision: wb.timeline.view.get().onCollision,
   });
 }
@@ -113,20 +114,32 @@ export function snapToFrames(wb: Workbench): void {
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
-  wb.store.apply(snapKeys, { characterId: take.character.id, keys, framesPerSecond });
+  const { id: characterId, timeOffsetSeconds: offsetSeconds } = take.character;
+  wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
 }
 
 export function makeTangents(wb: Workbench, kind: TangentKind, side: Side): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
-  if (take && keys.length) wb.store.apply(setTangents, { characterId: take.character.id, keys, side, kind });
+  if (take && keys.length)
+    wb.store.apply(aboutKeysInHand(wb, setTangents), { characterId: take.character.id, keys, side, kind });
 }
 
+/**
+ * A file has no word for a broken key: what is broken are slopes that differ. Those that are equal still would move
+ * together again, so handles move alone from then on, until someone unifies.
+ */
 export function joinTangents(wb: Workbench, how: 'unify' | 'break'): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
-  wb.store.apply(how === 'unify' ? unifyTangents : breakTangents, { characterId: take.character.id, keys });
+  const handles = how === 'break' ? 'alone' : 'auto';
+  if (how === 'break' && wb.timeline.view.get().handles !== 'alone') {
+    wb.messages.note('Broken: each handle moves by itself now, until U unifies.');
+  }
+  wb.timeline.change({ handles });
+  const command = how === 'unify' ? unifyTangents : breakTangents;
+  wb.store.apply(aboutKeysInHand(wb, command), { characterId: take.character.id, keys });
 }
 
 /** Of the channels with selected keys, or of those in view. */
@@ -163,7 +176,7 @@ export function invertSelection(wb: Workbench): void {
   if (!take) return;
   const held = new Map(keysInHand(wb).map((k) => [k.channel, new Set(k.indices)]));
   const keys: ChannelKeys[] = [];
-  for (const channel of channelsInView(wb).sort((a, b) => a - b)) {
+  for (const channel of [...channelsInView(wb)].sort((a, b) => a - b)) {
     const count = take.clip.channels[channel].times.length;
     const indices: number[] = [];
     for (let i = 0; i < count; i++) if (!held.get(channel)?.has(i)) indices.push(i);
@@ -175,8 +188,8 @@ export function invertSelection(wb: Workbench): void {
 /** `3 keys of 2 channels, 0.4 s to 1.2 s`, for whoever can't see them. */
 export function selectedText(wb: Workbench, keys: readonly ChannelKeys[] = keysInHand(wb)): string {
   const take = takeInHand(wb);
-  if (!take || keys === NO_KEYS || !keys.length) return 'No key is selected.';
-  const count = keys.reduce((sum, k) => sum + k.indices.length, 0);
+  if (!take || !keys.length) return 'No key is selected.';
+  const count = countKeys(keys);
   const inFrames = wb.settings.get().timeDisplay === 'frames';
   const { framesPerSecond } = wb.transport.get();
   const text = (clipSeconds: number) => {

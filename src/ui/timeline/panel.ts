@@ -3,6 +3,7 @@
  * scripts of their own: the page shows its character without waiting for them.
  */
 import { button, element, keepsFocusElsewhere } from '../dom.ts';
+import { focusPanel } from '../focus.ts';
 import { icon } from '../icons.ts';
 import { isPanelOpen, NARROW } from '../panels.ts';
 import { splitter } from '../splitter.ts';
@@ -77,18 +78,25 @@ export function timelinePanel(
     ...places.map((p) => p.body),
   );
 
+  let handsOver = false;
   const show = () => {
     const { tab } = timeline.view.get();
     const open = isPanelOpen(wb.settings.get(), 'timeline');
     panel.hidden = !open;
     if (open) need(tab);
     timeline.tab = open ? built.get(tab) : undefined;
+    handsOver ||= places.some((p) => p.name !== tab && p.body.contains(document.activeElement));
     for (const { name, title, tools, body } of places) {
       const chosen = name === tab;
       title.setAttribute('aria-selected', String(chosen));
       title.tabIndex = chosen ? 0 : -1;
       body.hidden = tools.hidden = !chosen;
       built.get(name)?.setVisible(open && chosen);
+    }
+    // What had the focus is hidden, and keys went nowhere. A tab that is on its way takes it when it is here.
+    if (handsOver && timeline.tab) {
+      handsOver = false;
+      if (panel.contains(document.activeElement) || document.activeElement === document.body) focusPanel(panel);
     }
   };
   timeline.view.subscribe((now, before) => {

@@ -3,7 +3,9 @@
  * that is selected moves along by the same amount. Snapping each key by itself would change the distances between keys,
  * which is what *Snap to frames* is for.
  */
+import type { DofUnit, Skeleton } from '../../model/skeleton.ts';
 import { withoutNoise } from '../angles.ts';
+import { lengthStep } from '../reach.ts';
 import { niceStep } from '../ruler.ts';
 
 /** Seconds to move by, near `seconds`, that put a key of the transport's `keySeconds` on a whole frame. */
@@ -30,8 +32,12 @@ export function valueStep(pixelsPerUnit: number, shownPerUnit: number): number {
   return niceStep((NEAREST_PIXELS / Math.abs(pixelsPerUnit)) * shownPerUnit) / shownPerUnit;
 }
 
-/** One press of an arrow key: 1°, or 0.01 of what is no angle in degrees. In model units. */
-export function nudgeStep(unit: 'angle' | 'length' | 'weight', degrees: boolean): number {
+/**
+ * One press of an arrow key: 1°; of lengths about a hundredth of the character, which may be a metre high or a hundred
+ * inches; 0.01 of radians and weights. In model units.
+ */
+export function nudgeStep(unit: DofUnit, degrees: boolean, skeleton: Skeleton | undefined): number {
+  if (unit === 'length') return lengthStep(skeleton);
   return unit === 'angle' && degrees ? Math.PI / 180 : 0.01;
 }
 

@@ -60,7 +60,7 @@ export function translucent(colour: string, opacity: number): string {
     .padStart(2, '0')}`;
 }
 
-export function timeX({ window, width }: TimeView, seconds: number): number {
+function timeX({ window, width }: TimeView, seconds: number): number {
   return ((seconds - window.from) / (window.to - window.from)) * width;
 }
 

@@ -18,17 +18,31 @@ export type ChannelList = (typeof CHANNEL_LISTS)[number];
 export const HANDLE_MODES = ['auto', 'alone', 'together'] as const;
 export type HandleMode = (typeof HANDLE_MODES)[number];
 
-export interface TimelineView {
-  readonly tab: TimelineTabName;
-  /** Seconds of the transport. */
-  readonly window: TimeWindow;
-  readonly list: ChannelList;
+/** What is picked out among one character's channels. Numbers of its DOFs: they mean nothing for another character. */
+export interface ChannelView {
   /** Channels of the clip that is shown. */
   readonly pinned: readonly number[];
   /** Listed, but not drawn. */
   readonly hidden: readonly number[];
   /** Only these are drawn; absent: all that are listed and not hidden. */
   readonly isolated?: readonly number[];
+  /**
+   * What is folded out in the dope sheet: joints by their index, −1 for the root's translation, −2 for the morphs, −3
+   * for channels past the character's DOFs.
+   */
+  readonly unfolded: readonly number[];
+}
+
+/** With what is picked out among the channels of the character that is shown. */
+export interface TimelineView extends ChannelView {
+  readonly tab: TimelineTabName;
+  /** The character whose channels those are; absent until one is shown. */
+  readonly characterId?: string;
+  /** What was picked out of the other characters that were shown, by their ids. */
+  readonly others: Readonly<Record<string, ChannelView>>;
+  /** Seconds of the transport. */
+  readonly window: TimeWindow;
+  readonly list: ChannelList;
   /** Part of a channel's name. */
   readonly filter: string;
   /** Every curve between −1 and 1, by its own smallest and largest key. */
@@ -40,23 +54,20 @@ export interface TimelineView {
   readonly handles: HandleMode;
   /** A frame around the selected keys, whose edges scale them. */
   readonly scaleFrame: boolean;
-  /**
-   * What is folded out in the dope sheet: joints by their index, −1 for the root's translation, −2 for the morphs, −3
-   * for channels past the character's DOFs.
-   */
-  readonly unfolded: readonly number[];
   /** The dope sheet lists what has no key too. */
   readonly allRows: boolean;
   /** Keys dragged in the dope sheet take all later keys of their channels along. */
   readonly ripples: boolean;
 }
 
+const NOTHING_PICKED: ChannelView = { pinned: [], hidden: [], unfolded: [] };
+
 export const DEFAULT_TIMELINE_VIEW: TimelineView = {
+  ...NOTHING_PICKED,
   tab: 'curves',
+  others: {},
   window: { from: -0.1, to: 2.1 },
   list: 'selected',
-  pinned: [],
-  hidden: [],
   filter: '',
   normalised: false,
   snapsToFrames: true,
@@ -64,7 +75,6 @@ export const DEFAULT_TIMELINE_VIEW: TimelineView = {
   onCollision: 'replace',
   handles: 'auto',
   scaleFrame: false,
-  unfolded: [],
   allRows: false,
   ripples: false,
 };
@@ -97,6 +107,8 @@ export class Timeline {
   readonly autoKey: Observable<boolean> = observable(false);
   /** Counts how often someone asked to rename the take: the field for it is in the inspector. */
   readonly takeRenameAsked: Observable<number> = observable(0);
+  /** The next drag in the curve editor scales the selected keys: while its key is held, or once if it was asked for. */
+  readonly scaling: Observable<boolean> = observable(false);
   /** Keys that were copied or cut, until others are. */
   copied: CopiedKeys | undefined;
   /** The tab in view; none while the panel is folded. */
@@ -104,6 +116,31 @@ export class Timeline {
 
   change(change: Partial<TimelineView>): void {
     this.view.update((now) => ({ ...now, ...change }));
+  }
+
+  /**
+   * Another character is shown: what was picked out of its channels comes back, and what is of the one before is kept
+   * for it. The first one takes over what there is.
+   */
+  showChannelsOf(characterId: string): void {
+    const now = this.view.get();
+    if (now.characterId === characterId) return;
+    if (now.characterId === undefined) {
+      this.change({ characterId });
+      return;
+    }
+    const { pinned, hidden, unfolded, isolated, characterId: before, others, ...rest } = now;
+    const { [characterId]: own = NOTHING_PICKED, ...further } = others;
+    const left: ChannelView = { pinned, hidden, unfolded, ...(isolated && { isolated }) };
+    this.view.set({ ...rest, ...own, characterId, others: { ...further, [before]: left } });
+  }
+
+  /** A character has other DOFs than it had: numbers of channels mean something else from now on. */
+  forgetChannelsOf(characterId: string): void {
+    const { isolated, ...now } = this.view.get();
+    const { [characterId]: gone, ...others } = now.others;
+    if (now.characterId === characterId) this.view.set({ ...now, ...NOTHING_PICKED });
+    else if (gone) this.change({ others });
   }
 
   isolate(channels: readonly number[] | undefined): void {

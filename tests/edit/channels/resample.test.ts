@@ -46,6 +46,30 @@ describe('resampling', () => {
     expect(error(8, 'linear') / error(16, 'linear')).toBeLessThan(4.7);
   });
 
+  it('is the same as that of a curve that lies earlier by the offset', () => {
+    fc.assert(
+      fc.property(
+        channels(1),
+        fc.integer({ min: -6, max: 6 }),
+        fc.integer({ min: -20, max: 10 }),
+        (channel, by, from) => {
+          // Eighths and a rate of 4: nothing is rounded.
+          const offsetSeconds = by / 8;
+          const moved = { ...channel, times: channel.times.map((t) => t + offsetSeconds) };
+          const there = resampleChannel(channel, frames(from, from + 5)).channel;
+          const shifted = { ...frames(from + offsetSeconds, from + 5 + offsetSeconds), offsetSeconds };
+          const { channel: after } = resampleChannel(moved, shifted);
+          expect(after.times.length).toBe(there.times.length);
+          for (const [k, time] of after.times.entries()) {
+            expect(time - offsetSeconds).toBeCloseTo(there.times[k], 9);
+            expect(after.values[k]).toBeCloseTo(there.values[k], 6);
+          }
+        },
+      ),
+      { numRuns: 60 },
+    );
+  });
+
   it('measures what it got wrong', () => {
     fc.assert(
       fc.property(channels(2, { steps: true }), fc.integer({ min: -20, max: 10 }), (channel, from) => {

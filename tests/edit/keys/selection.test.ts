@@ -5,7 +5,6 @@ import {
   countKeys,
   hasKey,
   keysAtTime,
-  keysInRange,
   toggleKeys,
   unionKeys,
   withoutKeys,
@@ -49,17 +48,6 @@ describe('finding keys', () => {
       { channel: 2, indices: [0] },
     ]);
     expect(keysAtTime(clip, [0], 1.5)).toEqual([]);
-  });
-
-  it('finds the keys in a range, its ends included, whichever way it goes', () => {
-    const found = [
-      { channel: 0, indices: [1, 2, 3] },
-      { channel: 2, indices: [0] },
-    ];
-    expect(keysInRange(clip, undefined, 1, 2)).toEqual(found);
-    expect(keysInRange(clip, undefined, 2, 1)).toEqual(found);
-    expect(keysInRange(clip, undefined, 5, 6)).toEqual([]);
-    expect(keysInRange(clip, undefined, -2, -1)).toEqual([]);
   });
 
   it('counts them, and knows each', () => {

@@ -187,6 +187,21 @@ describe('snapping to frames', () => {
     ]);
   });
 
+  it('takes frames that begin elsewhere than at 0', () => {
+    const loose = channelOf([
+      [0.02, 1],
+      [0.14, 2],
+      [0.31, 3],
+    ]);
+    const { channel } = snapKeys(loose, [0, 1, 2], 10, 0.05);
+    expect(pointsOf(channel).map(([t, v]) => [Number(t.toFixed(9)), v])).toEqual([
+      [0.05, 1],
+      [0.15, 2],
+      [0.35, 3],
+    ]);
+    expect(snapKeys(channel, [0, 1, 2], 10, 0.05).channel).toBe(channel);
+  });
+
   it('does no harm to the half of a step that is not selected', () => {
     const step = channelOf([
       [1, 1],

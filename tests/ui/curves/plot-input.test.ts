@@ -18,6 +18,13 @@ class FakeElement extends EventTarget {
   }
 }
 
+/** Node's own forgets that `true` means capture when it removes. */
+class FakeWindow extends EventTarget {
+  override removeEventListener(type: string, listener: EventListener, capture = false): void {
+    super.removeEventListener(type, listener, { capture });
+  }
+}
+
 let wb: Workbench;
 let scene: PlotScene;
 let page: EventTarget;
@@ -42,7 +49,7 @@ function host(): PlotHost {
 }
 
 beforeEach(() => {
-  page = new EventTarget();
+  page = new FakeWindow();
   vi.stubGlobal('window', page);
   vi.stubGlobal('document', { activeElement: null });
   vi.stubGlobal('HTMLInputElement', class {});

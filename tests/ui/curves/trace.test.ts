@@ -9,7 +9,8 @@ import { NO_COLUMN } from '../../../src/ui/curves/trace-columns.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../src/ui/curves/trace-path.ts';
 import { anyChannel, anyMap, PLOT } from './arbitraries.ts';
 
-const WITHIN_PIXELS = 0.05;
+/** A twentieth, and what single floats make of it. */
+const WITHIN_PIXELS = 0.0501;
 /** Single floats, and rounding in the time of a period's beginning. */
 const ASIDE_PIXELS = 0.02;
 const FAR = 4096;

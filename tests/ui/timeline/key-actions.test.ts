@@ -78,13 +78,14 @@ describe('editing from the keyboard', () => {
     expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
   });
 
-  it('nudges angles by a degree and lengths by a hundredth', () => {
+  it('nudges angles by a degree and lengths by a hundredth of the character', () => {
     selectKeys(wb, [
       { channel: 0, indices: [0] },
       { channel: 3, indices: [0] },
     ]);
     run('up');
-    expect(channelOf(0).values[0]).toBeCloseTo(0.01, 12);
+    // A hips alone is as large as its box, 0.28.
+    expect(channelOf(0).values[0]).toBeCloseTo(0.001, 12);
     expect(channelOf(3).values[0]).toBeCloseTo(Math.PI / 180, 12);
   });
 
@@ -126,12 +127,16 @@ describe('editing from the keyboard', () => {
     ]);
   });
 
-  it('says when what repeats takes longer than before', () => {
-    run('selectHere');
-    run('extrapolation.both.cycle');
-    wb.transport.update((p) => ({ ...p, timeSeconds: 3 }));
-    run('insertKey');
-    expect(wb.messages.passing.get()).toBe('hips tx now repeats every 3 s instead of every 2 s.');
+  it('snaps to the frames that are seen, wherever the character’s clip begins', () => {
+    const loose = character({
+      skeleton: skeleton(['hips', -1]),
+      clips: [clip([0, 2], channel(0.01, 1.02))],
+      timeOffsetSeconds: 0.05,
+    });
+    ({ wb } = workbench(documentOf(loose), { framesPerSecond: 10 }));
+    run('selectAll');
+    run('snapToFrames');
+    expect(times(0).map((t) => Number((t - 0.05).toFixed(9)))).toEqual([0, 1]);
   });
 
   it('can’t do anything without keys in hand', () => {

@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { framesOf, nudgeStep, snapSeconds, snapValue, valueStep } from '../../../src/ui/timeline/snapping.ts';
+import { skeleton } from '../builders.ts';
 
 const seconds = fc.double({ min: -100, max: 100, noNaN: true });
 const rate = fc.constantFrom(1, 23.976, 24, 25, 30, 60, 120);
@@ -48,9 +49,21 @@ describe('snapping to values', () => {
 
 describe('steps of the arrow keys', () => {
   it('are a degree where angles are shown in degrees, else a hundredth', () => {
-    expect(nudgeStep('angle', true)).toBeCloseTo(Math.PI / 180, 15);
-    expect(nudgeStep('angle', false)).toBe(0.01);
-    expect(nudgeStep('length', true)).toBe(0.01);
+    expect(nudgeStep('angle', true, undefined)).toBeCloseTo(Math.PI / 180, 15);
+    expect(nudgeStep('angle', false, undefined)).toBe(0.01);
+    expect(nudgeStep('weight', true, undefined)).toBe(0.01);
+  });
+
+  it('are about a hundredth of the character for its lengths', () => {
+    const joints = skeleton(['hips', -1], ['spine', 0]).joints;
+    const tall = (height: number) => ({
+      name: 'tall',
+      joints: joints.map((j) => ({ ...j, offset: [0, height, 0] as const })),
+    });
+    expect([1, 1.8, 180, 0.02].map((height) => nudgeStep('length', true, tall(height)))).toEqual([
+      0.01, 0.01, 1, 0.001,
+    ]);
+    expect(nudgeStep('length', true, undefined)).toBe(0.01);
   });
 });
 

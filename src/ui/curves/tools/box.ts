@@ -1,5 +1,5 @@
 /** Dragging on empty ground: a box takes the keys in it. A click there lets all keys go, one on a curve takes all of its. */
-import { allKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
+import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural } from '../../number-text.ts';
 import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
@@ -22,7 +22,7 @@ export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag
       const scene = plot.scene();
       plot.showBox(boxTo(at));
       if (!scene) return;
-      const count = keysInBox(scene, boxTo(at)).reduce((sum, k) => sum + k.indices.length, 0);
+      const count = countKeys(keysInBox(scene, boxTo(at)));
       plot.say(plural(count, 'key'));
     },
     end(at, moved) {

@@ -1,0 +1,16 @@
+/**
+ * Keys made while something plays. The moment of a key press lies anywhere between two frames, and a key there is one
+ * that no frame shows and that is never met again. So playing stops there, as one does by hand before keying: on the
+ * nearest frame, or where nothing is counted in frames at the very moment. What one sees then is what is keyed, under the
+ * playhead. (To go on playing and key the nearest frame unseen would key another pose than the one on the screen.)
+ */
+import { pause } from '../edit/playback.ts';
+import type { Workbench } from './workbench.ts';
+
+type Parts = Pick<Workbench, 'transport' | 'timeline' | 'settings'>;
+
+/** Stops what plays, before a key is made at the moment shown. What stands still stays where it is. */
+export function standStill({ transport, timeline, settings }: Parts): void {
+  const onFrame = timeline.view.get().snapsToFrames || settings.get().timeDisplay === 'frames';
+  transport.update((now) => (now.playing ? pause(now, onFrame) : now));
+}

@@ -1,0 +1,90 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { setExtrapolation } from '../../../src/edit/commands/extrapolation.ts';
+import { addKey, moveKeys, removeKeys, setKeys } from '../../../src/edit/commands/keys.ts';
+import { setDofs } from '../../../src/edit/commands/pose.ts';
+import { shownClip } from '../../../src/model/document.ts';
+import { keyNow } from '../../../src/ui/pose-edits.ts';
+import { selectKeys } from '../../../src/ui/timeline/in-hand.ts';
+import { nudge } from '../../../src/ui/timeline/key-edits.ts';
+import { followPeriods } from '../../../src/ui/timeline/period.ts';
+import type { Workbench } from '../../../src/ui/workbench.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+
+let wb: Workbench;
+const said = () => {
+  const text = wb.messages.passing.get();
+  wb.messages.passing.set(undefined);
+  return text;
+};
+const cycle = (...times: number[]) => ({ ...channel(...times), extrapolateOut: 'cycle' as const });
+const last = { characterId: 'c1', keys: [{ channel: 0, indices: [2] }] };
+const walker = () =>
+  character({
+    skeleton: skeleton(['hips', -1]),
+    clips: [clip([0, 2], cycle(0, 1, 2), cycle(0, 2), channel(0, 1), channel(), channel(), channel())],
+  });
+
+beforeEach(() => {
+  ({ wb } = workbench(documentOf(walker()), { timeSeconds: 3 }));
+  followPeriods(wb);
+});
+
+describe('another period', () => {
+  it('is said of whatever makes it: keying, auto-key, typed times, deleted and added keys', () => {
+    keyNow(wb, 'c1', [0]);
+    expect(said()).toBe('hips tx now repeats every 3 s instead of every 2 s.');
+    wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [3] }], timeSeconds: 0 });
+    expect(said()).toBe('hips tx now repeats every 2 s instead of every 3 s.');
+    wb.store.apply(setKeys, { ...last, timeSeconds: 2.5 });
+    expect(said()).toBe('hips tx now repeats every 2.5 s instead of every 2 s.');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 1, value: 1 }], timeSeconds: 4, key: {} });
+    expect(said()).toBe('hips ty now repeats every 4 s instead of every 2 s.');
+    wb.store.apply(addKey, { characterId: 'c1', channel: 1, timeSeconds: 5, value: 0 });
+    expect(said()).toBe('hips ty now repeats every 5 s instead of every 4 s.');
+    selectKeys(wb, [{ channel: 1, indices: [3] }]);
+    nudge(wb, 30, 0);
+    expect(said()).toBe('hips ty now repeats every 6 s instead of every 5 s.');
+  });
+
+  it('is said of several channels at once', () => {
+    keyNow(wb, 'c1');
+    expect(said()).toBe('2 channels, hips tx among them, now repeat every 3 s instead of every 2 s.');
+  });
+
+  it('is said at the end of a drag, and not while it lasts nor when it is given up', () => {
+    const drag = wb.store.begin('Move');
+    drag.preview(moveKeys.run(drag.base, { ...last, seconds: 1 }));
+    expect(said()).toBeUndefined();
+    drag.preview(moveKeys.run(drag.base, { ...last, seconds: 2 }));
+    drag.commit();
+    expect(said()).toBe('hips tx now repeats every 4 s instead of every 2 s.');
+    const other = wb.store.begin('Move');
+    other.preview(moveKeys.run(other.base, { ...last, seconds: 1 }));
+    other.cancel();
+    expect(said()).toBeUndefined();
+  });
+
+  it('is not said of undo and redo, nor of files that are read again', () => {
+    keyNow(wb, 'c1', [0]);
+    said();
+    wb.store.undo();
+    wb.store.redo();
+    wb.store.replace('Reload', { document: documentOf(walker()), selection: {} });
+    expect(said()).toBeUndefined();
+  });
+
+  it('is none where all keys moved together, nothing repeats, or no two keys are left', () => {
+    const all = [{ channel: 0, indices: [0, 1, 2] }];
+    wb.store.apply(moveKeys, { characterId: 'c1', keys: all, seconds: 0.1 });
+    wb.store.apply(addKey, { characterId: 'c1', channel: 2, timeSeconds: 3, value: 0 });
+    wb.store.apply(setExtrapolation, { characterId: 'c1', channels: [2], side: 'out', extrapolation: 'cycle' });
+    wb.store.apply(removeKeys, {
+      characterId: 'c1',
+      keys: [{ channel: 0, indices: [0, 1] }],
+      timeSeconds: 0,
+    });
+    wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [0] }], timeSeconds: 0 });
+    expect(shownClip(wb.store.document.characters[0])?.channels[0].times.length).toBe(0);
+    expect(said()).toBeUndefined();
+  });
+});
