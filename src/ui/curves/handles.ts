@@ -14,6 +14,9 @@ import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 export const HANDLE_PIXELS = 44;
 /** With more selected keys than this in view, handles would be a thicket that nobody can take one out of. */
 const MOST_KEYS_WITH_HANDLES = 120;
+/** Nor where a line's selected keys are nearer to each other than this on average; a few may be. */
+const LEAST_PIXELS_BETWEEN = 24;
+const FEW_KEYS = 4;
 /** A pointer straight above its key would mean an endless slope; it counts as this far to the side. */
 const LEAST_PIXELS_ASIDE = 1;
 
@@ -41,8 +44,15 @@ export function handlesOf(scene: CurveScene): Handle[] {
     const line = lineOf(scene, channel);
     const times = clip.channels[channel]?.times;
     if (!line || !times) continue;
-    const first = firstNotBelow(times, left);
-    for (let i = firstNotBelow(indices, first); i < indices.length && times[indices[i]] <= right; i++) {
+    const begin = firstNotBelow(indices, firstNotBelow(times, left));
+    let end = begin;
+    while (end < indices.length && end - begin <= MOST_KEYS_WITH_HANDLES && times[indices[end]] <= right) end++;
+    const count = end - begin;
+    if (count > FEW_KEYS) {
+      const pixels = (times[indices[end - 1]] - times[indices[begin]]) * pixelsPerSecond(space);
+      if (pixels < LEAST_PIXELS_BETWEEN * (count - 1)) continue;
+    }
+    for (let i = begin; i < end; i++) {
       if (handles.length >= 2 * MOST_KEYS_WITH_HANDLES) return [];
       const index = indices[i];
       if (times[index - 1] !== times[index]) handles.push(handleOf(scene, line, index, 'in'));
