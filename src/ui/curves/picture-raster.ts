@@ -57,7 +57,8 @@ export class ColumnRaster {
       this.top = height;
       this.bottom = 0;
       for (let l = 0; l < lines.length; l++) {
-        this.paintLine(lines[l], colours[l], left, right, height, ratio, columnsPerPixel);
+        if (columnsPerPixel < 1) this.paintRoughly(lines[l], colours[l], left, right, height, ratio);
+        else this.paintLine(lines[l], colours[l], left, right, height, ratio, columnsPerPixel);
       }
       const from = Math.min(this.top, this.tops[s]);
       const to = Math.max(this.bottom, this.bottoms[s]);
@@ -121,11 +122,11 @@ export class ColumnRaster {
       const from = Math.max(0, tops[x] * ratio - half);
       const to = Math.min(height, bottoms[x] * ratio + half);
       if (!(from < to)) continue;
+      const column = (x - left) * height;
       const first = from | 0;
       const last = Math.ceil(to) - 1;
       if (first < this.top) this.top = first;
       if (last >= this.bottom) this.bottom = last + 1;
-      const column = (x - left) * height;
       if (kind === DOTTED_COLUMN) {
         this.dottedRun(column, Math.floor(x / columnsPerPixel), from, to, word, DOT_PIXELS * ratio);
       } else if (first === last) {
@@ -138,6 +139,37 @@ export class ColumnRaster {
         else for (let y = column + first + 1; y < column + last; y++) strip[y] = word;
       }
     }
+  }
+
+  /** For a picture on its way: whole pixels, and what is extrapolated in every other column. */
+  private paintRoughly(
+    { columns, width }: ColumnLine,
+    word: number,
+    left: number,
+    right: number,
+    height: number,
+    ratio: number,
+  ): void {
+    const { tops, bottoms, kinds } = columns;
+    const { strip } = this;
+    const half = (width * ratio) / 2;
+    const end = Math.min(right, columns.to);
+    let { top, bottom } = this;
+    for (let x = Math.max(left, columns.from); x < end; x++) {
+      const kind = kinds[x];
+      if (kind === NO_COLUMN || (kind === DOTTED_COLUMN && x % 2 === 1)) continue;
+      let from = (tops[x] * ratio - half + 0.5) | 0;
+      let to = (bottoms[x] * ratio + half + 0.5) | 0;
+      if (from < 0) from = 0;
+      if (to > height) to = height;
+      if (from >= to) continue;
+      if (from < top) top = from;
+      if (to > bottom) bottom = to;
+      const column = (x - left) * height;
+      for (let y = column + from; y < column + to; y++) strip[y] = word;
+    }
+    this.top = top;
+    this.bottom = bottom;
   }
 
   /** One column of every other square of a chessboard; `x` in CSS pixels, the rest in the image's. */
