@@ -62,9 +62,11 @@ export function newTakeName(character: Character): string {
 }
 
 /** The name itself, or with the first number behind it that none of the character's takes has. */
-export function uniqueTakeName({ clips }: Character, name: string): string {
-  // Names become file names, and some file systems don't tell cases apart.
-  const taken = new Set(clips.map((c) => c.name.toLowerCase()));
+export function uniqueTakeName({ clips, sources }: Character, name: string): string {
+  // Names become file names, and some file systems don't tell cases apart. A file whose take has another name by now
+  // is still there, and nobody means to save over it.
+  const files = sources.filter((s) => /\.anim$/i.test(s.name)).map(stemOf);
+  const taken = new Set([...clips.map((c) => c.name), ...files].map((taken) => taken.toLowerCase()));
   if (!taken.has(name.toLowerCase())) return name;
   const stem = name.replace(/_\d+$/, '');
   for (let n = 2; ; n++) {

@@ -43,6 +43,14 @@ describe('clip.create', () => {
     expect(made.clips[0].channels).toEqual(made.pose.map((value) => keylessChannel(value)));
   });
 
+  it('numbers a name that a file has whose take is called something else by now', () => {
+    const [own] = two.characters;
+    const sources = [{ name: 'old.anim', path: 'old.anim', bytes: 1 }];
+    const document = { ...two, characters: [{ ...own, sources }] };
+    const made = createClip.run(document, { characterId: 'c1', range: [0, 1], name: 'old' });
+    expect(names(made)).toEqual(['walk', 'run', 'old_2']);
+  });
+
   it('numbers a name that is taken, whatever its case', () => {
     let document = createClip.run(two, { characterId: 'c1', range: [0, 1], name: 'Walk' });
     document = createClip.run(document, { characterId: 'c1', range: [0, 1], name: 'walk' });
