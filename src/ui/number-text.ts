@@ -55,9 +55,12 @@ export function parseNumber(text: string): number | undefined {
   return Number.isFinite(value) ? value : undefined;
 }
 
+/** Made once: making one takes longer than all that it formats in a frame. */
+const COUNTS = new Intl.NumberFormat('en-US');
+
 /** `1,042`. */
 export function count(value: number): string {
-  return value.toLocaleString('en-US');
+  return COUNTS.format(value);
 }
 
 /** `31 joints`, `1 joint`, `2 vertices`. */

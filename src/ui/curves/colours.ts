@@ -64,8 +64,22 @@ export function cssColour({ base, with: other, part }: LineColour): string {
 /** `#rrggbb`, mixed as CSS does. @param palette each base colour as `#rrggbb` */
 export function mixed(colour: LineColour, palette: Readonly<Record<BaseColour, string>>): string {
   const own = palette[colour.base];
-  return colour.part === 0 ? own : mixOklab(own, palette[colour.with], colour.part);
+  if (colour.part === 0) return own;
+  let known = mixtures.get(palette);
+  if (!known) {
+    known = new WeakMap();
+    mixtures.set(palette, known);
+  }
+  let made = known.get(colour);
+  if (made === undefined) {
+    made = mixOklab(own, palette[colour.with], colour.part);
+    known.set(colour, made);
+  }
+  return made;
 }
+
+/** By palette: a hundred lines ask at every frame. */
+const mixtures = new WeakMap<object, WeakMap<LineColour, string>>();
 
 type Triple = readonly [number, number, number];
 
