@@ -13,8 +13,8 @@ export const LINE_WIDTH = 1.5;
 const EMPHASISED_WIDTH = 2;
 /** With more lines than this, columns are as wide as a CSS pixel, however fine the screen: nobody sees the difference. */
 const MOST_FINE_LINES = 12;
-/** While the view moves, columns of many lines are twice as wide: what passes by is not read to the pixel. */
-const MOVING_COLUMNS_PER_PIXEL = 0.5;
+/** While the view moves, columns of many lines are three times as wide: what passes by is not read to the pixel. */
+const MOVING_COLUMNS_PER_PIXEL = 1 / 3;
 const DOT = 2;
 const DOTS: readonly number[] = [DOT, DOT_PERIOD - DOT];
 const UNBROKEN: readonly number[] = [];
