@@ -3,6 +3,9 @@ import fc from 'fast-check';
 import { type Channel, EXTRAPOLATIONS } from '../../../src/model/clip.ts';
 import type { TraceMap } from '../../../src/ui/curves/trace-path.ts';
 
+/** Times that clocks and files know: between 0 and the smallest double there is no moment, and no pixel either. */
+const toMicroseconds = (seconds: number) => Math.round(seconds * 1e6) / 1e6;
+
 export const PLOT = { width: 300, top: 22, bottom: 222 };
 
 /** Gaps between keys; 0 is a step. */
@@ -19,7 +22,7 @@ const key = fc.record({ gap, value: fc.double({ min: -2, max: 2, noNaN: true }),
 export function anyChannel(keys: number, least = 0): fc.Arbitrary<Channel> {
   return fc
     .record({
-      start: fc.double({ min: -5, max: 5, noNaN: true }),
+      start: fc.double({ min: -5, max: 5, noNaN: true }).map(toMicroseconds),
       list: fc.array(key, { minLength: least, maxLength: keys, size: 'max' }),
       extrapolateIn: extrapolation,
       extrapolateOut: extrapolation,
@@ -50,7 +53,7 @@ export function anyChannel(keys: number, least = 0): fc.Arbitrary<Channel> {
 export function anyMap(leastSeconds: number, mostSeconds: number): fc.Arbitrary<TraceMap> {
   return fc
     .record({
-      left: fc.double({ min: -12, max: 12, noNaN: true }),
+      left: fc.double({ min: -12, max: 12, noNaN: true }).map(toMicroseconds),
       seconds: fc.double({ min: Math.log(leastSeconds), max: Math.log(mostSeconds), noNaN: true }),
       low: fc.double({ min: -5, max: 2, noNaN: true }),
       extent: fc.double({ min: Math.log(0.01), max: Math.log(20), noNaN: true }),
