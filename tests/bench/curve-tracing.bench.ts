@@ -59,13 +59,6 @@ for (const [channels, keys] of [
       });
     });
 
-    bench('ours, while the view moves', () => {
-      const map = mapOfFrame();
-      clip.channels.forEach((channel, c) => {
-        traceLine(curves, c, channel, map, 0.5, traces[c]);
-      });
-    });
-
     const low = new Float32Array(WIDTH);
     const high = new Float32Array(WIDTH);
     bench('bare loop', () => {

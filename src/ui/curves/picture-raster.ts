@@ -35,11 +35,18 @@ export class ColumnRaster {
   private bottoms = new Int32Array(0);
 
   /**
+   * Paints a strip at a time, and pauses after each. The image is whole when this is at its end.
    * @param lines back to front
    * @param ratio pixels of the image in a CSS pixel
    * @param columnsPerPixel columns of the traces in a CSS pixel; where the image has more, they are drawn as wide
    */
-  paint(lines: readonly ColumnLine[], width: number, height: number, ratio: number, columnsPerPixel = ratio): void {
+  *painting(
+    lines: readonly ColumnLine[],
+    width: number,
+    height: number,
+    ratio: number,
+    columnsPerPixel = ratio,
+  ): Generator<void, void> {
     const wide = ratio / columnsPerPixel;
     const count = Math.ceil(width / wide);
     const strips = Math.ceil(count / STRIP);
@@ -57,8 +64,7 @@ export class ColumnRaster {
       this.top = height;
       this.bottom = 0;
       for (let l = 0; l < lines.length; l++) {
-        if (columnsPerPixel < 1) this.paintRoughly(lines[l], colours[l], left, right, height, ratio);
-        else this.paintLine(lines[l], colours[l], left, right, height, ratio, columnsPerPixel);
+        this.paintLine(lines[l], colours[l], left, right, height, ratio, columnsPerPixel);
       }
       const from = Math.min(this.top, this.tops[s]);
       const to = Math.max(this.bottom, this.bottoms[s]);
@@ -74,6 +80,7 @@ export class ColumnRaster {
       );
       this.tops[s] = this.top;
       this.bottoms[s] = this.bottom;
+      yield;
     }
   }
 
@@ -139,37 +146,6 @@ export class ColumnRaster {
         else for (let y = column + first + 1; y < column + last; y++) strip[y] = word;
       }
     }
-  }
-
-  /** For a picture on its way: whole pixels, and what is extrapolated in every other column. */
-  private paintRoughly(
-    { columns, width }: ColumnLine,
-    word: number,
-    left: number,
-    right: number,
-    height: number,
-    ratio: number,
-  ): void {
-    const { tops, bottoms, kinds } = columns;
-    const { strip } = this;
-    const half = (width * ratio) / 2;
-    const end = Math.min(right, columns.to);
-    let { top, bottom } = this;
-    for (let x = Math.max(left, columns.from); x < end; x++) {
-      const kind = kinds[x];
-      if (kind === NO_COLUMN || (kind === DOTTED_COLUMN && x % 2 === 1)) continue;
-      let from = (tops[x] * ratio - half + 0.5) | 0;
-      let to = (bottoms[x] * ratio + half + 0.5) | 0;
-      if (from < 0) from = 0;
-      if (to > height) to = height;
-      if (from >= to) continue;
-      if (from < top) top = from;
-      if (to > bottom) bottom = to;
-      const column = (x - left) * height;
-      for (let y = column + from; y < column + to; y++) strip[y] = word;
-    }
-    this.top = top;
-    this.bottom = bottom;
   }
 
   /** One column of every other square of a chessboard; `x` in CSS pixels, the rest in the image's. */

@@ -20,9 +20,6 @@ import { PLOT_TOP, xOf, yOf } from './space.ts';
 
 const HOVER_WIDTH = 3;
 
-/** The view has stood still for so long that its dense lines are worth every pixel. */
-const REST_MS = 120;
-
 export class CurvePicture {
   /** Fills its container and takes no pointer events of its own: listen on the container. */
   readonly element: HTMLElement;
@@ -31,7 +28,7 @@ export class CurvePicture {
   private readonly overlay = new Layer();
   private readonly lines = new CurveLayer();
   private colours: PictureColours | undefined;
-  private atRest: ReturnType<typeof setTimeout> | undefined;
+  private isWhole = true;
   private scene: CurveScene | undefined;
 
   /** @param host positioned; the canvases fill it */
@@ -47,23 +44,26 @@ export class CurvePicture {
     host.append(this.element);
   }
 
-  /** Draws what is different from the scene drawn before: parts are compared by identity. The overlay comes after. */
-  draw(scene: CurveScene): void {
+  /**
+   * Draws what is different from the scene drawn before: parts are compared by identity. The overlay comes after.
+   * @returns whether it is done; many lines take a few frames, in each of which it has to be asked again
+   */
+  draw(scene: CurveScene): boolean {
     const before = this.scene;
     this.scene = scene;
     const { width, height } = scene.space;
-    if (!(width > 0 && height > 0)) return;
+    if (!(width > 0 && height > 0)) return true;
     const ratio = window.devicePixelRatio;
     this.colours ??= readPictureColours(this.element);
     // Each is asked, for each has to take on the size.
     const resized = [this.curves, this.keys, this.overlay].filter((layer) => layer.resize(width, height, ratio));
     const all = resized.length > 0 || !before || !sameGround(before, scene);
-    const moving = resized.length === 0 && before?.clip === scene.clip && before.space !== scene.space;
-    if (all || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours, moving);
+    if (all || !this.isWhole || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
     if (all || before.selected !== scene.selected) {
       const { colours } = this;
       this.keys.draw((g) => drawKeys(g, scene, colours));
     }
+    return this.isWhole;
   }
 
   /** Playhead (the transport's seconds), what is under the pointer, the box being dragged. Nothing else is touched. */
@@ -85,15 +85,13 @@ export class CurvePicture {
     if (scene) this.draw(scene);
   }
 
-  private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours, moving = false): void {
-    clearTimeout(this.atRest);
+  private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours): void {
     const standOut = emphasisOf(scene);
     const emphasised = scene.lines.filter((line) => standOut.has(line.channel));
     this.curves.draw((g) => {
       drawGround(g, scene, colours);
       drawLimits(g, scene, emphasised, ratio, colours);
-      const isCoarse = this.lines.draw(g, scene, (line) => standOut.has(line.channel), ratio, colours.palette, moving);
-      if (isCoarse) this.atRest = setTimeout(() => this.drawCurves(scene, ratio, colours), REST_MS);
+      this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette });
       drawValueLabels(g, scene, colours);
       drawTimeRuler(g, timeView(scene), colours.time);
     });

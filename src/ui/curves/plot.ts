@@ -197,7 +197,7 @@ export class CurvePlot implements PlotHost {
     const isEmpty = !scene.lines.length;
     this.empty.hidden = !isEmpty;
     if (isEmpty) setText(this.empty, emptyPlotText(wb, plotScene.channels.length));
-    this.picture.draw(scene);
+    if (!this.picture.draw(scene)) this.drawSoon();
     this.picture.drawOverlay(wb.transport.get().timeSeconds, hover, this.box);
     this.frame.show(scene);
     this.readout.show(scene, this.input.pointer, hover);

@@ -65,10 +65,6 @@ export class TracedColumns {
       }
       return;
     }
-    if (perPixel < 1) {
-      this.sketch(curves, left, right, map, begin, end, perPixel);
-      return;
-    }
     this.edges(curves, last, left, map, from, to, begin, end, perPixel);
     this.points(curves, first, last, left, right, this.held.turns, map, from, to, begin, end, perPixel);
   }
@@ -134,47 +130,6 @@ export class TracedColumns {
     const { tops, bottoms } = this;
     if (top < tops[column]) tops[column] = top;
     if (bottom > bottoms[column]) bottoms[column] = bottom;
-  }
-
-  /** For a picture on its way: keys `leftKey` … `rightKey`, joined by straight lines. */
-  private sketch(
-    { times, cubics }: CompiledClip,
-    leftKey: number,
-    rightKey: number,
-    map: TraceMap,
-    begin: number,
-    end: number,
-    perPixel: number,
-  ): void {
-    const { tops, bottoms } = this;
-    const { left, low, perUnit, bottom } = map;
-    const perSecond = map.perSecond * perPixel;
-    const ceiling = map.top - FAR_PIXELS;
-    const floor = bottom + FAR_PIXELS;
-    let x = begin;
-    let y = 0;
-    let column = begin;
-    for (let key = leftKey; key <= rightKey; key++) {
-      const toX = (times[key] - left) * perSecond;
-      let toY = bottom - (cubics[4 * key] - low) * perUnit;
-      if (toY < ceiling) toY = ceiling;
-      else if (toY > floor) toY = floor;
-      // Where the line from the key before goes from one column into the next, it is in both.
-      while (column < toX - 1 && column < end - 1 && key > leftKey) {
-        const edge = y + ((column + 1 - x) / (toX - x)) * (toY - y);
-        if (edge < tops[column]) tops[column] = edge;
-        if (edge > bottoms[column]) bottoms[column] = edge;
-        column++;
-        if (edge < tops[column]) tops[column] = edge;
-        if (edge > bottoms[column]) bottoms[column] = edge;
-      }
-      if (toX >= begin) {
-        if (toY < tops[column]) tops[column] = toY;
-        if (toY > bottoms[column]) bottoms[column] = toY;
-      }
-      x = toX;
-      y = toY;
-    }
   }
 
   /** The value at each edge of columns `begin` … `end`, in the columns on both sides of it. @param key at `from` */

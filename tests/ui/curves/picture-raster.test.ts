@@ -17,12 +17,13 @@ function columnsOf(top: number, bottom: number, kind = SOLID_COLUMN): TracedColu
 
 function painted(lines: readonly { columns: TracedColumns; colour: string }[], ratio = 1) {
   const raster = new ColumnRaster();
-  raster.paint(
+  const painting = raster.painting(
     lines.map((l) => ({ ...l, width: 1 })),
     3,
     40,
     ratio,
   );
+  while (!painting.next().done);
   return (x: number, y: number) => [...raster.pixels.subarray(4 * (y * 3 + x), 4 * (y * 3 + x) + 4)];
 }
 
@@ -82,21 +83,6 @@ describe('painted columns', () => {
         }
       }),
     );
-  });
-
-  it('are whole pixels while the view moves, two wide', () => {
-    const raster = new ColumnRaster();
-    const columns = new TracedColumns();
-    columns.tops = Float32Array.of(5.2, -40);
-    columns.bottoms = Float32Array.of(8.4, 90);
-    columns.kinds = Uint8Array.of(SOLID_COLUMN, DOTTED_COLUMN);
-    columns.from = 0;
-    columns.to = 2;
-    raster.paint([{ columns, colour: '#336699', width: 1 }], 4, 40, 1, 0.5);
-    const alphas = (x: number) => Array.from({ length: 40 }, (_, y) => raster.pixels[4 * (4 * y + x) + 3]);
-    for (const x of [0, 1])
-      expect(alphas(x).flatMap((a, y) => (a ? [[y, a]] : []))).toEqual([5, 6, 7, 8].map((y) => [y, 255]));
-    for (const x of [2, 3]) expect(alphas(x).every((a) => a === 0)).toBe(true);
   });
 
   it('are cut off at the edges of the image, and every other square of what is extrapolated is left out', () => {

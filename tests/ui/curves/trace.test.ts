@@ -178,31 +178,6 @@ describe('a line of many keys', () => {
     expect([line.columns.from, line.columns.to]).toEqual([0, 300]);
   });
 
-  it('has every key in its column while the view moves, and columns that meet', () => {
-    fc.assert(
-      fc.property(fc.array(fc.integer({ min: -20, max: 20 }), { minLength: 420, maxLength: 450 }), (values) => {
-        const map = view({ perSecond: 66 });
-        const channel = steady(values.length, (i) => values[i] / 20);
-        const columns = new LineTrace();
-        traceLine(compileChannels([channel]), 0, channel, map, 0.5, columns);
-        const { tops, bottoms, from, to } = columns.columns;
-        expect(to - from).toBeGreaterThan(130);
-        values.forEach((value, key) => {
-          const x = (channel.times[key] - map.left) * map.perSecond * 0.5;
-          const y = map.bottom - (value / 20 - map.low) * map.perUnit;
-          // A key on the edge of two is in either.
-          const inside = [Math.ceil(x) - 1, Math.floor(x)].map((c) => Math.min(to - 1, Math.max(from, c)));
-          expect(inside.some((c) => tops[c] <= y + 0.01 && bottoms[c] >= y - 0.01)).toBe(true);
-        });
-        for (let c = from + 1; c < to; c++) {
-          expect(tops[c]).toBeLessThanOrEqual(bottoms[c - 1] + 0.01);
-          expect(bottoms[c]).toBeGreaterThanOrEqual(tops[c - 1] - 0.01);
-        }
-      }),
-      { numRuns: 50 },
-    );
-  });
-
   it('shows one key out of thousands that stands out', () => {
     const { line } = trace(
       steady(20_001, (i) => (i === 7_777 ? 1 : 0)),

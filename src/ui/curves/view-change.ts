@@ -1,0 +1,40 @@
+/**
+ * From one view of the curves to another as a change of the picture: where a pixel of the one is in the other.
+ *
+ *     x′ = scaleX · x + dx        y′ = scaleY · y + dy        CSS pixels of the plot
+ *
+ * There is one as long as all axes were zoomed and moved together, as the mouse does it; fitting sets each by itself.
+ */
+import { type CurveSpace, type OnAxis, PLOT_TOP, pixelsPerSecond, valueAt, xOf, yOf } from './space.ts';
+
+export interface ViewChange {
+  readonly scaleX: number;
+  readonly scaleY: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Axes that end up further apart than this have been changed each by itself. */
+const SAME_PIXELS = 0.25;
+/** A picture stretched or shrunk by more shows nothing any more. */
+const MOST_SCALE = 4;
+
+/** undefined where no picture of the one can stand for the other. */
+export function movedBetween(from: CurveSpace, to: CurveSpace, lines: readonly OnAxis[]): ViewChange | undefined {
+  const scaleX = pixelsPerSecond(to) / pixelsPerSecond(from);
+  const x = xOf(to, from.window.from);
+  let first: { readonly top: number; readonly bottom: number } | undefined;
+  const seen = new Set<string>();
+  for (const line of lines) {
+    if (seen.has(line.axis)) continue;
+    seen.add(line.axis);
+    const top = yOf(to, line, valueAt(from, line, PLOT_TOP));
+    const bottom = yOf(to, line, valueAt(from, line, from.height));
+    first ??= { top, bottom };
+    if (Math.abs(top - first.top) > SAME_PIXELS || Math.abs(bottom - first.bottom) > SAME_PIXELS) return undefined;
+  }
+  const { top, bottom } = first ?? { top: PLOT_TOP, bottom: to.height };
+  const scaleY = (bottom - top) / (from.height - PLOT_TOP);
+  const isNear = [scaleX, scaleY].every((scale) => scale > 1 / MOST_SCALE && scale < MOST_SCALE);
+  return isNear ? { scaleX, scaleY, x, y: top - scaleY * PLOT_TOP } : undefined;
+}
