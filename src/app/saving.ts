@@ -4,7 +4,7 @@ import { writeFile } from '../formats/write.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
-import { firstDofs, jointDofCount, ROOT_TRANSLATION } from '../model/dofs.ts';
+import { firstDofs, jointDofCount, rootDofCount } from '../model/dofs.ts';
 import { type FileContent, type FileKind, type SourceFile, stemOf } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Rig } from '../model/rig.ts';
@@ -75,7 +75,7 @@ export function saveSkeletons(
 
 /** The pose of the joints as set: one value for each of their DOFs, without root translation and morphs. */
 export function jointPose({ pose, skeleton }: Character): readonly number[] {
-  return pose.slice(ROOT_TRANSLATION.length, ROOT_TRANSLATION.length + jointDofCount(skeleton));
+  return pose.slice(rootDofCount(skeleton), rootDofCount(skeleton) + jointDofCount(skeleton));
 }
 
 /**
@@ -85,7 +85,7 @@ export function jointPose({ pose, skeleton }: Character): readonly number[] {
  * @param inFile one value for each DOF of the joints
  */
 export function poseToSave(character: Character, inFile: readonly number[]): readonly number[] {
-  const first = ROOT_TRANSLATION.length;
+  const first = rootDofCount(character.skeleton);
   let changed: number[] | undefined;
   for (let d = 0; d < inFile.length; d++) {
     const value = character.pose[first + d] ?? 0;
@@ -124,7 +124,7 @@ function write(name: string, content: FileContent): SavedFile {
 function inPose(skeleton: Skeleton, pose: readonly number[]): Skeleton {
   const first = firstDofs(skeleton);
   const joints = skeleton.joints.map((joint, index) => {
-    const start = first[index] - ROOT_TRANSLATION.length;
+    const start = first[index] - rootDofCount(skeleton);
     return { ...joint, pose: pose.slice(start, start + dofsOf(joint.motion).length) };
   });
   return { ...skeleton, joints };

@@ -7,7 +7,7 @@
 import type { Store } from '../edit/store.ts';
 import type { Character } from '../model/document.ts';
 import { findCharacter } from '../model/document.ts';
-import { filePose, ROOT_TRANSLATION } from '../model/dofs.ts';
+import { filePose, rootDofCount } from '../model/dofs.ts';
 import { type ParsedFile, sameName } from '../model/files.ts';
 import { type Observable, observable } from '../ui/observable.ts';
 import type { PartKind, UnsavedPart } from '../ui/workbench.ts';
@@ -65,7 +65,7 @@ export class Unsaved {
     const fresh = new Set<object>([...files, ...this.waiting].flatMap(contentOf));
     for (const character of this.store.document.characters) {
       const read = partsOf(character).filter(({ part }) => fresh.has(part));
-      if (read.length) this.mark(character, read, jointsOf(filePose(character.skeleton, 0)));
+      if (read.length) this.mark(character, read, filePoseOfJoints(character));
     }
     this.waiting = this.store.document.unused.map(({ file }) => file);
     return replaced.map(({ source }) => source.name);
@@ -83,7 +83,7 @@ export class Unsaved {
   /** The pose that the file of a character's skeleton has. */
   poseInFile(character: Character): readonly number[] {
     const baseline = this.baselines.get(character.id);
-    const own = jointsOf(filePose(character.skeleton, 0));
+    const own = filePoseOfJoints(character);
     return baseline && baseline.pose.length === own.length ? baseline.pose : own;
   }
 
@@ -168,9 +168,9 @@ export class Unsaved {
   }
 }
 
-/** Of a character's DOFs those of its joints, where there are no morphs. */
-function jointsOf(pose: readonly number[]): readonly number[] {
-  return pose.slice(ROOT_TRANSLATION.length);
+/** One value for each DOF of the joints. */
+function filePoseOfJoints({ skeleton }: Character): readonly number[] {
+  return filePose(skeleton, 0).slice(rootDofCount(skeleton));
 }
 
 /** What a file brings into a character, as the very objects. */
@@ -184,6 +184,8 @@ function contentOf(file: ParsedFile): readonly object[] {
       return [file.morph];
     case 'anim':
       return [file.clip];
+    case 'bvh':
+      return file.figures.flatMap(({ skeleton, clip }) => (clip ? [skeleton, clip] : [skeleton]));
     case 'rig':
     case 'texture':
       return [];

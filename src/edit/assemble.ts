@@ -2,8 +2,8 @@
 import { checkClip, checkMorph, checkSkin } from '../evaluate/binding.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, DEFAULT_PLACEMENT, shownClip, shownSkin } from '../model/document.ts';
-import { filePose, jointDofCount } from '../model/dofs.ts';
-import { baseName, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
+import { filePose, jointDofCount, rootDofCount } from '../model/dofs.ts';
+import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
 
@@ -28,8 +28,9 @@ export function newCharacter(id: string, name: string): Character {
 /** The new skeleton's own pose; root translation and morph weights stay. */
 export function withSkeleton(character: Character, skeleton: Skeleton): Character {
   const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
-  const joints = filePose(skeleton, 0).slice(3);
-  return { ...withoutUnkeyed(character), skeleton, pose: [...character.pose.slice(0, 3), ...joints, ...weights] };
+  const kept = rootDofCount(skeleton) === rootDofCount(character.skeleton) ? rootDofCount(skeleton) : 0;
+  const pose = [...character.pose.slice(0, kept), ...filePose(skeleton, 0).slice(kept), ...weights];
+  return { ...withoutUnkeyed(character), skeleton, pose };
 }
 
 /**
@@ -55,6 +56,7 @@ export function withPart(character: Character, file: ParsedFile, before: Charact
       return { ...withoutUnkeyed(next), clips, shownClip: at < 0 ? next.clips.length : at };
     }
     case 'skel':
+    case 'bvh':
     case 'rig':
     case 'texture':
       return next;
@@ -91,6 +93,14 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
     };
   }
   return next;
+}
+
+/** A figure of a motion capture file: its skeleton, and its clip as the one that is shown. */
+export function withFigure(character: Character, { skeleton, clip }: Figure, before: Character | undefined): Character {
+  const next = withSkeleton(character, skeleton);
+  if (!clip) return next;
+  const at = replacedIndex(next.clips, before?.clips, clip.name);
+  return { ...next, clips: put(next.clips, at, clip), shownClip: at < 0 ? next.clips.length : at };
 }
 
 /** What does not fit among a character's parts; only parts that are new, or whose counterpart is. */

@@ -26,7 +26,7 @@ export type GivenFile = ParsedFile | (BrokenFile & { readonly broken: true });
 export interface FileGroup {
   /** The `.rig`'s name, where one binds the group. */
   readonly name?: string;
-  /** Absent where a `.rig` names a skin without a skeleton. */
+  /** A `.skel` or `.bvh`; absent where a `.rig` names a skin without a skeleton. */
   readonly skeleton?: GivenFile;
   /** Skins, morphs, anims: a `.rig`'s own first, in its order, then the others as given. */
   readonly parts: GivenFile[];
@@ -92,12 +92,12 @@ export function groupFiles(files: readonly GivenFile[]): Grouping {
   }
 
   for (const file of files) {
-    if (file.kind === 'skel' && !taken.has(file)) groups.push({ skeleton: file, parts: [], rigs: [] });
+    if (isSkeleton(file) && !taken.has(file)) groups.push({ skeleton: file, parts: [], rigs: [] });
   }
 
   const loose: GivenFile[] = [];
   for (const file of files) {
-    if (taken.has(file) || file.kind === 'skel' || file.kind === 'rig' || file.kind === 'texture') continue;
+    if (taken.has(file) || isSkeleton(file) || file.kind === 'rig' || file.kind === 'texture') continue;
     const group = skeletonFor(file, groups);
     if (group) group.parts.push(file);
     else loose.push(file);
@@ -119,9 +119,16 @@ export function prefixFit(skeletonStem: string, partStem: string): number {
   return partStem.toLowerCase().startsWith(skeletonStem.toLowerCase()) ? skeletonStem.length : 0;
 }
 
+/** Whether a file brings skeletons of its own. */
+function isSkeleton({ kind }: GivenFile): boolean {
+  return kind === 'skel' || kind === 'bvh';
+}
+
 function skeletonFor(part: GivenFile, groups: readonly FileGroup[]): FileGroup | undefined {
   const folder = folderOf(part.source);
-  const there = groups.filter((g) => g.skeleton && folderOf(g.skeleton.source) === folder);
+  // Motion capture is complete in itself, and no skin was made for it.
+  const skeletons = groups.filter((g) => g.skeleton?.kind === 'skel');
+  const there = skeletons.filter((g) => g.skeleton && folderOf(g.skeleton.source) === folder);
   let best: FileGroup | undefined;
   let length = 0;
   for (const group of there) {
@@ -135,8 +142,7 @@ function skeletonFor(part: GivenFile, groups: readonly FileGroup[]): FileGroup |
   if (best) return best;
   if (there.length > 0) return there.length === 1 ? there[0] : undefined;
   // Nothing in its own folder: the only skeleton given at all is meant.
-  const all = groups.filter((g) => g.skeleton);
-  return all.length === 1 ? all[0] : undefined;
+  return skeletons.length === 1 ? skeletons[0] : undefined;
 }
 
 /** By base name, whatever folders the `.rig` writes before it; its own folder's file before another's. */
@@ -151,6 +157,7 @@ const PART_NAMES = {
   skin: 'skin',
   morph: 'morph',
   anim: 'animation',
+  bvh: 'motion capture',
   rig: 'rig',
   texture: 'texture',
 };

@@ -7,8 +7,16 @@
  */
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../model/document.ts';
-import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
-import { checkParts, newCharacter, withPart, withSkeleton, withTextures } from './assemble.ts';
+import {
+  type BrokenFile,
+  type Figure,
+  folderOf,
+  type ParsedFile,
+  type SourceFile,
+  sameName,
+  stemOf,
+} from '../model/files.ts';
+import { checkParts, newCharacter, withFigure, withPart, withTextures } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } from './grouping.ts';
 import { placeBeside } from './place-beside.ts';
 
@@ -111,18 +119,18 @@ class Opening {
       this.holdBack(parts, `it belongs with ${hole.source.name}, which has errors`);
       return;
     }
-    const skeletonFile = parts.find((p) => p.kind === 'skel');
-    const skeletons = skeletonFile?.kind === 'skel' ? skeletonFile.skeletons : [undefined];
+    const skeletonFile = parts.find((p) => p.kind === 'skel' || p.kind === 'bvh');
+    const figures = skeletonFile ? figuresOf(skeletonFile) : [undefined];
     const earlier = skeletonFile ? this.characters.filter((c) => hasSource(c, skeletonFile.source)) : [];
-    skeletons.forEach((skeleton, root) => {
+    figures.forEach((figure, root) => {
       const before = earlier[root] ?? (skeletonFile && root === 0 ? this.withoutSkeletonFor(group) : undefined);
       // Several roots are several characters; what else is in the group belongs to the first.
-      const own = root === 0 ? parts : parts.filter((p) => p.kind === 'skel');
-      let next = before ?? this.make(group.name ?? skeleton?.name ?? stemOf(parts[0].source));
-      if (skeleton) {
+      const own = root === 0 ? parts : parts.filter((p) => p === skeletonFile);
+      let next = before ?? this.make(group.name ?? figure?.skeleton.name ?? stemOf(parts[0].source));
+      if (figure) {
         // What waited was called after its clip or skin.
-        const name = next.skeleton ? next.name : (group.name ?? skeleton.name);
-        next = withSkeleton({ ...next, name }, skeleton);
+        const name = next.skeleton ? next.name : (group.name ?? figure.skeleton.name);
+        next = withFigure({ ...next, name }, figure, before);
       }
       for (const part of own) next = withPart(next, part, before);
       // Of several alternatives that are all new, the first is shown.
@@ -130,7 +138,7 @@ class Opening {
       this.settle(before, next, own);
     });
     // A file that now has fewer roots than it had.
-    const gone = new Set(earlier.slice(skeletons.length));
+    const gone = new Set(earlier.slice(figures.length));
     if (gone.size) this.characters = this.characters.filter((c) => !gone.has(c));
   }
 
@@ -217,6 +225,12 @@ class Opening {
     // With a skin or an animation of its own the group is complete, and takes nobody else's.
     return byName ?? (waiting.length === 1 && group.parts.length === 0 ? waiting[0] : undefined);
   }
+}
+
+/** What a file brings that has skeletons; no clips where it is a skeleton alone. */
+function figuresOf(file: ParsedFile): readonly Figure[] {
+  if (file.kind === 'skel') return file.skeletons.map((skeleton) => ({ skeleton }));
+  return file.kind === 'bvh' ? file.figures : [];
 }
 
 /** The character of the skin whose name is the longest beginning of a morph's: `head1.morph` → `head.skin`. */

@@ -5,7 +5,7 @@
 import { type Channel, type ChannelClip, keylessChannel } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
-import { stemOf } from '../model/files.ts';
+import { type SourceFile, sameName, stemOf } from '../model/files.ts';
 import { CommandError } from './store.ts';
 
 /** The take that the character shows. Throws a `CommandError` where it shows none. */
@@ -43,7 +43,7 @@ export function withChannels(character: Character, range: readonly [number, numb
 /** The character with one take more, which is shown: nothing keyed, everything standing at the pose. */
 export function withNewTake(character: Character, name: string, range: readonly [number, number]): Character {
   const count = characterDofs(character.skeleton, character.morphs).length;
-  const clip: ChannelClip = { kind: 'channels', name, range, channels: restingChannels(character, 0, count) };
+  const clip: ChannelClip = { name, range, channels: restingChannels(character, 0, count) };
   return { ...character, clips: [...character.clips, clip], shownClip: character.clips.length };
 }
 
@@ -61,18 +61,40 @@ export function newTakeName(character: Character): string {
   return uniqueTakeName(character, `${stem}_anim`);
 }
 
-/** The name itself, or with the first number behind it that none of the character's takes has. */
-export function uniqueTakeName({ clips, sources }: Character, name: string): string {
-  // Names become file names, and some file systems don't tell cases apart. A file whose take has another name by now
-  // is still there, and nobody means to save over it.
-  const files = sources.filter((s) => /\.anim$/i.test(s.name)).map(stemOf);
-  const taken = new Set([...clips.map((c) => c.name), ...files].map((taken) => taken.toLowerCase()));
+/**
+ * The name itself, or with the first number behind it that none of the character's takes has. A file whose take has
+ * another name by now is still there, and nobody means to save over it.
+ */
+export function uniqueTakeName(character: Character, name: string): string {
+  // Names become file names, and some file systems don't tell cases apart.
+  const names = [...character.clips.map((c) => c.name), ...takeFiles(character).map(stemOf)];
+  const taken = new Set(names.map((taken) => taken.toLowerCase()));
   if (!taken.has(name.toLowerCase())) return name;
   const stem = name.replace(/_\d+$/, '');
   for (let n = 2; ; n++) {
     const next = `${stem}_${n}`;
     if (!taken.has(next.toLowerCase())) return next;
   }
+}
+
+/**
+ * The file that a take would be saved over if it were called so, where that file is not its own. Which file was whose
+ * is not known once their names differ; but the only take without a file has the only file without a take for its own,
+ * so that a take can have its name back.
+ */
+export function fileInTheWay(character: Character, take: ChannelClip, name: string): SourceFile | undefined {
+  if (sameName(take.name, name)) return undefined;
+  const files = takeFiles(character);
+  const found = files.find((file) => sameName(stemOf(file), name));
+  const isOf = (clip: ChannelClip) => (file: SourceFile) => sameName(stemOf(file), clip.name);
+  const withoutFile = character.clips.filter((clip) => !files.some(isOf(clip)));
+  const withoutTake = files.filter((file) => !character.clips.some((clip) => isOf(clip)(file)));
+  const isOwn = withoutFile.length === 1 && withoutFile[0] === take && withoutTake.length === 1;
+  return isOwn && withoutTake[0] === found ? undefined : found;
+}
+
+function takeFiles({ sources }: Character): readonly SourceFile[] {
+  return sources.filter(({ name }) => /\.anim$/i.test(name));
 }
 
 /** A channel without keys, standing at another value; the same object where it stands there already. */

@@ -4,7 +4,7 @@
  */
 import type { ChannelClip } from '../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { jointDofCount, ROOT_TRANSLATION } from '../model/dofs.ts';
+import { jointDofCount, rootDofCount } from '../model/dofs.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
@@ -45,13 +45,14 @@ export function checkMorph(morph: Morph, skin: Skin, fileName: string): Diagnost
 export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: number, fileName: string): Diagnostic[] {
   const given = clip.channels.length;
   const dofs = jointDofCount(skeleton);
-  const forSkeleton = ROOT_TRANSLATION.length + dofs;
+  const forRoot = rootDofCount(skeleton);
+  const forSkeleton = forRoot + dofs;
   const forAll = forSkeleton + morphCount;
   // An animation of the joints alone is complete, whatever morphs there are.
   if (given === forSkeleton || given === forAll) return [];
   const morphs = morphCount > 0 && given > forSkeleton ? ` and ${count(morphCount, 'morph')}` : '';
   const needed = morphs ? forAll : forSkeleton;
-  const message = `The animation has ${count(given, 'channel')}, but ${named(skeleton)} needs ${needed}: 3 of the root translation, ${dofs} of its joints${morphs}.`;
+  const message = `The animation has ${count(given, 'channel')}, but ${named(skeleton)} needs ${needed}: ${forRoot ? `${forRoot} of the root translation, ` : ''}${dofs} of its joints${morphs}.`;
   if (given < needed) {
     return [
       withoutPlace('warning', 'channels-fewer', message, fileName, 'what no channel drives stays as it is posed'),

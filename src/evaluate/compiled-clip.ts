@@ -5,7 +5,8 @@
  * before is copied as far as it is the same.
  */
 import { hermiteCubic } from '../math/hermite.ts';
-import { type Channel, type ChannelClip, EXTRAPOLATIONS, type Extrapolation } from '../model/clip.ts';
+import { type Channel, type ChannelClip, EXTRAPOLATIONS, type Extrapolation, isSampled } from '../model/clip.ts';
+import { columnOf, type Samples } from '../model/samples.ts';
 import { slope } from './slopes.ts';
 
 /**
@@ -24,6 +25,10 @@ export interface CompiledClip {
   readonly extrapolations: Uint8Array;
   /** Four a channel: the period in seconds, how far the value gets in one, slope before and slope after the keys. */
   readonly beyond: Float64Array;
+  /** What the channels without keys follow that have a column in it. */
+  readonly samples: Samples | undefined;
+  /** The column that each channel follows; -1 for none, or where the channel has keys. */
+  readonly columns: Int32Array;
 }
 
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
@@ -43,7 +48,7 @@ let latest: WeakRef<ChannelClip> | undefined;
 export function compileClip(clip: ChannelClip): CompiledClip {
   const known = compiled.get(clip)?.deref();
   if (known) return known;
-  const made = pack(clip.channels, latest?.deref()?.channels);
+  const made = pack(clip, latest?.deref()?.channels);
   const reference = new WeakRef(made);
   compiled.set(clip, reference);
   latest = new WeakRef(clip);
@@ -55,11 +60,12 @@ export function compileClip(clip: ChannelClip): CompiledClip {
 
 /** Compiles channels that belong to no clip (not cached). */
 export function compileChannels(channels: readonly Channel[]): CompiledClip {
-  return pack(channels);
+  return pack({ channels });
 }
 
 /** @param before the channels of a clip of which these may be an edit */
-function pack(channels: readonly Channel[], before?: readonly Channel[]): CompiledClip {
+function pack(clip: Pick<ChannelClip, 'channels' | 'samples'>, before?: readonly Channel[]): CompiledClip {
+  const { channels, samples } = clip;
   const keyCount = channels.reduce((sum, c) => sum + compiledKeyCount(c), 0);
   const made: CompiledClip = {
     channelCount: channels.length,
@@ -68,6 +74,8 @@ function pack(channels: readonly Channel[], before?: readonly Channel[]): Compil
     cubics: new Float64Array(4 * keyCount),
     extrapolations: new Uint8Array(2 * channels.length),
     beyond: new Float64Array(4 * channels.length),
+    samples,
+    columns: Int32Array.from(channels, (_, c) => (isSampled(clip, c) ? columnOf(samples, c) : -1)),
   };
   let next = 0;
   channels.forEach((channel, index) => {

@@ -17,6 +17,7 @@
 import { lastNotAbove } from '../math/search.ts';
 import { EXTRAPOLATIONS } from '../model/clip.ts';
 import type { CompiledClip } from './compiled-clip.ts';
+import { columnSlope, sampleColumn, sampleColumns } from './sampling.ts';
 
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');
@@ -28,6 +29,7 @@ export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds
   const { firstKey, times } = clip;
   const first = firstKey[channel];
   const end = firstKey[channel + 1];
+  if (clip.samples && clip.columns[channel] >= 0) return sampleColumn(clip.samples, clip.columns[channel], timeSeconds);
   if (first === end) return 0;
   const key = lastNotAbove(times, first, end, timeSeconds);
   const since = timeSeconds - times[key];
@@ -65,6 +67,7 @@ export function evaluateClip(
       out[c] = ((cubics[o + 3] * since + cubics[o + 2]) * since + cubics[o + 1]) * since + cubics[o];
     } else out[c] = outside(clip, c, first, end, timeSeconds);
   }
+  if (clip.samples) sampleColumns(clip.samples, clip.columns, timeSeconds, out, count);
 }
 
 function cubic(cubics: Float64Array, key: number, t: number): number {
@@ -137,7 +140,8 @@ function locate(start: number, stop: number, length: number, time: number): numb
  * or a step, at a key or where a repetition begins, `side` says whether the one before or after it is meant.
  */
 export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: number, side: 'in' | 'out'): number {
-  const { firstKey, times, beyond } = clip;
+  const { firstKey, times, beyond, samples, columns } = clip;
+  if (samples && columns[channel] >= 0) return columnSlope(samples, columns[channel], timeSeconds, side);
   const first = firstKey[channel];
   const end = firstKey[channel + 1];
   if (first === end || !Number.isFinite(timeSeconds)) return 0;

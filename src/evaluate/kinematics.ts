@@ -7,8 +7,8 @@
  * Matrices are 16 numbers a joint, column-major, in the character's own space (before its placement).
  */
 import { multiplyAffine } from '../math/mat4.ts';
-import { ROOT_TRANSLATION } from '../model/dofs.ts';
-import { dofsOf, type Skeleton } from '../model/skeleton.ts';
+import { rootDofCount } from '../model/dofs.ts';
+import { dofsOf, type Joint, type Skeleton } from '../model/skeleton.ts';
 import { type JointMotion, jointMotion } from './motions.ts';
 
 /** A skeleton ready to be posed. Joints are in depth-first pre-order, so a subtree is one contiguous range. */
@@ -22,9 +22,13 @@ export interface CompiledSkeleton {
   readonly subtreeEnd: Int32Array;
   /** Index in the character's list of each joint's first DOF; one more than there are joints. */
   readonly firstDof: Int32Array;
-  /** x y z a joint. */
+  /** The DOFs that carry the character along x, y and z: the root translation, or the root joint's own. */
+  readonly travel: Int32Array;
+  /** Whether there is a root translation before the joints' DOFs. */
+  readonly hasRootTranslation: boolean;
+  /** x y z a joint; 0 where the joint's own DOFs replace it. */
   readonly offsets: Float64Array;
-  /** Limits of each joint DOF, in order (DOF 3 of the character's list is the first); infinite where crossed. */
+  /** Limits of each joint DOF, in order (`firstDof[0]` is the first); infinite where crossed. */
   readonly lower: Float64Array;
   readonly upper: Float64Array;
   readonly motions: readonly JointMotion[];
@@ -42,7 +46,8 @@ export function compileSkeleton(skeleton: Skeleton): CompiledSkeleton {
   return made;
 }
 
-function compile({ joints }: Skeleton): CompiledSkeleton {
+function compile(skeleton: Skeleton): CompiledSkeleton {
+  const { joints } = skeleton;
   const jointCount = joints.length;
   const parent = Int32Array.from(joints, (j) => j.parent);
   const subtreeEnd = new Int32Array(jointCount);
@@ -53,7 +58,7 @@ function compile({ joints }: Skeleton): CompiledSkeleton {
   const firstDof = new Int32Array(jointCount + 1);
   const lower: number[] = [];
   const upper: number[] = [];
-  firstDof[0] = ROOT_TRANSLATION.length;
+  firstDof[0] = rootDofCount(skeleton);
   joints.forEach((joint, j) => {
     const count = dofsOf(joint.motion).length;
     for (let d = 0; d < count; d++) {
@@ -70,17 +75,36 @@ function compile({ joints }: Skeleton): CompiledSkeleton {
     parent,
     subtreeEnd,
     firstDof,
-    offsets: Float64Array.from(joints.flatMap((j) => j.offset)),
+    travel: firstDof[0] > 0 ? Int32Array.of(0, 1, 2) : translationDofs(joints[0]),
+    hasRootTranslation: firstDof[0] > 0,
+    offsets: Float64Array.from(joints.flatMap(offsetBesideDofs)),
     lower: Float64Array.from(lower),
     upper: Float64Array.from(upper),
     motions: joints.map((j) => jointMotion(j.motion)),
   };
 }
 
+/** Where among the DOFs of a joint that moves by itself those along x, y and z are. */
+function translationDofs(joint: Joint): Int32Array {
+  const dofs = dofsOf(joint.motion);
+  return Int32Array.from(['tx', 'ty', 'tz'], (name) => dofs.findIndex((dof) => dof.name === name));
+}
+
+/** What of a joint's offset is left beside position channels that replace it. */
+function offsetBesideDofs({ offset, motion }: Joint): readonly number[] {
+  if (motion.kind !== 'bvh' || motion.positions === 'add') return offset;
+  const [x, y, z] = offset;
+  return [
+    motion.channels.includes('tx') ? 0 : x,
+    motion.channels.includes('ty') ? 0 : y,
+    motion.channels.includes('tz') ? 0 : z,
+  ];
+}
+
 /** Clamps the joints' DOFs to their limits, in place. Root translation and morph weights have none. */
 export function clampDofs(skeleton: CompiledSkeleton, dofs: Float64Array): void {
   const { lower, upper, dofCount } = skeleton;
-  const first = ROOT_TRANSLATION.length;
+  const first = skeleton.firstDof[0];
   for (let d = 0; d < dofCount; d++) {
     const value = dofs[first + d];
     if (value < lower[d]) dofs[first + d] = lower[d];
@@ -115,7 +139,7 @@ function writeLocal(skeleton: CompiledSkeleton, j: number, dofs: Float64Array, o
   out[o + 12] += offsets[3 * j];
   out[o + 13] += offsets[3 * j + 1];
   out[o + 14] += offsets[3 * j + 2];
-  if (skeleton.parent[j] < 0) {
+  if (skeleton.parent[j] < 0 && skeleton.hasRootTranslation) {
     out[o + 12] += dofs[0];
     out[o + 13] += dofs[1];
     out[o + 14] += dofs[2];

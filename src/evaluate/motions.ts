@@ -5,7 +5,7 @@
  * what kind a joint is. A short cut past the rule for the most common kind was tried: it gained nothing, since calls
  * to one and the same function are inlined anyway.
  */
-import type { EulerOrder, Motion } from '../model/skeleton.ts';
+import type { BvhMotion, EulerOrder, Motion } from '../model/skeleton.ts';
 
 /** A joint's own rule, with what its motion says (axes, order) worked out. */
 export interface JointMotion {
@@ -17,11 +17,14 @@ type Rules = { readonly [K in Motion['kind']]: (motion: Extract<Motion, { kind: 
 
 const MOTION_RULES: Rules = {
   ball: (motion) => BALLS[motion.order],
+  bvh: bvhMotion,
 };
 
 /** The rule of one joint. */
 export function jointMotion(motion: Motion): JointMotion {
-  return MOTION_RULES[motion.kind](motion);
+  // Each rule takes its own kind, and is looked up by it.
+  const rule = MOTION_RULES[motion.kind] as (motion: Motion) => JointMotion;
+  return rule(motion);
 }
 
 /**
@@ -102,3 +105,72 @@ const BALLS: Readonly<Record<EulerOrder, JointMotion>> = {
   zxy: orderedBall('zxy'),
   zyx: orderedBall('zyx'),
 };
+
+/**
+ * T(tx, ty, tz) · R_first · R_second · R_third, whatever of them there is. Three rotations are a ball: BVH multiplies in
+ * the order it lists, a ball's order names what is applied first, so ZXY here is `yxz` there.
+ */
+function bvhMotion({ channels }: BvhMotion): JointMotion {
+  const translations = (['tx', 'ty', 'tz'] as const).map((name) => channels.indexOf(name));
+  const turns = channels.flatMap((name, at) => (name.startsWith('r') ? [{ axis: 'xyz'.indexOf(name[1]), at }] : []));
+  const rotation = turns.length === 3 ? spreadBall(turns) : productOf(turns);
+  return {
+    write(dofs, first, out, o) {
+      rotation.write(dofs, first, out, o);
+      for (let k = 0; k < 3; k++) {
+        const at = translations[k];
+        if (at >= 0) out[o + 12 + k] = dofs[first + at];
+      }
+    },
+  };
+}
+
+interface Turn {
+  /** 0, 1, 2 for x, y, z. */
+  readonly axis: number;
+  /** Where its angle stands among the joint's DOFs. */
+  readonly at: number;
+}
+
+/** The angles of a ball, gathered from where they stand. Scratch, never escapes. */
+const gathered = new Float64Array(3);
+
+function spreadBall(turns: readonly Turn[]): JointMotion {
+  const name = turns.map(({ axis }) => 'xyz'[axis]);
+  // The three letters of a permutation, which is what the orders are.
+  const ball = BALLS[name.reverse().join('') as EulerOrder];
+  const [x, y, z] = [0, 1, 2].map((axis) => turns.find((turn) => turn.axis === axis)?.at ?? 0);
+  return {
+    write(dofs, first, out, o) {
+      gathered[0] = dofs[first + x];
+      gathered[1] = dofs[first + y];
+      gathered[2] = dofs[first + z];
+      ball.write(gathered, 0, out, o);
+    },
+  };
+}
+
+/** Any rotations about axes, multiplied one after the other. */
+function productOf(turns: readonly Turn[]): JointMotion {
+  return {
+    write(dofs, first, out, o) {
+      out.fill(0, o, o + 16);
+      out[o] = out[o + 5] = out[o + 10] = out[o + 15] = 1;
+      for (const { axis, at } of turns) turnColumns(out, o, axis, dofs[first + at]);
+    },
+  };
+}
+
+/** M ← M · R(axis, angle): mixes the two columns of the other axes. */
+function turnColumns(m: Float64Array, o: number, axis: number, angle: number): void {
+  const c = Math.cos(angle);
+  const s = Math.sin(angle);
+  const u = o + 4 * ((axis + 1) % 3);
+  const v = o + 4 * ((axis + 2) % 3);
+  for (let r = 0; r < 3; r++) {
+    const a = m[u + r];
+    const b = m[v + r];
+    m[u + r] = a * c + b * s;
+    m[v + r] = b * c - a * s;
+  }
+}

@@ -6,10 +6,10 @@
  *     3. DOFs set by hand      over the clip, at the moment they were set and no other
  *     4. limits                of the joints, unless the character's switch is off
  */
-import type { Channel } from '../model/clip.ts';
+import { type Channel, isSampled } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
-import { ROOT_TRANSLATION } from '../model/dofs.ts';
+import { rootDofCount } from '../model/dofs.ts';
 import { compileClip } from './compiled-clip.ts';
 import { evaluateClip } from './curves.ts';
 import { clampDofs, compileSkeleton } from './kinematics.ts';
@@ -19,8 +19,9 @@ const SAME_MOMENT = 1e-9;
 
 /** How many DOFs a character has: the length of its poses. */
 export function dofCountOf(character: Character): number {
-  const joints = character.skeleton ? compileSkeleton(character.skeleton).dofCount : 0;
-  return ROOT_TRANSLATION.length + joints + character.morphs.length;
+  const { skeleton, morphs } = character;
+  const joints = skeleton ? compileSkeleton(skeleton).firstDof[skeleton.joints.length] : rootDofCount(undefined);
+  return joints + morphs.length;
 }
 
 /**
@@ -49,7 +50,9 @@ export function channelOf(character: Character, dof: number): Channel | undefine
   return character.skeleton && dofCountOf(character) > dof ? shownClip(character)?.channels[dof] : undefined;
 }
 
-/** Whether keys of the clip shown drive the DOF. */
+/** Whether keys or samples of the clip shown drive the DOF. */
 export function isDriven(character: Character, dof: number): boolean {
-  return (channelOf(character, dof)?.times.length ?? 0) > 0;
+  const clip = shownClip(character);
+  const channel = channelOf(character, dof);
+  return clip !== undefined && channel !== undefined && (channel.times.length > 0 || isSampled(clip, dof));
 }

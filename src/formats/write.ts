@@ -23,6 +23,7 @@ export function writeFile(content: FileContent, fileName: string): WriteResult |
       return writeAnim(content.clip, fileName);
     case 'rig':
       return writeRig(content.rig, fileName);
+    case 'bvh':
     case 'texture':
       return undefined;
   }

@@ -1,21 +1,24 @@
+import { columnOf, type Samples } from './samples.ts';
+
 /**
- * A clip: what an animation file holds. Channels drive, in this order, the root's translation (x y z), every DOF of
- * every joint in depth-first order, and the morph weights; see `dofs.ts`.
+ * A clip: what an animation file holds. Channels drive a character's DOFs, in the order of `dofs.ts`: the root's
+ * translation, every DOF of every joint, the morph weights.
+ *
+ * A channel has keys, or follows its column of the samples, or stands at a value. So motion capture and keys live in
+ * one clip: a channel converted to keys is one like any other, while those beside it are still sampled.
  */
 export interface ChannelClip {
-  readonly kind: 'channels';
   readonly name: string;
   /** First and last second that are played; need not match the keys, and may be negative. */
   readonly range: readonly [number, number];
   readonly channels: readonly Channel[];
+  /** Drives the channels that have no keys. */
+  readonly samples?: Samples;
 }
-
-/** Every kind of clip. (Sampled motion joins here.) */
-export type Clip = ChannelClip;
 
 /**
  * Keys in columns, sorted by time. Two keys at one time are a step, the later one holding from that time on.
- * A channel of no keys is 0, or stands at its `rest`.
+ * A channel of no keys follows the clip's samples, or stands at its `rest`, or is 0.
  */
 export interface Channel {
   /**
@@ -50,6 +53,11 @@ export const FIXED = 3;
 
 export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
 export type Extrapolation = (typeof EXTRAPOLATIONS)[number];
+
+/** Whether the samples are what a channel follows. */
+export function isSampled({ channels, samples }: Pick<ChannelClip, 'channels' | 'samples'>, channel: number): boolean {
+  return channels[channel]?.times.length === 0 && columnOf(samples, channel) >= 0;
+}
 
 /** A channel without keys that stands at a value. */
 export function keylessChannel(rest = 0): Channel {

@@ -42,6 +42,10 @@ export interface Character {
   readonly placements: readonly Placement[];
   /** Added to the time of the transport. */
   readonly timeOffsetSeconds: number;
+  /** How its own space lies in the scene; absent: as it is. */
+  readonly space?: Space;
+  /** Not drawn; it plays on unseen. */
+  readonly isHidden?: boolean;
   /** The files it came from. */
   readonly sources: readonly SourceFile[];
 }
@@ -60,6 +64,20 @@ export interface Placement {
   readonly turn: Vec3;
   readonly scale: number;
 }
+
+/** From a character's own space to one whose up is y and whose unit is the metre, before its placement. */
+export interface Space {
+  readonly up: 'y' | 'z';
+  readonly unit: LengthUnit;
+  /** How far it is lifted onto the ground; metres, or units of the file where it is taken as it is. */
+  readonly lift: number;
+}
+
+/** The length that 1 in a file stands for; `asIs`: taken for a metre, whatever it is. */
+export const LENGTH_UNITS = ['asIs', 'metres', 'centimetres', 'millimetres', 'inches'] as const;
+export type LengthUnit = (typeof LENGTH_UNITS)[number];
+
+export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
 
 /** Kept with its content: the next files opened may be what it waits for. */
 export interface UnusedFile {

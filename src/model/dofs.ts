@@ -1,15 +1,15 @@
 /**
  * All of a character's DOFs as one list, the order in which `.anim` channels drive them:
  *
- *     0 1 2        root translation x y z
- *     3 …          each joint's DOFs, joints in depth-first order
+ *     0 1 2        root translation x y z; left out where the root joint's own DOFs carry the character
+ *     then         each joint's DOFs, joints in depth-first order
  *     then         the morph weights
  *
  * Sliders, commands, channels and the mixer's track all address a DOF by its index in this list.
  */
-import { type Dof, type DofUnit, dofsOf, type Limit, type Skeleton, UNLIMITED } from './skeleton.ts';
+import { type Dof, type DofUnit, dofsOf, type Limit, movesByItself, type Skeleton, UNLIMITED } from './skeleton.ts';
 
-export const ROOT_TRANSLATION: readonly Dof[] = [
+const ROOT_TRANSLATION: readonly Dof[] = [
   { name: 'tx', unit: 'length' },
   { name: 'ty', unit: 'length' },
   { name: 'tz', unit: 'length' },
@@ -25,6 +25,19 @@ export interface CharacterDof extends Dof {
 /** Nothing clamps the root's translation, however far an animation walks. */
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
 
+/** The root translation as a character with that skeleton has it: none where its root joint moves by itself. */
+export function rootDofs(skeleton: Skeleton | undefined): readonly Dof[] {
+  const root = skeleton?.joints[0];
+  return root && movesByItself(root.motion) ? NONE : ROOT_TRANSLATION;
+}
+
+const NONE: readonly Dof[] = [];
+
+/** How many DOFs come before those of the joints. */
+export function rootDofCount(skeleton: Skeleton | undefined): number {
+  return rootDofs(skeleton).length;
+}
+
 /** How many DOFs the joints have, without root translation and morphs. */
 export function jointDofCount(skeleton: Skeleton | undefined): number {
   let count = 0;
@@ -34,7 +47,7 @@ export function jointDofCount(skeleton: Skeleton | undefined): number {
 
 /** Index in the character's list of the first DOF of each joint. */
 export function firstDofs(skeleton: Skeleton): number[] {
-  let next = ROOT_TRANSLATION.length;
+  let next = rootDofCount(skeleton);
   return skeleton.joints.map((joint) => {
     const first = next;
     next += dofsOf(joint.motion).length;
@@ -44,7 +57,7 @@ export function firstDofs(skeleton: Skeleton): number[] {
 
 /** Every DOF of a character with this skeleton and these morphs, in order. */
 export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly { readonly name: string }[]) {
-  const all: CharacterDof[] = ROOT_TRANSLATION.map((dof) => ({ ...dof, joint: 0, limit: NO_LIMIT }));
+  const all: CharacterDof[] = rootDofs(skeleton).map((dof) => ({ ...dof, joint: 0, limit: NO_LIMIT }));
   skeleton?.joints.forEach((joint, index) => {
     dofsOf(joint.motion).forEach((dof, i) => {
       all.push({ ...dof, joint: index, limit: joint.limits[i] ?? UNLIMITED });
@@ -64,7 +77,7 @@ export function unitOfChannel(dofs: readonly CharacterDof[], channel: number): D
 
 /** The file's pose as a character's DOFs: root translation 0, joints as written, morph weights 0. */
 export function filePose(skeleton: Skeleton | undefined, morphCount: number): number[] {
-  const values = [0, 0, 0];
+  const values = rootDofs(skeleton).map(() => 0);
   for (const joint of skeleton?.joints ?? []) values.push(...joint.pose);
   for (let m = 0; m < morphCount; m++) values.push(0);
   return values;
@@ -72,5 +85,5 @@ export function filePose(skeleton: Skeleton | undefined, morphCount: number): nu
 
 /** Every DOF at rest: what a pose without any value would be. */
 export function restPose(skeleton: Skeleton | undefined, morphCount: number): number[] {
-  return new Array<number>(ROOT_TRANSLATION.length + jointDofCount(skeleton) + morphCount).fill(0);
+  return new Array<number>(rootDofCount(skeleton) + jointDofCount(skeleton) + morphCount).fill(0);
 }

@@ -20,6 +20,8 @@ export interface Joint {
   readonly limits: readonly Limit[];
   /** One value for each DOF: the file's pose, as written. */
   readonly pose: readonly number[];
+  /** Points that end a bone where no joint is (BVH's `End Site`), in the joint's space and the file's order. */
+  readonly endSites?: readonly Vec3[];
 }
 
 /** One tree: joint 0 is its root, and the only one with parent -1. */
@@ -41,7 +43,22 @@ export interface Limit {
 }
 
 /** How a joint moves. `evaluate/motions.ts` holds each kind's rule. */
-export type Motion = { readonly kind: 'ball'; readonly order: EulerOrder };
+export type Motion = { readonly kind: 'ball'; readonly order: EulerOrder } | BvhMotion;
+
+/**
+ * A joint of BVH: the channels it has are its DOFs, in their order. The translation comes before the rotations, wherever
+ * it stands among them; the rotations are multiplied from left to right. A position channel replaces the offset on its
+ * axis, or, as some exporters meant it, is added to it.
+ */
+export interface BvhMotion {
+  readonly kind: 'bvh';
+  /** Each at most once. */
+  readonly channels: readonly BvhChannel[];
+  readonly positions: 'replace' | 'add';
+}
+
+/** `Xposition` is tx, `Zrotation` rz. */
+export type BvhChannel = 'tx' | 'ty' | 'tz' | 'rx' | 'ry' | 'rz';
 
 /** The axes in the order in which the rotations are applied: xyz is Rz·Ry·Rx. */
 export type EulerOrder = 'xyz' | 'xzy' | 'yxz' | 'yzx' | 'zxy' | 'zyx';
@@ -73,8 +90,17 @@ export function dofsOf(motion: Motion): readonly Dof[] {
   switch (motion.kind) {
     case 'ball':
       return BALL;
+    case 'bvh':
+      return motion.channels.map((name) => (name.startsWith('t') ? { name, unit: 'length' } : { name, unit: 'angle' }));
   }
 }
+
+/** Whether a joint as the root carries the whole character by its own DOFs, and needs no root translation. */
+export function movesByItself(motion: Motion): boolean {
+  return motion.kind === 'bvh' && TRANSLATIONS.every((name) => motion.channels.includes(name));
+}
+
+const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
 
 export function isUnlimited(limit: Limit): boolean {
   return limit.min <= UNLIMITED.min && limit.max >= UNLIMITED.max;

@@ -5,7 +5,7 @@
 import { compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
 import { determinant3 } from '../math/mat4.ts';
 import { type Character, shownSkin } from '../model/document.ts';
-import { firstDofs, ROOT_TRANSLATION } from '../model/dofs.ts';
+import { firstDofs, rootDofs } from '../model/dofs.ts';
 import { dofsOf, type Motion, UNLIMITED } from '../model/skeleton.ts';
 import { currentCharacter } from './actions/action.ts';
 import { shownPerUnit, withoutNoise } from './angles.ts';
@@ -123,8 +123,9 @@ function dofTable(wb: Workbench, character: Character, index: number, list: Fact
   if (!own.length) return () => {};
   const { angles } = wb.settings.get();
   const first = firstDofs(skeleton)[index];
-  const rootRows = index === 0 ? ROOT_TRANSLATION.length : 0;
-  const rows = [...(rootRows ? ROOT_TRANSLATION : []), ...own];
+  const root = index === 0 ? rootDofs(skeleton) : [];
+  const rootRows = root.length;
+  const rows = [...root, ...own];
   const { grid, note } = list.grid({
     label: 'DOFs',
     rows: rows.length,
@@ -156,6 +157,8 @@ function motionText(motion: Motion): string {
   switch (motion.kind) {
     case 'ball':
       return `balljoint, order ${motion.order}`;
+    case 'bvh':
+      return motion.channels.length ? `BVH joint, channels ${motion.channels.join(' ')}` : 'BVH joint without channels';
   }
 }
 

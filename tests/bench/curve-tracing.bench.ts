@@ -34,7 +34,6 @@ for (const [channels, keys] of [
 ]) {
   describe(`${channels} × ${keys} keys, all in view`, () => {
     const clip: ChannelClip = {
-      kind: 'channels',
       name: 'wiggling',
       range: [0, SECONDS],
       channels: Array.from({ length: channels }, (_, c) => wiggling(keys, c)),
@@ -79,7 +78,7 @@ for (const [channels, keys] of [
 
 describe('1 × 100000 keys, dragged: another channel every time', () => {
   const base = wiggling(100_000, 0);
-  const curves = compileClip({ kind: 'channels', name: 'dragged', range: [0, SECONDS], channels: [base] });
+  const curves = compileClip({ name: 'dragged', range: [0, SECONDS], channels: [base] });
   const trace = new LineTrace();
   const map: TraceMap = { left: -0.2, low: -1.5, perSecond: 105, perUnit: 100, width: WIDTH, top: 22, bottom: HEIGHT };
   bench('ours', () => {

@@ -32,7 +32,6 @@ function randomClip(keys: number): ChannelClip {
   const random = noise(keys);
   const tangents = { kinds: new Uint8Array(keys).fill(SMOOTH), slopes: new Float64Array(keys) };
   return {
-    kind: 'channels',
     name: 'random',
     range: [0, SECONDS],
     channels: Array.from({ length: CHANNELS }, () => ({

@@ -34,7 +34,6 @@ const CHANNELS = 3 + 3 * JOINTS;
 
 const tangents = { kinds: new Uint8Array(KEYS).fill(SMOOTH), slopes: new Float64Array(KEYS) };
 const walk: ChannelClip = {
-  kind: 'channels',
   name: 'walk',
   range: [0, SECONDS],
   channels: Array.from({ length: CHANNELS }, (_, c) => ({

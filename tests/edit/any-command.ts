@@ -190,7 +190,7 @@ export const anyCommand = fc.oneof(
 /** One character's situation; commands that need keys or a clip get those of a clip without any where there is none. */
 export function argumentsFor(id: string, store: Store, dice: Dice): object | undefined {
   const [character] = store.document.characters;
-  const clip = shownClip(character) ?? { kind: 'channels', name: 'none', range: [0, 1], channels: [] };
+  const clip = shownClip(character) ?? { name: 'none', range: [0, 1], channels: [] };
   return ARGUMENTS[id]?.({ dice, character, clip, keys: keysFor(store, clip, dice) });
 }
 

@@ -72,6 +72,22 @@ describe('clip.rename', () => {
     expect(() => renameClip.run(two, { characterId: 'c1', name: ' ' })).toThrow('text');
     expect(renameClip.run(two, { characterId: 'c1', name: 'walk' })).toBe(two);
   });
+
+  it('refuses the name of another take’s file, which saving would write over', () => {
+    const [own] = two.characters;
+    const file = (name: string) => ({ name, path: `in/${name}`, bytes: 1 });
+    const rename = (document: typeof two, clip: number, name: string) =>
+      renameClip.run(document, { characterId: 'c1', clip, name });
+    const opened = { ...two, characters: [{ ...own, sources: [file('walk.anim'), file('Run.anim')] }] };
+    const strolling = rename(opened, 0, 'stroll');
+    expect(() => rename(strolling, 1, 'Walk')).toThrow('walk.anim is another take’s file');
+    // Its own name it can have back, in any case.
+    expect(names(rename(strolling, 0, 'walk'))).toEqual(['walk', 'run']);
+    expect(names(rename(opened, 1, 'RUN'))).toEqual(['walk', 'RUN']);
+    // With two takes without files nobody knows whose it was.
+    const made = createClip.run(strolling, { characterId: 'c1', range: [0, 1], name: 'new' });
+    expect(() => rename(made, 2, 'walk')).toThrow('another take’s file');
+  });
 });
 
 describe('clip.duplicate', () => {

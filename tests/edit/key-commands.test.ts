@@ -19,7 +19,6 @@ import { character, documentOf } from '../helpers/builders.ts';
 import { channelOf, pointsOf, rowsOf } from './keys/channels.ts';
 
 const walk = {
-  kind: 'channels' as const,
   name: 'walk',
   range: [0, 3] as const,
   channels: [

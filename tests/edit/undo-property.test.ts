@@ -42,7 +42,6 @@ const LONG = channelOf(Array.from({ length: 60 }, (_, k) => [k / 8 - 1, Math.sin
 function wasp(animated: readonly Channel[] | undefined): Document {
   const clips = animated && [
     {
-      kind: 'channels' as const,
       name: 'wasp_walk',
       range: [0, 2] as const,
       channels: [...animated, LONG, ...Array<Channel>(DOFS).fill(keylessChannel(0.5))].slice(0, DOFS),

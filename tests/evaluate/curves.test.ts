@@ -313,7 +313,6 @@ describe('slopes of keys', () => {
 
 describe('a compiled clip', () => {
   const clip = {
-    kind: 'channels' as const,
     name: 'c',
     range: [0, 1] as const,
     channels: [channel([[0, 1]]), channel([]), channel([[0, 3]])],

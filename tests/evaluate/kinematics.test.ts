@@ -88,6 +88,7 @@ function naiveWorld(model: Skeleton, dofs: Float64Array): number[] {
   model.joints.forEach(({ offset, parent, motion }, j) => {
     let m = parent < 0 ? translation([...dofs.subarray(0, 3)]) : world[parent];
     m = product(m, translation(offset));
+    if (motion.kind !== 'ball') throw new Error('only balls here');
     for (const axis of [...motion.order].reverse()) {
       m = product(m, rotation(axis, dofs[3 + 3 * j + 'xyz'.indexOf(axis)]));
     }

@@ -16,7 +16,6 @@ describe('reading .anim', () => {
     const { value, diagnostics } = channel('keys 3 { 0 1 flat LINEAR\n 0.5 -1 Smooth 2.5\n 1 3 -1e-3 flat }');
     expect(diagnostics).toEqual([]);
     expect(value).toEqual({
-      kind: 'channels',
       name: 'walk',
       range: [0, 1],
       channels: [
@@ -99,7 +98,7 @@ describe('reading .anim', () => {
   });
 
   it('stands still, in a file too, where a channel has a value and no keys', () => {
-    const made = { kind: 'channels' as const, name: 'a', range: [2, 3] as const, channels: [keylessChannel(0.25)] };
+    const made = { name: 'a', range: [2, 3] as const, channels: [keylessChannel(0.25)] };
     const { text } = writeAnim(made);
     expect(text).toMatch(/keys 1 \{\s+2 0.25 flat flat\s+\}/);
     const read = readAnim(text, 'a.anim').value;

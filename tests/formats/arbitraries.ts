@@ -130,7 +130,6 @@ const channel: fc.Arbitrary<Channel> = fc.nat(6).chain((n) =>
 );
 
 export const clip: fc.Arbitrary<ChannelClip> = fc.record({
-  kind: fc.constant('channels' as const),
   name: fc.constant('x'),
   range: ordered,
   channels: fc.array(channel, { minLength: 1, maxLength: 4 }),

@@ -52,7 +52,6 @@ export function morph(name: string, vertex = 0): Morph {
 /** A clip whose channels each hold one value. */
 export function clip(name: string, values: readonly number[], range: readonly [number, number] = [0, 1]): ChannelClip {
   return {
-    kind: 'channels',
     name,
     range,
     channels: values.map((value) => ({

@@ -43,7 +43,7 @@ export function channel(...times: number[]): Channel {
 }
 
 export function clip(range: readonly [number, number], ...channels: Channel[]): ChannelClip {
-  return { kind: 'channels', name: 'walk', range, channels };
+  return { name: 'walk', range, channels };
 }
 
 export function character(change: Partial<Character> = {}): Character {

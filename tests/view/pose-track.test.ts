@@ -19,7 +19,6 @@ function channel(times: number[], values: number[], more: Partial<Channel> = {})
 }
 
 const playing = (channels: readonly Channel[], range: readonly [number, number] = [0, 1]): ChannelClip => ({
-  kind: 'channels',
   name: 'go',
   range,
   channels,

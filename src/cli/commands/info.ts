@@ -71,6 +71,14 @@ function counts(content: FileContent): Record<string, unknown> {
       const { skeleton, skin, morphs, animation } = content.rig;
       return { parts: [skeleton, skin, ...morphs, animation].filter((part) => part !== undefined) };
     }
+    case 'bvh': {
+      const { figures } = content;
+      return {
+        joints: sum(figures.map(({ skeleton }) => skeleton.joints.length)),
+        dofs: sum(figures.map(({ skeleton }) => jointDofCount(skeleton))),
+        roots: figures.length,
+      };
+    }
     case 'texture':
       return { mime: content.texture.mime, bytes: content.texture.bytes.length };
   }

@@ -12,7 +12,7 @@ import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { jointTypeOfMotion } from '../../formats/skel/joint-types.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownSkin } from '../../model/document.ts';
-import { jointDofCount, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Command } from '../io.ts';
 import { loadFiles } from '../load.ts';
@@ -148,7 +148,7 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
   const points = positions ?? Float64Array.from(joints.flatMap((joint) => joint.world.slice(12, 15)));
   return {
     name: character.name,
-    root: Array.from(values.subarray(0, ROOT_TRANSLATION.length)),
+    root: Array.from(compiled?.travel ?? ROOT, (dof) => values[dof]),
     joints,
     morphs: morphs.map((morph, m) => ({ name: morph.name, weight: values[firstMorph + m] })),
     ...(withVertices && { positions: Array.from(positions ?? []), normals: Array.from(normals ?? []) }),
@@ -161,12 +161,23 @@ function poseValues(character: Character, { time, root, dofs, morphs }: Asked): 
   const values = new Float64Array(dofCountOf(character));
   // Without a time the animation has no say.
   poseAt(time === undefined ? { ...character, shownClip: -1 } : character, time ?? 0, values);
-  if (root) values.set(root, 0);
-  if (dofs && character.skeleton) values.set(dofs, ROOT_TRANSLATION.length);
+  const { skeleton } = character;
+  const own = rootDofCount(skeleton);
+  if (root && own) values.set(root, 0);
+  if (dofs && skeleton) values.set(dofs, own);
+  // A root that moves by itself has its own say over where it is, and the root translation is added to that.
+  if (root && skeleton && !own) {
+    compileSkeleton(skeleton).travel.forEach((dof, k) => {
+      values[dof] += root[k];
+    });
+  }
   if (morphs && character.morphs.length) values.set(morphs, values.length - morphs.length);
   if (character.skeleton) clampDofs(compileSkeleton(character.skeleton), values);
   return values;
 }
+
+/** The DOFs of the root translation, where there is no skeleton to ask. */
+const ROOT = [0, 1, 2];
 
 function deformed(character: Character, values: Float64Array, firstMorph: number, world: Float64Array | undefined) {
   const skin = shownSkin(character);

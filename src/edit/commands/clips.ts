@@ -4,11 +4,12 @@
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
+import { sameName } from '../../model/files.ts';
 import { indexIn, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { rangeFrom } from '../key-dofs.ts';
 import { type Command, CommandError } from '../store.ts';
-import { newTakeName, requireTake, uniqueTakeName, withNewTake, withTake } from '../takes.ts';
+import { fileInTheWay, newTakeName, requireTake, uniqueTakeName, withNewTake, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
 interface OfTake {
@@ -56,7 +57,7 @@ export const createClip: Command<CreateClip> = {
     }),
 };
 
-/** The name is its file's too, so no two takes of a character have the same. */
+/** The name is its file's too, so no two takes of a character have the same, and none that of another's file. */
 export const renameClip: Command<OfTake & { readonly name: string }> = {
   id: 'clip.rename',
   label: (document, args) => `Rename ${nameOf(document, args)}`,
@@ -66,8 +67,10 @@ export const renameClip: Command<OfTake & { readonly name: string }> = {
       const take = c.clips[index];
       const next = text(name, 'The name').trim();
       if (take.name === next) return c;
-      const other = c.clips.find((o) => o !== take && o.name.toLowerCase() === next.toLowerCase());
+      const other = c.clips.find((o) => o !== take && sameName(o.name, next));
       if (other) throw new CommandError(`${c.name} has a take "${other.name}" already.`);
+      const file = fileInTheWay(c, take, next);
+      if (file) throw new CommandError(`${file.name} is another take’s file: saving "${next}" would write over it.`);
       return withTake(c, index, { ...take, name: next });
     }),
 };

@@ -3,7 +3,7 @@
  * are, and are clamped when shown.
  */
 import type { Document } from '../../model/document.ts';
-import { characterDofs, firstDofs, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
 import { dofsOf, type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -41,7 +41,7 @@ function withLimit(document: Document, characterId: string, dof: number, limit: 
     const all = characterDofs(skeleton, morphs);
     indexIn(dof, 0, all.length, 'DOF');
     const { joint } = all[dof];
-    if (!skeleton || joint < 0 || dof < ROOT_TRANSLATION.length) {
+    if (!skeleton || joint < 0 || dof < rootDofCount(skeleton)) {
       throw new CommandError(`${dofName(character, dof)} has no limits; only the DOFs of joints have.`);
     }
     const { motion, limits } = skeleton.joints[joint];

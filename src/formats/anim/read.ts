@@ -61,7 +61,7 @@ function* animFile(t: Tokens): Part<ChannelClip> {
     );
   }
   const channels = parts?.channels ?? [];
-  return { kind: 'channels', name: stemOf(t.fileName), range: parts?.range ?? rangeOfKeys(t, channels), channels };
+  return { name: stemOf(t.fileName), range: parts?.range ?? rangeOfKeys(t, channels), channels };
 }
 
 /** Where no range is given: first to last key. */

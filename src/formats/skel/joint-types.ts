@@ -27,10 +27,11 @@ export const JOINT_TYPES: readonly JointType[] = [
     motion: DEFAULT_MOTION,
     tokens: {
       *order(t, motion, keywords) {
-        return { ...motion, order: (yield* eulerOrder(t, keywords)) ?? motion.order };
+        const order = yield* eulerOrder(t, keywords);
+        return motion.kind === 'ball' && order ? { ...motion, order } : motion;
       },
     },
-    lines: ({ order }) => (order === 'xyz' ? [] : [`order ${order}`]),
+    lines: (motion) => (motion.kind !== 'ball' || motion.order === 'xyz' ? [] : [`order ${motion.order}`]),
   },
 ];
 

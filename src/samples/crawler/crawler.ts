@@ -21,7 +21,6 @@ export function crawlerSample(): Sample {
     }),
     morphs: [],
     clip: {
-      kind: 'channels',
       name: 'crawler_walk',
       range: [0, roundSeconds(CIRCLE)],
       channels: walkChannels({

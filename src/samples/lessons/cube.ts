@@ -17,7 +17,6 @@ export function cubeSample(): Sample {
     skeleton: buildSkeleton('cube', [{ name: 'cube', offset: [0, 1, 0], box: boxAbout([0, 0, 0], [0.5, 0.5, 0.5]) }]),
     morphs: [],
     clip: {
-      kind: 'channels',
       name: 'cube_spin',
       range: [0, TURN_SECONDS],
       channels: [held(0), held(0), held(0), held(0.5), turn, held(0)],

@@ -158,7 +158,6 @@ export function tangentsSample(): Sample {
     skin: mesh.skin('tangents', bindingMatrices(posedFrames(SKELETON)), { name: 'arm', texture: 'tangents.png' }),
     morphs: [],
     clip: {
-      kind: 'channels',
       name: 'tangents',
       range: [-2, 6],
       channels: [

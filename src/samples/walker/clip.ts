@@ -26,7 +26,7 @@ export function walkerClip(): ChannelClip {
       return { tolerance: 0.002, corners: [strikes, (strikes + TOE_LEAVES) % 1, ...(strikes === 0 ? [1] : [])] };
     },
   });
-  return { kind: 'channels', name: 'walker_walk', range: [0, ROUND], channels: [...walk, blink(), smile(), breathe()] };
+  return { name: 'walker_walk', range: [0, ROUND], channels: [...walk, blink(), smile(), breathe()] };
 }
 
 const weight = (motion: (t: number) => number, period: number): Channel =>

@@ -13,7 +13,7 @@ import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scen
 import { type CurveSpace, DEFAULT_AXES } from './space.ts';
 
 /** Time goes on without a take: there is a ruler to scrub in, and nothing above it. */
-const NO_CLIP: ChannelClip = { kind: 'channels', name: '', range: [0, 0], channels: [] };
+const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
 const NO_LINES: readonly CurveLine[] = [];
 
 export class PlotScene {

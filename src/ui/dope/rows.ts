@@ -13,7 +13,7 @@
  */
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
-import { type CharacterDof, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { type CharacterDof, rootDofCount } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { dofsFor } from '../timeline/channels.ts';
 
@@ -120,7 +120,7 @@ function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCo
     const count = Math.min(group.count, channelCount - group.first);
     if (count > 0) groups.push({ ...group, count });
   };
-  const root = ROOT_TRANSLATION.length;
+  const root = rootDofCount(character.skeleton);
   add({ kind: 'root', fold: ROOT_FOLD, label: 'Root translation', first: 0, count: root, ...rootJoint(character) });
   let first = root;
   while (first < dofs.length) {

@@ -1,7 +1,7 @@
 /** The folders of DOFs: the selected joint's, the root translation, the morphs, and the long list of all. */
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, firstDofs, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/skeleton.ts';
 import { element, setText } from '../dom.ts';
 import { keyNameOf } from '../unkeyed-values.ts';
@@ -56,8 +56,9 @@ export class DofFolders {
     if (!character) return;
     const dofs = characterDofs(character.skeleton, character.morphs);
     this.fillJoint(character, dofs, joint);
-    this.fill(this.root, character, dofs, 0, character.skeleton ? ROOT_TRANSLATION.length : 0);
-    this.root.show(character.skeleton !== undefined);
+    const rootCount = character.skeleton ? rootDofCount(character.skeleton) : 0;
+    this.fill(this.root, character, dofs, 0, rootCount);
+    this.root.show(rootCount > 0);
     this.fillMorphs(character, dofs);
     this.all.show(character.skeleton !== undefined);
     this.all.title(`All DOFs (${dofs.length})`);
@@ -111,7 +112,8 @@ export class DofFolders {
     for (; listed.next < until; listed.next++) {
       const dof = dofs[listed.next];
       const joint = joints[dof.joint];
-      const prefix = listed.next < ROOT_TRANSLATION.length ? 'root' : joint ? joint.name || `#${dof.joint}` : 'morph';
+      const isRoot = listed.next < rootDofCount(character.skeleton);
+      const prefix = isRoot ? 'root' : joint ? joint.name || `#${dof.joint}` : 'morph';
       addDofRow(this.context, this.all, character, listed.next, dof, prefix);
     }
     // The end mark stays the last; moving it makes the observer look again.

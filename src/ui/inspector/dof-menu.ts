@@ -3,7 +3,7 @@ import { clearLimit, setLimit } from '../../edit/commands/limits.ts';
 import { setDofs } from '../../edit/commands/pose.ts';
 import { dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, filePose, ROOT_TRANSLATION } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, filePose, rootDofCount } from '../../model/dofs.ts';
 import { isUnlimited, type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { openPanel } from '../panels.ts';
@@ -64,7 +64,7 @@ function entries(
     item('Reset to zero', value !== 0, () => set(0)),
   ];
   // Neither root translation nor morphs have limits.
-  if (dof.joint < 0 || index < ROOT_TRANSLATION.length) return list;
+  if (dof.joint < 0 || index < rootDofCount(character.skeleton)) return list;
   const { min, max } = holds(dof.limit) ? dof.limit : UNLIMITED;
   const limit = (next: Limit) => wb.store.apply(setLimit, { characterId: id, dof: index, ...next });
   return [

@@ -29,7 +29,7 @@ const calm = channelOf([
 
 /** Root translation, then rx ry rz of two joints. */
 function documentWith(...channels: Channel[]) {
-  const clip = { kind: 'channels' as const, name: 'walk', range: [0, 2] as const, channels };
+  const clip = { name: 'walk', range: [0, 2] as const, channels };
   return documentOf(character({ skeleton: skeleton(2), clips: [clip], shownClip: 0 }));
 }
 const channelsOf = (document: ReturnType<typeof documentWith>) => shownClip(document.characters[0])?.channels ?? [];

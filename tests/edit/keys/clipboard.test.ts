@@ -5,7 +5,7 @@ import { allKeys } from '../../../src/edit/keys/selection.ts';
 import { type Channel, type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
 import { channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf } from './channels.ts';
 
-const clipOf = (...all: Channel[]): ChannelClip => ({ kind: 'channels', name: 'walk', range: [0, 1], channels: all });
+const clipOf = (...all: Channel[]): ChannelClip => ({ name: 'walk', range: [0, 1], channels: all });
 
 const walk = clipOf(
   channelOf([

@@ -15,7 +15,6 @@ import type { ChannelKeys } from '../../../src/model/session.ts';
 import { channelOf } from './channels.ts';
 
 const clip: ChannelClip = {
-  kind: 'channels',
   name: 'walk',
   range: [0, 1],
   channels: [
