@@ -44,14 +44,9 @@ export interface PackedSkin {
  */
 export function* packSkin(skin: Skin, normals: Float64Array, identity: number, isPosed: boolean): Sliced<PackedSkin> {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(skin.positions), 3));
-  yield 0.1;
-  geometry.setAttribute('normal', new BufferAttribute(new Float32Array(normals), 3));
-  yield 0.2;
-  if (skin.texcoords) {
-    geometry.setAttribute('uv', new BufferAttribute(new Float32Array(skin.texcoords), 2));
-    yield 0.3;
-  }
+  geometry.setAttribute('position', new BufferAttribute(yield* floatsOf(skin.positions, 0), 3));
+  geometry.setAttribute('normal', new BufferAttribute(yield* floatsOf(normals, 0.1), 3));
+  if (skin.texcoords) geometry.setAttribute('uv', new BufferAttribute(yield* floatsOf(skin.texcoords, 0.2), 2));
   const facing = facingOf(skin.triangles, skin.positions, normals);
   let step = facing.next();
   for (; !step.done; step = facing.next()) yield 0.3 + 0.3 * step.value;
@@ -60,6 +55,16 @@ export function* packSkin(skin: Skin, normals: Float64Array, identity: number, i
   geometry.setAttribute('turned', new BufferAttribute(step.value.turned, 1));
   const attachmentTexture = yield* packAttachments(skin, identity, isPosed, geometry);
   return { geometry, attachmentTexture };
+}
+
+/** @param done how far the whole work is */
+function* floatsOf(doubles: Float64Array, done: number): Sliced<Float32Array<ArrayBuffer>> {
+  const floats = new Float32Array(doubles.length);
+  for (let i = 0; i < doubles.length; i += STRIDE) {
+    floats.set(doubles.subarray(i, i + STRIDE), i);
+    yield done + (0.1 * i) / doubles.length;
+  }
+  return floats;
 }
 
 function* packAttachments(

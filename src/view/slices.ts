@@ -24,6 +24,8 @@ export async function runInSlices<T>(
   onProgress?: (done: number) => void,
 ): Promise<T | undefined> {
   for (;;) {
+    // First of all too: whoever asks for the work has often just done some.
+    await breathe();
     const until = performance.now() + BUDGET_MS;
     let at = 0;
     while (performance.now() < until) {
@@ -33,7 +35,6 @@ export async function runInSlices<T>(
       at = step.value;
     }
     onProgress?.(at);
-    await breathe();
   }
 }
 

@@ -145,6 +145,25 @@ describe('work', () => {
       expect((await dofs(page)).slice(6, 8)).toEqual([0.5, 0.1]);
     }));
 
+  it('that was put off is in the Open menu, for as long as it is not restored', () =>
+    withSmallPage(async ({ page }) => {
+      await openArm(page);
+      await kept(page);
+      await page.reload();
+      await ready(page);
+      const inMenu = page.getByRole('menuitem', { name: /^Restore last session/ });
+      const openMenu = () => page.getByRole('menuitem', { name: 'Open', exact: true }).click();
+      await offer(page).getByRole('button', { name: 'Not now' }).click();
+      expect(await offer(page).count()).toBe(0);
+      await openMenu();
+      await inMenu.click();
+      // The focus is on the answer, so that Enter restores.
+      await page.keyboard.press('Enter');
+      await shown(page, 'arm');
+      await openMenu();
+      expect(await inMenu.count()).toBe(0);
+    }));
+
   it('that is discarded can be had back for a moment', () =>
     withSmallPage(async ({ page }) => {
       await openArm(page);
@@ -197,6 +216,45 @@ describeShared('a character with skin and walk', () => {
       await shown(page, 'wasp');
       expect(await page.evaluate(() => window.marrow.vertices())).toEqual(before);
     }));
+});
+
+describe('a file that can’t be copied', () => {
+  it('is kept as what was read of it, and comes back with every vertex where it was', () =>
+    withSmallPage(
+      async ({ page }) => {
+        await ready(page);
+        const skin =
+          'positions 3 { 0 0 0 1 0 0 0 2 0 } normals 3 { 0 0 1 0 0 1 0 0 1 } ' +
+          'skinweights 3 { 1 0 1 1 0 1 2 0 0.5 1 0.5 } triangles 1 { 0 1 2 } bindings 2 { ' +
+          'matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } matrix { 1 0 0 0 1 0 0 0 1 0 1 0 } }';
+        await dropFiles(page, [
+          { name: 'arm.skel', bytes: ARM },
+          { name: 'arm.skin', bytes: skin },
+        ]);
+        await shown(page, 'arm');
+        await setDof(page, 6, 0.5);
+        await kept(page);
+        const before = await page.evaluate(() => window.marrow.vertices());
+        expect(before.length).toBe(9);
+        await page.reload();
+        await ready(page);
+        await restore(page);
+        await shown(page, 'arm');
+        expect(await page.evaluate(() => window.marrow.vertices())).toEqual(before);
+      },
+      {
+        // As where it was changed or removed on disk since it was opened.
+        before: () => {
+          const { put } = IDBObjectStore.prototype;
+          IDBObjectStore.prototype.put = function (value, key) {
+            if (typeof value === 'object' && value !== null && 'given' in value) {
+              throw new DOMException('It was changed on disk.', 'NotReadableError');
+            }
+            return put.call(this, value, key);
+          };
+        },
+      },
+    ));
 });
 
 describe('where nothing can be kept', () => {

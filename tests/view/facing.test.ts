@@ -67,6 +67,23 @@ describe('the facing of a skin', () => {
     expect([...triangles]).toEqual([0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3]);
   });
 
+  it('is the same in whatever order the triangles of a strip come and are joined', () => {
+    const count = 24;
+    const positions = Float64Array.from({ length: 3 * (count + 2) }, (_, i) => [Math.floor(i / 6), 0, 0][i % 3]);
+    for (let v = 1; v < count + 2; v += 2) positions[3 * v + 1] = 1;
+    const normals = Float64Array.from(positions, (_, i) => (i % 3 === 2 ? 1 : 0));
+    // Below, above, below, above, to the right: three in a row face forward from the second on, and every other time.
+    const strip = Array.from({ length: count }, (_, t) => (t % 2 ? [t, t + 1, t + 2] : [t + 1, t, t + 2]));
+    const turns = fc.array(fc.boolean(), { minLength: count, maxLength: count });
+    fc.assert(
+      fc.property(fc.shuffledSubarray(strip, { minLength: count }), turns, (right, turn) => {
+        const given = right.map(([a, b, c], t) => (turn[t] ? [b, a, c] : [a, b, c]));
+        const { triangles } = runThrough(facingOf(Uint32Array.from(given.flat()), positions, normals));
+        expect([...triangles]).toEqual(right.flat());
+      }),
+    );
+  });
+
   it('comes to an end for any triangles, degenerate ones and edges of many included', () => {
     fc.assert(
       fc.property(fc.array(fc.tuple(fc.nat(5), fc.nat(5), fc.nat(5)), { maxLength: 30 }), (all) => {

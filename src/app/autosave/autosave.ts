@@ -254,7 +254,7 @@ export class Autosave {
       }
       try {
         await this.takeOver(await this.read(id), lock);
-        this.offers?.close();
+        this.offers?.taken(id);
       } catch (error) {
         lock();
         this.offers?.show();

@@ -6,9 +6,10 @@
 import { SessionLostError, type SessionStore, type SessionWrite } from '../../io/session-store.ts';
 import { type Encoded, encode } from './encode.ts';
 import { KeptFiles } from './kept-files.ts';
+import { knownSkins } from './known-skins.ts';
 import type { Given, Origins } from './origins.ts';
 import { Pieces } from './pieces.ts';
-import { cardOf, type SessionState } from './session-state.ts';
+import { cardOf, type KeptState, type SessionState } from './session-state.ts';
 
 /** The session's own record. */
 export interface SessionHead {
@@ -100,7 +101,8 @@ export class Keeper {
   }
 
   private encode(state: SessionState) {
-    const encoded = encode(state, this.origins);
+    const kept: KeptState = { ...state, knownSkins: knownSkins(state.document, this.origins) };
+    const encoded = encode(kept, this.origins);
     return { ...encoded, given: new Set(encoded.files.map((file): Given => file.given)) };
   }
 

@@ -20,6 +20,7 @@ export class KeptOffers {
   private discarded: SessionCard | undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private isAside = false;
+  private isPutOff = false;
 
   constructor(
     private readonly sessions: SessionStore,
@@ -56,8 +57,8 @@ export class KeptOffers {
     if (this.shown.get()) this.show();
   }
 
-  show(): void {
-    const { works, discarded, isAside } = this;
+  show(isAskedFor = false): void {
+    const { works, discarded, isAside, isPutOff } = this;
     if (works.length === 0 && !discarded) {
       this.shown.set(undefined);
       return;
@@ -66,6 +67,8 @@ export class KeptOffers {
       works,
       ...(discarded && { discarded }),
       isAside,
+      isPutOff,
+      isAskedFor,
       restore: (id) => {
         this.shown.set(undefined);
         void this.onRestore(id);
@@ -77,13 +80,21 @@ export class KeptOffers {
         if (chosen) this.works = [chosen, ...works.filter((work) => work !== chosen)];
         this.show();
       },
-      later: () => this.close(),
+      later: () => {
+        this.isPutOff = true;
+        this.show();
+      },
+      again: () => {
+        this.isPutOff = false;
+        this.show(true);
+      },
     });
   }
 
-  /** Takes the offer away; the sessions stay. */
-  close(): void {
-    this.shown.set(undefined);
+  /** It is being worked on from now on; the others can still be asked for. */
+  taken(id: string): void {
+    this.isPutOff = true;
+    this.drop(id);
   }
 
   /** A session that can't be offered any more. */

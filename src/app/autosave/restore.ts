@@ -12,7 +12,7 @@ import type { Numbers, StoredNumbers } from './encode.ts';
 import { Keeper, type SessionHead } from './keeper.ts';
 import { givenOf, type Origins } from './origins.ts';
 import { fill, piecesOf } from './pieces.ts';
-import type { SessionState } from './session-state.ts';
+import type { KeptState, SessionState } from './session-state.ts';
 
 export interface ReadOptions {
   readonly signal: AbortSignal;
@@ -53,7 +53,8 @@ export async function readSession(
   });
   const arrays = await readArrays(id, store, head);
   options.signal.throwIfAborted();
-  const state = decode(head.tree, files, arrays) as SessionState;
+  const { knownSkins = [], ...state } = decode(head.tree, files, arrays) as KeptState;
+  for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
   return {
     state,
     keeper: () => {

@@ -8,6 +8,7 @@ import type { Document } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
 import type { TimelineView } from '../../ui/timeline/timeline.ts';
 import type { CameraView } from '../../view/camera.ts';
+import type { KnownSkin } from '../../worker/protocol.ts';
 
 export interface SessionState {
   readonly document: Document;
@@ -17,6 +18,12 @@ export interface SessionState {
   readonly camera: CameraView;
   /** What saving has to know: which parts differ from their files, and where those are. Plain data. */
   readonly saving?: unknown;
+}
+
+/** What is written: the state, and what would take long to work out again. */
+export interface KeptState extends SessionState {
+  /** Earlier pages kept none. */
+  readonly knownSkins?: readonly KnownSkin[];
 }
 
 /** Of the records' form and of everything in them: another one is not read. */

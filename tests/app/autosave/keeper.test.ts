@@ -7,6 +7,7 @@ import { Origins } from '../../../src/app/autosave/origins.ts';
 import { readSession } from '../../../src/app/autosave/restore.ts';
 import type { SessionState } from '../../../src/app/autosave/session-state.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
+import { adoptSkinFacts, skinFacts } from '../../../src/evaluate/bounds.ts';
 import type { Channel } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
@@ -15,10 +16,15 @@ import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/timeline/timeline.ts';
 import type { WorkerClient } from '../../../src/worker/client.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
-import { character, clip, documentOf } from '../../helpers/builders.ts';
+import { character, clip, documentOf, morph, skin } from '../../helpers/builders.ts';
 import { type MemoryStore, memoryStore } from './memory-store.ts';
 
 const SKEL = 'balljoint root {\n\tballjoint tip {\n\t\toffset 0 1 0\n\t}\n}\n';
+const SKIN = `positions 3 { 0 0 0 1 0 0 0 1 0 }
+skinweights 3 { 1 0 1 1 0 1 1 0 1 }
+triangles 1 { 0 1 2 }
+bindings 1 { matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } }
+`;
 const given = (path: string, text = SKEL): GivenBlob => ({ path, blob: new Blob([text]) });
 
 function stateOf(document: Document): SessionState {
@@ -62,6 +68,10 @@ async function opened(store: MemoryStore, ...blobs: GivenBlob[]) {
   return { origins, files, keeper: new Keeper('s', store, origins) };
 }
 
+const skinOf = (file: ParsedFile) => {
+  if (file.kind !== 'skin') throw new Error('fixtures');
+  return file.skin;
+};
 const skeletonOf = (file: ParsedFile) => {
   if (file.kind !== 'skel') throw new Error('fixtures');
   return file.skeletons[0];
@@ -156,6 +166,25 @@ describe('a session', () => {
     await keeper.save(state, 1);
     expect(store.sessions.get('s')?.files.size).toBe(0);
     expectSame((await readBack(store)).state, state);
+  });
+
+  it('keeps what is known of a skin that no file brings back, and nothing of one that a file does', async () => {
+    const store = memoryStore();
+    const { keeper, files } = await opened(store, given('hero.skin', SKIN));
+    const [made, smile, read] = [skin('made'), morph('smile'), skinOf(files[0])];
+    // Marked, to tell it from what is worked out anew.
+    adoptSkinFacts(made, { ...skinFacts(made, [smile]), maxAttachments: 99 }, [smile]);
+    adoptSkinFacts(read, { ...skinFacts(read), maxAttachments: 99 });
+    const state = stateOf(documentOf(character({ skins: [made], morphs: [smile] }), character({ skins: [read] })));
+    await keeper.save(state, 1);
+    const back = await readBack(store);
+    expectSame(back.state, state);
+    const [one, other] = back.state.document.characters;
+    expect(skinFacts(one.skins[0], one.morphs)).toEqual(skinFacts(made, [smile]));
+    expect(skinFacts(one.skins[0]).maxAttachments).toBe(99);
+    expect(skinFacts(other.skins[0]).maxAttachments).toBe(1);
+    await back.keeper().save(back.state, 2);
+    expect(store.writes[1]).toMatchObject({ files: [], pieces: [], goneFiles: [], gonePieces: [] });
   });
 
   it('is written anew where someone has cleared the store', async () => {
