@@ -1,6 +1,9 @@
 /**
  * Whether two pieces of plain data are the same, by content. What is the same object is not looked into: documents share
  * what did not change, so a comparison costs about as much as the change did. -0 counts as 0, NaN as itself.
+ *
+ * Not `deltaTo` of the history, asked whether there is a delta: that one goes through everything and copies what
+ * differs, where this stops at the first difference; and undo has to bring -0 back, where nobody would save a file for it.
  */
 export function sameData(a: unknown, b: unknown): boolean {
   if (a === b) return true;

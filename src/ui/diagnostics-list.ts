@@ -15,6 +15,7 @@ const EXCERPT_CHARACTERS = 200;
 
 export function diagnosticsList(wb: Workbench): HTMLElement {
   const list = element('div', { class: 'messages-list scrolls', tabindex: 0 });
+  const carets = caretsInView();
   const show = (messages: readonly Message[]) => {
     if (!messages.length) {
       list.replaceChildren(element('p', { class: 'empty' }, 'What is wrong with a file stands here, line and all.'));
@@ -27,6 +28,7 @@ export function diagnosticsList(wb: Workbench): HTMLElement {
       return block;
     });
     list.replaceChildren(...shown);
+    carets.watch(list.querySelectorAll<HTMLElement>('.excerpt'));
   };
   wb.messages.list.subscribe(show);
   show(wb.messages.list.get());
@@ -75,10 +77,28 @@ function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
   );
 }
 
+/** A long line begins where its caret can be seen: about the middle. From when it is first shown, for it has no width before. */
+function caretsInView(): { watch(excerpts: Iterable<HTMLElement>): void } {
+  const observer = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      observer.unobserve(target);
+      const caret = target.querySelector<HTMLElement>('.caret');
+      if (caret) target.scrollLeft = caret.offsetLeft + caret.offsetWidth - target.clientWidth / 2;
+    }
+  });
+  return {
+    watch(excerpts) {
+      observer.disconnect();
+      for (const excerpt of excerpts) observer.observe(excerpt);
+    },
+  };
+}
+
 /** The line and its caret, as text: nothing in a file is ever markup. */
 function excerpt(text: string, caret: number): HTMLElement {
   const line = text.slice(0, EXCERPT_CHARACTERS);
   const block = element('pre', { class: 'excerpt' });
-  block.append(`${line}\n`, element('span', { class: 'caret' }, `${caretPad(line, Math.min(caret, line.length))}^`));
+  block.append(`${line}\n${caretPad(line, Math.min(caret, line.length))}`, element('span', { class: 'caret' }, '^'));
   return block;
 }

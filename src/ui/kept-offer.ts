@@ -15,12 +15,18 @@ export interface KeptOffer {
   readonly discarded?: KeptWork;
   /** Something else is being worked on meanwhile. */
   readonly isAside: boolean;
+  /** Answered with *Not now*: only the menu tells of it still. */
+  readonly isPutOff: boolean;
+  /** By whoever was shown it a moment ago: the focus goes there. */
+  readonly isAskedFor: boolean;
   restore(id: string): void;
   discard(id: string): void;
   /** Takes the last discarding back. */
   putBack(): void;
   /** Offers that one first. */
   choose(id: string): void;
-  /** Not now: it is offered again with the next page. */
+  /** Not now: it is offered again when it is asked for, and with the next page. */
   later(): void;
+  /** Brings what was put off before the person again. */
+  again(): void;
 }

@@ -6,8 +6,8 @@
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
 import type { KeptOffer, KeptWork } from './kept-offer.ts';
+import { contentText, whenText } from './kept-text.ts';
 import { menuButton } from './menu.ts';
-import { plural } from './number-text.ts';
 import type { Workbench } from './workbench.ts';
 
 export function keptSession(wb: Workbench): HTMLElement {
@@ -16,15 +16,21 @@ export function keptSession(wb: Workbench): HTMLElement {
   const text = element('span', { class: 'kept-text', role: 'status' });
   const show = () => {
     const offer = wb.kept.get();
-    line.hidden = offer === undefined;
-    if (!offer) {
+    const isShown = offer !== undefined && !offer.isPutOff;
+    line.hidden = !isShown;
+    if (!isShown) {
       line.replaceChildren(text);
       text.textContent = '';
       return;
     }
     const [work, ...others] = offer.works;
     line.classList.toggle('small', offer.isAside);
-    const close = button('Not now: offered again next time', { class: 'tool small' }, icon('close'), offer.later);
+    const close = button(
+      'Not now: offered again next time, and in the Open menu',
+      { class: 'tool small' },
+      icon('close'),
+      offer.later,
+    );
     if (offer.discarded) {
       text.textContent = `Your work of ${whenText(offer.discarded.savedAtMs)} is discarded.`;
       const back = button('Keep it after all', { class: 'link' }, 'Keep it after all', offer.putBack);
@@ -48,6 +54,7 @@ export function keptSession(wb: Workbench): HTMLElement {
       others.length > 0 && !offer.isAside ? olderButton(offer, others) : '',
       close,
     );
+    if (offer.isAskedFor) line.querySelector<HTMLElement>('.kept-restore')?.focus();
   };
   wb.kept.subscribe(show);
   show();
@@ -68,29 +75,4 @@ function olderButton(offer: KeptOffer, others: readonly KeptWork[]): HTMLElement
     })),
   );
   return made;
-}
-
-/** `14:32`, `yesterday, 14:32`, `3 March, 14:32`; in the manner of the browser's language, for it is a clock. */
-export function whenText(atMs: number, now = new Date()): string {
-  const at = new Date(atMs);
-  const time = at.toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
-  if (at.toDateString() === now.toDateString()) return time;
-  const dayBefore = new Date(now.getFullYear(), now.getMonth(), now.getDate() - 1);
-  if (at.toDateString() === dayBefore.toDateString()) return `yesterday, ${time}`;
-  return `${at.toLocaleDateString('en-GB', { day: 'numeric', month: 'long' })}, ${time}`;
-}
-
-/** `wasp, 31 joints, 2 clips`; of several characters the names. */
-export function contentText(characters: KeptWork['characters']): string {
-  const [first] = characters;
-  if (!first) return 'files without a character';
-  if (characters.length > 1) {
-    const others = characters.length - 2;
-    const names = `${first.name}, ${characters[1].name}`;
-    return others > 0 ? `${names} and ${plural(others, 'more character')}` : names.replace(', ', ' and ');
-  }
-  const parts = [first.name || 'a character without a name'];
-  if (first.joints > 0) parts.push(plural(first.joints, 'joint'));
-  if (first.clips > 0) parts.push(plural(first.clips, 'clip'));
-  return parts.join(', ');
 }

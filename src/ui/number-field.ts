@@ -4,7 +4,7 @@
  */
 import { element } from './dom.ts';
 import { letGo } from './focus.ts';
-import { exact, parseNumber } from './number-text.ts';
+import { exact, notANumber, parseNumber } from './number-text.ts';
 
 export interface NumberFieldOptions {
   readonly label: string;
@@ -13,6 +13,8 @@ export interface NumberFieldOptions {
   text(value: number): string;
   /** Enter, or leaving the field. */
   commit(value: number): void;
+  /** Why what was typed is not taken; the number that was there comes back. */
+  refuse(reason: string): void;
   /** What an arrow key adds. */
   readonly step?: number;
 }
@@ -79,7 +81,10 @@ export class NumberField {
     if (text === this.own) return;
     this.own = text;
     const typed = parseNumber(text);
-    if (typed !== undefined && typed !== this.value) this.options.commit(typed);
+    if (typed === undefined) {
+      // Emptied and left: given up, not mistyped.
+      if (text.trim()) this.options.refuse(notANumber(this.options.label, text));
+    } else if (typed !== this.value) this.options.commit(typed);
   }
 
   private onKey(event: KeyboardEvent): void {

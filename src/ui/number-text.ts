@@ -55,6 +55,13 @@ export function parseNumber(text: string): number | undefined {
   return Number.isFinite(value) ? value : undefined;
 }
 
+/** Why a field shows what it showed before: `Frame: “ten” is not a number.` */
+export function notANumber(label: string, typed: string): string {
+  const text = typed.trim();
+  return `${label}: “${text.length > MOST_QUOTED ? `${text.slice(0, MOST_QUOTED)}…` : text}” is not a number.`;
+}
+const MOST_QUOTED = 24;
+
 /** Made once: making one takes longer than all that it formats in a frame. */
 const COUNTS = new Intl.NumberFormat('en-US');
 

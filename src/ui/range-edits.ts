@@ -3,13 +3,14 @@
  * Dragging the range's ends, and the keys that set it here and now, always mean what is played.
  */
 import { setClipRange } from '../edit/commands/clips.ts';
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, playingCharacters } from '../model/document.ts';
 import { attempt } from './attempt.ts';
+import { seconds, shown } from './number-text.ts';
 import type { Workbench } from './workbench.ts';
 
 /** The one character that plays a take. */
 export function onlyTake(wb: Workbench): Character | undefined {
-  const playing = wb.store.document.characters.filter((c) => shownClip(c));
+  const playing = playingCharacters(wb.store.document);
   return playing.length === 1 ? playing[0] : undefined;
 }
 
@@ -17,7 +18,7 @@ export function onlyTake(wb: Workbench): Character | undefined {
 export function typeRange(wb: Workbench, range: readonly [number, number]): void {
   const [from, to] = range;
   if (from > to) {
-    wb.messages.note(`A range can’t end at ${to} s where it begins at ${from} s.`, 'warning');
+    wb.messages.note(`A range can’t end at ${timeText(wb, to)} where it begins at ${timeText(wb, from)}.`, 'warning');
     return;
   }
   const character = onlyTake(wb);
@@ -28,4 +29,10 @@ export function typeRange(wb: Workbench, range: readonly [number, number]): void
     );
   }
   wb.transport.update((p) => ({ ...p, range }));
+}
+
+/** `1.25 s`, or `frame 30` where times are typed in frames. */
+function timeText(wb: Workbench, timeSeconds: number): string {
+  if (wb.settings.get().timeDisplay === 'seconds') return `${seconds(timeSeconds)} s`;
+  return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond, 3)}`;
 }

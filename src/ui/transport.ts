@@ -145,11 +145,13 @@ function keying(wb: Workbench): HTMLElement {
 
 function times(wb: Workbench): HTMLElement[] {
   const at = (timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const time = new NumberField({
     label: 'Time in seconds',
     class: 'time-field',
     text: (value) => (wb.transport.get().playing ? value.toFixed(3) : seconds(value)),
     commit: at,
+    refuse,
     step: 0.01,
   });
   const frame = new NumberField({
@@ -157,6 +159,7 @@ function times(wb: Workbench): HTMLElement[] {
     class: 'frame-field',
     text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : shown(value, 3)),
     commit: (value) => at(value / wb.transport.get().framesPerSecond),
+    refuse,
     step: 1,
   });
   const fps = new NumberField({
@@ -165,8 +168,9 @@ function times(wb: Workbench): HTMLElement[] {
     text: (value) => shown(value, 3),
     commit(framesPerSecond) {
       if (framesPerSecond >= 1 && framesPerSecond <= 1000) wb.transport.update((p) => ({ ...p, framesPerSecond }));
-      else wb.messages.note(`Frames per second have to be from 1 to 1000; ${framesPerSecond} was typed.`, 'warning');
+      else refuse(`Frames per second have to be from 1 to 1000; ${framesPerSecond} was typed.`);
     },
+    refuse,
     step: 1,
   });
   const show = oncePerFrame(() => {
@@ -208,6 +212,7 @@ function range(wb: Workbench): HTMLElement[] {
         // What was refused shows as it is.
         show();
       },
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
     });
   const first = end('Range begins', (value, now) => [value, now[1]]);
   const last = end('Range ends', (value, now) => [now[0], value]);

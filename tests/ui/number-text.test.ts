@@ -7,6 +7,7 @@ import {
   count,
   exact,
   fitted,
+  notANumber,
   parseNumber,
   plural,
   seconds,
@@ -101,4 +102,9 @@ describe('fitted', () => {
   ])('cuts %d to what eight characters hold', (value, text) => {
     expect(fitted(value, 4, 8)).toBe(text);
   });
+});
+
+it('says what of a typed text is no number, cut to what a line holds', () => {
+  expect(notANumber('Frame', ' ten ')).toBe('Frame: “ten” is not a number.');
+  expect(notANumber('Frame', 'x'.repeat(30))).toBe(`Frame: “${'x'.repeat(24)}…” is not a number.`);
 });

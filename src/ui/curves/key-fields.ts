@@ -9,9 +9,10 @@ import { unitOfChannel } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
+import { attempt } from '../attempt.ts';
 import { element } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
-import { NumberField } from '../number-field.ts';
+import { NumberField, type NumberFieldOptions } from '../number-field.ts';
 import { brief } from '../number-text.ts';
 import { dofsFor } from '../timeline/channels.ts';
 import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
@@ -73,14 +74,12 @@ export function keyFields(wb: Workbench): HTMLElement {
     const take = takeInHand(wb);
     const keys = keysInHand(wb);
     if (!take || !keys.length) return;
-    try {
+    attempt(wb.messages, () => {
       wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: take.character.id, keys, ...typed });
-    } catch (error) {
-      wb.messages.note(error instanceof Error ? error.message : String(error), 'warning');
-    }
+    });
   };
   const field = (label: string, commit: (value: number) => void, text: (value: number) => string, step: number) =>
-    new MixedField(label, commit, text, step);
+    new MixedField({ label, commit, text, step, refuse: (reason) => wb.messages.note(reason, 'warning') });
   const time = field(
     'Time of the selected keys',
     (typed) => {
@@ -155,8 +154,8 @@ class MixedField {
   readonly element: HTMLInputElement;
   private readonly field: NumberField;
 
-  constructor(label: string, commit: (value: number) => void, text: (value: number) => string, step: number) {
-    this.field = new NumberField({ label, text, commit, step });
+  constructor(options: NumberFieldOptions) {
+    this.field = new NumberField(options);
     this.element = this.field.element;
   }
 

@@ -17,15 +17,21 @@ export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'free';
 export class DofMark {
   readonly element: HTMLButtonElement;
 
-  /** @param row carries the state as `data-driver` */
+  /**
+   * @param row carries the state as `data-driver`
+   * @param name of the DOF, as it is spoken: `rx of leg_fl`
+   */
   constructor(
     private readonly wb: Workbench,
     private readonly row: HTMLElement,
     private readonly characterId: string,
     private readonly dof: number,
+    private readonly name: string,
   ) {
     // Out of the order of Tab, which goes from number to number; the keyboard has the row's menu for the same.
-    const mark = button('Key', { class: 'mark', tabindex: -1 }, undefined, () => toggleKey(wb, characterId, dof));
+    const mark = button(`Key ${name}`, { class: 'mark', tabindex: -1 }, undefined, () =>
+      toggleKey(wb, characterId, dof),
+    );
     this.element = keepsFocusElsewhere(mark);
   }
 
@@ -33,20 +39,24 @@ export class DofMark {
     const state = dofState(this.wb, character, this.dof);
     if (this.row.dataset.driver === state) return;
     this.row.dataset.driver = state;
-    const { title, label } = TEXTS[state];
-    this.element.title = title;
+    this.element.title = TITLES[state];
     this.element.disabled =
       !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
-    setAttribute(this.element, 'aria-label', label);
+    setAttribute(this.element, 'aria-label', markLabel(state, this.name));
   }
 }
 
-const TEXTS: Readonly<Record<DofState, { readonly title: string; readonly label: string }>> = {
-  keyed: { title: 'Keyed at this moment. Click to delete the key', label: 'Delete the key at this moment' },
-  driven: { title: 'Driven by keys at other moments. Click to key it here', label: 'Key it at this moment' },
-  unkeyed: { title: 'Set by hand, not keyed: goes when time moves. Click to key it', label: 'Key it at this moment' },
-  free: { title: 'Not animated. Click to key it here', label: 'Key it at this moment' },
+const TITLES: Readonly<Record<DofState, string>> = {
+  keyed: 'Keyed at this moment. Click to delete the key',
+  driven: 'Driven by keys at other moments. Click to key it here',
+  unkeyed: 'Set by hand, not keyed: goes when time moves. Click to key it',
+  free: 'Not animated. Click to key it here',
 };
+
+/** What a screen reader says of a click: among hundreds of marks it tells which one is meant. */
+export function markLabel(state: DofState, name: string): string {
+  return state === 'keyed' ? `Delete this moment’s key of ${name}` : `Key ${name}`;
+}
 
 export function dofState(wb: Workbench, character: Character, dof: number): DofState {
   const { unkeyed } = character;

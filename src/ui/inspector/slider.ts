@@ -9,13 +9,16 @@
 import type { GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
 import { element } from '../dom.ts';
-import { exact, parseNumber, shown } from '../number-text.ts';
+import { isTypedIn, letGo } from '../focus.ts';
+import { exact, notANumber, parseNumber, shown } from '../number-text.ts';
 
 export interface SliderOptions {
   /** What the slider spans; absent for a field without a slider. */
   readonly span?: readonly [number, number];
   /** What may be typed at all; absent for any number. */
   readonly bounds?: readonly [number, number];
+  /** What to do about the bounds: said to who types beyond them. */
+  readonly remedy?: string;
   /** Where limits begin and end, to be hatched beyond; within or at the ends of the span. */
   readonly limits?: readonly [number, number];
   /** An arrow key's step is ten of it. */
@@ -33,13 +36,22 @@ interface Binding {
 export class Slider extends NumberController {
   declare readonly object: Binding;
 
-  constructor(folder: GUI, label: string, value: number, options: SliderOptions) {
+  /** @param refuse is told why what was typed is not taken, or not all the way */
+  constructor(
+    folder: GUI,
+    label: string,
+    value: number,
+    options: SliderOptions,
+    private readonly refuse: (reason: string) => void,
+  ) {
     const binding: Binding = { value, options };
     super(folder, binding, 'value', options.span?.[0], options.span?.[1], undefined);
     this.step(options.step, false);
     this.name(label);
     this.$input.setAttribute('type', 'text');
     this.$input.setAttribute('inputmode', 'decimal');
+    // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
+    this.updateDisplay();
     this.$input.addEventListener('focus', () => {
       this.$input.value = exact(this.object.value);
       this.$input.select();
@@ -57,7 +69,23 @@ export class Slider extends NumberController {
       },
       { capture: true },
     );
+    // Before lil-gui puts its number in place of the text.
+    this.$input.addEventListener('blur', () => this.judge(label), { capture: true });
+    this.$input.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      this.$input.value = exact(this.object.value);
+      letGo(this.$input);
+      event.preventDefault();
+    });
     if (options.span) this.drawScale(options.span, options.limits);
+  }
+
+  /** Says why the number is not what was typed. */
+  private judge(label: string): void {
+    const text = this.$input.value;
+    if (!isTypedIn(this.$input) || !text.trim() || text === exact(this.object.value)) return;
+    const reason = refusalOf(label, text, this.object.options);
+    if (reason) this.refuse(reason);
   }
 
   /** Shows another value, as if it had always been so. */
@@ -116,6 +144,20 @@ export class Slider extends NumberController {
     };
     this.$slider.append(hatched('left', part(limits[0])), hatched('right', part(low + high - limits[1])));
   }
+}
+
+/** Why a text is not taken as it stands; undefined where it is. */
+export function refusalOf(label: string, text: string, options: SliderOptions): string | undefined {
+  const typed = parseNumber(text);
+  if (typed === undefined) return notANumber(label, text);
+  const { bounds, suffix = '', remedy } = options;
+  if (!bounds || (typed >= bounds[0] && typed <= bounds[1])) return undefined;
+  const inUnit = (value: number) => `${shown(value, 4)}${suffix}`;
+  const [low, high] = bounds;
+  // The other end may be none.
+  const end = typed < low ? `goes no lower than ${inUnit(low)}` : `goes no higher than ${inUnit(high)}`;
+  const where = low === high ? `is held at ${inUnit(low)}` : end;
+  return `${label} ${where}; ${inUnit(typed)} was typed.${remedy ? ` ${remedy}` : ''}`;
 }
 
 /** Removes every controller of a folder. */

@@ -1,5 +1,5 @@
 /**
- * The panel below the transport: curve editor and dope sheet as tabs, with the edge that sets its height. The tabs are
+ * The panel below the transport: curve editor, dope sheet and takes as tabs, with the edge that sets its height. The tabs are
  * scripts of their own: the page shows its character without waiting for them.
  */
 import { button, element, keepsFocusElsewhere } from '../dom.ts';
@@ -10,7 +10,11 @@ import { splitter } from '../splitter.ts';
 import type { Workbench } from '../workbench.ts';
 import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from './timeline.ts';
 
-const LABELS: Readonly<Record<TimelineTabName, string>> = { curves: 'Curves', dope: 'Dope sheet' };
+const LABELS: Readonly<Record<TimelineTabName, string>> = {
+  curves: 'Curves',
+  dope: 'Dope sheet',
+  takes: 'Takes',
+};
 
 /**
  * @param load fetches and builds a tab; called once, when it is looked at first, and not before the page has nothing
@@ -28,10 +32,17 @@ export function timelinePanel(
         timeline.change({ tab: name }),
       ),
     );
+    title.addEventListener('click', (event) => {
+      // With the mouse it means that one goes to work there, keys and all; the keyboard stays on the tabs.
+      if (event.detail === 0) return;
+      isGoneTo = true;
+      show();
+    });
     const tools = element('div', { class: 'timeline-tools' });
     const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id });
     return { name, title, tools, body };
   });
+  let isGoneTo = false;
   const built = new Map<TimelineTabName, TimelineTab>();
   const build = async (name: TimelineTabName) => {
     const place = places.find((p) => p.name === name);
@@ -61,7 +72,8 @@ export function timelinePanel(
   list.addEventListener('keydown', (event) => {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
     event.preventDefault();
-    const other = TIMELINE_TABS[(TIMELINE_TABS.indexOf(timeline.view.get().tab) + 1) % TIMELINE_TABS.length];
+    const step = event.key === 'ArrowLeft' ? TIMELINE_TABS.length - 1 : 1;
+    const other = TIMELINE_TABS[(TIMELINE_TABS.indexOf(timeline.view.get().tab) + step) % TIMELINE_TABS.length];
     timeline.change({ tab: other });
     places.find((p) => p.name === other)?.title.focus();
   });
@@ -94,9 +106,10 @@ export function timelinePanel(
       built.get(name)?.setVisible(open && chosen);
     }
     // What had the focus is hidden, and keys went nowhere. A tab that is on its way takes it when it is here.
-    if (handsOver && timeline.tab) {
-      handsOver = false;
-      if (panel.contains(document.activeElement) || document.activeElement === document.body) focusPanel(panel);
+    if ((handsOver || isGoneTo) && timeline.tab) {
+      const { activeElement } = document;
+      if (isGoneTo || panel.contains(activeElement) || activeElement === document.body) focusPanel(panel);
+      handsOver = isGoneTo = false;
     }
   };
   timeline.view.subscribe((now, before) => {
