@@ -17,7 +17,7 @@
 import { lastNotAbove } from '../math/search.ts';
 import { EXTRAPOLATIONS } from '../model/clip.ts';
 import type { CompiledClip } from './compiled-clip.ts';
-import { columnSlope, sampleColumn, sampleColumns } from './sampling.ts';
+import { columnSlope, sampleColumn } from './sampling.ts';
 
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');
@@ -40,7 +40,8 @@ export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds
 
 /**
  * The first `count` channels at a time: `out[c]` for channel c. The same as `evaluateChannel` for each, written out so
- * that arrays are looked up once: a pose is mostly short channels, whose search is over in two steps.
+ * that arrays are looked up once: a pose is mostly short channels, whose search is over in two steps. Those that follow
+ * samples are 0: between frames their values depend on each other, and on the joints (`sampled-pose.ts`).
  */
 export function evaluateClip(
   clip: CompiledClip,
@@ -49,6 +50,10 @@ export function evaluateClip(
   count: number = clip.channelCount,
 ): void {
   const { firstKey, times, cubics } = clip;
+  if (times.length === 0) {
+    out.fill(0, 0, count);
+    return;
+  }
   let end = 0;
   for (let c = 0; c < count; c++) {
     const first = end;
@@ -67,7 +72,6 @@ export function evaluateClip(
       out[c] = ((cubics[o + 3] * since + cubics[o + 2]) * since + cubics[o + 1]) * since + cubics[o];
     } else out[c] = outside(clip, c, first, end, timeSeconds);
   }
-  if (clip.samples) sampleColumns(clip.samples, clip.columns, timeSeconds, out, count);
 }
 
 function cubic(cubics: Float64Array, key: number, t: number): number {

@@ -7,9 +7,11 @@
  * Matrices are 16 numbers a joint, column-major, in the character's own space (before its placement).
  */
 import { multiplyAffine } from '../math/mat4.ts';
+import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
-import { dofsOf, type Joint, type Skeleton } from '../model/skeleton.ts';
-import { type JointMotion, jointMotion } from './motions.ts';
+import { dofsOf, type Joint, type Skeleton, takesLimits } from '../model/skeleton.ts';
+import type { JointMotion } from './motions/motion.ts';
+import { jointMotion } from './motions.ts';
 
 /** A skeleton ready to be posed. Joints are in depth-first pre-order, so a subtree is one contiguous range. */
 export interface CompiledSkeleton {
@@ -32,6 +34,8 @@ export interface CompiledSkeleton {
   readonly lower: Float64Array;
   readonly upper: Float64Array;
   readonly motions: readonly JointMotion[];
+  /** DOFs that follow others, each after the one that it follows. */
+  readonly couples: readonly DofCouple[];
 }
 
 const compiled = new WeakMap<Skeleton, CompiledSkeleton>();
@@ -63,7 +67,7 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     const count = dofsOf(joint.motion).length;
     for (let d = 0; d < count; d++) {
       const limit = joint.limits[d];
-      const holds = limit !== undefined && limit.min <= limit.max;
+      const holds = limit !== undefined && limit.min <= limit.max && takesLimits(joint.motion);
       lower.push(holds ? limit.min : -Infinity);
       upper.push(holds ? limit.max : Infinity);
     }
@@ -81,6 +85,7 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     lower: Float64Array.from(lower),
     upper: Float64Array.from(upper),
     motions: joints.map((j) => jointMotion(j.motion)),
+    couples: couplesOf(skeleton).ordered,
   };
 }
 
@@ -109,6 +114,22 @@ export function clampDofs(skeleton: CompiledSkeleton, dofs: Float64Array): void 
     const value = dofs[first + d];
     if (value < lower[d]) dofs[first + d] = lower[d];
     else if (value > upper[d]) dofs[first + d] = upper[d];
+  }
+}
+
+/**
+ * Brings DOFs into what the skeleton allows, in place: first all limits, then each coupled DOF takes what it follows,
+ * after that one's limits or its own couple, within limits of its own.
+ * @param clamps whether limits hold; couples always do
+ */
+export function settleDofs(skeleton: CompiledSkeleton, dofs: Float64Array, clamps: boolean): void {
+  if (clamps) clampDofs(skeleton, dofs);
+  const { couples, lower, upper } = skeleton;
+  const first = skeleton.firstDof[0];
+  for (let i = 0; i < couples.length; i++) {
+    const { dof, follows, gain, offset } = couples[i];
+    const value = gain * dofs[follows] + offset;
+    dofs[dof] = clamps ? Math.min(upper[dof - first], Math.max(lower[dof - first], value)) : value;
   }
 }
 

@@ -1,4 +1,4 @@
-import { columnOf, type Samples } from './samples.ts';
+import { columnOf, rangeOfSamples, type Samples } from './samples.ts';
 
 /**
  * A clip: what an animation file holds. Channels drive a character's DOFs, in the order of `dofs.ts`: the root's
@@ -57,6 +57,16 @@ export type Extrapolation = (typeof EXTRAPOLATIONS)[number];
 /** Whether the samples are what a channel follows. */
 export function isSampled({ channels, samples }: Pick<ChannelClip, 'channels' | 'samples'>, channel: number): boolean {
   return channels[channel]?.times.length === 0 && columnOf(samples, channel) >= 0;
+}
+
+/** First to last key of a channel, or first to last frame where it follows the samples; undefined where it stands. */
+export function spanOfChannel(
+  clip: Pick<ChannelClip, 'channels' | 'samples'>,
+  channel: number,
+): readonly [number, number] | undefined {
+  const times = clip.channels[channel]?.times;
+  if (times?.length) return [times[0], times[times.length - 1]];
+  return clip.samples && isSampled(clip, channel) ? rangeOfSamples(clip.samples) : undefined;
 }
 
 /** A channel without keys that stands at a value. */

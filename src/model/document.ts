@@ -6,6 +6,7 @@ import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from './clip.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { Morph } from './morph.ts';
+import type { JointPair, RetargetOptions } from './retarget.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
@@ -46,8 +47,37 @@ export interface Character {
   readonly space?: Space;
   /** Not drawn; it plays on unseen. */
   readonly isHidden?: boolean;
+  /** A take of another character that moves its joints, instead of its own. */
+  readonly driver?: Driver;
   /** The files it came from. */
   readonly sources: readonly SourceFile[];
+}
+
+/**
+ * A take of another character that moves this one's joints: put onto it, live.
+ *
+ * What it needs of the other one is held here and shared with it, so that a pose remains a matter of one character. The
+ * store keeps it in step (`edit/drivers.ts`): when the other character changes, so does this. When it goes, what it last
+ * did stays.
+ */
+export interface Driver {
+  /** Id of the character whose take it is. */
+  readonly sourceId: string;
+  readonly source: DriverSource;
+  /** In the order of this character's joints, each at most once. */
+  readonly pairs: readonly JointPair[];
+  readonly options: RetargetOptions;
+}
+
+/** What of a character moves another one. */
+export interface DriverSource {
+  readonly name: string;
+  readonly skeleton: Skeleton;
+  readonly clip: ChannelClip;
+  readonly pose: readonly number[];
+  readonly clampsToLimits: boolean;
+  readonly timeOffsetSeconds: number;
+  readonly space?: Space;
 }
 
 export interface Unkeyed {
@@ -69,12 +99,26 @@ export interface Placement {
 export interface Space {
   readonly up: 'y' | 'z';
   readonly unit: LengthUnit;
+  /** Metres that 1 stands for where the unit is its `own`; above 0. */
+  readonly metres?: number;
   /** How far it is lifted onto the ground; metres, or units of the file where it is taken as it is. */
   readonly lift: number;
 }
 
-/** The length that 1 in a file stands for; `asIs`: taken for a metre, whatever it is. */
-export const LENGTH_UNITS = ['asIs', 'metres', 'centimetres', 'millimetres', 'inches'] as const;
+/**
+ * The length that 1 in a file stands for; `asIs`: taken for a metre, whatever it is. `cmu`: 1/0.45 of an inch, as the
+ * motion capture of Carnegie Mellon University has it. `own`: any other, named beside it.
+ */
+export const LENGTH_UNITS = [
+  'asIs',
+  'metres',
+  'decimetres',
+  'centimetres',
+  'millimetres',
+  'inches',
+  'cmu',
+  'own',
+] as const;
 export type LengthUnit = (typeof LENGTH_UNITS)[number];
 
 export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
@@ -105,15 +149,26 @@ export function findCharacter(document: Document, id: string | undefined): Chara
   return document.characters.find((c) => c.id === id);
 }
 
-/** Seconds of the transport from the first moment of any shown clip to the last; undefined without clips. */
+/**
+ * Characters that play something to be seen; all that play, where everything is hidden: their time is the transport's.
+ */
+export function playingCharacters(document: Document): readonly Character[] {
+  const playing = document.characters.filter((c) => c.driver ?? shownClip(c));
+  const seen = playing.filter((c) => !c.isHidden);
+  return seen.length ? seen : playing;
+}
+
+/** Seconds of the transport from the first moment of any clip that plays to the last; undefined without clips. */
 export function rangeOfClips(document: Document): readonly [number, number] | undefined {
   let start = Number.POSITIVE_INFINITY;
   let end = Number.NEGATIVE_INFINITY;
-  for (const character of document.characters) {
-    const clip = shownClip(character);
+  for (const character of playingCharacters(document)) {
+    const source = character.driver?.source;
+    const clip = source?.clip ?? shownClip(character);
     if (!clip) continue;
-    start = Math.min(start, clip.range[0] - character.timeOffsetSeconds);
-    end = Math.max(end, clip.range[1] - character.timeOffsetSeconds);
+    const offset = character.timeOffsetSeconds + (source?.timeOffsetSeconds ?? 0);
+    start = Math.min(start, clip.range[0] - offset);
+    end = Math.max(end, clip.range[1] - offset);
   }
   return start <= end ? [start, end] : undefined;
 }

@@ -7,19 +7,31 @@
  *
  * Sliders, commands, channels and the mixer's track all address a DOF by its index in this list.
  */
-import { type Dof, type DofUnit, dofsOf, type Limit, movesByItself, type Skeleton, UNLIMITED } from './skeleton.ts';
+import {
+  type Dof,
+  type DofUnit,
+  dofsOf,
+  type Limit,
+  movesByItself,
+  type Skeleton,
+  takesLimits,
+  UNLIMITED,
+} from './skeleton.ts';
 
 const ROOT_TRANSLATION: readonly Dof[] = [
-  { name: 'tx', unit: 'length' },
-  { name: 'ty', unit: 'length' },
-  { name: 'tz', unit: 'length' },
+  { name: 'tx', unit: 'length', rest: 0 },
+  { name: 'ty', unit: 'length', rest: 0 },
+  { name: 'tz', unit: 'length', rest: 0 },
 ];
 
 /** One DOF of a character, with what it takes to show a slider for it. */
 export interface CharacterDof extends Dof {
   /** -1 for a morph weight; the root's index for its translation. */
   readonly joint: number;
+  /** None where the DOF takes none. */
   readonly limit: Limit;
+  /** Whether it takes limits: root translation, morph weights and the parts of a quaternion don't. */
+  readonly takesLimits: boolean;
 }
 
 /** Nothing clamps the root's translation, however far an animation walks. */
@@ -57,13 +69,21 @@ export function firstDofs(skeleton: Skeleton): number[] {
 
 /** Every DOF of a character with this skeleton and these morphs, in order. */
 export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly { readonly name: string }[]) {
-  const all: CharacterDof[] = rootDofs(skeleton).map((dof) => ({ ...dof, joint: 0, limit: NO_LIMIT }));
+  const all: CharacterDof[] = rootDofs(skeleton).map((dof) => ({
+    ...dof,
+    joint: 0,
+    limit: NO_LIMIT,
+    takesLimits: false,
+  }));
   skeleton?.joints.forEach((joint, index) => {
+    const limited = takesLimits(joint.motion);
     dofsOf(joint.motion).forEach((dof, i) => {
-      all.push({ ...dof, joint: index, limit: joint.limits[i] ?? UNLIMITED });
+      const limit = limited ? (joint.limits[i] ?? UNLIMITED) : NO_LIMIT;
+      all.push({ ...dof, joint: index, limit, takesLimits: limited });
     });
   });
-  for (const morph of morphs) all.push({ name: morph.name, unit: 'weight', joint: -1, limit: { min: 0, max: 1 } });
+  for (const morph of morphs)
+    all.push({ name: morph.name, unit: 'weight', rest: 0, joint: -1, limit: { min: 0, max: 1 }, takesLimits: false });
   return all;
 }
 
@@ -83,7 +103,10 @@ export function filePose(skeleton: Skeleton | undefined, morphCount: number): nu
   return values;
 }
 
-/** Every DOF at rest: what a pose without any value would be. */
+/** Every DOF at rest: what a pose without any value would be. Scales are 1, and quaternions turn nothing. */
 export function restPose(skeleton: Skeleton | undefined, morphCount: number): number[] {
-  return new Array<number>(rootDofCount(skeleton) + jointDofCount(skeleton) + morphCount).fill(0);
+  const values = rootDofs(skeleton).map(({ rest }) => rest);
+  for (const joint of skeleton?.joints ?? []) values.push(...dofsOf(joint.motion).map(({ rest }) => rest));
+  for (let m = 0; m < morphCount; m++) values.push(0);
+  return values;
 }

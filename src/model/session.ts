@@ -25,6 +25,11 @@ export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'hea
 /** `bare`: solid, for characters that no skin is drawn of. */
 export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 
+export const GHOST_UNITS = ['seconds', 'frames'] as const;
+export type GhostUnit = (typeof GHOST_UNITS)[number];
+/** On each side of the time shown. */
+export const MOST_GHOSTS = 20;
+
 /** What is drawn, for all characters. */
 export interface Display {
   readonly skin: SkinStyle;
@@ -39,6 +44,14 @@ export interface Display {
   readonly orthographic: boolean;
   /** Selected joint's path over the played range. */
   readonly trail: boolean;
+  /** The selected character at other times, before and after the one shown. */
+  readonly ghosts: boolean;
+  /** How many of them, 0 to `MOST_GHOSTS`. */
+  readonly ghostsBefore: number;
+  readonly ghostsAfter: number;
+  /** From one ghost to the next, in `ghostStepIn`; above 0. */
+  readonly ghostStep: number;
+  readonly ghostStepIn: GhostUnit;
   /** Keeps the camera on the selected joint. */
   readonly follow: boolean;
   /** Cancels the root's travel over the ground. */
@@ -56,6 +69,11 @@ export const DEFAULT_DISPLAY: Display = {
   shadow: true,
   orthographic: false,
   trail: false,
+  ghosts: false,
+  ghostsBefore: 3,
+  ghostsAfter: 3,
+  ghostStep: 0.2,
+  ghostStepIn: 'seconds',
   follow: false,
   inPlace: false,
 };

@@ -22,6 +22,25 @@ export interface Joint {
   readonly pose: readonly number[];
   /** Points that end a bone where no joint is (BVH's `End Site`), in the joint's space and the file's order. */
   readonly endSites?: readonly Vec3[];
+  /** Of the bone from the pivot along +y, at least 0. Absent where a joint has none of its own. */
+  readonly length?: number;
+  /** In the order of its DOFs, at most one for each. Absent rather than empty. */
+  readonly couples?: readonly Couple[];
+}
+
+/**
+ * A DOF that follows another, φ: it is gain·φ + offset, within its limits, and its own value counts for nothing. No DOF
+ * follows itself, directly or by way of others.
+ */
+export interface Couple {
+  /** The name of one of the joint's own DOFs. */
+  readonly dof: string;
+  /** Index of the joint that it follows, which may be its own. */
+  readonly joint: number;
+  /** The name of that joint's DOF. */
+  readonly follows: string;
+  readonly gain: number;
+  readonly offset: number;
 }
 
 /** One tree: joint 0 is its root, and the only one with parent -1. */
@@ -42,8 +61,27 @@ export interface Limit {
   readonly max: number;
 }
 
-/** How a joint moves. `evaluate/motions.ts` holds each kind's rule. */
-export type Motion = { readonly kind: 'ball'; readonly order: EulerOrder } | BvhMotion;
+/**
+ * How a joint moves. What is said of it stays as written (axes of any length, but not of none); `evaluate/motions.ts`
+ * holds each kind's rule.
+ */
+export type Motion =
+  | { readonly kind: 'ball'; readonly order: EulerOrder }
+  | { readonly kind: 'hinge'; readonly axis: Vec3 }
+  | { readonly kind: 'universal'; readonly order: AxisPair }
+  | { readonly kind: 'quaternion' }
+  | { readonly kind: 'prismatic'; readonly axis: Vec3 }
+  | { readonly kind: 'translational' }
+  | { readonly kind: 'free'; readonly order: EulerOrder }
+  /** `pitch` is how far a whole turn advances along the axis. */
+  | { readonly kind: 'screw'; readonly axis: Vec3; readonly pitch: number }
+  /** The axis is kept whatever the mode, which may not ask for one. */
+  | { readonly kind: 'scale'; readonly mode: ScaleMode; readonly axis: Vec3 }
+  | { readonly kind: 'shear' }
+  | { readonly kind: 'fixed' }
+  /** One-DOF matrices, multiplied from left to right; each DOF at most once. */
+  | { readonly kind: 'compound'; readonly dofs: readonly CompoundDof[] }
+  | BvhMotion;
 
 /**
  * A joint of BVH: the channels it has are its DOFs, in their order. The translation comes before the rotations, wherever
@@ -65,13 +103,30 @@ export type EulerOrder = 'xyz' | 'xzy' | 'yxz' | 'yzx' | 'zxy' | 'zyx';
 
 export const EULER_ORDERS: readonly EulerOrder[] = ['xyz', 'xzy', 'yxz', 'yzx', 'zxy', 'zyx'];
 
-/** What a DOF measures, which decides its unit on screen and its range when it has no limits. */
-export type DofUnit = 'angle' | 'length' | 'weight';
+/** Two axes, that which is turned about first standing first: xy is Ry·Rx. */
+export const AXIS_PAIRS = ['xy', 'xz', 'yx', 'yz', 'zx', 'zy'] as const;
+export type AxisPair = (typeof AXIS_PAIRS)[number];
+
+/** All axes alike; each by itself; along an axis only; along an axis, and across it so that the volume stays. */
+export const SCALE_MODES = ['uniform', 'xyz', 'axis', 'volume'] as const;
+export type ScaleMode = (typeof SCALE_MODES)[number];
+
+export const COMPOUND_DOFS = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz', 'sx', 'sy', 'sz'] as const;
+export type CompoundDof = (typeof COMPOUND_DOFS)[number];
+
+/**
+ * What a DOF measures, which decides its unit on screen and its range when it has no limits. Scales, shears and the
+ * parts of a quaternion are factors.
+ */
+export const DOF_UNITS = ['angle', 'length', 'factor', 'weight'] as const;
+export type DofUnit = (typeof DOF_UNITS)[number];
 
 export interface Dof {
   /** As the format spells it: rx, ry, rz, tx … */
   readonly name: string;
   readonly unit: DofUnit;
+  /** Where it changes nothing: 0, but 1 for scales and the real part of a quaternion. */
+  readonly rest: number;
 }
 
 export const DEFAULT_BOX: Box = { min: [-0.1, -0.1, -0.1], max: [0.1, 0.1, 0.1] };
@@ -79,28 +134,71 @@ export const DEFAULT_MOTION: Motion = { kind: 'ball', order: 'xyz' };
 /** What the course's files mean by "no limit"; shown as unlimited. */
 export const UNLIMITED: Limit = { min: -100000, max: 100000 };
 
-const BALL: readonly Dof[] = [
-  { name: 'rx', unit: 'angle' },
-  { name: 'ry', unit: 'angle' },
-  { name: 'rz', unit: 'angle' },
-];
+/** `rx` is an angle, `sy` a scale, `qw` a part of a quaternion: the first letter tells them apart. */
+function dof(name: string): Dof {
+  if (name.startsWith('r')) return { name, unit: 'angle', rest: 0 };
+  if (name.startsWith('t')) return { name, unit: 'length', rest: 0 };
+  return { name, unit: 'factor', rest: name.startsWith('s') || name === 'qw' ? 1 : 0 };
+}
+
+function list(...names: readonly string[]): readonly Dof[] {
+  return names.map(dof);
+}
+
+const R = list('r');
+const T = list('t');
+const S = list('s');
+const RX_RY_RZ = list('rx', 'ry', 'rz');
+const TX_TY_TZ = list('tx', 'ty', 'tz');
+const FREE = [...TX_TY_TZ, ...RX_RY_RZ];
+const SX_SY_SZ = list('sx', 'sy', 'sz');
+const QUATERNION = list('qx', 'qy', 'qz', 'qw');
+const SHEAR = list('hxy', 'hxz', 'hyz');
+const NONE = list();
 
 /** The DOFs of a motion, in the order in which poses, limits and channels list them. */
 export function dofsOf(motion: Motion): readonly Dof[] {
   switch (motion.kind) {
     case 'ball':
-      return BALL;
+      return RX_RY_RZ;
+    case 'hinge':
+    case 'screw':
+      return R;
+    case 'universal':
+      return RX_RY_RZ.filter(({ name }) => motion.order.includes(name[1]));
+    case 'quaternion':
+      return QUATERNION;
+    case 'prismatic':
+      return T;
+    case 'translational':
+      return TX_TY_TZ;
+    case 'free':
+      return FREE;
+    case 'scale':
+      return motion.mode === 'xyz' ? SX_SY_SZ : S;
+    case 'shear':
+      return SHEAR;
+    case 'fixed':
+      return NONE;
+    case 'compound':
+      return motion.dofs.map(dof);
     case 'bvh':
-      return motion.channels.map((name) => (name.startsWith('t') ? { name, unit: 'length' } : { name, unit: 'angle' }));
+      return motion.channels.map(dof);
   }
 }
 
 /** Whether a joint as the root carries the whole character by its own DOFs, and needs no root translation. */
 export function movesByItself(motion: Motion): boolean {
+  if (motion.kind === 'free') return true;
   return motion.kind === 'bvh' && TRANSLATIONS.every((name) => motion.channels.includes(name));
 }
 
 const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
+
+/** Whether a motion's DOFs take limits. Those of a quaternion are no quantities of their own: they stay as they are. */
+export function takesLimits(motion: Motion): boolean {
+  return motion.kind !== 'quaternion';
+}
 
 export function isUnlimited(limit: Limit): boolean {
   return limit.min <= UNLIMITED.min && limit.max >= UNLIMITED.max;

@@ -43,6 +43,7 @@ export interface PoseJson {
       readonly dofs: readonly number[];
       readonly world: readonly number[];
     }[];
+    readonly endSites?: readonly { readonly joint: number; readonly position: readonly number[] }[];
     readonly morphs: readonly { readonly name: string; readonly weight: number }[];
     readonly positions?: readonly number[];
     readonly normals?: readonly number[];

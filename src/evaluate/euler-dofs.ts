@@ -1,0 +1,46 @@
+/** Which of a joint's DOFs are angles that can be told to turn it: all of a rotation's, or each by itself. */
+import { type CompoundDof, dofsOf, type EulerOrder, type Motion } from '../model/skeleton.ts';
+
+/** Where among a joint's DOFs the Euler angles are that make up its whole rotation. */
+export interface EulerDofs {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+  /** In which they are applied. */
+  readonly order: EulerOrder;
+}
+
+/** None where a joint turns about fewer than three axes, or not by such angles. */
+export function eulerDofs(motion: Motion): EulerDofs | undefined {
+  switch (motion.kind) {
+    case 'ball':
+      return { x: 0, y: 1, z: 2, order: motion.order };
+    case 'bvh':
+      return listedAngles(motion.channels);
+    case 'free':
+      return { x: 3, y: 4, z: 5, order: motion.order };
+    case 'compound': {
+      // With anything between them they are no rotation of their own.
+      const angles = motion.dofs.flatMap((name, i) => (name.startsWith('r') ? [i] : []));
+      return angles.length === 3 && angles[2] - angles[0] === 2 ? listedAngles(motion.dofs) : undefined;
+    }
+    default:
+      return undefined;
+  }
+}
+
+/** Rotations listed as they are multiplied from left to right: the last one is applied first. */
+function listedAngles(names: readonly CompoundDof[]): EulerDofs | undefined {
+  const [x, y, z] = (['rx', 'ry', 'rz'] as const).map((name) => names.indexOf(name));
+  if (x < 0 || y < 0 || z < 0) return undefined;
+  const axes = names.filter((name) => name.startsWith('r')).map((name) => name[1]);
+  // The three letters of a permutation, which is what the orders are.
+  return { x, y, z, order: axes.reverse().join('') as EulerOrder };
+}
+
+/** Of each DOF of a joint, whether a whole turn more of it changes nothing. */
+export function turningDofs(motion: Motion): readonly boolean[] {
+  // A turn of a screw goes somewhere.
+  const turns = motion.kind !== 'screw' || motion.pitch === 0;
+  return dofsOf(motion).map(({ unit }) => turns && unit === 'angle');
+}

@@ -1,0 +1,89 @@
+/** Turning about an axis and sliding along it: hinge, prismatic and screw joints. */
+import type { Vec3 } from '../../math/vec3.ts';
+import { crossColumns } from './ball.ts';
+import type { JointMotion } from './motion.ts';
+
+/**
+ * T(axis · perTurn · r / 2π) · R(axis, r): a hinge where a turn advances nothing, else a screw.
+ *
+ *     R = cos r · I + sin r · [a]× + (1 − cos r) · a·aᵀ        (Rodrigues)        R′ = [a]× · R
+ */
+export function screwMotion(axis: Vec3, perTurn: number): JointMotion {
+  const [x, y, z] = direction(axis);
+  const advance = perTurn / (2 * Math.PI);
+  const screw: JointMotion = {
+    write(dofs, first, out, o) {
+      const r = dofs[first];
+      const s = Math.sin(r);
+      const c = Math.cos(r);
+      const v = 1 - c;
+      out[o] = c + v * x * x;
+      out[o + 1] = v * x * y + s * z;
+      out[o + 2] = v * x * z - s * y;
+      out[o + 4] = v * x * y - s * z;
+      out[o + 5] = c + v * y * y;
+      out[o + 6] = v * y * z + s * x;
+      out[o + 8] = v * x * z + s * y;
+      out[o + 9] = v * y * z - s * x;
+      out[o + 10] = c + v * z * z;
+      const t = advance * r;
+      out[o + 12] = t * x;
+      out[o + 13] = t * y;
+      out[o + 14] = t * z;
+      out[o + 3] = out[o + 7] = out[o + 11] = 0;
+      out[o + 15] = 1;
+    },
+    writeDerivative(dofs, first, _dof, out, o) {
+      screw.write(dofs, first, out, o);
+      crossColumns(out, o, x, y, z);
+      out[o + 12] = advance * x;
+      out[o + 13] = advance * y;
+      out[o + 14] = advance * z;
+    },
+    writeTwists(_dofs, _first, _j, _jo, out) {
+      out[0] = x;
+      out[1] = y;
+      out[2] = z;
+      out[3] = advance * x;
+      out[4] = advance * y;
+      out[5] = advance * z;
+    },
+  };
+  return screw;
+}
+
+/** T(t · axis). */
+export function prismaticMotion(axis: Vec3): JointMotion {
+  const [x, y, z] = direction(axis);
+  const along = (out: Float64Array, o: number, t: number) => {
+    out.fill(0, o, o + 16);
+    out[o + 12] = t * x;
+    out[o + 13] = t * y;
+    out[o + 14] = t * z;
+  };
+  return {
+    write(dofs, first, out, o) {
+      along(out, o, dofs[first]);
+      out[o] = out[o + 5] = out[o + 10] = out[o + 15] = 1;
+    },
+    writeDerivative: (_dofs, _first, _dof, out, o) => along(out, o, 1),
+    writeTwists(_dofs, _first, _j, _jo, out) {
+      out[0] = out[1] = out[2] = 0;
+      out[3] = x;
+      out[4] = y;
+      out[5] = z;
+    },
+  };
+}
+
+/**
+ * An axis as written, of length 1: divided by its largest part first, so that neither 1e-200 nor 1e200 is lost. One of
+ * no length, which no reader lets through, is x.
+ */
+export function direction([x, y, z]: Vec3): Vec3 {
+  const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+  if (!(largest > 0 && largest < Infinity)) return [1, 0, 0];
+  const [a, b, c] = [x / largest, y / largest, z / largest];
+  const length = Math.sqrt(a * a + b * b + c * c);
+  return [a / length, b / length, c / length];
+}

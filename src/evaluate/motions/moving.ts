@@ -1,0 +1,111 @@
+/**
+ * A rotation behind a translation along x, y and z: BVH joints and freejoints.
+ *
+ *     J = T(t) · R        ∂J/∂t_k = e_k in the last column        ∂J/∂r = that of R
+ */
+import type { BvhMotion, EulerOrder } from '../../model/skeleton.ts';
+import { BALLS } from './ball.ts';
+import type { JointMotion } from './motion.ts';
+import { factorOf, productOf } from './product.ts';
+
+/** T(tx, ty, tz) · R, the rotation's angles behind the translation. */
+export function freeMotion(order: EulerOrder): JointMotion {
+  const ball = BALLS[order];
+  return {
+    write(dofs, first, out, o) {
+      ball.write(dofs, first + 3, out, o);
+      out[o + 12] = dofs[first];
+      out[o + 13] = dofs[first + 1];
+      out[o + 14] = dofs[first + 2];
+    },
+    writeDerivative(dofs, first, dof, out, o) {
+      if (dof < 3) writeAlong(out, o, dof, 1);
+      else ball.writeDerivative(dofs, first + 3, dof - 3, out, o);
+    },
+    writeTwists(dofs, first, j, jo, out) {
+      ball.writeTwists?.(dofs, first + 3, j, jo, gatheredTwists);
+      for (let n = 0; n < 18; n++) out[n] = n === 3 || n === 10 || n === 17 ? 1 : 0;
+      for (let n = 0; n < 18; n++) out[18 + n] = gatheredTwists[n];
+    },
+  };
+}
+
+/**
+ * T(tx, ty, tz) · R_first · R_second · R_third, whatever of them there is. Three rotations are a ball: BVH multiplies in
+ * the order it lists, a ball's order names what is applied first, so ZXY here is `yxz` there.
+ */
+export function bvhMotion({ channels }: BvhMotion): JointMotion {
+  const translations = (['tx', 'ty', 'tz'] as const).map((name) => channels.indexOf(name));
+  const turns = channels.flatMap((name, dof) => (name.startsWith('r') ? [factorOf(name, dof)] : []));
+  const rotation = turns.length === 3 ? spreadBall(channels) : productOf(turns);
+  return {
+    write(dofs, first, out, o) {
+      rotation.write(dofs, first, out, o);
+      for (let k = 0; k < 3; k++) {
+        const at = translations[k];
+        if (at >= 0) out[o + 12 + k] = dofs[first + at];
+      }
+    },
+    writeDerivative(dofs, first, dof, out, o) {
+      const along = translations.indexOf(dof);
+      if (along >= 0) writeAlong(out, o, along, 1);
+      else rotation.writeDerivative(dofs, first, dof, out, o);
+    },
+    ...(rotation.writeTwists && {
+      writeTwists(dofs, first, j, jo, out) {
+        rotation.writeTwists?.(dofs, first, j, jo, out);
+        for (let k = 0; k < 3; k++) {
+          if (translations[k] < 0) continue;
+          const at = 6 * translations[k];
+          for (let n = 0; n < 6; n++) out[at + n] = n === 3 + k ? 1 : 0;
+        }
+      },
+    }),
+  };
+}
+
+/** Those of a ball. Scratch, never escapes. */
+const gatheredTwists = new Float64Array(18);
+
+/** The angles of a ball, gathered from where they stand. Scratch, never escapes. */
+const gathered = new Float64Array(3);
+
+/** A ball whose three angles stand anywhere among the channels. */
+function spreadBall(channels: readonly string[]): JointMotion {
+  const names = channels.filter((name) => name.startsWith('r')).map((name) => name[1]);
+  // The three letters of a permutation, which is what the orders are.
+  const ball = BALLS[names.reverse().join('') as EulerOrder];
+  const x = channels.indexOf('rx');
+  const y = channels.indexOf('ry');
+  const z = channels.indexOf('rz');
+  const gather = (dofs: Float64Array, first: number) => {
+    gathered[0] = dofs[first + x];
+    gathered[1] = dofs[first + y];
+    gathered[2] = dofs[first + z];
+  };
+  return {
+    write(dofs, first, out, o) {
+      gather(dofs, first);
+      ball.write(gathered, 0, out, o);
+    },
+    writeDerivative(dofs, first, dof, out, o) {
+      gather(dofs, first);
+      ball.writeDerivative(gathered, 0, dof === x ? 0 : dof === y ? 1 : 2, out, o);
+    },
+    writeTwists(dofs, first, j, jo, out) {
+      gather(dofs, first);
+      ball.writeTwists?.(gathered, 0, j, jo, gatheredTwists);
+      for (let n = 0; n < 6; n++) {
+        out[6 * x + n] = gatheredTwists[n];
+        out[6 * y + n] = gatheredTwists[6 + n];
+        out[6 * z + n] = gatheredTwists[12 + n];
+      }
+    },
+  };
+}
+
+/** The derivative of a translation along one of the axes. */
+function writeAlong(out: Float64Array, o: number, axis: number, speed: number): void {
+  out.fill(0, o, o + 16);
+  out[o + 12 + axis] = speed;
+}

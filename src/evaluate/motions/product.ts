@@ -1,0 +1,93 @@
+/**
+ * One-DOF matrices along and about x, y and z, multiplied from left to right: universal and compound joints, and the
+ * rotations of a BVH joint that has not all three.
+ *
+ *     M ← M · F        ∂: the factor of the DOF is replaced by its derivative, F′
+ *
+ * Multiplying by such a factor mixes columns of M, and so does multiplying by its derivative: no factor is ever written
+ * out as a matrix.
+ */
+import { setIdentity } from '../../math/mat4.ts';
+import type { AxisPair } from '../../model/skeleton.ts';
+import type { JointMotion } from './motion.ts';
+
+export interface Factor {
+  readonly kind: 'translation' | 'rotation' | 'scale';
+  /** 0, 1, 2 for x, y, z. */
+  readonly axis: number;
+  /** Which of the joint's DOFs it is. */
+  readonly dof: number;
+}
+
+/** The factor that a DOF's name says: `tx`, `rz`, `sy`. */
+export function factorOf(name: string, dof: number): Factor {
+  const kind = name.startsWith('t') ? 'translation' : name.startsWith('r') ? 'rotation' : 'scale';
+  return { kind, axis: 'xyz'.indexOf(name[1]), dof };
+}
+
+/** From left to right. */
+export function productOf(factors: readonly Factor[]): JointMotion {
+  return {
+    stretches: factors.some(({ kind }) => kind === 'scale'),
+    write(dofs, first, out, o) {
+      setIdentity(out, o);
+      for (let f = 0; f < factors.length; f++) multiply(out, o, factors[f], dofs[first + factors[f].dof]);
+    },
+    writeDerivative(dofs, first, dof, out, o) {
+      setIdentity(out, o);
+      for (let f = 0; f < factors.length; f++) {
+        const factor = factors[f];
+        const value = dofs[first + factor.dof];
+        if (factor.dof === dof) multiplyByDerivative(out, o, factor, value);
+        else multiply(out, o, factor, value);
+      }
+      out[o + 15] = 0;
+    },
+  };
+}
+
+/** Two rotations, that about the first letter's axis applied first; the DOFs are in the order x, y, z all the same. */
+export function universalMotion(order: AxisPair): JointMotion {
+  const [first, second] = order;
+  const turn = (axis: string) => factorOf(`r${axis}`, axis === (first < second ? first : second) ? 0 : 1);
+  return productOf([turn(second), turn(first)]);
+}
+
+/** M ← M · F. */
+function multiply(m: Float64Array, o: number, { kind, axis }: Factor, value: number): void {
+  const own = o + 4 * axis;
+  if (kind === 'rotation') {
+    turnColumns(m, o, axis, Math.cos(value), Math.sin(value));
+  } else if (kind === 'scale') {
+    for (let r = 0; r < 3; r++) m[own + r] *= value;
+  } else {
+    for (let r = 0; r < 3; r++) m[o + 12 + r] += m[own + r] * value;
+  }
+}
+
+/** M ← M · F′: what the factor leaves as it is has the derivative 0. */
+function multiplyByDerivative(m: Float64Array, o: number, { kind, axis }: Factor, value: number): void {
+  const own = o + 4 * axis;
+  if (kind === 'rotation') {
+    // Of cos and sin, the derivatives.
+    turnColumns(m, o, axis, -Math.sin(value), Math.cos(value));
+    for (let r = 0; r < 3; r++) m[own + r] = m[o + 12 + r] = 0;
+  } else if (kind === 'scale') {
+    for (let c = o; c < o + 16; c += 4) if (c !== own) m[c] = m[c + 1] = m[c + 2] = 0;
+  } else {
+    for (let r = 0; r < 3; r++) m[o + 12 + r] = m[own + r];
+    for (let c = o; c < o + 12; c += 4) m[c] = m[c + 1] = m[c + 2] = 0;
+  }
+}
+
+/** The two columns of the other axes, mixed as a rotation does it. */
+function turnColumns(m: Float64Array, o: number, axis: number, cos: number, sin: number): void {
+  const u = o + 4 * ((axis + 1) % 3);
+  const v = o + 4 * ((axis + 2) % 3);
+  for (let r = 0; r < 3; r++) {
+    const a = m[u + r];
+    const b = m[v + r];
+    m[u + r] = a * cos + b * sin;
+    m[v + r] = b * cos - a * sin;
+  }
+}

@@ -1,0 +1,84 @@
+/**
+ * The rotation of a quaternion x y z w of any length: R(u), u = q/|q|. Of length 0 it is the identity.
+ *
+ *     │ 1 − 2(y² + z²)   2(xy − wz)       2(xz + wy)     │
+ *     │ 2(xy + wz)       1 − 2(x² + z²)   2(yz − wx)     │        N = |q|²·R is quadratic in q, so that
+ *     │ 2(xz − wy)       2(yz + wx)       1 − 2(x² + y²) │        ∂R/∂q_d = (∂N/∂q_d (u) − 2·u_d·R) / |q|
+ */
+import { setIdentity } from '../../math/mat4.ts';
+import type { JointMotion } from './motion.ts';
+
+/** u, and |q| behind it. Scratch, never escapes. */
+const unit = new Float64Array(5);
+
+/** Whether there is a direction to normalise to. Divides by the largest part first, lest squares vanish or overflow. */
+function normalise(dofs: Float64Array, first: number): boolean {
+  const largest = Math.max(
+    Math.abs(dofs[first]),
+    Math.abs(dofs[first + 1]),
+    Math.abs(dofs[first + 2]),
+    Math.abs(dofs[first + 3]),
+  );
+  if (!(largest > 0)) return false;
+  let sum = 0;
+  for (let i = 0; i < 4; i++) {
+    unit[i] = dofs[first + i] / largest;
+    sum += unit[i] * unit[i];
+  }
+  const length = Math.sqrt(sum);
+  for (let i = 0; i < 4; i++) unit[i] /= length;
+  unit[4] = length * largest;
+  return true;
+}
+
+export const QUATERNION: JointMotion = {
+  write(dofs, first, out, o) {
+    setIdentity(out, o);
+    if (!normalise(dofs, first)) return;
+    const [x, y, z, w] = [unit[0], unit[1], unit[2], unit[3]];
+    out[o] = 1 - 2 * (y * y + z * z);
+    out[o + 1] = 2 * (x * y + w * z);
+    out[o + 2] = 2 * (x * z - w * y);
+    out[o + 4] = 2 * (x * y - w * z);
+    out[o + 5] = 1 - 2 * (x * x + z * z);
+    out[o + 6] = 2 * (y * z + w * x);
+    out[o + 8] = 2 * (x * z + w * y);
+    out[o + 9] = 2 * (y * z - w * x);
+    out[o + 10] = 1 - 2 * (x * x + y * y);
+  },
+  writeDerivative(dofs, first, dof, out, o) {
+    QUATERNION.write(dofs, first, out, o);
+    out[o + 15] = 0;
+    if (!normalise(dofs, first)) {
+      // A jump from no rotation to any: it has no slope.
+      out.fill(0, o, o + 16);
+      return;
+    }
+    const u = unit[dof];
+    const scale = 2 / unit[4];
+    const [x, y, z, w] = [unit[0], unit[1], unit[2], unit[3]];
+    // Of N = w²+x²−y²−z² and so on, on its diagonal; half of each derivative.
+    const onDiagonal = [x, y, z];
+    for (let c = 0; c < 3; c++) {
+      for (let r = 0; r < 3; r++) {
+        const n = r === c ? diagonal(dof, r, u) : offDiagonal(dof, r, c, onDiagonal, w);
+        out[o + 4 * c + r] = scale * (n - u * out[o + 4 * c + r]);
+      }
+    }
+  },
+};
+
+/** Half the derivative of N[r][r], which has +q_d² for d = r and d = w, −q_d² for the others. */
+function diagonal(dof: number, r: number, u: number): number {
+  return dof === r || dof === 3 ? u : -u;
+}
+
+/** Half the derivative of N[r][c] = 2·(q_r·q_c ∓ w·q_t), t the third axis; minus where c follows r. */
+function offDiagonal(dof: number, r: number, c: number, v: readonly number[], w: number): number {
+  const third = 3 - r - c;
+  const sign = (c - r + 3) % 3 === 1 ? -1 : 1;
+  if (dof === 3) return sign * v[third];
+  if (dof === r) return v[c];
+  if (dof === c) return v[r];
+  return sign * w;
+}

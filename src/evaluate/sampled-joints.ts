@@ -1,0 +1,94 @@
+/** Which DOFs of a skeleton the samples of a clip drive, sorted by how each of them gets from one frame to the next. */
+import { firstDofs } from '../model/dofs.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import type { CompiledClip } from './compiled-clip.ts';
+import { eulerDofs, turningDofs } from './euler-dofs.ts';
+
+/** DOFs in the character's order, and beside each list the columns that drive them. */
+export interface SampledJoints {
+  /** Lengths, weights, and what else goes straight on. */
+  readonly plainDofs: Int32Array;
+  readonly plainColumns: Int32Array;
+  /** Angles by themselves. */
+  readonly angleDofs: Int32Array;
+  readonly angleColumns: Int32Array;
+  /** Three a rotation, in the order in which they are applied. */
+  readonly eulerDofs: Int32Array;
+  readonly eulerColumns: Int32Array;
+  /**
+   * One a rotation: the sign that its angles take to be α β γ of Rz(γ)·Ry(β)·Rx(α) with the axes renamed. Nothing else
+   * has to be renamed, neither for slerp nor for the way back to angles: they are the same in any axes.
+   */
+  readonly eulerSigns: Float64Array;
+  /** Four a rotation: x y z w. */
+  readonly quaternionDofs: Int32Array;
+  readonly quaternionColumns: Int32Array;
+}
+
+const known = new WeakMap<CompiledClip, WeakMap<Skeleton, SampledJoints>>();
+
+/** Made once for each clip and skeleton. */
+export function sampledJoints(clip: CompiledClip, skeleton: Skeleton): SampledJoints {
+  let bySkeleton = known.get(clip);
+  if (!bySkeleton) {
+    bySkeleton = new WeakMap();
+    known.set(clip, bySkeleton);
+  }
+  let made = bySkeleton.get(skeleton);
+  if (!made) {
+    made = sort(clip, skeleton);
+    bySkeleton.set(skeleton, made);
+  }
+  return made;
+}
+
+/** A joint of which only some angles follow samples has no rotation in them: each of those goes by itself. */
+function sort({ columns }: CompiledClip, skeleton: Skeleton): SampledJoints {
+  const first = firstDofs(skeleton);
+  const eulers: number[] = [];
+  const signs: number[] = [];
+  const quaternions: number[] = [];
+  const angles: number[] = [];
+  const done = new Set<number>();
+  const take = (dofs: readonly number[], list: number[]) => {
+    // Past the channels there is undefined, which is not at least 0.
+    if (dofs.length === 0 || !dofs.every((dof) => columns[dof] >= 0)) return false;
+    list.push(...dofs);
+    for (const dof of dofs) done.add(dof);
+    return true;
+  };
+  skeleton.joints.forEach(({ motion }, j) => {
+    const euler = eulerDofs(motion);
+    if (euler) {
+      const applied = [...euler.order].map(
+        (axis) => first[j] + (axis === 'x' ? euler.x : axis === 'y' ? euler.y : euler.z),
+      );
+      const isEven = euler.order === 'xyz' || euler.order === 'yzx' || euler.order === 'zxy';
+      if (take(applied, eulers)) signs.push(isEven ? 1 : -1);
+    }
+    if (motion.kind === 'quaternion')
+      take(
+        [0, 1, 2, 3].map((i) => first[j] + i),
+        quaternions,
+      );
+    turningDofs(motion).forEach((turns, i) => {
+      if (turns && !done.has(first[j] + i)) take([first[j] + i], angles);
+    });
+  });
+  const plain: number[] = [];
+  columns.forEach((column, dof) => {
+    if (column >= 0 && !done.has(dof)) plain.push(dof);
+  });
+  const columnsOf = (dofs: readonly number[]) => Int32Array.from(dofs, (dof) => columns[dof]);
+  return {
+    plainDofs: Int32Array.from(plain),
+    plainColumns: columnsOf(plain),
+    angleDofs: Int32Array.from(angles),
+    angleColumns: columnsOf(angles),
+    eulerDofs: Int32Array.from(eulers),
+    eulerColumns: columnsOf(eulers),
+    eulerSigns: Float64Array.from(signs),
+    quaternionDofs: Int32Array.from(quaternions),
+    quaternionColumns: columnsOf(quaternions),
+  };
+}

@@ -1,0 +1,149 @@
+/**
+ * Unit quaternions x y z w of the angles α β γ of a rotation Rz(γ)·Ry(β)·Rx(α), and back.
+ *
+ * Other orders are the same with the axes renamed, as `evaluate/motions.ts` has it. Back goes by half sum and half
+ * difference of the outer angles (Bernardes and Viollet, "Quaternion to Euler angles conversion: A direct, general and
+ * computationally efficient method", 2022):
+ *
+ *     (w − y, x + z) = √2·cos(β/2 + 45°) · (cos, sin) (γ + α)/2
+ *     (w + y, z − x) = √2·sin(β/2 + 45°) · (cos, sin) (γ − α)/2
+ *
+ * By way of a matrix β is an arc sine, which loses half its digits beside 90°: just where it matters which angles are
+ * chosen. From a rotation whose angles are known to one close by, it is three small turns of these vectors.
+ */
+
+/** Writes x y z w to `out[o]`. Takes half the angles: the sines and cosines of those are all there is to it. */
+export function quaternionOfEuler(
+  halfAlpha: number,
+  halfBeta: number,
+  halfGamma: number,
+  out: Float64Array,
+  o: number,
+): void {
+  const sx = Math.sin(halfAlpha);
+  const cx = Math.cos(halfAlpha);
+  const sy = Math.sin(halfBeta);
+  const cy = Math.cos(halfBeta);
+  const sz = Math.sin(halfGamma);
+  const cz = Math.cos(halfGamma);
+  out[o] = sx * cy * cz - cx * sy * sz;
+  out[o + 1] = cx * sy * cz + sx * cy * sz;
+  out[o + 2] = cx * cy * sz - sx * sy * cz;
+  out[o + 3] = cx * cy * cz + sx * sy * sz;
+}
+
+/** Shorter than this one of the two vectors above has no direction any more: gimbal lock. */
+const LOCKED = 1e-12;
+
+const TURN = 2 * Math.PI;
+
+/**
+ * Replaces the three angles at `angles[o]` by those of the unit quaternion at `q[0]` that are nearest to them. Each
+ * rotation has two sets of angles, (α, β, γ) and (α + 180°, 180° − β, γ + 180°), and whole turns more of each. In gimbal
+ * lock one of γ + α and γ − α is all that the rotation says, and the other one stays.
+ */
+export function eulerNear(q: Float64Array, angles: Float64Array, o: number): void {
+  const x = q[0];
+  const y = q[1];
+  const z = q[2];
+  const w = q[3];
+  const alpha0 = angles[o];
+  const beta0 = angles[o + 1];
+  const gamma0 = angles[o + 2];
+  const ofSum = Math.sqrt((w - y) * (w - y) + (x + z) * (x + z));
+  const ofDifference = Math.sqrt((w + y) * (w + y) + (z - x) * (z - x));
+  let sum = Math.atan2(x + z, w - y);
+  let difference = Math.atan2(z - x, w + y);
+  const isSumFree = ofSum < LOCKED;
+  if (isSumFree || ofDifference < LOCKED) {
+    // Half a turn more of the one that counts is a whole turn of both angles together.
+    if (isSumFree) {
+      sum = (gamma0 + alpha0) / 2;
+      difference += Math.PI * Math.round(((gamma0 - alpha0) / 2 - difference) / Math.PI);
+    } else {
+      difference = (gamma0 - alpha0) / 2;
+      sum += Math.PI * Math.round(((gamma0 + alpha0) / 2 - sum) / Math.PI);
+    }
+    angles[o] = sum - difference;
+    angles[o + 1] = turnedNear(isSumFree ? Math.PI / 2 : -Math.PI / 2, beta0);
+    angles[o + 2] = sum + difference;
+    return;
+  }
+  const alpha = turnedNear(sum - difference, alpha0);
+  const beta = turnedNear(2 * Math.atan2(ofDifference, ofSum) - Math.PI / 2, beta0);
+  const gamma = turnedNear(sum + difference, gamma0);
+  const a = Math.abs(alpha - alpha0);
+  const b = Math.abs(beta - beta0);
+  const c = Math.abs(gamma - gamma0);
+  angles[o] = alpha;
+  angles[o + 1] = beta;
+  angles[o + 2] = gamma;
+  // The other set's outer angles are π − a and π − c away: with b² < 2π·(π − a − c) it can't be nearer.
+  if (b * b < TURN * (Math.PI - a - c)) return;
+  const otherBeta = turnedNear(Math.PI - beta, beta0);
+  const d = Math.abs(otherBeta - beta0);
+  if (d * d + TURN * (Math.PI - a - c) >= b * b) return;
+  angles[o] = turnedNear(alpha + Math.PI, alpha0);
+  angles[o + 1] = otherBeta;
+  angles[o + 2] = turnedNear(gamma + Math.PI, gamma0);
+}
+
+/**
+ * Where the quaternion p at `from[0]` has the three angles at `angles[o]` and q is close by, makes them those of q: each
+ * changes by a little. False, and nothing changed, where that is not so or too much: `eulerNear` is for all others, and
+ * takes three times as long. Neither has to be of length 1.
+ */
+export function turnEuler(from: Float64Array, q: Float64Array, angles: Float64Array, o: number): boolean {
+  // Sine and cosine of half sum and half difference, times their lengths.
+  const s0 = from[0] + from[2];
+  const c0 = from[3] - from[1];
+  const d0 = from[2] - from[0];
+  const e0 = from[3] + from[1];
+  const s1 = q[0] + q[2];
+  const c1 = q[3] - q[1];
+  const d1 = q[2] - q[0];
+  const e1 = q[3] + q[1];
+  const sumCosine = c0 * c1 + s0 * s1;
+  const sum = (c0 * s1 - s0 * c1) / sumCosine;
+  const differenceCosine = e0 * e1 + d0 * d1;
+  const difference = (e0 * d1 - d0 * e1) / differenceCosine;
+  const sumLength0 = c0 * c0 + s0 * s0;
+  const sumLength1 = c1 * c1 + s1 * s1;
+  const differenceLength0 = e0 * e0 + d0 * d0;
+  const differenceLength1 = e1 * e1 + d1 * d1;
+  const beta =
+    (Math.sqrt(sumLength0 * differenceLength1) - Math.sqrt(differenceLength0 * sumLength1)) /
+    (Math.sqrt(sumLength0 * sumLength1) + Math.sqrt(differenceLength0 * differenceLength1));
+  // Written so that NaN is far away. Beyond ±90° of β a length is negative; beside them it hardly has a direction.
+  const isClose =
+    sumCosine > 0 &&
+    differenceCosine > 0 &&
+    sumLength0 > BESIDE_LOCK &&
+    differenceLength0 > BESIDE_LOCK &&
+    Math.abs(sum) < SMALL &&
+    Math.abs(difference) < SMALL &&
+    Math.abs(beta) < SMALL &&
+    Math.abs(angles[o + 1]) < Math.PI / 2;
+  if (!isClose) return false;
+  const halfSum = smallArcTangent(sum);
+  const halfDifference = smallArcTangent(difference);
+  angles[o] += halfSum - halfDifference;
+  angles[o + 1] += 2 * smallArcTangent(beta);
+  angles[o + 2] += halfSum + halfDifference;
+  return true;
+}
+
+const SMALL = 0.1;
+/** The square of a vector's length where β is a degree from gimbal lock. */
+const BESIDE_LOCK = 1e-4;
+
+/** Exact to 1e-16 up to `SMALL`, and a fifth of the time of `Math.atan2`. */
+function smallArcTangent(x: number): number {
+  const s = x * x;
+  return x * (1 - s * (1 / 3 - s * (1 / 5 - s * (1 / 7 - s * (1 / 9 - s * (1 / 11 - s / 13))))));
+}
+
+/** An angle, whole turns added so that it is the nearest to another one. */
+export function turnedNear(angle: number, near: number): number {
+  return angle + TURN * Math.round((near - angle) / TURN);
+}

@@ -1,0 +1,161 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { direction } from '../../src/evaluate/motions/axis.ts';
+import { jointMotion } from '../../src/evaluate/motions.ts';
+import { determinant3 } from '../../src/math/mat4.ts';
+import { skelMotionOf } from '../../src/model/skel-motion.ts';
+import { dofsOf, type Motion } from '../../src/model/skeleton.ts';
+import { bvhMotion, motion } from '../formats/arbitraries.ts';
+import { expectClose } from '../helpers/close.ts';
+
+const at = (of: Motion, values: readonly number[]) => {
+  const out = new Float64Array(18).fill(7);
+  jointMotion(of).write(Float64Array.of(9, ...values), 1, out, 1);
+  expect([out[0], out[17]]).toEqual([7, 7]);
+  return out.slice(1, 17);
+};
+const derivative = (of: Motion, values: readonly number[], dof: number) => {
+  const out = new Float64Array(18).fill(7);
+  jointMotion(of).writeDerivative(Float64Array.of(9, ...values), 1, dof, out, 1);
+  expect([out[0], out[17]]).toEqual([7, 7]);
+  return out.slice(1, 17);
+};
+
+/** Away from 0, which scales that keep their volume and quaternions do not like. */
+const value = fc.double({ min: 0.3, max: 3, noNaN: true });
+const signed = fc.tuple(value, fc.constantFrom(1, -1)).map(([v, s]) => v * s);
+const isPositive = (of: Motion) => of.kind === 'scale' && of.mode === 'volume';
+/** Pitches and axes of 1e300 would drown every difference in rounding. */
+const tame = (of: Motion) => of.kind !== 'screw' || Math.abs(of.pitch) < 100;
+const posed = fc
+  .oneof(motion, bvhMotion)
+  .filter(tame)
+  .chain((of) => fc.tuple(fc.constant(of), fc.tuple(...dofsOf(of).map(() => (isPositive(of) ? value : signed)))));
+
+describe('any motion', () => {
+  it('has the derivatives that finite differences have', () => {
+    fc.assert(
+      fc.property(posed, ([of, values]) => {
+        const h = 1e-5;
+        values.forEach((_, dof) => {
+          const moved = (by: number) =>
+            at(
+              of,
+              values.map((v, i) => (i === dof ? v + by : v)),
+            );
+          const [back, ahead] = [moved(-h), moved(h)];
+          const slope = ahead.map((v, i) => (v - back[i]) / (2 * h));
+          expectClose(derivative(of, values, dof), slope, 1e-7, `${of.kind} ${dofsOf(of)[dof].name}`);
+        });
+      }),
+      { numRuns: 1000 },
+    );
+  });
+
+  it('does nothing with its DOFs at rest', () => {
+    fc.assert(
+      fc.property(fc.oneof(motion, bvhMotion), (of) => {
+        expectClose(
+          at(
+            of,
+            dofsOf(of).map((dof) => dof.rest),
+          ),
+          IDENTITY,
+          1e-15,
+          of.kind,
+        );
+      }),
+    );
+  });
+
+  it('turns without stretching where it has neither scale nor shear', () => {
+    fc.assert(
+      fc.property(posed, ([of, values]) => {
+        fc.pre(of.kind !== 'scale' && of.kind !== 'shear' && !dofsOf(of).some(({ name }) => /^s/.test(name)));
+        expect(determinant3(at(of, values))).toBeCloseTo(1, 12);
+      }),
+    );
+  });
+});
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+describe('a scale that keeps the volume', () => {
+  const volume: Motion = { kind: 'scale', mode: 'volume', axis: [1, 2, -2] };
+
+  it('keeps it', () => {
+    fc.assert(
+      fc.property(fc.double({ min: 0.01, max: 100, noNaN: true }), (s) => {
+        expect(determinant3(at(volume, [s]))).toBeCloseTo(1, 9);
+      }),
+    );
+  });
+
+  it('stays finite where there is nothing left of it', () => {
+    for (const s of [0, -1, -1e300, 1e-300]) {
+      expect(at(volume, [s]).every(Number.isFinite)).toBe(true);
+      expectClose(derivative(volume, [s], 0), new Float64Array(16), 1e-300, `s = ${s}`);
+    }
+  });
+});
+
+describe('a quaternion', () => {
+  const quaternion: Motion = { kind: 'quaternion' };
+
+  it('turns by its direction, whatever its length', () => {
+    const expected = at(quaternion, [0.1, -0.2, 0.3, 0.4]);
+    for (const scale of [1e-200, 1e-3, -1, 7, 1e200]) {
+      expectClose(
+        at(
+          quaternion,
+          [0.1, -0.2, 0.3, 0.4].map((v) => v * scale),
+        ),
+        expected,
+        1e-14,
+        `times ${scale}`,
+      );
+    }
+  });
+
+  it('turns nothing without a length', () => {
+    expect([...at(quaternion, [0, 0, 0, 0])]).toEqual(IDENTITY);
+    expect(derivative(quaternion, [0, 0, 0, 0], 1)).toEqual(new Float64Array(16));
+  });
+});
+
+describe('an axis', () => {
+  it('is of length 1 whatever is written, and x where nothing is', () => {
+    expectClose(direction([3e-200, 0, 4e-200]), [0.6, 0, 0.8], 1e-15, 'tiny');
+    expectClose(direction([0, -3e200, 4e200]), [0, -0.6, 0.8], 1e-15, 'huge');
+    expect(direction([0, -0, 0])).toEqual([1, 0, 0]);
+  });
+});
+
+describe('a joint of BVH as one of .skel', () => {
+  it('has the same matrix from the same numbers in another order', () => {
+    fc.assert(
+      fc.property(bvhMotion, fc.array(signed, { minLength: 6, maxLength: 6 }), (of, values) => {
+        const { motion: made, dofMap } = skelMotionOf(of);
+        expect(dofMap.map((dof) => of.channels[dof])).toEqual(dofsOf(made).map(({ name }) => name));
+        expectClose(
+          at(
+            made,
+            dofMap.map((dof) => values[dof]),
+          ),
+          at(of, values),
+          1e-14,
+          of.channels.join(' '),
+        );
+      }),
+    );
+  });
+
+  it('is the simplest that can do it', () => {
+    const kindOf = (...channels: ('tx' | 'ty' | 'tz' | 'rx' | 'ry' | 'rz')[]) =>
+      skelMotionOf({ kind: 'bvh', channels, positions: 'replace' }).motion;
+    expect(kindOf()).toEqual({ kind: 'fixed' });
+    expect(kindOf('rz', 'rx', 'ry')).toEqual({ kind: 'ball', order: 'yxz' });
+    expect(kindOf('tx', 'ty', 'tz', 'rz', 'ry', 'rx')).toEqual({ kind: 'free', order: 'xyz' });
+    expect(kindOf('rx', 'ty', 'rz')).toEqual({ kind: 'compound', dofs: ['ty', 'rx', 'rz'] });
+  });
+});

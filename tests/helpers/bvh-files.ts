@@ -1,0 +1,23 @@
+/** The real files of motion capture, read as the page reads them. */
+import { readdirSync } from 'node:fs';
+import { readWhole } from '../../src/formats/reader.ts';
+import { formatOf } from '../../src/formats/registry.ts';
+import type { Figure } from '../../src/model/files.ts';
+import { hasShared, sharedBytes, sharedPath } from './shared.ts';
+
+/** Names of all that load. */
+export const BVH_FILES: readonly string[] = hasShared
+  ? readdirSync(sharedPath('data/bvh')).filter((name) => name.endsWith('.bvh'))
+  : [];
+
+export function readFigures(name: string, bytes: Uint8Array | string): readonly Figure[] {
+  const format = formatOf(name);
+  if (!format) throw new Error(`${name} has no reader.`);
+  const { value, diagnostics } = readWhole(format.reader(name), bytes);
+  if (value?.kind !== 'bvh') throw new Error(`${name} was not read: ${diagnostics[0]?.message}`);
+  return value.figures;
+}
+
+export function sharedFigures(name: string): readonly Figure[] {
+  return readFigures(name, sharedBytes(`data/bvh/${name}`));
+}

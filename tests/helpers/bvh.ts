@@ -1,0 +1,42 @@
+/** Figures of BVH made by hand: a skeleton whose joints have channels, and rows of values in degrees. */
+import { keylessChannel } from '../../src/model/clip.ts';
+import { rootDofCount } from '../../src/model/dofs.ts';
+import type { Figure } from '../../src/model/files.ts';
+import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
+import { type BvhChannel, dofsOf, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { joint } from './builders.ts';
+
+export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: Partial<Joint> = {}): Joint {
+  const offset = more.offset ?? [0, 1, 0];
+  return joint(parent, {
+    motion: { kind: 'bvh', channels, positions: 'replace' },
+    limits: channels.map(() => UNLIMITED),
+    pose: channels.map((name) => (name.startsWith('t') ? offset['xyz'.indexOf(name[1])] : 0)),
+    ...more,
+  });
+}
+
+/** @param rows a value a channel, in the file's units */
+export function bvhFigure(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.04): Figure {
+  const scales = skeleton.joints.flatMap(({ motion }) =>
+    dofsOf(motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1)),
+  );
+  const firstChannel = rootDofCount(skeleton);
+  return {
+    skeleton,
+    clip: {
+      name: skeleton.name,
+      range: [0, (rows.length - 1) * frameSeconds],
+      channels: Array.from({ length: firstChannel + scales.length }, () => keylessChannel()),
+      samples: {
+        frameCount: rows.length,
+        frameSeconds,
+        startSeconds: 0,
+        firstChannel,
+        values: Float64Array.from(rows.flat()),
+        scales: Float64Array.from(scales),
+        interpolation: 'linear',
+      },
+    },
+  };
+}
