@@ -17,7 +17,8 @@ function isMissing(t: Tokens, keywords: Keywords): boolean {
   return t.kind !== 'word' || keywords.has(t.keyword()) || (t.startsLine && !looksNumeric(t));
 }
 
-function looksNumeric(t: Tokens): boolean {
+/** Whether the word at hand is a number, or was meant to be one. */
+export function looksNumeric(t: Tokens): boolean {
   return /^([+-]?(\d|\.|nan|inf)|[+-]$)/.test(t.keyword());
 }
 

@@ -88,7 +88,10 @@ export class Places {
     if (this.unfinished.length) this.unfinished = this.unfinished.filter((u) => !this.extend(u));
   }
 
-  /** Bytes [from, to) of the piece at hand are known to have so many LFs and no CR; -1: no one knows. */
+  /**
+   * Bytes [from, to) of the piece at hand are known to have so many LFs, and no CR but right before one of them; -1: no
+   * one knows.
+   */
   passed(from: number, to: number, lineFeeds: number): void {
     if (lineFeeds >= 0 && to - from > SHORT) this.stretches.push(from, to, lineFeeds);
   }

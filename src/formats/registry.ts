@@ -4,6 +4,7 @@
  */
 import type { FileContent, FileKind } from '../model/files.ts';
 import { animReader } from './anim/read.ts';
+import { bvhReader } from './bvh/read.ts';
 import { morphReader } from './morph/read.ts';
 import type { Reader } from './reader.ts';
 import { rigReader } from './rig/read.ts';
@@ -17,7 +18,8 @@ export interface Format {
   readonly extensions: readonly string[];
   /** As a person would say it: "skeleton". */
   readonly label: string;
-  reader(fileName: string): Reader<FileContent>;
+  /** `byteLength`: the file's, where it is known; only a hint. */
+  reader(fileName: string, byteLength?: number): Reader<FileContent>;
 }
 
 export const FORMATS: readonly Format[] = [
@@ -50,6 +52,12 @@ export const FORMATS: readonly Format[] = [
     extensions: ['rig'],
     label: 'rig',
     reader: (name) => mapped(rigReader(name), (rig) => ({ kind: 'rig', rig })),
+  },
+  {
+    kind: 'bvh',
+    extensions: ['bvh'],
+    label: 'motion capture',
+    reader: (name, byteLength) => mapped(bvhReader(name, byteLength), (figures) => ({ kind: 'bvh', figures })),
   },
 ];
 

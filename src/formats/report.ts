@@ -32,7 +32,12 @@ export class Report {
   constructor(private readonly file: string) {}
 
   get hasErrors(): boolean {
-    return this.counts.error > 0;
+    return this.errorCount > 0;
+  }
+
+  /** So far; to tell whether what was just read was sound. */
+  get errorCount(): number {
+    return this.counts.error;
   }
 
   /** Whether another one of this severity would be kept, and is worth finding the place of. */

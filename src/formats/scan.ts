@@ -39,7 +39,7 @@ const RETURN = 13 - 48;
 /** Why the loop stopped; `Scan.at` is then … */
 /** … the end of the bytes. */
 export const AT_END = 0;
-/** … after the last number that fitted. */
+/** … at what follows the last number that fitted. */
 export const FULL = 1;
 /** … at a `}`. */
 export const CLOSED = 2;
@@ -51,7 +51,9 @@ export interface Scan {
   at: number;
   /** Numbers in `out` so far. */
   count: number;
-  /** LFs that were passed, so that no one has to count them again; -1 when a CR was among them. */
+  /** How far `out` may be filled. */
+  limit: number;
+  /** LFs that were passed, so that no one has to count them again; -1 when a CR without an LF was among them. */
   lineFeeds: number;
 }
 
@@ -63,7 +65,8 @@ export type BlockWords = readonly [Uint8Array, Uint8Array, Uint8Array];
 export const WORD_VALUES = [Number.NaN, Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY] as const;
 
 /**
- * Reads numbers from `bytes[scan.at]` on into `out[scan.count]` on. Returns why it stopped.
+ * Reads numbers from `bytes[scan.at]` on into `out[scan.count]` on, up to `out[scan.limit]`. Returns why it stopped:
+ * FULL only when something follows, which it stops at.
  */
 export function scanNumbers(
   bytes: Uint8Array,
@@ -72,7 +75,7 @@ export function scanNumbers(
   scan: Scan,
   words: BlockWords | undefined,
 ): number {
-  const capacity = out.length;
+  const capacity = scan.limit;
   let i = scan.at;
   let n = scan.count;
   let why = AT_END;
@@ -90,7 +93,11 @@ export function scanNumbers(
       continue;
     }
     if (c === 13) {
-      sawCr = true;
+      // At the end of the bytes it is not known what follows.
+      if (i + 1 < end && bytes[i + 1] === 10) {
+        lineFeeds++;
+        i++;
+      } else sawCr = true;
       i++;
       continue;
     }

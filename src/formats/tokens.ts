@@ -66,6 +66,7 @@ export class Tokens {
 
   private readonly places = new Places();
   private bytes: Uint8Array = new Uint8Array(0);
+  private from = 0;
   private at = 0;
   private end = 0;
   private isLastPiece = false;
@@ -83,7 +84,7 @@ export class Tokens {
   private lowered: string | undefined;
   /** The end of the line that `file` looked at last. */
   private lineStop = -1;
-  private readonly scan: Scan = { at: 0, count: 0, lineFeeds: 0 };
+  private readonly scan: Scan = { at: 0, count: 0, limit: 0, lineFeeds: 0 };
   /** A walk over the numbers that a sink holds: number `slot` begins at or after `slotAt`. */
   private slotsFrom = 0;
   private slotAt = 0;
@@ -116,7 +117,7 @@ export class Tokens {
     }
     this.bytes = bytes;
     this.lineStop = -1;
-    this.at = this.slotsFrom = this.slotAt = from;
+    this.from = this.at = this.slotsFrom = this.slotAt = from;
     this.slot = 0;
     this.end = to;
     // The last piece's last byte is ours.
@@ -269,15 +270,7 @@ export class Tokens {
    */
   *file(extensions: RegExp, keywords: Keywords): Generator<void, string, void> {
     this.at = this.start;
-    while (this.lineStop < this.at) {
-      const lineStop = lineEnd(this.bytes, this.at, this.end);
-      if (lineStop < this.end) this.lineStop = lineStop;
-      else {
-        this.lineFrom = this.at;
-        yield;
-        this.lineFrom = -1;
-      }
-    }
+    yield* this.wholeLine();
     const { bytes, lineStop } = this;
     // The word may lie in another piece by now.
     let from = this.at;
@@ -323,6 +316,70 @@ export class Tokens {
     return textOf(bytes, from, stop);
   }
 
+  /** Behind the token at hand: the rest of its line up to a `{`, without the blanks around it. */
+  *restOfLine(): Generator<void, string, void> {
+    yield* this.wholeLine();
+    const { bytes, lineStop } = this;
+    let from = this.at;
+    let stop = from;
+    while (stop < lineStop && bytes[stop] !== 123) stop++;
+    this.at = stop;
+    while (from < stop && isBlank(bytes[from])) from++;
+    while (from < stop && isBlank(bytes[stop - 1])) stop--;
+    return textOf(bytes, from, stop);
+  }
+
+  /** Sees to it that all from `at` up to the end of the line, `lineStop`, is at hand. */
+  private *wholeLine(): Generator<void, void, void> {
+    while (this.lineStop < this.at) {
+      const lineStop = lineEnd(this.bytes, this.at, this.end);
+      if (lineStop < this.end) this.lineStop = lineStop;
+      else {
+        this.lineFrom = this.at;
+        yield;
+        this.lineFrom = -1;
+      }
+    }
+  }
+
+  /** Ends the word at hand behind the first such byte in it; what is left of it is the next token. */
+  endBehind(byte: number): void {
+    for (let i = this.start; i < this.stop; i++) {
+      if (this.bytes[i] !== byte) continue;
+      this.stop = this.at = i + 1;
+      this.lowered = undefined;
+      return;
+    }
+  }
+
+  // ——— a format's own loop ———
+
+  /** The piece of bytes at hand: [from, end), of which those before `at` are read. */
+  pieceAtHand(): { readonly bytes: Uint8Array; readonly from: number; readonly at: number; readonly end: number } {
+    return { bytes: this.bytes, from: this.from, at: this.isHeld ? this.start : this.at, end: this.end };
+  }
+
+  /** Bytes [from, to) of the piece have so many LFs, as `Scan` tells them. */
+  passed(from: number, to: number, lineFeeds: number): void {
+    this.places.passed(from, to, lineFeeds);
+  }
+
+  /** Goes on reading there, behind a token. */
+  goOnFrom(at: number): void {
+    this.isHeld = false;
+    this.at = at;
+  }
+
+  /** Where the token at hand begins in the piece at hand. */
+  get tokenAt(): number {
+    return this.start;
+  }
+
+  /** Where a byte of the piece at hand is. */
+  placeAt(at: number): Place {
+    return this.places.place(at);
+  }
+
   // ——— numbers ———
 
   /** How many numbers the bytes at hand can hold at most: what a declared count is allowed to allocate. */
@@ -344,6 +401,7 @@ export class Tokens {
     for (;;) {
       scan.at = this.at;
       scan.count = sink.count;
+      scan.limit = sink.values.length;
       const why = scanNumbers(this.bytes, this.end, sink.values, scan, sink.words);
       this.places.passed(this.at, scan.at, scan.lineFeeds);
       this.at = scan.at;
@@ -453,6 +511,10 @@ export class Tokens {
     this.error('brace-missing', `Expected "}" to close ${what}${where}, found the end of the file.`);
     throw new ParseError('brace-missing');
   }
+}
+
+function isBlank(c: number): boolean {
+  return c === 32 || c === 9;
 }
 
 const TOO_MANY = { code: 'not-a-number', why: '' };

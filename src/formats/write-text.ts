@@ -58,13 +58,28 @@ export class Text {
   /** A name as one token, with the blank before it; nothing for an empty one. */
   name(name: string, what: string): string {
     if (name === '') return '';
-    return ` ${this.changed(name, wellFormed(name).replace(/[ \t\r\n{}]/g, '_'), what)}`;
+    return ` ${this.changed(name, oneToken(name), what)}`;
+  }
+
+  /** A name as the rest of its line, with the blank before it; nothing for an empty one. */
+  lineName(name: string, what: string): string {
+    if (name === '') return '';
+    // Blanks inside are fine; those at an end would be taken for none of it.
+    const fit = wellFormed(name)
+      .replace(/[\r\n{}]/g, '_')
+      .replace(/^[ \t]+|[ \t]+$/g, (blanks) => '_'.repeat(blanks.length));
+    return ` ${this.changed(name, fit, what)}`;
   }
 
   /** A file name: as it is where one token can hold it, else in quotes. */
   file(name: string, what: string): string {
     const fit = this.changed(name, wellFormed(name).replace(/[\r\n"]/g, '_'), what);
     return /^[^ \t{}]+$/.test(fit) ? fit : `"${fit}"`;
+  }
+
+  /** What the model has and the format has no place for, as an info. */
+  left(code: string, message: string): void {
+    this.report.info(code, message, NOWHERE, 'left out');
   }
 
   private changed(name: string, fit: string, what: string): string {
@@ -75,11 +90,25 @@ export class Text {
     return fit;
   }
 
-  result(): WriteResult {
+  /** The lines so far: `result` has only those after them. */
+  takeText(): string {
     const rest = this.lines.length ? `${this.lines.join('\n')}\n` : '';
-    const diagnostics: readonly Diagnostic[] = this.report.finish();
-    return { text: this.done.join('') + rest, diagnostics };
+    const text = this.done.join('') + rest;
+    this.lines = [];
+    this.done.length = 0;
+    return text;
   }
+
+  result(): WriteResult {
+    const text = this.takeText();
+    const diagnostics: readonly Diagnostic[] = this.report.finish();
+    return { text, diagnostics };
+  }
+}
+
+/** A name as it is written where it has to be one token. */
+export function oneToken(name: string): string {
+  return wellFormed(name).replace(/[ \t\r\n{}]/g, '_');
 }
 
 /** Half a surrogate pair has no UTF-8. */

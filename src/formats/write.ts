@@ -4,6 +4,7 @@
  */
 import type { FileContent } from '../model/files.ts';
 import { writeAnim } from './anim/write.ts';
+import { writeBvh } from './bvh/write.ts';
 import { writeMorph } from './morph/write.ts';
 import type { WriteResult } from './reader.ts';
 import { writeRig } from './rig/write.ts';
@@ -24,6 +25,7 @@ export function writeFile(content: FileContent, fileName: string): WriteResult |
     case 'rig':
       return writeRig(content.rig, fileName);
     case 'bvh':
+      return writeBvh(content.figures, fileName);
     case 'texture':
       return undefined;
   }

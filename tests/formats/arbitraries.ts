@@ -4,7 +4,19 @@ import type { Vec3 } from '../../src/math/vec3.ts';
 import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED, type Tangents } from '../../src/model/clip.ts';
 import type { Morph, MorphRows } from '../../src/model/morph.ts';
 import type { Rig } from '../../src/model/rig.ts';
-import { EULER_ORDERS, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import {
+  AXIS_PAIRS,
+  type BvhMotion,
+  COMPOUND_DOFS,
+  type Couple,
+  dofsOf,
+  EULER_ORDERS,
+  type Joint,
+  type Motion,
+  SCALE_MODES,
+  type Skeleton,
+  UNLIMITED,
+} from '../../src/model/skeleton.ts';
 import type { Attachments, Skin } from '../../src/model/skin.ts';
 
 /** Any finite double, -0 included. */
@@ -33,21 +45,73 @@ function wellFormed(text: string): boolean {
   return !/\p{Surrogate}/u.test(text);
 }
 
+/** Any length but zero, which a reader refuses. */
+const axis = fc.oneof(vec3, fc.constant([1, 0, 0] as Vec3)).filter((v) => v.some((part) => part !== 0));
+const order = fc.constantFrom(...EULER_ORDERS);
+
+/** All that `.skel` can say of how a joint moves. */
+export const motion: fc.Arbitrary<Motion> = fc.oneof(
+  fc.record({ kind: fc.constant('ball' as const), order }),
+  fc.record({ kind: fc.constant('hinge' as const), axis }),
+  fc.record({ kind: fc.constant('universal' as const), order: fc.constantFrom(...AXIS_PAIRS) }),
+  fc.constant({ kind: 'quaternion' as const }),
+  fc.record({ kind: fc.constant('prismatic' as const), axis }),
+  fc.constant({ kind: 'translational' as const }),
+  fc.record({ kind: fc.constant('free' as const), order }),
+  fc.record({ kind: fc.constant('screw' as const), axis, pitch: finite }),
+  fc.record({ kind: fc.constant('scale' as const), mode: fc.constantFrom(...SCALE_MODES), axis }),
+  fc.constant({ kind: 'shear' as const }),
+  fc.constant({ kind: 'fixed' as const }),
+  fc.record({ kind: fc.constant('compound' as const), dofs: fc.shuffledSubarray([...COMPOUND_DOFS]) }),
+);
+
+/** A joint of BVH: any channels, in any order. */
+export const bvhMotion: fc.Arbitrary<BvhMotion> = fc.record({
+  kind: fc.constant('bvh' as const),
+  channels: fc.shuffledSubarray(['tx', 'ty', 'tz', 'rx', 'ry', 'rz'] as const),
+  positions: fc.constantFrom('replace' as const, 'add' as const),
+});
+
+const limit = fc.oneof(fc.constant(UNLIMITED), fc.record({ min: finite, max: finite }));
+
 const joint = (index: number): fc.Arbitrary<Joint> =>
-  fc.record({
-    name: fc.oneof(token, fc.constant('')),
-    parent: index === 0 ? fc.constant(-1) : fc.nat(index - 1),
-    offset: vec3,
-    box: fc.oneof(
-      fc.constant({ min: [-0.1, -0.1, -0.1] as Vec3, max: [0.1, 0.1, 0.1] as Vec3 }),
-      fc.record({ min: vec3, max: vec3 }),
-    ),
-    motion: fc.constantFrom(...EULER_ORDERS).map((order) => ({ kind: 'ball' as const, order })),
-    limits: fc.tuple(
-      ...Array.from({ length: 3 }, () => fc.oneof(fc.constant(UNLIMITED), fc.record({ min: finite, max: finite }))),
-    ),
-    pose: fc.oneof(fc.constant([0, 0, 0]), fc.tuple(finite, finite, finite)),
+  motion.chain((own) => {
+    const dofs = dofsOf(own);
+    const each = <T>(arbitrary: fc.Arbitrary<T>) => fc.tuple(...dofs.map(() => arbitrary));
+    return fc.record(
+      {
+        name: fc.oneof(token, fc.constant('')),
+        parent: index === 0 ? fc.constant(-1) : fc.nat(index - 1),
+        offset: vec3,
+        box: fc.oneof(
+          fc.constant({ min: [-0.1, -0.1, -0.1] as Vec3, max: [0.1, 0.1, 0.1] as Vec3 }),
+          fc.record({ min: vec3, max: vec3 }),
+        ),
+        motion: fc.constant(own),
+        limits: each(limit),
+        pose: fc.oneof(fc.constant(dofs.map(({ rest }) => rest)), each(finite)),
+        length: finite.filter((l) => l >= 0),
+      },
+      { requiredKeys: ['name', 'parent', 'offset', 'box', 'motion', 'limits', 'pose'] },
+    );
   });
+
+/** Some DOFs made to follow others, at random but never round and round: each follows one that comes before it. */
+function coupled(joints: readonly Joint[]): fc.Arbitrary<readonly Joint[]> {
+  const all = joints.flatMap((one, j) => dofsOf(one.motion).map(({ name }) => ({ joint: j, name })));
+  const follows = all.map((_, i) => fc.option(fc.tuple(fc.nat(Math.max(0, i - 1)), finite, finite), { freq: 3 }));
+  return fc.tuple(...follows).map((chosen) =>
+    joints.map((one, j) => {
+      const couples = all.flatMap(({ joint: owner, name }, i): Couple[] => {
+        const choice = chosen[i];
+        if (owner !== j || i === 0 || !choice) return [];
+        const [before, gain, offset] = choice;
+        return [{ dof: name, joint: all[before].joint, follows: all[before].name, gain, offset }];
+      });
+      return couples.length ? { ...one, couples } : one;
+    }),
+  );
+}
 
 /** Joints in pre-order: a parent is the joint before or one of its ancestors. */
 export const skeleton: fc.Arbitrary<Skeleton> = fc
@@ -60,8 +124,10 @@ export const skeleton: fc.Arbitrary<Skeleton> = fc
       for (let j = i - 1; j >= 0; j = parents[j]) line.push(j);
       parents.push(i === 0 ? -1 : line[parent % line.length]);
     });
-    return { name: 'x', joints: joints.map((j, i) => ({ ...j, parent: parents[i] })) };
-  });
+    return joints.map((j, i) => ({ ...j, parent: parents[i] }));
+  })
+  .chain((joints) => fc.oneof(fc.constant(joints), coupled(joints)))
+  .map((joints) => ({ name: 'x', joints }));
 
 const doubles = (length: number) =>
   fc.array(finite, { minLength: length, maxLength: length }).map((a) => Float64Array.from(a));

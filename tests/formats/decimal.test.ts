@@ -11,7 +11,7 @@ function expectLikeNumber(text: string): void {
   expect(parseDecimal(bytes, 0, bytes.length - 1), text).toBe(expected);
   if (!Number.isFinite(expected)) return;
   const out = new Float64Array(2);
-  const scan: Scan = { at: 0, count: 0, lineFeeds: 0 };
+  const scan: Scan = { at: 0, count: 0, limit: 2, lineFeeds: 0 };
   scanNumbers(bytes, bytes.length, out, scan, undefined);
   expect(scan.count, text).toBe(1);
   expect(out[0], text).toBe(expected);

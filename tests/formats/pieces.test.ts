@@ -12,6 +12,19 @@ const VOCABULARY = [
   ...['balljoint', 'offset', 'pose', 'limit', 'rx', 'rotxlimit', 'boxmin', 'order', 'xzy', 'foo', 'foo {', 'name{'],
   ...['positions', 'normals', 'texcoords', 'skinweights', 'triangles', 'bindings', 'matrix', 'material', 'texture'],
   ...['animation', 'range', 'numchannels', 'channel', 'extrapolate', 'constant', 'bounce', 'keys', 'flat', 'smooth'],
+  ...[
+    'HIERARCHY',
+    'ROOT',
+    'ROOT a {',
+    'JOINT b c',
+    'End Site',
+    'OFFSET',
+    'CHANNELS',
+    'Xposition',
+    'Zrotation',
+    'MOTION',
+  ],
+  ...['Frames:', 'Frames:2', 'Frame', 'Time:', 'Frame Time: 0.1\n', '1 2\n', '1 2 3', '\n1 '],
   ...['rig', 'skeleton', 'skin', 'morphs', 'a.skel', 'b c.skin', 'd.morph'],
   ...[
     '0',
@@ -111,6 +124,10 @@ describe('a hostile file', () => {
     'balljoint x{',
     'texture a ',
     'positions 1e9 {',
+    'JOINT a {',
+    '1 2 ',
+    '1\n',
+    '1\r\n',
   ];
   const START = [
     '',
@@ -119,6 +136,8 @@ describe('a hostile file', () => {
     'skinweights 9 { ',
     'rig x { morphs 9 { ',
     'material x { ',
+    'HIERARCHY ROOT x { ',
+    'HIERARCHY ROOT x { OFFSET 0 0 0 CHANNELS 2 Xposition Zrotation } MOTION Frames: 1e9 Frame Time: 1\n',
   ];
 
   it.each(NAMES)(

@@ -5,6 +5,12 @@ import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../src/model/skeleton.ts'
 import { told } from './read-in-pieces.ts';
 
 const skel = (text: string) => readSkel(text, 'hero.skel');
+const zeros = (count: number) => new Array<number>(count).fill(0);
+const joints = (text: string) => {
+  const { value, diagnostics } = skel(text);
+  expect(diagnostics).toEqual([]);
+  return value?.[0].joints ?? [];
+};
 /** The only joint of a sound file. */
 function joint(tokens: string): Joint {
   const { value, diagnostics } = skel(`balljoint root {\n${tokens}\n}`);
@@ -38,6 +44,60 @@ describe('reading .skel', () => {
 
   it('reads limit NAME as it reads the classic tokens', () => {
     expect(joint('limit rx -1 1 limit RZ 0 2').limits).toEqual(joint('rotxlimit -1 1 rotzlimit 0 2').limits);
+  });
+
+  it('reads what each type has of its own, and takes the defaults for what is not there', () => {
+    const read = (type: string, tokens: string) => {
+      const { value, diagnostics } = skel(`${type} a {\n${tokens}\n}`);
+      expect(diagnostics).toEqual([]);
+      return value?.[0].joints[0];
+    };
+    const x = [1, 0, 0];
+    expect(read('hingejoint', '')).toMatchObject({ motion: { kind: 'hinge', axis: x }, pose: [0] });
+    expect(read('HingeJoint', 'AXIS 0 2 0 limit r -1 1')).toMatchObject({
+      motion: { kind: 'hinge', axis: [0, 2, 0] },
+      limits: [{ min: -1, max: 1 }],
+    });
+    expect(read('universaljoint', 'order ZX')?.motion).toEqual({ kind: 'universal', order: 'zx' });
+    expect(read('quaternionjoint', '')?.pose).toEqual([0, 0, 0, 1]);
+    expect(read('prismaticjoint', 'length 2')).toMatchObject({ motion: { kind: 'prismatic', axis: x }, length: 2 });
+    expect(read('translationaljoint', 'pose 1 2 3')?.pose).toEqual([1, 2, 3]);
+    expect(read('freejoint', 'order yxz')).toMatchObject({ motion: { kind: 'free', order: 'yxz' }, pose: zeros(6) });
+    expect(read('screwjoint', 'pitch 0.5')?.motion).toEqual({ kind: 'screw', axis: x, pitch: 0.5 });
+    expect(read('scalejoint', '')).toMatchObject({ motion: { kind: 'scale', mode: 'uniform', axis: x }, pose: [1] });
+    expect(read('scalejoint', 'pose 1 2 3 mode xyz')).toMatchObject({ motion: { mode: 'xyz' }, pose: [1, 2, 3] });
+    expect(read('shearjoint', '')?.pose).toEqual([0, 0, 0]);
+    expect(read('fixedjoint', '')).toMatchObject({ motion: { kind: 'fixed' }, limits: [], pose: [] });
+    expect(read('compoundjoint', 'dofs tx\nsy RZ offset 1 2 3')).toMatchObject({
+      motion: { kind: 'compound', dofs: ['tx', 'sy', 'rz'] },
+      offset: [1, 2, 3],
+    });
+  });
+
+  it('finds the DOF that another follows by a name or an index, wherever its joint stands', () => {
+    const text = [
+      ...['hingejoint a.b {', ' couple r b.rx 2 -1', ' balljoint b { couple RY #2.r 0.5 0', ' couple rz b.ry 1 0 }'],
+      ...[' hingejoint b.c { couple r a.b.r 1 0 }', ' hingejoint { }', '}'],
+    ].join('\n');
+    const [couples, others, last] = joints(text).map((j) => j.couples);
+    expect(couples).toEqual([{ dof: 'r', joint: 1, follows: 'rx', gain: 2, offset: -1 }]);
+    expect(others).toEqual([
+      { dof: 'ry', joint: 2, follows: 'r', gain: 0.5, offset: 0 },
+      { dof: 'rz', joint: 1, follows: 'ry', gain: 1, offset: 0 },
+    ]);
+    expect(last).toEqual([{ dof: 'r', joint: 0, follows: 'r', gain: 1, offset: 0 }]);
+  });
+
+  it('takes the later one of two couples for a DOF, with a warning', () => {
+    const { value, diagnostics } = skel('balljoint a {\n couple rx a.ry 1 0\n couple rx a.rz 2 0\n}');
+    expect(diagnostics).toMatchObject([{ severity: 'warning', code: 'repeated', line: 3, column: 9 }]);
+    expect(value?.[0].joints[0].couples).toMatchObject([{ follows: 'rz', gain: 2 }]);
+  });
+
+  it('warns of limits that its DOFs do not take, and of those that it has not', () => {
+    expect(told(skel('quaternionjoint a {\n limit qx -1 1\n}'))).toEqual(['warning limits-not-taken 2:8']);
+    expect(told(skel('hingejoint a {\n rotxlimit -1 1\n}'))).toEqual(['warning dof-unknown 2:2']);
+    expect(told(skel('hingejoint a {\n order xyz\n}'))).toEqual(['warning keyword-unknown 2:2']);
   });
 
   it('numbers joints depth first, and lets names repeat or be missing', () => {
@@ -127,6 +187,30 @@ describe('reading .skel', () => {
     ['balljoint a {\n order\n}', ['error order-unknown 3:1']],
     ['balljoint a {\n limit 1 2\n}', ['error name-expected 2:8']],
     ['balljoint a {\n limit rx 2\n}', ['error number-expected 3:1']],
+    ['universaljoint a {\n order xx\n}', ['error order-unknown 2:8']],
+    ['hingejoint a {\n axis 0 -0 0\n}', ['error axis-zero 2:2']],
+    ['hingejoint a {\n axis 0 zero 0\n}', ['error not-a-number 2:9']],
+    ['hingejoint a {\n axis 0 0\n}', ['error number-expected 3:1']],
+    ['screwjoint a {\n pitch\n}', ['error number-expected 3:1']],
+    ['scalejoint a {\n mode some\n}', ['error mode-unknown 2:7']],
+    ['compoundjoint a {\n dofs tx rw ty\n}', ['error dofs-unknown 2:10']],
+    ['compoundjoint a {\n dofs tx ty tx\n}', ['error dofs-repeated 2:13']],
+    ['compoundjoint a {\n dofs tx ty\n pose 1\n}', ['error number-expected 3:2']],
+    ['hingejoint a {\n length -1\n}', ['error length-negative 2:2']],
+    ['balljoint a {\n couple rw a.rx 1 0\n}', ['error dof-unknown 2:9']],
+    ['balljoint a {\n couple rx a.rw 1 0\n}', ['error dof-unknown 2:12']],
+    ['balljoint a {\n couple rx b.ry 1 0\n}', ['error joint-unknown 2:12']],
+    ['balljoint a {\n couple rx #1.ry 1 0\n}', ['error joint-unknown 2:12']],
+    ['balljoint a {\n couple rx ry 1 0\n}', ['error couple-target 2:12']],
+    ['balljoint a {\n couple rx a.ry 1\n}', ['error number-expected 3:1']],
+    ['balljoint a {\n couple rx\n}', ['error name-expected 3:1']],
+    ['balljoint a {\n couple 1 a.rx 1 0\n}', ['error name-expected 2:9']],
+    ['balljoint a { couple rx b.rx 1 0\nballjoint b { }\nballjoint b { } }', ['error joint-ambiguous 1:25']],
+    ['balljoint a {\n couple rx a.rx 1 0\n}', ['error couple-cycle 2:9']],
+    [
+      'balljoint a {\n couple rx b.rx 1 0\n balljoint b { couple rx a.rx 1 0\n couple rz b.rx 1 0 } }',
+      ['error couple-cycle 2:9', 'error couple-cycle 3:23', 'error couple-cycle 4:9'],
+    ],
   ])('%j is an error where it is wrong', (text, expected) => {
     const result = skel(text);
     expect(result.value).toBeUndefined();
@@ -175,6 +259,45 @@ describe('writing .skel', () => {
   it('writes an order that is not xyz', () => {
     const { value } = skel('balljoint a { order zxy }');
     expect(writeSkel(value ?? []).text).toBe('balljoint a {\n\toffset 0 0 0\n\torder zxy\n}\n');
+  });
+
+  it('writes what each type has of its own, and leaves out defaults', () => {
+    const text = [
+      ...['freejoint root {', '\toffset 0 0 0', '\tlimit tx -1 1', '\trotxlimit -1 1', '\thingejoint {'],
+      ...['\t\toffset 0 0 0', '\t\taxis 0 2 0', '\t\tlimit r 0 1', '\t\tlength 3', '\t\tpose 0.5', '\t}'],
+      ...['\tscalejoint s {', '\t\toffset 0 0 0', '\t\tmode xyz', '\t\tcouple sy #1.r 0.5 1', '\t}'],
+      ...['\tcompoundjoint c {', '\t\toffset 0 0 0', '\t\tdofs rz tx', '\t\tcouple tx s.sx 1 0', '\t}', '}', ''],
+    ].join('\n');
+    expect(writeSkel(skel(text).value ?? []).text).toBe(text);
+  });
+
+  it('calls a joint by its index where no name is its own as it is written', () => {
+    const names = ['a', 'a', '', '#1', 'b c', 'b_c', 'd'];
+    const couples = names.map((_, i) => ({ dof: 'rx', joint: i, follows: 'ry', gain: 1, offset: 0 }));
+    const [one] = joints('balljoint a { }');
+    const all = names.map((name, i): Joint => ({ ...one, name, parent: i - 1, couples: [couples[i]] }));
+    const { text } = writeSkel([{ name: 'x', joints: all }]);
+    expect(text.match(/couple rx \S+/g)?.map((line) => line.slice(10))).toEqual([
+      '#0.ry',
+      '#1.ry',
+      '#2.ry',
+      '#3.ry',
+      '#4.ry',
+      '#5.ry',
+      'd.ry',
+    ]);
+    expect(joints(text).map((j) => j.couples)).toEqual(couples.map((couple) => [couple]));
+  });
+
+  it('makes joints of .skel of those of BVH, and says that End Sites are left out', () => {
+    const [root] = joints('balljoint a { offset 1 2 3 }');
+    const channels = ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'] as const;
+    const motion = { kind: 'bvh', channels, positions: 'replace' } as const;
+    const limits = channels.map(() => UNLIMITED);
+    const bvh: Joint = { ...root, motion, limits, pose: [1, 2, 3, 0.3, 0.1, 0.2], endSites: [[0, 1, 0]] };
+    const { text, diagnostics } = writeSkel([{ name: 'x', joints: [bvh] }], 'x.skel');
+    expect(text).toBe('freejoint a {\n\toffset 0 0 0\n\torder yxz\n\tpose 1 2 3 0.1 0.2 0.3\n}\n');
+    expect(diagnostics).toMatchObject([{ severity: 'info', code: 'end-sites-left-out' }]);
   });
 
   it('changes names that the format can not hold, and says so', () => {

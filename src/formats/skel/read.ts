@@ -4,10 +4,10 @@
  *     skel   = { joint }                                   several roots: each its own skeleton
  *     joint  = JOINTTYPE [NAME] "{" { token } "}"
  *     token  = offset x y z | boxmin x y z | boxmax x y z | pose v … | rotxlimit min max | … | limit DOF min max
- *            | a token of the type's own (joint-types.ts) | joint
+ *            | length l | couple DOF JOINT.DOF gain offset | a token of the type's own (joint-types.ts) | joint
  *
  * Joints are nested as deeply as the file likes: they are kept on a stack of our own. What depends on several tokens,
- * which come in any order, is checked at the joint's `}`.
+ * which come in any order, is checked at the joint's `}`; what names other joints, at the end of the tree.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import {
@@ -18,14 +18,17 @@ import {
   type Limit,
   type Motion,
   type Skeleton,
+  takesLimits,
   UNLIMITED,
 } from '../../model/skeleton.ts';
-import { braceTooMany, number, numberRun, numbers, openBrace, type Part, skipStrange, stemOf } from '../grammar.ts';
+import { braceTooMany, number, numberRun, openBrace, type Part, skipStrange, stemOf } from '../grammar.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
-import { JOINT_TYPES, type JointType, jointTypeOf, LIMIT_TOKENS } from './joint-types.ts';
+import { couple, type OpenCouple, resolveCouples } from './couples.ts';
+import { JOINT_TYPES, type JointType, jointTypeOf, LIMIT_TOKENS, readOwn } from './joint-types.ts';
+import { numberToken, vectorToken } from './own-tokens.ts';
 
 /** A reader for a `.skel`: a skeleton for each root. */
 export function skelReader(fileName: string): Reader<readonly Skeleton[]> {
@@ -40,9 +43,9 @@ export function readSkel(bytes: Uint8Array | string, fileName: string): ReadResu
 const LIMITS_BY_TOKEN = new Map(Object.entries(LIMIT_TOKENS).map(([dof, token]) => [token, dof]));
 
 const KEYWORDS = new Set([
-  ...['offset', 'boxmin', 'boxmax', 'pose', 'limit'],
+  ...['offset', 'boxmin', 'boxmax', 'pose', 'limit', 'length', 'couple'],
   ...LIMITS_BY_TOKEN.keys(),
-  ...JOINT_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...Object.keys(tokens)]),
+  ...JOINT_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...tokens.keys()]),
 ]);
 
 /** More numbers than any joint has DOFs: a pose is kept that far, and only counted beyond. */
@@ -62,6 +65,7 @@ interface OpenJoint {
   /** As they came: the last one for a DOF counts. */
   readonly limits: { readonly dof: string; readonly limit: Limit; readonly place: Mark }[];
   pose?: { readonly values: number[]; readonly found: number; readonly place: Mark };
+  length?: number;
 }
 
 function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
@@ -96,6 +100,7 @@ function* tree(t: Tokens, rootType: JointType): Part<readonly Joint[]> {
   const joints: Joint[] = [];
   let count = 0;
   const stack: OpenJoint[] = [];
+  const couples: OpenCouple[] = [];
   const open = function* (type: JointType): Part<void> {
     stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1));
   };
@@ -110,10 +115,11 @@ function* tree(t: Tokens, rootType: JointType): Part<readonly Joint[]> {
       const word = t.keyword();
       const type = jointTypeOf(word);
       if (type) yield* open(type);
-      else if (!(yield* token(t, joint, word))) yield* skipStrange(t, describe(joint), 'a joint or its tokens');
+      else if (!(yield* token(t, joint, word, couples)))
+        yield* skipStrange(t, describe(joint), 'a joint or its tokens');
     }
   }
-  return joints;
+  return resolveCouples(t, joints, couples);
 }
 
 /** `[NAME] "{"` */
@@ -131,7 +137,7 @@ function* head(t: Tokens, type: JointType, index: number, parent: number): Part<
 }
 
 /** One token of a joint and its values; whether it is one. */
-function* token(t: Tokens, joint: OpenJoint, word: string): Part<boolean> {
+function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]): Part<boolean> {
   switch (word) {
     case 'offset':
       joint.offset = yield* vector(t, word);
@@ -146,6 +152,14 @@ function* token(t: Tokens, joint: OpenJoint, word: string): Part<boolean> {
       const place = t.mark();
       const { all, found } = yield* numberRun(t, KEPT_POSE, 'a value of the pose', KEYWORDS);
       joint.pose = { values: all, found, place };
+      return true;
+    }
+    case 'length':
+      yield* boneLength(t, joint);
+      return true;
+    case 'couple': {
+      const found = yield* couple(t, joint.index, KEYWORDS);
+      if (found) couples.push(found);
       return true;
     }
     case 'limit':
@@ -163,15 +177,25 @@ function* token(t: Tokens, joint: OpenJoint, word: string): Part<boolean> {
     yield* limit(t, joint, dof);
     return true;
   }
-  const own = Object.hasOwn(joint.type.tokens, word) ? joint.type.tokens[word] : undefined;
+  const own = joint.type.tokens.get(word);
   if (!own) return false;
-  joint.motion = yield* own(t, joint.motion, KEYWORDS);
+  joint.motion = yield* readOwn(t, own, joint.motion, KEYWORDS);
   return true;
 }
 
+/** `l`, of the bone along +y. */
+function* boneLength(t: Tokens, joint: OpenJoint): Part<void> {
+  const place = t.mark();
+  const length = yield* numberToken(t, 'length', KEYWORDS);
+  if (length === undefined) return;
+  if (length < 0) {
+    const message = `Expected a length of 0 or more for the bone, found ${length}.`;
+    t.report.error('length-negative', message, t.placeOf(place, 'error'));
+  } else joint.length = length;
+}
+
 function* vector(t: Tokens, token: string): Part<Vec3> {
-  const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of ${token}`, KEYWORDS);
-  return [x, y, z];
+  return (yield* vectorToken(t, token, KEYWORDS)) ?? [0, 0, 0];
 }
 
 /** `min max` */
@@ -195,21 +219,29 @@ function close(t: Tokens, joint: OpenJoint): Joint {
   const limits = dofs.map((dof) => given.findLast((g) => g.dof === dof.name)?.limit ?? UNLIMITED);
   for (const { dof, place } of given) {
     if (dofs.some((d) => d.name === dof)) continue;
-    const message = `Expected a DOF of a ${joint.type.keyword} (${dofs.map((d) => d.name).join(' ')}), found ${dof}.`;
+    const names = dofs.map((d) => d.name).join(' ') || 'it has none';
+    const message = `Expected a DOF of a ${joint.type.keyword} (${names}), found ${dof}.`;
     t.report.warn('dof-unknown', message, t.placeOf(place, 'warning'), 'limit ignored');
   }
-  const values = dofs.map((_, i) => pose?.values[i] ?? 0);
+  if (given.length && dofs.length && !takesLimits(motion)) {
+    const message = `Found limits of ${describe(joint)}, which takes none: as its DOFs mean nothing one by one.`;
+    t.report.warn('limits-not-taken', message, t.placeOf(given[0].place, 'warning'), 'kept, and ignored when clamping');
+  }
+  const values = dofs.map((dof, i) => pose?.values[i] ?? dof.rest);
   if (pose && pose.found !== dofs.length) {
     const message = `Expected ${dofs.length} values for the pose of a ${joint.type.keyword}, found ${pose.found}.`;
     if (pose.found < dofs.length) t.report.error('number-expected', message, t.placeOf(pose.place, 'error'));
     else t.report.warn('pose-too-long', message, t.placeOf(pose.place, 'warning'), `used the first ${dofs.length}`);
   }
-  const outside = dofs.filter((_, i) => isOutside(values[i], limits[i]));
+  const outside = dofs.filter((_, i) => takesLimits(motion) && isOutside(values[i], limits[i]));
   if (outside.length > 0) {
     const message = `The pose of ${describe(joint)} is out of its limits in ${outside.map((d) => d.name).join(', ')}.`;
     t.report.info('pose-out-of-limits', message, t.placeOf(pose?.place ?? joint.place, 'info'), 'clamped when shown');
   }
-  return { name, parent, offset, box: { min: joint.boxMin, max: joint.boxMax }, motion, limits, pose: values };
+  return {
+    ...{ name, parent, offset, box: { min: joint.boxMin, max: joint.boxMax }, motion, limits, pose: values },
+    ...(joint.length !== undefined && { length: joint.length }),
+  };
 }
 
 function isOutside(value: number, limit: Limit): boolean {

@@ -2,6 +2,7 @@
  * Writes `.skel`, hierarchy form. What is the default is left out, except the offset; a skeleton of balljoints in xyz
  * order uses the classic tokens only, so that other tools read it.
  */
+import { skelSkeleton } from '../../model/skel-motion.ts';
 import {
   type Box,
   DEFAULT_BOX,
@@ -13,23 +14,30 @@ import {
 } from '../../model/skeleton.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
-import { jointTypeOfMotion, LIMIT_TOKENS } from './joint-types.ts';
+import { coupleTargets } from './couples.ts';
+import { jointTypeOfMotion, LIMIT_TOKENS, ownLines } from './joint-types.ts';
 
 /** Every skeleton is a root of its own. `fileName` is what diagnostics name. */
 export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteResult {
   const text = new Text(fileName);
-  for (const { joints } of skeletons) writeTree(text, joints);
+  for (const skeleton of skeletons) {
+    const { joints } = skelSkeleton(skeleton);
+    const ends = joints.reduce((sum, { endSites = [] }) => sum + endSites.length, 0);
+    if (ends) text.left('end-sites-left-out', `A .skel has no End Sites; ${skeleton.name} has ${ends}.`);
+    writeTree(text, joints);
+  }
   return text.result();
 }
 
 /** Pre-order makes this a walk: joints that are no ancestors of the next one are closed before it. */
 function writeTree(text: Text, joints: readonly Joint[]): void {
+  const targets = joints.some((joint) => joint.couples) ? coupleTargets(joints) : [];
   const open: number[] = [];
   joints.forEach((joint, index) => {
     while (open.length > 0 && open.at(-1) !== joint.parent) closeJoint(text, open);
     const depth = open.length;
     text.line(depth, `${jointTypeOfMotion(joint.motion).keyword}${text.name(joint.name, 'joint')} {`);
-    writeTokens(text, depth + 1, joint);
+    writeTokens(text, depth + 1, joint, targets);
     open.push(index);
   });
   while (open.length > 0) closeJoint(text, open);
@@ -40,10 +48,11 @@ function closeJoint(text: Text, open: number[]): void {
   text.line(open.length, '}');
 }
 
-function writeTokens(text: Text, depth: number, joint: Joint): void {
-  const { box, motion, limits, pose } = joint;
+/** @param targets what couples call each joint */
+function writeTokens(text: Text, depth: number, joint: Joint, targets: readonly string[]): void {
+  const { box, motion, limits, pose, length, couples = [] } = joint;
   text.line(depth, `offset ${text.numbers(joint.offset)}`);
-  for (const line of jointTypeOfMotion(motion).lines(motion)) text.line(depth, line);
+  for (const line of ownLines(motion, (values) => text.numbers(values))) text.line(depth, line);
   const sides: readonly [string, keyof Box][] = [
     ['boxmin', 'min'],
     ['boxmax', 'max'],
@@ -56,7 +65,12 @@ function writeTokens(text: Text, depth: number, joint: Joint): void {
     if (same([limit.min, limit.max], [UNLIMITED.min, UNLIMITED.max])) return;
     text.line(depth, `${LIMIT_TOKENS[dof.name] ?? `limit ${dof.name}`} ${text.numbers([limit.min, limit.max])}`);
   });
-  if (!pose.every((v) => Object.is(v, 0))) text.line(depth, `pose ${text.numbers(pose)}`);
+  if (length !== undefined) text.line(depth, `length ${text.number(length)}`);
+  const rest = dofsOf(motion).map((dof) => dof.rest);
+  if (!same(pose, rest)) text.line(depth, `pose ${text.numbers(pose)}`);
+  for (const { dof, joint, follows, gain, offset } of couples) {
+    text.line(depth, `couple ${dof} ${targets[joint]}.${follows} ${text.numbers([gain, offset])}`);
+  }
 }
 
 function same(a: readonly number[], b: readonly number[]): boolean {

@@ -1,0 +1,65 @@
+/** Figures out of what a `.bvh` holds: for each root its skeleton, and the columns of the rows that are its own. */
+import { type ChannelClip, keylessChannel } from '../../model/clip.ts';
+import { rootDofCount } from '../../model/dofs.ts';
+import type { Figure } from '../../model/files.ts';
+import { RADIANS_PER_DEGREE, rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import type { Root } from './hierarchy.ts';
+import type { Motion } from './motion.ts';
+
+/** Named after the file; several ones each after their root as well. */
+export function figuresOf(stem: string, roots: readonly Root[], motion: Motion): readonly Figure[] {
+  const names = roots.length === 1 ? [stem] : namesOf(stem, roots);
+  const scales = roots.map(scalesOf);
+  const width = scales.reduce((sum, own) => sum + own.length, 0);
+  let from = 0;
+  return roots.map(({ joints }, r) => {
+    const skeleton: Skeleton = { name: names[r], joints };
+    const own = scales[r];
+    const first = from;
+    from += own.length;
+    if (motion.frameCount === 0 || own.length === 0) return { skeleton };
+    const values = own.length === width ? motion.values : columns(motion, width, first, own.length);
+    return { skeleton, clip: clipOf(skeleton, samplesOf(skeleton, motion, values, own)) };
+  });
+}
+
+/** `take Hips`, `take Hips 2`. */
+function namesOf(stem: string, roots: readonly Root[]): string[] {
+  const taken = new Set<string>();
+  return roots.map(({ name }, r) => {
+    const base = `${stem} ${name || r + 1}`;
+    let unique = base;
+    for (let i = 2; taken.has(unique); i++) unique = `${base} ${i}`;
+    taken.add(unique);
+    return unique;
+  });
+}
+
+function scalesOf({ joints }: Root): Float64Array {
+  return Float64Array.from(
+    joints.flatMap((joint) => dofsOf(joint.motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1))),
+  );
+}
+
+/** Columns [first, first + count) of every row. */
+function columns({ values, frameCount }: Motion, width: number, first: number, count: number): Float64Array {
+  const own = new Float64Array(frameCount * count);
+  for (let frame = 0; frame < frameCount; frame++) {
+    const at = frame * width + first;
+    for (let k = 0; k < count; k++) own[frame * count + k] = values[at + k];
+  }
+  return own;
+}
+
+function samplesOf(skeleton: Skeleton, motion: Motion, values: Float64Array, scales: Float64Array): Samples {
+  const { frameCount, frameSeconds } = motion;
+  const firstChannel = rootDofCount(skeleton);
+  return { frameCount, frameSeconds, startSeconds: 0, firstChannel, values, scales, interpolation: 'linear' };
+}
+
+function clipOf({ name }: Skeleton, samples: Samples): ChannelClip {
+  const count = samples.firstChannel + samples.scales.length;
+  const channels = Array.from({ length: count }, () => keylessChannel());
+  return { name, range: rangeOfSamples(samples), channels, samples };
+}

@@ -1,0 +1,213 @@
+/**
+ * The skeletons of a `.bvh`.
+ *
+ *     root     = ROOT [NAME] "{" { token } "}"
+ *     token    = OFFSET x y z | CHANNELS n { CHANNEL } | JOINT [NAME] "{" { token } "}" | End Site "{" [OFFSET x y z] "}"
+ *
+ * A NAME is the rest of its line up to a `{`, blanks, colons and `#` included. So is what follows `End`, whatever it is:
+ * there are files with `End Site20`. Joints are nested as deeply as the file likes, and kept on a stack of our own.
+ *
+ * A joint without CHANNELS has none, one without OFFSET is where its parent is; both are warnings, for every exporter
+ * writes them. End Sites go without OFFSET in many files.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import { type BvhChannel, DEFAULT_BOX, type Joint, type Limit, UNLIMITED } from '../../model/skeleton.ts';
+import { braceTooMany, number, numbers, openBrace, type Part, skipStrange } from '../grammar.ts';
+import { ParseError } from '../report.ts';
+import type { Mark, Tokens } from '../tokens.ts';
+import { CHANNELS_BY_NAME } from './channels.ts';
+
+/** A tree of joints, and what its file calls the first one. */
+export interface Root {
+  readonly name: string;
+  readonly joints: readonly Joint[];
+}
+
+const KEYWORDS = new Set(['hierarchy', 'root', 'joint', 'end', 'offset', 'channels', 'motion']);
+
+/** However far a figure walks, in whatever unit: nothing clamps it. */
+const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
+
+/** A joint whose `}` has not come yet. */
+interface OpenJoint {
+  readonly index: number;
+  readonly parent: number;
+  readonly keyword: 'ROOT' | 'JOINT';
+  readonly name: string;
+  readonly place: Mark;
+  offset?: Vec3;
+  channels?: readonly BvhChannel[];
+  readonly endSites: Vec3[];
+}
+
+/** All up to `MOTION`, which is then the token at hand. */
+export function* hierarchy(t: Tokens): Part<readonly Root[]> {
+  const roots: Root[] = [];
+  yield* t.next();
+  if (t.keyword() !== 'hierarchy') {
+    t.error('hierarchy-missing', `Expected HIERARCHY, with which a .bvh file begins, found ${t.found()}.`);
+    throw new ParseError('hierarchy-missing');
+  }
+  for (;;) {
+    const kind = yield* t.next();
+    const word = t.keyword();
+    if (word === 'root') roots.push(yield* tree(t));
+    else if (word === 'motion') break;
+    else if (kind === '}') braceTooMany(t);
+    else {
+      // Whatever it is, joints that went with it would be missing in silence.
+      const code = kind === 'end' ? 'motion-missing' : 'keyword-unexpected';
+      t.error(code, `Expected ${roots.length > 0 ? 'MOTION' : 'ROOT'}, found ${t.found()}.`);
+      throw new ParseError(code);
+    }
+  }
+  if (roots.length === 0) t.error('joint-missing', 'Expected at least one ROOT before MOTION, found none.');
+  return roots;
+}
+
+/** A root and all below it. `ROOT` is at hand. */
+function* tree(t: Tokens): Part<Root> {
+  const joints: Joint[] = [];
+  const root = yield* head(t, 'ROOT', 0, -1);
+  const stack = [root];
+  let count = 1;
+  for (let joint: OpenJoint | undefined = root; joint; joint = stack.at(-1)) {
+    const kind = yield* t.next();
+    if (kind === '}') {
+      joints[joint.index] = close(t, joint);
+      stack.pop();
+      continue;
+    }
+    if (kind === 'end') t.failAtEnd(joint.place, describe(joint));
+    switch (t.keyword()) {
+      case 'joint':
+        stack.push(yield* head(t, 'JOINT', count++, joint.index));
+        break;
+      case 'offset':
+        if (joint.offset) t.error('offset-repeated', `OFFSET a second time in ${describe(joint)}.`);
+        joint.offset = yield* vector(t);
+        break;
+      case 'channels':
+        if (joint.channels) t.error('channels-repeated', `CHANNELS a second time in ${describe(joint)}.`);
+        joint.channels = yield* channels(t);
+        break;
+      case 'end':
+        joint.endSites.push(yield* endSite(t));
+        break;
+      case 'root':
+      case 'motion': {
+        const opened = `opened on line ${t.placeOf(joint.place).line}`;
+        t.error('brace-missing', `Expected "}" to close ${describe(joint)}, ${opened}, found ${t.found()}.`);
+        throw new ParseError('brace-missing');
+      }
+      default:
+        yield* skipStrange(t, describe(joint), 'OFFSET, CHANNELS, JOINT or End Site');
+    }
+  }
+  return { name: root.name, joints };
+}
+
+/** `[NAME] "{"` */
+function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: number): Part<OpenJoint> {
+  const place = t.mark();
+  const name = yield* t.restOfLine();
+  yield* openBrace(t, name ? `the name ${name}` : keyword);
+  return { index, parent, keyword, name, place, endSites: [] };
+}
+
+/** What follows `End`: the point, 0 0 0 where there is none. */
+function* endSite(t: Tokens): Part<Vec3> {
+  const opened = t.mark();
+  yield* t.restOfLine();
+  yield* openBrace(t, 'End Site');
+  let offset: Vec3 | undefined;
+  for (;;) {
+    const kind = yield* t.next();
+    if (kind === '}') break;
+    if (kind === 'end') t.failAtEnd(opened, 'an End Site');
+    const word = t.keyword();
+    if (word === 'offset') {
+      if (offset) t.error('offset-repeated', 'OFFSET a second time in an End Site.');
+      offset = yield* vector(t);
+    } else if (word === 'channels') {
+      const place = t.mark();
+      if ((yield* channels(t)).length === 0) continue;
+      t.report.error('channels-unexpected', 'An End Site has no CHANNELS.', t.placeOf(place, 'error'));
+    } else if (KEYWORDS.has(word)) {
+      t.braceMissing('End Site');
+      break;
+    } else yield* skipStrange(t, 'an End Site', 'OFFSET');
+  }
+  return offset ?? [0, 0, 0];
+}
+
+function* vector(t: Tokens): Part<Vec3> {
+  const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of OFFSET`, KEYWORDS);
+  failIfCut(t);
+  return [x, y, z];
+}
+
+/** `n CHANNEL …`: all there are, also on the lines that follow. */
+function* channels(t: Tokens): Part<readonly BvhChannel[]> {
+  const place = t.mark();
+  const declared = yield* number(t, 'the number of channels', KEYWORDS);
+  failIfCut(t);
+  const all: BvhChannel[] = [];
+  let found = 0;
+  for (;;) {
+    yield* t.next();
+    const channel = CHANNELS_BY_NAME.get(t.keyword());
+    if (channel) {
+      if (all.includes(channel)) t.error('channel-repeated', `Expected each channel once, found ${t.found()} again.`);
+      else all.push(channel);
+    } else if (t.kind !== 'word' || t.startsLine || KEYWORDS.has(t.keyword())) break;
+    else t.error('channel-unknown', `Expected a channel such as Xposition or Zrotation, found ${t.found()}.`);
+    found++;
+  }
+  t.again();
+  if (declared !== undefined && declared !== found) {
+    const message = `Expected ${declared} channels as declared, found ${found}.`;
+    t.report.error('channel-count', message, t.placeOf(place, 'error'));
+  }
+  return all;
+}
+
+/** Where the file ends in the midst of a list, that it does is all there is to say, and is said. */
+function failIfCut(t: Tokens): void {
+  if (t.kind === 'end') throw new ParseError('file-cut');
+}
+
+/** The joint's `}` is at hand. */
+function close(t: Tokens, joint: OpenJoint): Joint {
+  const { name, parent, endSites } = joint;
+  const offset = joint.offset ?? [0, 0, 0];
+  const own = joint.channels ?? [];
+  if (!joint.offset) warnMissing(t, joint, 'OFFSET', 'used 0 0 0');
+  if (!joint.channels) warnMissing(t, joint, 'CHANNELS', 'it has none');
+  return {
+    name,
+    parent,
+    offset,
+    box: DEFAULT_BOX,
+    motion: { kind: 'bvh', channels: own, positions: 'replace' },
+    limits: own.map((channel) => (isPosition(channel) ? NO_LIMIT : UNLIMITED)),
+    // A position channel replaces the offset: at rest it is what it replaces.
+    pose: own.map((channel) => (isPosition(channel) ? offset['xyz'.indexOf(channel[1])] : 0)),
+    ...(endSites.length > 0 && { endSites }),
+  };
+}
+
+function warnMissing(t: Tokens, joint: OpenJoint, what: string, assumed: string): void {
+  const code = `${what.toLowerCase()}-missing`;
+  if (t.report.foldsInto(code, '')) return;
+  const message = `Expected ${what} in ${describe(joint)}, found none.`;
+  t.report.warnFolded(code, '', message, t.placeOf(joint.place, 'warning'), assumed);
+}
+
+function isPosition(channel: BvhChannel): boolean {
+  return channel[0] === 't';
+}
+
+function describe({ keyword, name }: OpenJoint): string {
+  return name ? `${keyword} ${name}` : `a ${keyword}`;
+}

@@ -1,0 +1,107 @@
+/**
+ * What follows `MOTION` in a `.bvh`.
+ *
+ *     "Frames:" n        "Frame Time:" seconds        { row }
+ *
+ * The rows decide how many frames there are; another count before them is a warning. A frame time that nothing can be
+ * played at is a warning too, and 1/30 s is used: poses of one frame are written with 0.
+ */
+import { number, type Part } from '../grammar.ts';
+import { ParseError } from '../report.ts';
+import type { Mark, Tokens } from '../tokens.ts';
+import { Rows } from './rows.ts';
+
+/** Rows of all roots' channels. */
+export interface Motion {
+  /** 0 where there is no complete row. */
+  readonly frameCount: number;
+  readonly frameSeconds: number;
+  /** `frameCount` rows. */
+  readonly values: Float64Array;
+}
+
+const KEYWORDS = new Set(['frames', 'frames:', 'frame', 'frametime:', 'time:']);
+const COLON = 58;
+
+/** Frames between a microsecond and an hour apart are taken for what they are. */
+const SHORTEST = 1e-6;
+const LONGEST = 3600;
+const ASSUMED = { frameSeconds: 1 / 30, text: 'used 1/30 s' };
+
+interface Header {
+  /** What `Frames:` says; undefined where that is no number. */
+  frames?: number | undefined;
+  framesAt?: Mark;
+  frameSeconds?: number;
+}
+
+/**
+ * @param width channels, of all roots together
+ * @param byteLength the whole file's
+ */
+export function* motion(t: Tokens, width: number, byteLength: number | undefined): Part<Motion> {
+  const { frames, framesAt, frameSeconds = ASSUMED.frameSeconds } = yield* header(t);
+  const rows = new Rows(t, width, frames, byteLength);
+  yield* rows.read();
+  const { frameCount } = rows;
+  // Where rows are broken, their count is the lesser evil.
+  if (framesAt && !t.report.hasErrors) tellCount(t, frames, frameCount, framesAt);
+  return { frameCount, frameSeconds, values: rows.all() };
+}
+
+/** Up to where both were found; what comes then may be the first row. */
+function* header(t: Tokens): Part<Header> {
+  const found: Header = {};
+  while (!found.framesAt || found.frameSeconds === undefined) {
+    const label = yield* labelOf(t);
+    if (label === 'frames') {
+      found.framesAt = t.mark();
+      found.frames = yield* number(t, 'the number of frames', KEYWORDS);
+    } else if (label === 'frametime') found.frameSeconds = yield* frameTime(t);
+    else {
+      const [code, what] = found.framesAt
+        ? ['frame-time-missing', '"Frame Time:" and the seconds between frames']
+        : ['frames-missing', '"Frames:" and their number'];
+      t.error(code, `Expected ${what}, found ${t.found()}.`);
+      throw new ParseError(code);
+    }
+  }
+  return found;
+}
+
+/** `Frames:`, `Frame Time:`, with blanks wherever, and numbers glued on: in lower case without blanks and colon. */
+function* labelOf(t: Tokens): Part<string> {
+  let label = '';
+  do {
+    yield* t.next();
+    t.endBehind(COLON);
+    label += t.keyword();
+  } while (label === 'frame' && t.kind === 'word');
+  if (label.endsWith(':')) return label.slice(0, -1);
+  if (label !== 'frames' && label !== 'frametime') return label;
+  yield* t.next();
+  t.endBehind(COLON);
+  if (t.keyword() !== ':') t.again();
+  return label;
+}
+
+function* frameTime(t: Tokens): Part<number> {
+  const value = yield* number(t, 'the seconds between frames', KEYWORDS);
+  // Missing is an error, and told already.
+  if (value === undefined) return ASSUMED.frameSeconds;
+  if (value >= SHORTEST && value <= LONGEST) return value;
+  const message = `Expected seconds between frames, from ${SHORTEST} to ${LONGEST}, found ${t.found()}.`;
+  t.warn('frame-time', message, ASSUMED.text);
+  return ASSUMED.frameSeconds;
+}
+
+function tellCount(t: Tokens, declared: number | undefined, found: number, mark: Mark): void {
+  if (found > 0 && (declared === undefined || declared === found)) return;
+  const place = t.placeOf(mark, 'warning');
+  if (found > 0) {
+    t.report.warn('count-mismatch', `Expected ${declared} frames as declared, found ${found}.`, place, `used ${found}`);
+  } else {
+    const expected = declared ? `${declared} frames as declared` : 'rows of channels';
+    t.report.warn('frames-none', `Expected ${expected}, found none.`, place, 'the skeleton without motion');
+  }
+}

@@ -1,0 +1,233 @@
+/**
+ * The rows of a `.bvh`, from bytes straight into the sample array.
+ *
+ *     a row is as many numbers as there are channels        it may go on over line ends, but begins on a new line
+ *
+ * So a row is read without a look at line ends, by the loop that every number goes through (`scan.ts`), and all that is
+ * checked is that a line ends where it does. If none does, then the line at hand holds more than it should: either it
+ * began with the row, or the row before was short. Both end the reading, since which number is which is not known from
+ * there on.
+ *
+ * What follows the last complete row without making one ends the motion with a warning: a row cut short, and words at
+ * the start of a line. Unless rows follow those in turn: then one in the middle is broken.
+ *
+ * Memory: a declared count is believed only as far as the bytes at hand, or what a number took so far, bear it out.
+ */
+import { looksNumeric, type Part } from '../grammar.ts';
+import { NOWHERE, type Place } from '../places.ts';
+import { ParseError } from '../report.ts';
+import { AT_END, CR, FULL, LF, type Scan, scanNumbers } from '../scan.ts';
+import type { Tokens } from '../tokens.ts';
+
+/** Numbers that are made room for before it is known how many bytes one takes; half a megabyte. */
+const AT_FIRST = 65536;
+/** A count is taken at its word up to so many times what the bytes promise. */
+const TRUSTED = 1.3;
+
+export class Rows {
+  private values: Float64Array;
+  /** Numbers read. */
+  private count = 0;
+  /** The number with which the row at hand begins. */
+  private row = 0;
+  /** Where that is in the piece at hand; or `rowPlace`, where its bytes are gone. */
+  private rowAt = 0;
+  private rowPlace: Place | undefined;
+  /** Numbers of the line at hand in pieces that are gone. */
+  private onLine = 0;
+  /** Whether something in the row at hand is no number, which was told. */
+  private isBroken = false;
+  private bytesRead = 0;
+  private readonly declared: number;
+  private readonly scan: Scan = { at: 0, count: 0, limit: 0, lineFeeds: 0 };
+
+  /**
+   * @param width numbers in a row
+   * @param frames as declared
+   * @param byteLength the whole file's
+   */
+  constructor(
+    private readonly t: Tokens,
+    private readonly width: number,
+    frames: number | undefined,
+    private readonly byteLength: number | undefined,
+  ) {
+    this.declared = frames !== undefined && frames > 0 ? Math.ceil(frames) * width : 0;
+    const atHand = Math.min(t.numbersAtHand(), AT_FIRST, this.declared || AT_FIRST);
+    this.values = new Float64Array(Math.max(width, Math.ceil(atHand / (width || 1)) * width));
+  }
+
+  /** Complete rows. */
+  get frameCount(): number {
+    return this.width === 0 ? 0 : Math.floor(this.count / this.width);
+  }
+
+  /** What was read, and nothing behind it; a small rest of the memory is not worth a copy. */
+  all(): Float64Array {
+    const length = this.frameCount * this.width;
+    return this.values.length - length > length / 8 ? this.values.slice(0, length) : this.values.subarray(0, length);
+  }
+
+  /** All up to the end of the file. */
+  *read(): Part<void> {
+    const { t, width } = this;
+    for (;;) {
+      if ((yield* t.next()) === 'end') break;
+      if (t.startsLine) this.onLine = 0;
+      if (this.count - this.row === width) {
+        if (!t.startsLine) this.failAtOverfull();
+        this.row = this.count;
+      }
+      if (this.count === this.row) {
+        this.rowAt = t.tokenAt;
+        this.rowPlace = undefined;
+        this.isBroken = false;
+      }
+      const value = t.value();
+      if (width > 0 && value - value === 0) {
+        t.again();
+        this.scanRows();
+        continue;
+      }
+      // From here on the row's bytes may go any time.
+      this.rowPlace ??= t.report.hasRoom('error') ? t.placeAt(this.rowAt) : NOWHERE;
+      if (width === 0 || (t.startsLine && !looksNumeric(t))) {
+        yield* this.skipTrailing();
+        break;
+      }
+      t.notANumber('a value of a channel');
+      this.isBroken = true;
+      this.makeRoom();
+      this.values[this.count++] = 0;
+    }
+    this.tellIncomplete();
+  }
+
+  /** As many rows as the piece at hand has, and the start of another. A number is at hand. */
+  private scanRows(): void {
+    const { t, width, scan } = this;
+    const { bytes, from, at, end } = t.pieceAtHand();
+    // From where no one has been told of the LFs that were passed, and how many they are.
+    let since = at;
+    let lineFeeds = 0;
+    let rowsFeeds = 0;
+    let why = AT_END;
+    scan.at = at;
+    for (;;) {
+      this.makeRoom();
+      scan.count = this.count;
+      scan.limit = this.row + width;
+      const start = scan.at;
+      why = scanNumbers(bytes, end, this.values, scan, undefined);
+      this.bytesRead += scan.at - start;
+      lineFeeds = scan.lineFeeds;
+      this.count = scan.count;
+      if (why !== FULL || !startsLine(bytes, scan.at, at)) break;
+      rowsFeeds = rowsFeeds < 0 || lineFeeds < 0 ? -1 : rowsFeeds + lineFeeds;
+      lineFeeds = 0;
+      this.row = this.count;
+      this.rowAt = since = scan.at;
+      this.rowPlace = undefined;
+      this.isBroken = false;
+      this.onLine = 0;
+    }
+    // In two stretches, so that the place between them can be found without counting.
+    t.passed(at, since, rowsFeeds);
+    t.passed(since, scan.at, lineFeeds);
+    if (why === AT_END) {
+      this.rowPlace ??= t.placeAt(this.rowAt);
+      this.onLine = this.numbersOnLine(bytes, from, end);
+    }
+    // Whether what comes next starts a line is for the tokens to see.
+    let behind = scan.at;
+    while (behind > at && isSeparator(bytes[behind - 1])) behind--;
+    t.goOnFrom(behind);
+  }
+
+  /** Numbers before `to` on its line, where there is nothing else; those in pieces that are gone included. */
+  private numbersOnLine(bytes: Uint8Array, from: number, to: number): number {
+    let numbers = 0;
+    for (let i = to - 1; i >= from; i--) {
+      const c = bytes[i];
+      if (c === LF || c === CR) return numbers;
+      if (!isSeparator(c) && (i === from || isSeparator(bytes[i - 1]))) numbers++;
+    }
+    return this.onLine + numbers;
+  }
+
+  /** For the row at hand. */
+  private makeRoom(): void {
+    const needed = this.row + this.width;
+    if (needed <= this.values.length) return;
+    const grown = new Float64Array(Math.max(needed, this.nextLength()));
+    grown.set(this.values);
+    this.values = grown;
+  }
+
+  /** What the rest of the file takes at as many bytes a number as so far; half as much again where nothing tells. */
+  private nextLength(): number {
+    const { byteLength, bytesRead, count, declared } = this;
+    const length = 1.5 * this.values.length;
+    const expected = byteLength && count > 0 ? (byteLength / bytesRead) * count : length;
+    if (declared > count && declared <= TRUSTED * Math.max(expected, length)) return declared;
+    return Math.ceil(Math.max(1.02 * expected, length));
+  }
+
+  /** The row at hand is full, and so is not its line: the token at hand is too much. */
+  private failAtOverfull(): never {
+    const { t, width } = this;
+    // A word too many, most likely.
+    if (this.isBroken) throw new ParseError('row');
+    const { bytes, from } = t.pieceAtHand();
+    const before = width - this.numbersOnLine(bytes, from, t.tokenAt);
+    if (before <= 0)
+      t.error('row-too-long', `Expected ${width} numbers a row, one a channel, found more on this line.`);
+    else {
+      const { line } = t.place();
+      const message = `Expected ${width} numbers a row, one a channel, found ${before}: line ${line} would make them more.`;
+      t.report.error('row-incomplete', message, this.rowPlace ?? t.placeAt(this.rowAt));
+    }
+    throw new ParseError('row');
+  }
+
+  /** What is no row is at hand, at the start of a line: warns, and skips to the end, where no row may come. */
+  private *skipTrailing(): Part<void> {
+    const { t, width } = this;
+    const found = t.found();
+    const place = t.place();
+    let numbers = 0;
+    while ((yield* t.next()) !== 'end') {
+      const value = t.value();
+      numbers = value - value === 0 && (numbers > 0 || t.startsLine) ? numbers + 1 : 0;
+      if (numbers < width || width === 0) continue;
+      t.report.error(
+        'row-expected',
+        `Expected a row of ${width} numbers, found ${found}, and rows again below.`,
+        place,
+      );
+      throw new ParseError('row-expected');
+    }
+    const expected = width === 0 ? 'no rows, for there are no channels' : `a row of ${width} numbers`;
+    t.report.warn('rows-end', `Expected ${expected}, found ${found}.`, place, 'the motion ends before it');
+  }
+
+  /** The last row is short. */
+  private tellIncomplete(): void {
+    const { t, width } = this;
+    const found = this.count - this.row;
+    if (found === 0 || found === width) return;
+    const message = `Expected ${width} numbers in the last row, one a channel, found ${found}.`;
+    t.report.warn('row-incomplete', message, this.rowPlace ?? t.placeAt(this.rowAt), 'the motion ends before it');
+  }
+}
+
+/** Whether there are only blanks between a line end and `at`. */
+function startsLine(bytes: Uint8Array, at: number, from: number): boolean {
+  let i = at - 1;
+  while (i >= from && (bytes[i] === 32 || bytes[i] === 9)) i--;
+  return i >= from && (bytes[i] === LF || bytes[i] === CR);
+}
+
+function isSeparator(c: number): boolean {
+  return c === 32 || c === LF || c === 9 || c === CR;
+}

@@ -1,0 +1,137 @@
+/**
+ * `couple NAME JOINT.DOF gain offset` in a `.skel`: JOINT is `#index` or a name that only one joint has, split from the
+ * DOF at the last dot. Joints may name others that come after them, so names are looked up at the end of the tree.
+ */
+import { couplesOf } from '../../model/couples.ts';
+import { firstDofs } from '../../model/dofs.ts';
+import { type Couple, dofsOf, type Joint } from '../../model/skeleton.ts';
+import { number, type Part } from '../grammar.ts';
+import type { Keywords, Mark, Tokens } from '../tokens.ts';
+import { oneToken } from '../write-text.ts';
+
+/** A couple as it is written. */
+export interface OpenCouple {
+  /** The joint that it stands in. */
+  readonly owner: number;
+  readonly dof: string;
+  readonly dofPlace: Mark;
+  /** As written, up to the last dot. */
+  readonly target: string;
+  readonly follows: string;
+  readonly place: Mark;
+  readonly gain: number;
+  readonly offset: number;
+}
+
+/** The keyword is at hand. Undefined where something is missing, which is an error. */
+export function* couple(t: Tokens, owner: number, keywords: Keywords): Part<OpenCouple | undefined> {
+  const dof = yield* name(t, 'the name of a DOF after couple', keywords);
+  if (dof === undefined) return undefined;
+  const dofPlace = t.mark();
+  const full = yield* name(t, `the JOINT.DOF that ${dof} follows`, keywords);
+  if (full === undefined) return undefined;
+  const place = t.mark();
+  const dot = full.lastIndexOf('.');
+  if (dot < 0) t.error('couple-target', `Expected JOINT.DOF for what ${dof} follows, found ${t.found()}.`);
+  const gain = yield* number(t, `the gain of ${dof}`, keywords);
+  if (gain === undefined) return undefined;
+  const offset = yield* number(t, `the offset of ${dof}`, keywords);
+  if (offset === undefined || dot < 0) return undefined;
+  const follows = full.slice(dot + 1).toLowerCase();
+  return { owner, dof: dof.toLowerCase(), dofPlace, target: full.slice(0, dot), follows, place, gain, offset };
+}
+
+/** A word that is no number. */
+function* name(t: Tokens, what: string, keywords: Keywords): Part<string | undefined> {
+  yield* t.next();
+  if (t.kind === 'word' && Number.isNaN(t.value()) && !keywords.has(t.keyword())) return t.text();
+  t.error('name-expected', `Expected ${what}, found ${t.found()}.`);
+  if (t.kind !== 'word' || t.startsLine || keywords.has(t.keyword())) t.again();
+  else yield* t.skipUnknown();
+  return undefined;
+}
+
+/** The joints with their couples: names looked up, cycles refused. */
+export function resolveCouples(t: Tokens, joints: readonly Joint[], couples: readonly OpenCouple[]): readonly Joint[] {
+  if (couples.length === 0) return joints;
+  const byName = new Map<string, number[]>();
+  joints.forEach(({ name }, index) => {
+    byName.set(name, [...(byName.get(name) ?? []), index]);
+  });
+  const found = new Map<number, Map<string, { readonly couple: Couple; readonly place: Mark }>>();
+  for (const { owner, dof, dofPlace, target, follows, place, gain, offset } of couples) {
+    if (!hasDof(t, joints, owner, dof, dofPlace)) continue;
+    const joint = jointNamed(t, joints, byName, target, place);
+    if (joint === undefined || !hasDof(t, joints, joint, follows, place)) continue;
+    const own = found.get(owner) ?? new Map();
+    if (own.has(dof)) {
+      const message = `${dof} of ${called(joints, owner)} follows something a second time.`;
+      t.report.warn('repeated', message, t.placeOf(dofPlace, 'warning'), 'the later is used');
+    }
+    found.set(owner, own.set(dof, { couple: { dof, joint, follows, gain, offset }, place: dofPlace }));
+  }
+  const coupled = joints.map((joint, index) => {
+    const own = found.get(index);
+    const inOrder = own && dofsOf(joint.motion).flatMap(({ name }) => own.get(name)?.couple ?? []);
+    return inOrder ? { ...joint, couples: inOrder } : joint;
+  });
+  const skeleton = { name: '', joints: coupled };
+  const first = firstDofs(skeleton);
+  for (const { dof } of couplesOf(skeleton).circular) {
+    const joint = first.findLastIndex((start) => start <= dof);
+    const own = dofsOf(joints[joint].motion)[dof - first[joint]].name;
+    const place = found.get(joint)?.get(own)?.place;
+    const message = `${own} of ${called(joints, joint)} follows a DOF that goes round to itself.`;
+    if (place) t.report.error('couple-cycle', message, t.placeOf(place, 'error'));
+  }
+  return coupled;
+}
+
+function hasDof(t: Tokens, joints: readonly Joint[], joint: number, dof: string, place: Mark): boolean {
+  const names = dofsOf(joints[joint].motion).map(({ name }) => name);
+  if (names.includes(dof)) return true;
+  const message = `Expected a DOF of ${called(joints, joint)} (${names.join(' ') || 'it has none'}), found ${dof}.`;
+  t.report.error('dof-unknown', message, t.placeOf(place, 'error'));
+  return false;
+}
+
+/** `#index`, or a name that only one joint has. */
+function jointNamed(
+  t: Tokens,
+  joints: readonly Joint[],
+  byName: ReadonlyMap<string, readonly number[]>,
+  target: string,
+  place: Mark,
+): number | undefined {
+  if (isIndex(target)) {
+    const index = Number(target.slice(1));
+    if (index < joints.length) return index;
+    const message = `Expected a joint of this skeleton, #0 to #${joints.length - 1}, found ${target}.`;
+    t.report.error('joint-unknown', message, t.placeOf(place, 'error'));
+    return undefined;
+  }
+  const fits = byName.get(target) ?? [];
+  if (fits.length === 1) return fits[0];
+  const message =
+    fits.length === 0
+      ? `Expected the name of a joint to follow, found "${target}".`
+      : `Expected a joint's own name, found "${target}", which ${fits.length} joints have: #${fits.join(', #')}.`;
+  t.report.error(fits.length ? 'joint-ambiguous' : 'joint-unknown', message, t.placeOf(place, 'error'));
+  return undefined;
+}
+
+function isIndex(target: string): boolean {
+  return /^#\d+$/.test(target);
+}
+
+function called(joints: readonly Joint[], index: number): string {
+  return joints[index].name || `joint #${index}`;
+}
+
+/** What couples call each joint: by its name where only it has that, as names are written; else `#index`. */
+export function coupleTargets(joints: readonly Joint[]): readonly string[] {
+  const written = joints.map(({ name }) => oneToken(name));
+  const counts = new Map<string, number>();
+  for (const name of written) counts.set(name, (counts.get(name) ?? 0) + 1);
+  return written.map((name, index) => (name && counts.get(name) === 1 && !isIndex(name) ? name : `#${index}`));
+}

@@ -1,0 +1,162 @@
+/**
+ * Reading 100 MB of motion capture: ours, in pieces as a File's stream gives them, against a bare loop that puts the
+ * same bytes' numbers into a Float32Array and checks nothing, against three.js's BVHLoader and the npm package
+ * bvh-loader. To hold are 1.5 times the bare loop's time for numbers of up to 15 digits and 3 times for 17, 50 times
+ * the megabytes a second of BVHLoader and 4 times those of bvh-loader. What is printed at the end has them.
+ *
+ * The file is a real take whose rows are repeated (one made here where the reference files are not); with more digits,
+ * the same values times a number near 1. The two others take strings, which are ready before the clock starts.
+ * BVHLoader takes its lines off the front of a list, which takes longer the more there are: it needs the whole file to
+ * show what it does with one of that size, and gets one run of it (some 20 s).
+ */
+import { MEBvh } from 'bvh-loader/module/bvh-loader.js';
+import { BVHLoader } from 'three/addons/loaders/BVHLoader.js';
+import { afterAll, bench, describe } from 'vitest';
+import { bvhReader } from '../../src/formats/bvh/read.ts';
+import { hasShared, sharedBytes } from '../helpers/shared.ts';
+import { bareLoop, countNumbers } from './bare-loop.ts';
+
+const SIZE = 100e6;
+/** About what a File's stream gives. */
+const PIECE = 65536;
+const LONG = { time: 0, iterations: 8, warmupTime: 0, warmupIterations: 2 };
+const LONGER = { time: 0, iterations: 2, warmupTime: 0, warmupIterations: 1 };
+const LONGEST = { time: 0, iterations: 1, warmupTime: 0, warmupIterations: 0 };
+
+/** The lines of a take: what comes before the rows, without the number of frames; and the rows. */
+interface Take {
+  readonly head: (frames: number) => string;
+  readonly rows: readonly string[];
+}
+
+function take(): Take {
+  const lines = hasShared
+    ? new TextDecoder().decode(sharedBytes('data/bvh/cmu-01_01.bvh')).trimEnd().split(/\r?\n/)
+    : madeTake();
+  const motion = lines.indexOf('MOTION');
+  const hierarchy = lines.slice(0, motion).join('\n');
+  return {
+    head: (frames) => `${hierarchy}\nMOTION\nFrames: ${frames}\n${lines[motion + 2]}\n`,
+    rows: lines.slice(motion + 3),
+  };
+}
+
+function madeTake(): string[] {
+  const lines = ['HIERARCHY'];
+  const indent = (depth: number) => '  '.repeat(depth);
+  for (let j = 0; j < 31; j++) {
+    const channels = j === 0 ? '6 Xposition Yposition Zposition' : '3';
+    lines.push(`${indent(j)}${j === 0 ? 'ROOT' : 'JOINT'} j${j}`, `${indent(j)}{`, `${indent(j + 1)}OFFSET 0 1 0`);
+    lines.push(`${indent(j + 1)}CHANNELS ${channels} Zrotation Yrotation Xrotation`);
+  }
+  for (let j = 30; j >= 0; j--) lines.push(`${indent(j)}}`);
+  lines.push('MOTION', 'Frames: 2000', 'Frame Time: .0083333');
+  for (let f = 0; f < 2000; f++) {
+    lines.push(Array.from({ length: 96 }, (_, k) => (90 * Math.sin((f * (k + 1)) / 500 + k)).toFixed(4)).join(' '));
+  }
+  return lines;
+}
+
+/** So many bytes of a take, with each number printed anew. */
+function fileOf({ head, rows }: Take, size: number, print: (text: string) => string): Uint8Array {
+  const text = rows.map((row) => row.trim().split(/\s+/).map(print).join(' ')).join('\n');
+  const block = new TextEncoder().encode(`${text}\n`);
+  const times = Math.max(1, Math.round(size / block.length));
+  const start = new TextEncoder().encode(head(times * rows.length));
+  const bytes = new Uint8Array(start.length + times * block.length);
+  bytes.set(start);
+  for (let i = 0; i < times; i++) bytes.set(block, start.length + i * block.length);
+  return bytes;
+}
+
+function readOurs(bytes: Uint8Array): void {
+  const reader = bvhReader('take.bvh', bytes.length);
+  for (let from = 0; from < bytes.length; from += PIECE) reader.feed(bytes.subarray(from, from + PIECE));
+  const { value, diagnostics } = reader.end();
+  if (!value?.[0].clip || diagnostics.length > 0) throw new Error(diagnostics[0]?.message ?? 'no clip');
+}
+
+function readWithLoader(text: string): void {
+  const [hierarchy, motion] = text.split('MOTION');
+  const loader = new MEBvh();
+  loader._parse_hierarchy(hierarchy);
+  loader.parse_motion(motion);
+  if (!loader.keyframes) throw new Error('no frames');
+}
+
+/** Milliseconds and bytes of each run, for what is printed. */
+const runs = new Map<string, { bytes: number; times: number[] }>();
+
+/** Only one file is held: they are large. Made before the clock starts (benches have no `beforeAll`). */
+let held: { readonly file: string; readonly bytes: Uint8Array; readonly numbers: number } | undefined;
+
+function made(file: (typeof FILES)[number]): { readonly bytes: Uint8Array; readonly numbers: number } {
+  if (held?.file === file.name) return held;
+  held = undefined;
+  const bytes = fileOf(take(), SIZE, file.print);
+  held = { file: file.name, bytes, numbers: countNumbers(bytes) };
+  return held;
+}
+
+/** `prepare` gives what is timed, and how many bytes it reads. */
+function timed(key: string, options: typeof LONG, prepare: () => { bytes: number; run: () => void }): void {
+  let prepared: { bytes: number; run: () => void } | undefined;
+  bench(
+    key.slice(key.indexOf(':') + 2),
+    () => {
+      prepared ??= prepare();
+      const start = performance.now();
+      prepared.run();
+      const time = performance.now() - start;
+      const entry = runs.get(key) ?? { bytes: prepared.bytes, times: [] };
+      entry.times.push(time);
+      runs.set(key, entry);
+    },
+    options,
+  );
+}
+
+/** Megabytes a second in the best run: what else the machine does can only slow it down. */
+function speed(key: string): number {
+  const entry = runs.get(key);
+  if (!entry) return Number.NaN;
+  return entry.bytes / 1e3 / Math.min(...entry.times);
+}
+
+const FILES = [
+  { name: 'as recorded', print: (text: string) => text },
+  { name: '15 digits', print: (text: string) => (Number(text) * 1.0000001234567).toPrecision(15) },
+  { name: '16 and 17 digits', print: (text: string) => String(Number(text) * 1.0000001234567) },
+] as const;
+
+for (const file of FILES) {
+  describe(`a .bvh of 100 MB, ${file.name}`, () => {
+    timed(`${file.name}: bare loop`, LONG, () => {
+      const { bytes, numbers } = made(file);
+      return { bytes: bytes.length, run: () => void bareLoop(bytes, numbers) };
+    });
+    timed(`${file.name}: ours`, LONG, () => {
+      const { bytes } = made(file);
+      return { bytes: bytes.length, run: () => readOurs(bytes) };
+    });
+    if (file !== FILES[0]) return;
+    timed(`${file.name}: bvh-loader`, LONGER, () => {
+      const text = new TextDecoder().decode(made(file).bytes);
+      return { bytes: text.length, run: () => readWithLoader(text) };
+    });
+    timed(`${file.name}: BVHLoader of three.js`, LONGEST, () => {
+      const text = new TextDecoder().decode(made(file).bytes);
+      return { bytes: text.length, run: () => void new BVHLoader().parse(text) };
+    });
+  });
+}
+
+afterAll(() => {
+  held = undefined;
+  const lines = [...runs.keys()].map((key) => {
+    const bare = speed(`${key.slice(0, key.indexOf(':'))}: bare loop`);
+    const own = speed(key);
+    return `${key.padEnd(44)} ${own.toFixed(1).padStart(7)} MB/s   ${(bare / own).toFixed(2).padStart(6)} times the bare loop's time`;
+  });
+  console.log(`${lines.join('\n')}${hasShared ? '' : '\n(a take made here: the reference files are not at hand)'}`);
+});
