@@ -9,7 +9,10 @@
 import { Bone, type Matrix4 } from 'three';
 import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
 import { multiplyAffine, setIdentity } from '../math/mat4.ts';
-import type { Skeleton } from '../model/skeleton.ts';
+import { hasBox } from '../model/boxes.ts';
+import type { Box, Skeleton } from '../model/skeleton.ts';
+
+const NO_BOX: Box = { min: [0, 0, 0], max: [0, 0, 0] };
 
 /** A bone that is given both of its matrices. */
 class PosedBone extends Bone {
@@ -52,14 +55,15 @@ export class Bones {
     return this.bones[0];
   }
 
-  /** The box around all joints and their boxes, as posed: least x y z and greatest x y z, in the character's space. */
+  /** The box around all joints, their boxes and End Sites, as posed: least x y z and greatest x y z, in the character's space. */
   bounds(out: Float64Array): void {
     const { joints } = this.skeleton;
     const { world } = this;
     out.fill(Infinity, 0, 3);
     out.fill(-Infinity, 3, 6);
     for (let j = 0; j < joints.length; j++) {
-      const { min, max } = joints[j].box;
+      const joint = joints[j];
+      const { min, max } = hasBox(joint) ? joint.box : NO_BOX;
       for (let r = 0; r < 3; r++) {
         const m = 16 * j + r;
         const origin = world[m + 12];
@@ -72,6 +76,17 @@ export class Bones {
         }
         out[r] = Math.min(out[r], origin, centre - half);
         out[r + 3] = Math.max(out[r + 3], origin, centre + half);
+      }
+      const { endSites } = joint;
+      if (!endSites) continue;
+      for (let e = 0; e < endSites.length; e++) {
+        const end = endSites[e];
+        for (let r = 0; r < 3; r++) {
+          const m = 16 * j + r;
+          const at = world[m] * end[0] + world[m + 4] * end[1] + world[m + 8] * end[2] + world[m + 12];
+          out[r] = Math.min(out[r], at);
+          out[r + 3] = Math.max(out[r + 3], at);
+        }
       }
     }
   }

@@ -22,20 +22,21 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { posedBounds } from '../evaluate/bounds.ts';
+import { groundTravel, upAxis } from '../evaluate/space.ts';
 import { type Character, shownSkin } from '../model/document.ts';
 import { baseName, type Texture as Picture, sameName } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { Bones } from './bones.ts';
-import { placementMatrix } from './placements.ts';
+import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import { PosePlayer } from './pose-track.ts';
 import { BUILT_AT_ONCE, ShownSkin } from './shown-skin.ts';
 import { skinTexture } from './skin-texture.ts';
 import { SKIN_THEMES } from './skin-theme.ts';
 import type { MarrowSkinnedMesh } from './skinning.ts';
 import { runInSlices, runThrough, type Sliced } from './slices.ts';
-import type { ThemeName } from './theme.ts';
+import { STAGE_THEMES, type ThemeName, type Tint } from './theme.ts';
 import { uploadInFrames } from './upload.ts';
 
 /** What a character has to say later on. */
@@ -50,6 +51,7 @@ const NO_NUMBERS = new Float64Array(0);
 /** Scratch, never escapes. */
 const box = new Float64Array(6);
 const matrix = new Float64Array(16);
+const travelled = new Float64Array(3);
 const placedBox = new Box3();
 const vertex = new Vector3();
 
@@ -63,6 +65,7 @@ export class CharacterView {
   private display: Display | undefined;
   private heatJoint: number | undefined;
   private theme: ThemeName = 'dark';
+  private tint: Tint | undefined;
   private timeSeconds = 0;
   private player: PosePlayer | undefined;
   private boneSet: Bones | undefined;
@@ -113,6 +116,14 @@ export class CharacterView {
   setTheme(theme: ThemeName): void {
     this.theme = theme;
     this.skin?.setTheme(SKIN_THEMES[theme]);
+    this.skin?.setTint(this.tint && STAGE_THEMES[theme][this.tint]);
+  }
+
+  /** Its skin in this colour instead of its own; undefined: as it is. */
+  setTint(tint: Tint | undefined): void {
+    if (tint === this.tint) return;
+    this.tint = tint;
+    this.skin?.setTint(tint && STAGE_THEMES[this.theme][tint]);
   }
 
   /**
@@ -163,6 +174,22 @@ export class CharacterView {
       localBox.max.set(box[3], box[4], box[5]);
     } else localBox.makeEmpty();
     localBox.getBoundingSphere(localSphere);
+  }
+
+  /**
+   * How far the root has been carried over the ground, x y z in the character's own space: what is cancelled in place.
+   * Scratch: read it before the next call. Zero where `inPlace` is false.
+   */
+  travel(inPlace: boolean): Float64Array {
+    const { boneSet, shown, dofs } = this;
+    if (!inPlace) return NO_TRAVEL;
+    if (boneSet) groundTravel(boneSet.compiled, shown?.space, dofs, travelled);
+    else {
+      // Nothing but a root translation, and a skin that stands at it.
+      travelled.set(dofs.subarray(0, 3));
+      travelled[upAxis(shown?.space)] = 0;
+    }
+    return travelled;
   }
 
   /** Around all placements, in the scene's space, from the joints. Empty for a character without skin and skeleton. */
@@ -256,6 +283,7 @@ export class CharacterView {
     if (!model) return;
     const theme = SKIN_THEMES[this.theme];
     const skin = new ShownSkin(model, character.morphs, this.boneSet, theme, this.localSphere, this.localBox);
+    skin.setTint(this.tint && STAGE_THEMES[this.theme][this.tint]);
     skin.onLater = () => this.events.redraw?.();
     skin.setTexture(this.texture);
     this.skin = skin;
@@ -312,10 +340,10 @@ export class CharacterView {
   }
 
   private placeGroups(character: Character): void {
-    const inPlace = this.display?.inPlace ?? false;
+    const travel = this.travel(this.display?.inPlace ?? false);
     for (let p = 0; p < this.groups.length; p++) {
       const group = this.groups[p];
-      placementMatrix(character.placements[p], inPlace ? this.dofs[0] : 0, inPlace ? this.dofs[2] : 0, matrix);
+      placementMatrix(character.placements[p], character.space, travel, matrix);
       group.matrix.fromArray(matrix);
       group.matrixWorldNeedsUpdate = true;
     }

@@ -15,6 +15,8 @@ import type { Box, Joint, Skeleton } from '../model/skeleton.ts';
 export interface JointSizes {
   /** Radius of each joint's sphere, in the skeleton's units. */
   readonly radii: Float32Array;
+  /** Of each End Site's that is not where its joint is, in their order. */
+  readonly endRadii: Float32Array;
   /** Length of drawn axes. */
   readonly axis: number;
   /** Rough size of the whole skeleton: twice the distance of its furthest joint from the middle. */
@@ -24,10 +26,15 @@ export interface JointSizes {
 export function jointSizes(skeleton: Skeleton): JointSizes {
   const joints = skeleton.joints;
   const lengths = joints.map((j) => (j.parent < 0 ? 0 : Math.hypot(...j.offset)));
-  const sorted = lengths.filter((l) => l > 0).sort((a, b) => a - b);
+  const ends = joints.flatMap(({ endSites }, joint) =>
+    (endSites ?? []).map((at) => ({ joint, length: Math.hypot(...at) })).filter(({ length }) => length > 0),
+  );
+  const sorted = [...lengths, ...ends.map((e) => e.length)].filter((l) => l > 0).sort((a, b) => a - b);
   const median = sorted[sorted.length >> 1] ?? 0;
   const extent = restExtent(joints) || largestBox(joints) || 1;
-  const usual = median > 0 ? Math.min(0.09 * median, 0.014 * extent) : 0.03 * extent;
+  // By the long bones: most of a figure's joints may be those of its fingers, which are made smaller below.
+  const long = sorted[Math.floor(0.93 * sorted.length)] ?? 0;
+  const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : 0.03 * extent;
   const radii = new Float32Array(joints.length).fill(Math.max(usual, 0.003 * extent));
   joints.forEach((joint, j) => {
     // A short bone (a finger's) has small balls at both ends.
@@ -36,10 +43,11 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
     radii[j] = Math.min(radii[j], longest);
     radii[joint.parent] = Math.min(radii[joint.parent], Math.max(longest, 0.5 * usual));
   });
-  return { radii, axis: Math.min(0.35 * (median || 0.3 * extent), 0.08 * extent), extent };
+  const endRadii = Float32Array.from(ends, ({ joint, length }) => Math.min(0.6 * radii[joint], 0.22 * length));
+  return { radii, endRadii, axis: Math.min(0.35 * (median || 0.3 * extent), 0.08 * extent), extent };
 }
 
-/** Diagonal of the box around all joints in the pose of offsets alone. */
+/** Diagonal of the box around all joints and End Sites in the pose of offsets alone. */
 function restExtent(joints: readonly Joint[]): number {
   const at = new Float64Array(3 * joints.length);
   const min = [Infinity, Infinity, Infinity];
@@ -49,6 +57,10 @@ function restExtent(joints: readonly Joint[]): number {
       at[3 * j + k] = joint.offset[k] + (joint.parent < 0 ? 0 : at[3 * joint.parent + k]);
       min[k] = Math.min(min[k], at[3 * j + k]);
       max[k] = Math.max(max[k], at[3 * j + k]);
+      for (const end of joint.endSites ?? []) {
+        min[k] = Math.min(min[k], at[3 * j + k] + end[k]);
+        max[k] = Math.max(max[k], at[3 * j + k] + end[k]);
+      }
     }
   });
   return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);

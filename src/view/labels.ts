@@ -5,7 +5,7 @@
  */
 import { type Camera, Matrix4 } from 'three';
 import type { Display, Selection } from '../model/session.ts';
-import type { DrawnSkeleton, JointRef } from './skeleton-drawing.ts';
+import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
 import type { StageTheme } from './theme.ts';
 
 const FONT = '500 11px system-ui, -apple-system, "Segoe UI", sans-serif';
@@ -74,8 +74,8 @@ export class Labels {
     if (display.names || hovered) {
       for (const { skeleton } of drawn) for (const joint of skeleton.joints) this.names.push(this.measure(joint.name));
     }
-    this.selected = display.names ? this.instanceOf(selection.characterId, 0, selection.joint) : -1;
-    const under = hovered ? this.instanceOf(hovered.characterId, hovered.placement, hovered.joint) : -1;
+    this.selected = display.names ? instanceOf(drawn, selection.characterId, 0, selection.joint) : -1;
+    const under = hovered ? instanceOf(drawn, hovered.characterId, hovered.placement, hovered.joint) : -1;
     this.always = [this.selected, under].filter((i) => i >= 0);
   }
 
@@ -180,19 +180,12 @@ export class Labels {
     return known;
   }
 
-  private instanceOf(characterId: string | undefined, placement: number, joint: number | undefined): number {
-    const found = this.drawn.find((d) => d.characterId === characterId);
-    if (!found || joint === undefined || joint >= found.skeleton.joints.length) return -1;
-    return found.firstInstance + placement * found.skeleton.joints.length + joint;
-  }
-
   private nameOf(instance: number): Name | undefined {
+    const found = jointAt(this.drawn, instance);
     let first = 0;
-    for (const { firstInstance, placementCount, skeleton } of this.drawn) {
-      const i = instance - firstInstance;
-      const count = skeleton.joints.length;
-      if (i >= 0 && i < placementCount * count) return this.names[first + (i % count)];
-      first += count;
+    for (const { characterId, nodes } of this.drawn) {
+      if (found && characterId === found.characterId) return this.names[first + found.joint];
+      first += nodes.jointCount;
     }
     return undefined;
   }

@@ -21,8 +21,9 @@ import {
   WebGLRenderTarget,
 } from 'three';
 import type { Skin } from '../model/skin.ts';
+import type { JointRef } from './drawn-skeletons.ts';
 import { IdRuns, nearestId } from './pick-ids.ts';
-import type { JointRef, SkeletonDrawing } from './skeleton-drawing.ts';
+import type { SkeletonDrawing } from './skeleton-drawing.ts';
 import { type MarrowSkinnedMesh, withExactSkinning } from './skinning.ts';
 import { ID_FRAGMENT } from './thick-lines.ts';
 

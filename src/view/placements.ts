@@ -1,15 +1,29 @@
 /**
  * Where a character is drawn. A placement's matrix is
  *
- *     P = T(position) · Rz·Ry·Rx(turn) · S(scale) · T(−tx, 0, −tz)
+ *     P = T(position) · Rz·Ry·Rx(turn) · S(scale) · [ T(0, lift, 0) · S(metres per unit) · Up ] · T(−travel)
  *
- * where the last factor is there only "in place": it takes the root's travel over the ground out of the picture, and
- * leaves pose and document alone.
+ * In brackets: the character's space (`evaluate/space.ts`), left out where it has none. The last factor is there only
+ * "in place": it takes the root's travel over the ground out of the picture, and leaves pose and document alone.
  */
-import type { Placement } from '../model/document.ts';
+import { metresPerUnit } from '../evaluate/metres.ts';
+import { DEFAULT_SPACE, type Placement, type Space } from '../model/document.ts';
 
-/** Writes P at `out[o] …`, column-major. `travelX`, `travelZ`: root translation to cancel, 0 for none. */
-export function placementMatrix(p: Placement, travelX: number, travelZ: number, out: Float64Array, o = 0): void {
+/** What is cancelled where nothing is. */
+export const NO_TRAVEL: Float64Array = new Float64Array(3);
+
+/**
+ * Writes P at `out[o] …`, column-major.
+ * @param travel x y z to cancel, in the character's own space: see `groundTravel`
+ */
+export function placementMatrix(
+  p: Placement,
+  space: Space | undefined,
+  travel: Float64Array,
+  out: Float64Array,
+  o = 0,
+): void {
+  const { up, lift } = space ?? DEFAULT_SPACE;
   const [rx, ry, rz] = p.turn;
   const cx = Math.cos(rx);
   const sx = Math.sin(rx);
@@ -17,21 +31,30 @@ export function placementMatrix(p: Placement, travelX: number, travelZ: number, 
   const sy = Math.sin(ry);
   const cz = Math.cos(rz);
   const sz = Math.sin(rz);
-  const s = p.scale;
+  const s = space ? p.scale * metresPerUnit(space) : p.scale;
+  // Columns of the turn: where x, y and z of the scene's metres go. In a space whose z is up, y is their −z.
+  const yAt = up === 'z' ? o + 8 : o + 4;
+  const zAt = up === 'z' ? o + 4 : o + 8;
+  const sign = up === 'z' ? -1 : 1;
+  const upX = cz * sy * sx - sz * cx;
+  const upY = sz * sy * sx + cz * cx;
+  const upZ = cy * sx;
   out[o] = cz * cy * s;
   out[o + 1] = sz * cy * s;
   out[o + 2] = -sy * s;
-  out[o + 3] = 0;
-  out[o + 4] = (cz * sy * sx - sz * cx) * s;
-  out[o + 5] = (sz * sy * sx + cz * cx) * s;
-  out[o + 6] = cy * sx * s;
-  out[o + 7] = 0;
-  out[o + 8] = (cz * sy * cx + sz * sx) * s;
-  out[o + 9] = (sz * sy * cx - cz * sx) * s;
-  out[o + 10] = cy * cx * s;
-  out[o + 11] = 0;
-  out[o + 12] = p.position[0] - out[o] * travelX - out[o + 8] * travelZ;
-  out[o + 13] = p.position[1] - out[o + 1] * travelX - out[o + 9] * travelZ;
-  out[o + 14] = p.position[2] - out[o + 2] * travelX - out[o + 10] * travelZ;
+  out[yAt] = upX * s;
+  out[yAt + 1] = upY * s;
+  out[yAt + 2] = upZ * s;
+  out[zAt] = (cz * sy * cx + sz * sx) * s * sign;
+  out[zAt + 1] = (sz * sy * cx - cz * sx) * s * sign;
+  out[zAt + 2] = cy * cx * s * sign;
+  out[o + 3] = out[o + 7] = out[o + 11] = 0;
+  const raised = p.scale * lift;
+  const x = travel[0];
+  const y = travel[1];
+  const z = travel[2];
+  out[o + 12] = p.position[0] + upX * raised - out[o] * x - out[o + 4] * y - out[o + 8] * z;
+  out[o + 13] = p.position[1] + upY * raised - out[o + 1] * x - out[o + 5] * y - out[o + 9] * z;
+  out[o + 14] = p.position[2] + upZ * raised - out[o + 2] * x - out[o + 6] * y - out[o + 10] * z;
   out[o + 15] = 1;
 }

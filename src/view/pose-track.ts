@@ -5,10 +5,11 @@
  *     transport's time ─► action.time ─► mixer.update(0) ─► our interpolant ─► evaluate/pose.ts ─► Dofs
  *
  * One track with as many values as there are DOFs is far cheaper than one a DOF: what a track costs in bindings, mixing
- * and calls is then paid once a character. Its keyframes are the channels' own, in doubles: the interpolant reads those
- * and not the floats that three.js keeps in a track, so tangents, steps and extrapolation are exact at any time, before
- * 0 and past the end too. What the clip leaves free (DOFs without a channel, a pose set by hand, limits) comes out of
- * the same function that the command line uses.
+ * and calls is then paid once a character. Its keyframes are the channels' own, or the clip's samples, in doubles: the
+ * interpolant reads those and not the floats that three.js keeps in a track, so tangents, steps and extrapolation are
+ * exact at any time, before 0 and past the end too, and a take of 100,000 frames is not copied to be played. What the
+ * clip leaves free (DOFs without a channel, a pose set by hand, limits) comes out of the same function that the command
+ * line uses.
  *
  * How it has to be done with three.js 0.187:
  *  - The property that a track drives needs `fromArray` and `toArray`; a bare typed array is replaced by a number.

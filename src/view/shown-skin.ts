@@ -46,6 +46,7 @@ export class ShownSkin {
   private placed: readonly Placed[] = [];
   private display: Display | undefined;
   private texture: Texture | undefined;
+  private tint: string | undefined;
   private isRevealed = false;
   private readonly ended = new AbortController();
   /** Edges as lines; all geometries are over the same vertices. */
@@ -83,6 +84,7 @@ export class ShownSkin {
     const made = yield* morphing(gpu.geometry, skin.positions, compiled.normals, this.morphs);
     const materials = new SkinMaterials(gpu, this.theme);
     materials.setTexture(this.texture);
+    materials.setTint(this.tint);
     this.built = { gpu, materials, morphing: made };
   }
 
@@ -139,6 +141,12 @@ export class ShownSkin {
   setTheme(theme: SkinTheme): void {
     this.theme = theme;
     this.built?.materials.setTheme(theme);
+  }
+
+  /** A colour for the whole skin; undefined: its own. */
+  setTint(tint: string | undefined): void {
+    this.tint = tint;
+    this.built?.materials.setTint(tint);
   }
 
   setTexture(texture: Texture | undefined): void {

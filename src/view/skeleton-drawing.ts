@@ -1,8 +1,7 @@
 /**
  * Joints of all characters together: a kind (box edges, box faces, balls, bones, axes) is one instanced mesh, so that
- * 50 characters of 70 joints cost one draw call a kind. Instance i is the same joint in every kind:
- *
- *     character 0: placement 0: joint 0 1 2 … placement 1: joint 0 1 2 …   character 1: …
+ * 50 characters of 70 joints cost one draw call a kind. Instance i is the same joint or End Site in every kind: see
+ * `drawn-skeletons.ts`.
  *
  * `show` after an edit decides what there is and its colours, `fill` in every frame only writes matrices.
  */
@@ -11,49 +10,32 @@ import {
   type BufferGeometry,
   Color,
   CylinderGeometry,
-  DynamicDrawUsage,
   GreaterDepth,
   Group,
-  InstancedBufferAttribute,
-  InstancedMesh,
-  type Material,
   MeshStandardMaterial,
-  ShaderMaterial,
   SphereGeometry,
   type Vector3,
 } from 'three';
-import { multiplyAffine } from '../math/mat4.ts';
+import { compileSkeleton } from '../evaluate/kinematics.ts';
+import { hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
-import type { Skeleton } from '../model/skeleton.ts';
-import { dots } from './dots.ts';
-import { axesMatrix, boneMatrix, boxMatrix, type JointSizes, jointSizes, sphereMatrix } from './joint-shapes.ts';
+import {
+  boneOwner,
+  type DrawnSkeleton,
+  instanceOf,
+  instancesOf,
+  type JointRef,
+  jointAt,
+  layOut,
+  ownerOf,
+  type PosedSkeleton,
+} from './drawn-skeletons.ts';
+import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
+import { JointMarkers, paintAxes } from './joint-markers.ts';
+import { axesMatrix, boxMatrix } from './joint-shapes.ts';
+import { fillBones, placeNodes, scaleOf } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
-import { ID_FRAGMENT, lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
-
-/** A character's joints as they are to be drawn. The arrays live on: `fill` reads what they hold then. */
-export interface PosedSkeleton {
-  readonly characterId: string;
-  readonly skeleton: Skeleton;
-  /** 16 a joint, in the character's space. */
-  readonly world: Float64Array;
-  /** 16 a placement. */
-  readonly placements: Float64Array;
-  readonly hasSkin: boolean;
-}
-
-/** A skeleton with its place among the instances. */
-export interface DrawnSkeleton extends PosedSkeleton {
-  readonly sizes: JointSizes;
-  readonly firstInstance: number;
-  readonly placementCount: number;
-}
-
-/** One joint of one placement. */
-export interface JointRef {
-  readonly characterId: string;
-  readonly placement: number;
-  readonly joint: number;
-}
+import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
 /** Whether skins in this style hide the joints within. */
 export function isOpaque(style: SkinStyle): boolean {
@@ -74,132 +56,29 @@ function boxEdges(): number[] {
   return points;
 }
 
-const sizesOf = new WeakMap<Skeleton, JointSizes>();
-
-/** `jointSizes`, once a skeleton. */
-export function sizesFor(skeleton: Skeleton): JointSizes {
-  let sizes = sizesOf.get(skeleton);
-  if (!sizes) {
-    sizes = jointSizes(skeleton);
-    sizesOf.set(skeleton, sizes);
-  }
-  return sizes;
+/** From y = 0, radius 1, to y = 1, tapering. */
+export function boneGeometry(): BufferGeometry {
+  return new CylinderGeometry(0.45, 1, 1, 12, 1).translate(0, 0.5, 0);
 }
 
-/** A kind's mesh, made anew when it has to hold more; and the same once more where something covers it, if asked. */
-class Kind {
-  mesh: InstancedMesh;
-  /** Drawn only where it is behind something opaque: bones show through a skin. */
-  covered: InstancedMesh | undefined;
-  private tint: InstancedBufferAttribute | undefined;
-
-  constructor(
-    readonly geometry: BufferGeometry,
-    readonly material: Material,
-    readonly idMaterial: ShaderMaterial | undefined,
-    private readonly tinted: boolean,
-    parent: Group,
-    private readonly coveredMaterial?: Material,
-  ) {
-    this.mesh = this.create(1);
-    parent.add(this.mesh);
-    this.cover();
-  }
-
-  /** Room for `count` instances. */
-  resize(count: number): void {
-    if (count > this.mesh.instanceMatrix.count) {
-      const { parent, visible, castShadow, renderOrder } = this.mesh;
-      this.mesh.removeFromParent();
-      this.mesh.dispose();
-      this.mesh = this.create(count);
-      Object.assign(this.mesh, { visible, castShadow, renderOrder });
-      parent?.add(this.mesh);
-      this.cover();
-    }
-    this.mesh.count = count;
-    if (this.covered) this.covered.count = count;
-  }
-
-  /** Colour of one instance, sRGB for tinted lines. */
-  paint(instance: number, color: Color, opacity: number): void {
-    if (this.tint) this.tint.setXYZW(instance, color.r, color.g, color.b, opacity);
-    else this.mesh.setColorAt(instance, color);
-  }
-
-  painted(): void {
-    if (this.tint) this.tint.needsUpdate = true;
-    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
-    if (this.covered) this.covered.instanceColor = this.mesh.instanceColor;
-  }
-
-  get matrices(): Float32Array {
-    // Made by InstancedMesh as a Float32Array; its type says any array.
-    return this.mesh.instanceMatrix.array as Float32Array;
-  }
-
-  dispose(): void {
-    this.mesh.removeFromParent();
-    this.mesh.dispose();
-    this.geometry.dispose();
-    this.material.dispose();
-    this.idMaterial?.dispose();
-    this.covered?.removeFromParent();
-    this.covered?.dispose();
-    this.coveredMaterial?.dispose();
-  }
-
-  /** Makes the covered mesh anew, with the arrays of the mesh. */
-  private cover(): void {
-    if (!this.coveredMaterial) return;
-    const before = this.covered;
-    before?.removeFromParent();
-    before?.dispose();
-    const covered = new InstancedMesh(this.geometry, this.coveredMaterial, 0);
-    covered.instanceMatrix = this.mesh.instanceMatrix;
-    covered.frustumCulled = false;
-    covered.matrixAutoUpdate = false;
-    covered.renderOrder = COVERED_ORDER;
-    covered.visible = before?.visible ?? false;
-    this.mesh.parent?.add(covered);
-    this.covered = covered;
-  }
-
-  private create(count: number): InstancedMesh {
-    const mesh = new InstancedMesh(this.geometry, this.material, count);
-    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    // Instances are all over the place: a sphere around the unit shape says nothing.
-    mesh.frustumCulled = false;
-    mesh.matrixAutoUpdate = false;
-    if (this.tinted) {
-      this.tint = new InstancedBufferAttribute(new Float32Array(4 * count), 4);
-      this.geometry.setAttribute('tint', this.tint);
-    }
-    return mesh;
-  }
+export function ballGeometry(): BufferGeometry {
+  return new SphereGeometry(1, 16, 10);
 }
 
-/** How solid a joint behind a skin shows through, where it is selected. */
-const MARKER_OPACITY = 0.5;
-/** Likewise bones and axes that are shown under a skin. */
+/** How solid bones and axes that are shown under a skin show through. */
 const COVERED_OPACITY = 0.55;
-/** After all that may cover them, and before the markers. */
-const COVERED_ORDER = 15;
 
 export class SkeletonDrawing {
   readonly object = new Group();
   /** In the order of their instances. */
   drawn: readonly DrawnSkeleton[] = [];
-  /** x y z of every instance's joint, in the world. */
+  /** x y z of every instance's joint or End Site, in the world. */
   positions = new Float64Array(0);
   instanceCount = 0;
 
-  private readonly kinds: Readonly<Record<KindName, Kind>>;
+  private readonly kinds: Readonly<Record<KindName, InstancedKind>>;
+  private readonly markers: JointMarkers;
   private readonly axisColors: BufferGeometry;
-  /** The selected joint on top of everything, in each placement. */
-  private readonly markerDots = dots(1, { size: 9, depthTest: false });
-  private readonly markerEdges: Kind;
-  private readonly markerAxes: Kind;
   private scratch = new Float64Array(0);
   private selection: Selection = {};
   private hovered: JointRef | undefined;
@@ -207,71 +86,36 @@ export class SkeletonDrawing {
   private display: Display = DEFAULT_DISPLAY;
 
   constructor() {
+    const { object } = this;
     const edges = segmentsGeometry(boxEdges());
     const axes = segmentsGeometry([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1], new Array(9).fill(1));
     this.axisColors = axes;
-    const bone = new CylinderGeometry(0.45, 1, 1, 12, 1).translate(0, 0.5, 0);
     const lit = () => new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
     const behind = { transparent: true, depthFunc: GreaterDepth, depthWrite: false } as const;
     const through = () =>
       new MeshStandardMaterial({ roughness: 0.62, metalness: 0, opacity: COVERED_OPACITY, ...behind });
     const flat = new MeshStandardMaterial({ roughness: 0.75, metalness: 0, flatShading: true });
+    const edgeLines = lineMaterial({ width: 1.25, tinted: true, lift: 2e-5 });
+    const axisLines = { width: 1.75, segmentColors: true };
+    const axesThrough = lineMaterial({ ...axisLines, opacity: COVERED_OPACITY }, behind);
+    const ids = meshIdMaterial;
     this.kinds = {
-      edges: new Kind(
-        edges,
-        lineMaterial({ width: 1.25, tinted: true, lift: 2e-5 }),
-        lineIdMaterial(5, 2e-5),
-        true,
-        this.object,
-      ),
-      faces: new Kind(new BoxGeometry(1, 1, 1), flat, meshIdMaterial(), false, this.object),
-      balls: new Kind(new SphereGeometry(1, 16, 10), lit(), meshIdMaterial(), false, this.object, through()),
-      bones: new Kind(bone, lit(), meshIdMaterial(), false, this.object, through()),
-      axes: new Kind(
-        axes,
-        lineMaterial({ width: 1.75, segmentColors: true }),
-        undefined,
-        false,
-        this.object,
-        lineMaterial({ width: 1.75, segmentColors: true, opacity: COVERED_OPACITY }, behind),
-      ),
+      edges: new InstancedKind(edges, edgeLines, lineIdMaterial(5, 2e-5), true, object),
+      faces: new InstancedKind(new BoxGeometry(1, 1, 1), flat, ids(), false, object),
+      balls: new InstancedKind(ballGeometry(), lit(), ids(), false, object, through()),
+      bones: new InstancedKind(boneGeometry(), lit(), ids(), false, object, through()),
+      axes: new InstancedKind(axes, lineMaterial(axisLines), undefined, false, object, axesThrough),
     };
-    const onTop = { depthTest: false, depthWrite: false };
-    this.markerEdges = new Kind(
-      segmentsGeometry(boxEdges()),
-      lineMaterial({ width: 1.5, opacity: MARKER_OPACITY }, onTop),
-      undefined,
-      false,
-      this.object,
-    );
-    this.markerAxes = new Kind(
-      axes,
-      lineMaterial({ width: 2, segmentColors: true }, onTop),
-      undefined,
-      false,
-      this.object,
-    );
-    this.object.add(this.markerDots);
-    this.markerEdges.mesh.renderOrder = 20;
-    this.markerAxes.mesh.renderOrder = 21;
-    this.markerDots.renderOrder = 22;
-    this.markerDots.matrixAutoUpdate = false;
+    this.markers = new JointMarkers(object, segmentsGeometry(boxEdges()), axes);
   }
 
   /** After an edit: which skeletons there are, what of them is drawn, and what is selected. */
   show(skeletons: readonly PosedSkeleton[], display: Display, selection: Selection, theme: StageTheme): void {
-    let next = 0;
-    let joints = 0;
-    this.drawn = skeletons.map((posed) => {
-      const placementCount = posed.placements.length / 16;
-      const firstInstance = next;
-      next += placementCount * posed.skeleton.joints.length;
-      joints = Math.max(joints, posed.skeleton.joints.length);
-      return { ...posed, sizes: sizesFor(posed.skeleton), firstInstance, placementCount };
-    });
-    this.instanceCount = next;
-    if (this.positions.length < 3 * next) this.positions = new Float64Array(3 * next);
-    if (this.scratch.length < 16 * joints) this.scratch = new Float64Array(16 * joints);
+    this.drawn = layOut(skeletons);
+    this.instanceCount = instancesOf(this.drawn);
+    const most = this.drawn.reduce((nodes, d) => Math.max(nodes, d.nodes.count), 0);
+    if (this.positions.length < 3 * this.instanceCount) this.positions = new Float64Array(3 * this.instanceCount);
+    if (this.scratch.length < 16 * most) this.scratch = new Float64Array(16 * most);
     this.selection = selection;
     this.display = display;
     if (theme !== this.theme) this.setTheme(theme);
@@ -279,20 +123,15 @@ export class SkeletonDrawing {
     const { edges, faces, balls, bones, axes } = this.kinds;
     edges.mesh.visible = this.drawn.some((drawn) => this.drawsBoxes(drawn));
     faces.mesh.visible = edges.mesh.visible && display.boxes !== 'wire';
-    balls.mesh.visible = bones.mesh.visible = display.bones;
+    balls.mesh.visible = bones.mesh.visible = this.drawn.some((drawn) => this.drawsBones(drawn));
     axes.mesh.visible = display.axes;
     for (const kind of Object.values(this.kinds)) {
-      if (kind.mesh.visible) kind.resize(next);
+      if (kind.mesh.visible) kind.resize(this.instanceCount);
       if (kind.covered) kind.covered.visible = kind.mesh.visible && this.isCovered;
       kind.mesh.castShadow = display.shadow && kind.mesh.material instanceof MeshStandardMaterial;
       kind.mesh.receiveShadow = kind.mesh.castShadow;
     }
-    const markers = this.selected?.placementCount ?? 0;
-    this.markerEdges.resize(markers);
-    this.markerAxes.resize(markers);
-    this.resizeDots(markers);
-    this.markerEdges.mesh.visible = display.boxes !== 'hidden' && markers > 0;
-    this.markerAxes.mesh.visible = this.markerDots.visible = markers > 0;
+    this.markers.show(this.selected?.placementCount ?? 0, display.boxes !== 'hidden');
     this.paint();
   }
 
@@ -309,84 +148,78 @@ export class SkeletonDrawing {
 
   /** Every frame in which a joint moved: matrices of all that is shown. Allocates nothing. */
   fill(): void {
-    const { edges, faces, balls, bones, axes } = this.kinds;
-    const anyBox = edges.mesh.visible || faces.mesh.visible;
-    const world = this.scratch;
-    const boxes = edges.mesh.visible ? edges.matrices : faces.matrices;
+    const { edges, faces } = this.kinds;
     for (let d = 0; d < this.drawn.length; d++) {
       const drawn = this.drawn[d];
-      const { sizes, placements } = drawn;
-      const joints = drawn.skeleton.joints;
-      const ownBoxes = this.drawsBoxes(drawn);
-      for (let p = 0; p < drawn.placementCount; p++) {
-        const scale = Math.hypot(placements[16 * p], placements[16 * p + 1], placements[16 * p + 2]);
-        const base = drawn.firstInstance + p * joints.length;
-        for (let j = 0; j < joints.length; j++) {
-          const o = 16 * j;
-          const to = 16 * (base + j);
-          multiplyAffine(placements, 16 * p, drawn.world, o, world, o);
-          const x = world[o + 12];
-          const y = world[o + 13];
-          const z = world[o + 14];
-          this.positions[3 * (base + j)] = x;
-          this.positions[3 * (base + j) + 1] = y;
-          this.positions[3 * (base + j) + 2] = z;
-          if (ownBoxes) boxMatrix(world, o, joints[j].box, 1e-4 * sizes.extent, boxes, to);
-          else if (anyBox) boxes.fill(0, to, to + 16);
-          if (bones.mesh.visible) {
-            const parent = joints[j].parent;
-            sphereMatrix(x, y, z, sizes.radii[j] * scale, balls.matrices, to);
-            const thick = parent < 0 ? 0 : 0.8 * Math.min(sizes.radii[parent], 1.6 * sizes.radii[j]) * scale;
-            boneMatrix(world, 16 * Math.max(parent, 0), o, thick, bones.matrices, to);
-          }
-          if (axes.mesh.visible) axesMatrix(world, o, sizes.axis * scale, axes.matrices, to);
-          if (j === this.selection.joint && drawn.characterId === this.selection.characterId) {
-            sphereMatrix(x, y, z, 1, this.dotMatrices, 16 * p);
-            axesMatrix(world, o, sizes.axis * scale, this.markerAxes.matrices, 16 * p);
-            boxMatrix(world, o, joints[j].box, 1e-4 * sizes.extent, this.markerEdges.matrices, 16 * p);
-          }
-        }
-      }
+      for (let p = 0; p < drawn.placementCount; p++) this.fillPlacement(drawn, p);
     }
     if (edges.mesh.visible && faces.mesh.visible)
       faces.matrices.set(edges.matrices.subarray(0, 16 * this.instanceCount));
     for (const name of KIND_NAMES) {
       if (this.kinds[name].mesh.visible) this.kinds[name].mesh.instanceMatrix.needsUpdate = true;
     }
-    this.markerEdges.mesh.instanceMatrix.needsUpdate = true;
-    this.markerAxes.mesh.instanceMatrix.needsUpdate = true;
-    this.markerDots.instanceMatrix.needsUpdate = true;
+    this.markers.filled();
   }
 
-  private drawsBoxes({ hasSkin }: PosedSkeleton): boolean {
-    const { boxes, skin } = this.display;
-    return boxes === 'bare' ? !hasSkin || skin === 'hidden' : boxes !== 'hidden';
+  private fillPlacement(drawn: DrawnSkeleton, p: number): void {
+    const { edges, faces, balls, bones, axes } = this.kinds;
+    const { sizes, placements, nodes, skeleton, firstInstance } = drawn;
+    const { positions, scratch: world, selection } = this;
+    const { joints } = skeleton;
+    const { count, jointCount } = nodes;
+    const first = firstInstance + p * count;
+    const scale = scaleOf(placements, 16 * p);
+    placeNodes(nodes, placements, 16 * p, drawn.world, world);
+    for (let n = 0; n < count; n++) {
+      positions[3 * (first + n)] = world[16 * n + 12];
+      positions[3 * (first + n) + 1] = world[16 * n + 13];
+      positions[3 * (first + n) + 2] = world[16 * n + 14];
+    }
+    if (balls.mesh.visible) {
+      if (this.drawsBones(drawn)) {
+        const { parent } = compileSkeleton(skeleton);
+        fillBones(nodes, parent, sizes, scale, world, balls.matrices, bones.matrices, first);
+      } else {
+        balls.matrices.fill(0, 16 * first, 16 * (first + count));
+        bones.matrices.fill(0, 16 * first, 16 * (first + count));
+      }
+    }
+    if (edges.mesh.visible || faces.mesh.visible) {
+      const boxes = edges.mesh.visible ? edges.matrices : faces.matrices;
+      boxes.fill(0, 16 * first, 16 * (first + count));
+      if (this.drawsBoxes(drawn)) {
+        for (let j = 0; j < jointCount; j++) {
+          if (hasBox(joints[j])) boxMatrix(world, 16 * j, joints[j].box, 1e-4 * sizes.extent, boxes, 16 * (first + j));
+        }
+      }
+    }
+    if (axes.mesh.visible) {
+      const { matrices } = axes;
+      for (let j = 0; j < jointCount; j++) axesMatrix(world, 16 * j, sizes.axis * scale, matrices, 16 * (first + j));
+      matrices.fill(0, 16 * (first + jointCount), 16 * (first + count));
+    }
+    const { joint } = selection;
+    if (joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId) {
+      this.markers.fill(p, joints[joint], sizes, scale, world, 16 * joint);
+    }
   }
 
   /** Where a joint is drawn; false where there is no such joint. Needs a `fill` after the last `show`. */
   positionOf(characterId: string, placement: number, joint: number, out: Vector3): boolean {
-    const drawn = this.drawn.find((d) => d.characterId === characterId);
-    if (!drawn || placement >= drawn.placementCount || joint >= drawn.skeleton.joints.length) return false;
-    out.fromArray(this.positions, 3 * (drawn.firstInstance + placement * drawn.skeleton.joints.length + joint));
+    const instance = instanceOf(this.drawn, characterId, placement, joint);
+    if (instance < 0) return false;
+    out.fromArray(this.positions, 3 * instance);
     return true;
   }
 
-  /** Which joint an instance is. */
+  /** Which joint an instance is, or ends. */
   jointAt(instance: number): JointRef | undefined {
-    for (const { characterId, firstInstance, placementCount, skeleton } of this.drawn) {
-      const i = instance - firstInstance;
-      const count = skeleton.joints.length;
-      if (i < 0 || i >= placementCount * count) continue;
-      return { characterId, placement: Math.floor(i / count), joint: i % count };
-    }
-    return undefined;
+    return jointAt(this.drawn, instance);
   }
 
-  /** The joint that a drawn bone belongs to: it leads from there to the instance's own joint. */
+  /** The joint that a drawn bone belongs to: it leads from there to the instance's own joint or End Site. */
   boneOwner(instance: number): JointRef | undefined {
-    const end = this.jointAt(instance);
-    const joints = this.drawn.find((d) => d.characterId === end?.characterId)?.skeleton.joints;
-    return end && joints && { ...end, joint: Math.max(0, joints[end.joint].parent) };
+    return boneOwner(this.drawn, instance);
   }
 
   /**
@@ -403,25 +236,21 @@ export class SkeletonDrawing {
       faces.mesh.visible = true;
     }
     const axesShown = axes.mesh.visible;
-    const markersShown = this.markerDots.visible;
-    const markerEdgesShown = this.markerEdges.mesh.visible;
     for (const { covered } of [balls, bones, axes]) if (covered) covered.visible = false;
-    axes.mesh.visible = this.markerDots.visible = this.markerEdges.mesh.visible = this.markerAxes.mesh.visible = false;
+    axes.mesh.visible = false;
     for (const kind of [edges, faces, balls, bones]) {
       if (!kind.idMaterial) continue;
       kind.idMaterial.uniforms.firstId.value = kind === bones ? firstBoneId : firstId;
       kind.mesh.material = kind.idMaterial;
     }
     try {
-      draw();
+      this.markers.without(draw);
     } finally {
       for (const kind of [edges, faces, balls, bones]) kind.mesh.material = kind.material;
       faces.mesh.visible = facesShown;
       axes.mesh.visible = axesShown;
       for (const { covered, mesh } of [balls, bones, axes])
         if (covered) covered.visible = mesh.visible && this.isCovered;
-      this.markerDots.visible = this.markerAxes.mesh.visible = markersShown;
-      this.markerEdges.mesh.visible = markerEdgesShown;
     }
   }
 
@@ -431,10 +260,22 @@ export class SkeletonDrawing {
   }
 
   dispose(): void {
-    for (const kind of [...Object.values(this.kinds), this.markerEdges, this.markerAxes]) kind.dispose();
-    this.markerDots.geometry.dispose();
-    this.markerDots.material.dispose();
-    this.markerDots.dispose();
+    for (const kind of Object.values(this.kinds)) kind.dispose();
+    this.markers.dispose();
+  }
+
+  private asksForBoxes({ hasSkin }: PosedSkeleton): boolean {
+    const { boxes, skin } = this.display;
+    return boxes === 'bare' ? !hasSkin || skin === 'hidden' : boxes !== 'hidden';
+  }
+
+  private drawsBoxes(drawn: PosedSkeleton): boolean {
+    return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton);
+  }
+
+  /** A skeleton without boxes is drawn as bones where its boxes would be. */
+  private drawsBones(drawn: PosedSkeleton): boolean {
+    return this.display.bones || (this.asksForBoxes(drawn) && !hasBoxes(drawn.skeleton));
   }
 
   /** Whether a skin hides joints. */
@@ -445,36 +286,18 @@ export class SkeletonDrawing {
   private get selected(): DrawnSkeleton | undefined {
     const { characterId, joint } = this.selection;
     if (joint === undefined) return undefined;
-    return this.drawn.find((d) => d.characterId === characterId && joint < d.skeleton.joints.length);
-  }
-
-  private get dotMatrices(): Float32Array {
-    // As above.
-    return this.markerDots.instanceMatrix.array as Float32Array;
-  }
-
-  private resizeDots(count: number): void {
-    if (count > this.markerDots.instanceMatrix.count) {
-      this.markerDots.instanceMatrix = new InstancedBufferAttribute(new Float32Array(16 * count), 16);
-    }
-    this.markerDots.count = count;
+    return this.drawn.find((d) => d.characterId === characterId && joint < d.nodes.jointCount);
   }
 
   private setTheme(theme: StageTheme): void {
     this.theme = theme;
-    const colors = [theme.axisX, theme.axisY, theme.axisZ].map(rawColor);
-    const attribute = this.axisColors.getAttribute('segmentColor');
-    for (let v = 0; v < 12; v++) colors[Math.floor(v / 4)].toArray(attribute.array, 3 * v);
-    attribute.needsUpdate = true;
-    this.markerDots.material.uniforms.color.value.copy(rawColor(theme.selected));
-    this.markerDots.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
-    const marker = this.markerEdges.material;
-    if (marker instanceof ShaderMaterial) marker.uniforms.color.value.copy(rawColor(theme.selected));
+    paintAxes(this.axisColors, theme);
+    this.markers.setTheme(theme);
   }
 
   /** Colours of all instances: what is selected, what is under the pointer, and the rest. */
   private paint(): void {
-    const { theme, display } = this;
+    const { theme, display, hovered, selection } = this;
     if (!theme) return;
     const { edges, faces, balls, bones } = this.kinds;
     const line = rawColor(theme.boxEdge);
@@ -486,29 +309,28 @@ export class SkeletonDrawing {
       bone: new Color(theme.bone),
       selected: new Color(theme.selected),
       hovered: new Color(theme.hovered),
+      comparedFirst: new Color(theme.comparedFirst),
+      comparedSecond: new Color(theme.comparedSecond),
       selectedLine: rawColor(theme.selected),
       hoveredLine: rawColor(theme.hovered),
     };
-    for (const { characterId, firstInstance, placementCount, skeleton } of this.drawn) {
-      const joints = skeleton.joints;
-      const chosen = characterId === this.selection.characterId ? this.selection.joint : undefined;
+    for (const drawn of this.drawn) {
+      const { characterId, firstInstance, placementCount, nodes, tint } = drawn;
+      const ownLine = tint ? rawColor(theme[tint]) : line;
+      const chosen = characterId === selection.characterId ? selection.joint : undefined;
       for (let p = 0; p < placementCount; p++) {
-        const { hovered } = this;
         const under = hovered?.characterId === characterId && hovered.placement === p ? hovered.joint : undefined;
-        for (let j = 0; j < joints.length; j++) {
-          const i = firstInstance + p * joints.length + j;
-          const mark = j === chosen ? 'selected' : j === under ? 'hovered' : undefined;
-          const { parent } = joints[j];
-          const boneMark =
-            parent < 0 ? undefined : parent === chosen ? 'selected' : parent === under ? 'hovered' : undefined;
-          if (edges.mesh.visible) {
-            edges.paint(i, mark ? colors[`${mark}Line`] : line, mark ? 1 : opacity);
-          }
-          if (faces.mesh.visible) faces.paint(i, colors[mark ?? 'box'], 1);
-          if (balls.mesh.visible) {
-            balls.paint(i, colors[mark ?? 'bone'], 1);
-            bones.paint(i, colors[boneMark ?? 'bone'], 1);
-          }
+        const markOf = (joint: number) => (joint === chosen ? 'selected' : joint === under ? 'hovered' : undefined);
+        for (let n = 0; n < nodes.count; n++) {
+          const i = firstInstance + p * nodes.count + n;
+          const mark = n < nodes.jointCount ? markOf(n) : undefined;
+          if (edges.mesh.visible) edges.paint(i, mark ? colors[`${mark}Line`] : ownLine, mark ? 1 : opacity);
+          if (faces.mesh.visible) faces.paint(i, colors[mark ?? tint ?? 'box'], 1);
+          if (!balls.mesh.visible) continue;
+          const boneMark = n === 0 ? undefined : markOf(ownerOf(drawn, n));
+          // The ball of an End Site goes with the bone that it ends.
+          balls.paint(i, colors[(n < nodes.jointCount ? mark : boneMark) ?? tint ?? 'bone'], 1);
+          bones.paint(i, colors[boneMark ?? tint ?? 'bone'], 1);
         }
       }
     }
@@ -517,20 +339,3 @@ export class SkeletonDrawing {
 }
 
 const KIND_NAMES: readonly KindName[] = ['edges', 'faces', 'balls', 'bones', 'axes'];
-
-/** Ids `firstId + instance` of instanced meshes. */
-function meshIdMaterial(): ShaderMaterial {
-  return new ShaderMaterial({
-    toneMapped: false,
-    uniforms: { firstId: { value: 0 } },
-    vertexShader: /* glsl */ `
-      uniform float firstId;
-      flat varying highp uint vId;
-      void main() {
-        vId = uint(firstId) + uint(gl_InstanceID);
-        gl_Position = projectionMatrix * (modelViewMatrix * (instanceMatrix * vec4(position, 1.0)));
-      }
-    `,
-    fragmentShader: ID_FRAGMENT,
-  });
-}

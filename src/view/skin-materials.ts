@@ -25,6 +25,7 @@ import { type SkinGpu, withExactSkinning } from './skinning.ts';
 export class SkinMaterials {
   private readonly made = new Map<string, Material>();
   private texture: Texture | undefined;
+  private tint: string | undefined;
 
   constructor(
     private readonly skin: Pick<SkinGpu, 'attachmentTexture'>,
@@ -33,6 +34,12 @@ export class SkinMaterials {
 
   setTheme(theme: SkinTheme): void {
     this.theme = theme;
+    for (const [name, material] of this.made) this.paint(name, material);
+  }
+
+  /** A colour for the whole skin; undefined: its own. Influence and normals keep theirs: they say something. */
+  setTint(tint: string | undefined): void {
+    this.tint = tint;
     for (const [name, material] of this.made) this.paint(name, material);
   }
 
@@ -97,19 +104,20 @@ export class SkinMaterials {
   }
 
   private paint(name: string, material: Material): void {
-    const { theme } = this;
-    if (material instanceof MeshStandardMaterial && name === 'solid') material.color.set(theme.clay);
+    const { theme, tint } = this;
+    if (material instanceof MeshStandardMaterial && name === 'solid') material.color.set(tint ?? theme.clay);
     if (material instanceof MeshStandardMaterial && name === 'textured') {
       const had = material.map !== null;
       material.map = this.texture ?? null;
+      material.color.set(tint ?? '#ffffff');
       if (had !== (material.map !== null)) material.needsUpdate = true;
     }
     if (material instanceof LineBasicMaterial) {
-      material.color.set(theme.wire);
+      material.color.set(tint ?? theme.wire);
       material.opacity = theme.wireOpacity;
     }
     if (material instanceof ShaderMaterial && name === 'xray') {
-      material.uniforms.colour.value.set(theme.xray);
+      material.uniforms.colour.value.set(tint ?? theme.xray);
       material.uniforms.facing.value = theme.xrayFacing;
       material.uniforms.edge.value = theme.xrayEdge;
     }

@@ -7,6 +7,12 @@
  */
 export type ThemeName = 'light' | 'dark';
 
+/** What two characters that are compared are told apart by. */
+export type Tint = 'comparedFirst' | 'comparedSecond';
+/** By the characters' ids. */
+export type Tints = ReadonlyMap<string, Tint>;
+export const NO_TINTS: Tints = new Map();
+
 export interface StageTheme {
   /** Background, from the top of the viewport to its bottom. */
   readonly backgroundTop: string;
@@ -35,6 +41,12 @@ export interface StageTheme {
   /** The circle around a picked vertex: the accent, told apart from its joint's dot. */
   readonly vertex: string;
   readonly hovered: string;
+  /** Ghosts: earlier than now cool, later warm. */
+  readonly ghostBefore: string;
+  readonly ghostAfter: string;
+  /** Two characters that are compared, their skins too: what the list of takes has beside their names. */
+  readonly comparedFirst: string;
+  readonly comparedSecond: string;
   readonly shadow: string;
   readonly shadowOpacity: number;
   /** Strength of all lights together: light surroundings need a little more. */
@@ -62,6 +74,10 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     selectedLabel: '#ffad5e',
     vertex: '#a594ff',
     hovered: '#ffd9ad',
+    ghostBefore: '#6fb0ff',
+    ghostAfter: '#ff9d6e',
+    comparedFirst: '#56bdf2',
+    comparedSecond: '#f48fb8',
     shadow: '#000000',
     shadowOpacity: 0.62,
     exposure: 1.04,
@@ -86,6 +102,10 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     selectedLabel: '#9c4600',
     vertex: '#5b46d6',
     hovered: '#f2a861',
+    ghostBefore: '#2f74d6',
+    ghostAfter: '#d2582a',
+    comparedFirst: '#1b6fa8',
+    comparedSecond: '#b52f6e',
     shadow: '#1d2733',
     shadowOpacity: 0.34,
     exposure: 1.12,

@@ -5,15 +5,16 @@
 import { BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, type ShaderMaterial } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
-import type { Character, Placement } from '../model/document.ts';
+import { groundTravel } from '../evaluate/space.ts';
+import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
-import { placementMatrix } from './placements.ts';
+import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import type { StageTheme } from './theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
 /** Samples a second of the range, and at most. */
 const SAMPLES_PER_SECOND = 60;
-const MOST_SAMPLES = 600;
+const MOST_SAMPLES = 1500;
 
 /**
  * Where a joint is at `count` moments from `start` to `end` (seconds of the transport), x y z each, in the character's
@@ -31,12 +32,12 @@ export function samplePath(
   const skeleton = compileSkeleton(character.skeleton);
   const dofs = new Float64Array(dofCountOf(character));
   const world = new Float64Array(16 * skeleton.jointCount);
+  const travel = new Float64Array(3);
   for (let i = 0; i < count; i++) {
     poseAt(character, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
     worldMatrices(skeleton, dofs, world);
-    path[3 * i] = world[16 * joint + 12] - (inPlace ? dofs[0] : 0);
-    path[3 * i + 1] = world[16 * joint + 13];
-    path[3 * i + 2] = world[16 * joint + 14] - (inPlace ? dofs[2] : 0);
+    if (inPlace) groundTravel(skeleton, character.space, dofs, travel);
+    for (let k = 0; k < 3; k++) path[3 * i + k] = world[16 * joint + 12 + k] - travel[k];
   }
   return path;
 }
@@ -88,7 +89,7 @@ export class Trail {
     for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);
     this.object.geometry.dispose();
     this.object.geometry = segmentsGeometry(segments);
-    this.place(character.placements);
+    this.place(character);
   }
 
   dispose(): void {
@@ -97,11 +98,11 @@ export class Trail {
     this.object.dispose();
   }
 
-  private place(placements: readonly Placement[]): void {
+  private place({ placements, space }: Character): void {
     const matrices = new Float32Array(16 * placements.length);
     const matrix = new Float64Array(16);
     placements.forEach((placement, p) => {
-      placementMatrix(placement, 0, 0, matrix);
+      placementMatrix(placement, space, NO_TRAVEL, matrix);
       matrices.set(matrix, 16 * p);
     });
     this.object.instanceMatrix = new InstancedBufferAttribute(matrices, 16).setUsage(DynamicDrawUsage);

@@ -6,24 +6,27 @@
  *
  * It gives back facts (what was hit, where joints are), never edits: it can't see how documents change.
  */
-import { Box3, InstancedBufferAttribute, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
-import type { Character, Document } from '../model/document.ts';
-import { findCharacter, shownSkin } from '../model/document.ts';
+import { Box3, Frustum, Matrix4, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
+import { hasBox } from '../model/boxes.ts';
+import type { Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { CameraRig, type CameraView, type Side } from './camera.ts';
 import { CharacterView } from './character-view.ts';
-import { dots } from './dots.ts';
+import { type JointRef, sizesFor } from './drawn-skeletons.ts';
+import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
+import { JointFollower } from './joint-follower.ts';
 import { Labels } from './labels.ts';
 import { Orientation } from './orientation.ts';
 import { type DrawnSkin, type Hit, Picker, type PickScene } from './picking.ts';
-import { placementMatrix } from './placements.ts';
-import { isOpaque, type JointRef, type PosedSkeleton, SkeletonDrawing, sizesFor } from './skeleton-drawing.ts';
+import { type Shown, ShownCharacters, vertexPosition } from './shown-characters.ts';
+import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
 import { Stage } from './stage.ts';
-import { STAGE_THEMES, type ThemeName } from './theme.ts';
-import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
+import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
+import { LINE_RESOLUTION } from './thick-lines.ts';
 import { Trail } from './trail.ts';
+import { VertexMarker } from './vertex-marker.ts';
 
 export type { Hit } from './picking.ts';
 
@@ -48,21 +51,11 @@ export interface FrameStats {
   readonly triangles: number;
 }
 
-/** A character's view, with what is drawn of it elsewhere. */
-interface Shown {
-  readonly view: CharacterView;
-  character: Character;
-  /** 16 a placement: see `placements.ts`. */
-  placements: Float64Array;
-}
-
 const MOST_PIXELS_PER_PIXEL = 2;
+/** What is revealed is at least so high, where the picture's height is 2. */
+const LEAST_SEEN = 0.25;
 /** Above this many triangles the pointer's every move would be felt: joints in skins then light up on a click only. */
 const HOVER_TRIANGLES = 300_000;
-/** Of the played range, looked at when everything is framed. */
-const FRAMED_MOMENTS = 16;
-/** Framing leaves at most so much more room than everything takes now. */
-const MOST_ROOM = 3;
 
 export class Viewport {
   readonly canvas: HTMLCanvasElement;
@@ -72,22 +65,24 @@ export class Viewport {
   private readonly grid = new Grid();
   private readonly skeletons = new SkeletonDrawing();
   private readonly trail = new Trail();
-  private readonly vertexDots = dots(1, { size: 17, depthTest: false, hollow: true });
+  private readonly ghosts = new Ghosts();
+  private readonly vertexMarker = new VertexMarker();
+  private readonly follower = new JointFollower();
   private readonly labels = new Labels();
   private readonly orientation: Orientation;
   private readonly picker: Picker;
   private readonly resizing: ResizeObserver;
-  private readonly shown = new Map<string, Shown>();
-  /** The same, as a list: walking it allocates nothing. */
-  private all: readonly Shown[] = [];
+  private readonly characters: ShownCharacters;
   private readonly listening = new AbortController();
 
   private document: Document | undefined;
   private display: Display = DEFAULT_DISPLAY;
   private selection: Selection = NOTHING_SELECTED;
+  private tints: Tints = NO_TINTS;
   private themeName: ThemeName = 'dark';
   private timeSeconds = 0;
   private playedRange: readonly [number, number] = [0, 0];
+  private framesPerSecond = 30;
   private width = 0;
   private height = 0;
   private queued = 0;
@@ -96,15 +91,11 @@ export class Viewport {
   private posesChanged = true;
   /** Frame all with the next picture, when poses and sizes are known. */
   private framing: 'no' | 'smoothly' | 'first look' = 'no';
+  /** To be framed where it is not seen well. */
+  private revealing: string | undefined;
   private hovered: JointRef | undefined;
   private pointer: { x: number; y: number } | undefined;
-  private following: string | undefined;
-  private followedJoint = -1;
-  private readonly content = new Box3();
-  private readonly room = new Box3();
   private readonly box = new Box3();
-  private readonly step = new Vector3();
-  private readonly lastFollowed = new Vector3();
   private readonly point = new Vector3();
 
   /**
@@ -126,9 +117,13 @@ export class Viewport {
     this.picker = new Picker(renderer);
     this.rig = new CameraRig(this.canvas, () => this.requestRender());
     this.orientation = new Orientation((side) => this.lookFrom(side));
-    this.vertexDots.renderOrder = 23;
-    this.vertexDots.matrixAutoUpdate = false;
-    this.stage.scene.add(this.grid.object, this.skeletons.object, this.trail.object, this.vertexDots);
+    const { scene, content } = this.stage;
+    this.characters = new ShownCharacters(
+      content,
+      (id) => this.createView(id),
+      (entry) => this.prepare(entry),
+    );
+    scene.add(this.grid.object, this.skeletons.object, this.trail.object, this.ghosts.object, this.vertexMarker.object);
 
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
     container.append(this.canvas, this.labels.canvas, this.orientation.element);
@@ -140,37 +135,20 @@ export class Viewport {
   }
 
   /** After an edit: what the document, the selection and the switches of the display say now. */
-  show(document: Document, selection: Selection, display: Display): void {
+  show(document: Document, selection: Selection, display: Display, tints = NO_TINTS): void {
     const before = this.document;
-    const { shown } = this;
-    const displayChanged = display !== this.display;
+    const { characters } = this;
     const heatChanged =
       selection.joint !== this.selection.joint || selection.characterId !== this.selection.characterId;
+    const everything = display !== this.display || heatChanged;
+    const stay = new Set(document.characters.map((c) => c.id));
+    const known = before?.characters.some((c) => stay.has(c.id)) ?? false;
     this.document = document;
     this.selection = selection;
     this.display = display;
-    for (const [id, { view }] of shown) {
-      if (findCharacter(document, id)) continue;
-      view.dispose();
-      shown.delete(id);
-    }
-    const known = before?.characters.some((c) => shown.has(c.id)) ?? false;
-    for (const character of document.characters) {
-      let entry = shown.get(character.id);
-      if (!entry) {
-        entry = { view: this.createView(character.id), character, placements: new Float64Array(0) };
-        shown.set(character.id, entry);
-        this.stage.content.add(entry.view.object);
-      } else if (character === entry.character && !displayChanged && !heatChanged) continue;
-      entry.character = character;
-      if (entry.placements.length !== 16 * character.placements.length) {
-        entry.placements = new Float64Array(16 * character.placements.length);
-      }
-      entry.view.show(character, display, selection.characterId === character.id ? selection.joint : undefined);
-      entry.view.seek(this.timeSeconds);
-      if (entry.view.needsPreparing) this.prepare(entry);
-    }
-    this.all = [...shown.values()];
+    characters.show(document, display, selection, this.timeSeconds, everything);
+    this.tints = tints;
+    for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
     // The first to come into an empty picture, or in the place of everything before, are looked at from where one
     // looks first; what comes beside others is left to whoever brought it.
     if (!known && document.characters.length > 0) this.framing = 'first look';
@@ -186,7 +164,7 @@ export class Viewport {
   /** Poses every character at a time of the transport. Facts are right at once; the picture follows. */
   seek(timeSeconds: number): void {
     this.timeSeconds = timeSeconds;
-    for (let i = 0; i < this.all.length; i++) this.all[i].view.seek(timeSeconds);
+    this.characters.seek(timeSeconds);
     this.posesChanged = true;
     this.requestRender();
   }
@@ -221,7 +199,7 @@ export class Viewport {
   /** The selected vertex, joint or character; everything where nothing is selected. */
   frameSelection(selection: Selection): void {
     const { characterId, joint, vertex } = selection;
-    const entry = characterId === undefined ? undefined : this.shown.get(characterId);
+    const entry = this.characters.seen(characterId);
     if (!entry) {
       this.frameAll();
       return;
@@ -230,11 +208,17 @@ export class Viewport {
     const { skeleton } = entry.character;
     entry.view.bounds(this.box);
     const size = this.box.isEmpty() ? 1 : this.box.getSize(this.point).length();
-    if (vertex !== undefined && this.vertexPosition(entry, vertex, 0, this.point)) {
+    if (vertex !== undefined && vertexPosition(entry, vertex, 0, this.point)) {
       this.rig.frameSphere(this.point, 0.06 * size, true);
     } else if (joint !== undefined && skeleton && this.skeletons.positionOf(entry.character.id, 0, joint, this.point)) {
       this.rig.frameSphere(this.point, this.jointRadius(entry, joint), true);
     } else this.rig.frame(this.box, true);
+  }
+
+  /** Frames a character with the next picture, unless it is in the picture anyway, and not as a dot. */
+  reveal(characterId: string): void {
+    this.revealing = characterId;
+    this.requestRender();
   }
 
   lookFrom(side: Side): void {
@@ -260,9 +244,9 @@ export class Viewport {
     this.labels.setTheme(theme);
     this.orientation.setTheme(theme);
     this.trail.setTheme(theme);
-    this.vertexDots.material.uniforms.color.value.copy(rawColor(theme.vertex));
-    this.vertexDots.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
-    for (const { view } of this.shown.values()) view.setTheme(name);
+    this.ghosts.setTheme(theme);
+    this.vertexMarker.setTheme(theme);
+    for (const { view } of this.characters.all) view.setTheme(name);
     this.showSkeletons();
     this.requestRender();
   }
@@ -272,11 +256,20 @@ export class Viewport {
     if (range[0] === this.playedRange[0] && range[1] === this.playedRange[1]) return;
     this.playedRange = range;
     this.showTrail();
+    this.posesChanged = true;
+    this.requestRender();
+  }
+
+  /** What a frame is where a character's clip has no frames of its own: for ghosts that are frames apart. */
+  setFramesPerSecond(framesPerSecond: number): void {
+    if (framesPerSecond === this.framesPerSecond) return;
+    this.framesPerSecond = framesPerSecond;
+    this.posesChanged = true;
     this.requestRender();
   }
 
   character(id: string): CharacterFacts | undefined {
-    const view = this.shown.get(id)?.view;
+    const view = this.characters.get(id)?.view;
     if (!view) return undefined;
     return { dofs: view.dofs, worldMatrices: () => view.worldMatrices.slice(), vertices: () => view.vertices() };
   }
@@ -296,13 +289,8 @@ export class Viewport {
     cancelAnimationFrame(this.queued);
     this.listening.abort();
     this.resizing.disconnect();
-    for (const { view } of this.shown.values()) view.dispose();
-    this.shown.clear();
-    this.all = [];
-    for (const part of [this.rig, this.grid, this.skeletons, this.trail, this.picker, this.stage]) part.dispose();
-    this.vertexDots.geometry.dispose();
-    this.vertexDots.material.dispose();
-    this.vertexDots.dispose();
+    const { characters, rig, grid, skeletons, trail, ghosts, vertexMarker, picker, stage } = this;
+    for (const part of [characters, rig, grid, skeletons, trail, ghosts, vertexMarker, picker, stage]) part.dispose();
     this.renderer.dispose();
     for (const element of [this.canvas, this.labels.canvas, this.orientation.element]) element.remove();
   }
@@ -374,22 +362,15 @@ export class Viewport {
   }
 
   private showSkeletons(): void {
-    const posed: PosedSkeleton[] = [];
-    for (const { view, character, placements } of this.shown.values()) {
-      if (!character.skeleton) continue;
-      const { id, skeleton } = character;
-      const hasSkin = shownSkin(character) !== undefined;
-      posed.push({ characterId: id, skeleton, world: view.worldMatrices, placements, hasSkin });
-    }
     const { skeletons, display, selection } = this;
-    skeletons.show(posed, display, selection, STAGE_THEMES[this.themeName]);
+    skeletons.show(this.characters.posedSkeletons(this.tints), display, selection, STAGE_THEMES[this.themeName]);
     this.labels.show(skeletons.drawn, display, selection, this.hovered);
     this.posesChanged = true;
   }
 
   private showTrail(): void {
     const { characterId, joint } = this.selection;
-    const entry = characterId === undefined ? undefined : this.shown.get(characterId);
+    const entry = this.characters.seen(characterId);
     const { trail, inPlace } = this.display;
     this.trail.show(trail ? entry?.character : undefined, joint, this.playedRange, inPlace);
   }
@@ -398,35 +379,37 @@ export class Viewport {
   private update(): void {
     if (!this.posesChanged) return;
     this.posesChanged = false;
-    const { display, content, box, selection } = this;
-    content.makeEmpty();
-    for (let i = 0; i < this.all.length; i++) {
-      const { view, character, placements } = this.all[i];
-      const x = display.inPlace ? view.dofs[0] : 0;
-      const z = display.inPlace ? view.dofs[2] : 0;
-      for (let p = 0; p < character.placements.length; p++) {
-        placementMatrix(character.placements[p], x, z, placements, 16 * p);
-      }
-      content.union(view.bounds(box));
-    }
-    this.skeletons.fill();
-    this.followJoint();
-    this.markVertex(selection);
+    const { display, selection, characters, skeletons } = this;
+    characters.place(display.inPlace);
+    skeletons.fill();
+    this.follower.follow(display.follow, selection, skeletons, this.rig);
+    this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
+    this.fillGhosts();
+  }
+
+  /** Of the character that is selected; of the only one where none is. */
+  private fillGhosts(): void {
+    const { characters, selection, display, ghosts, playedRange, timeSeconds, framesPerSecond } = this;
+    const { visible } = characters;
+    const entry = characters.seen(selection.characterId) ?? (visible.length === 1 ? visible[0] : undefined);
+    ghosts.fill(display.ghosts ? entry?.character : undefined, display, timeSeconds, playedRange, framesPerSecond);
   }
 
   /** Every frame that has something new. An arrow, for it is handed to the browser each time. */
   private readonly draw = (nowMs: number): void => {
     cancelAnimationFrame(this.queued);
     this.queued = 0;
-    const { renderer, rig, stage, grid, content, display } = this;
+    const { renderer, rig, stage, grid, characters, display } = this;
+    const { content } = characters;
     if (this.disposed || this.width === 0 || renderer.getContext().isContextLost()) return;
     this.update();
     if (this.framing !== 'no' && !content.isEmpty()) {
-      const room = this.roomOfMotion();
+      const room = characters.roomOfMotion(this.playedRange, this.timeSeconds);
       if (this.framing === 'first look') rig.lookFirst(room);
       else rig.frame(room, true);
       this.framing = 'no';
     }
+    this.bringIntoView();
     rig.tick(nowMs);
     rig.fitDepth(content, display.grid);
     const { camera } = rig;
@@ -440,87 +423,24 @@ export class Viewport {
     this.orientation.update(camera);
   };
 
-  /**
-   * Around everything at all moments played, as far as a few of them tell: who walks about is not framed out of the
-   * picture. Who walks far away would be a dot in it, and is framed where it stands.
-   */
-  private roomOfMotion(): Box3 {
-    const { content, room, box, playedRange, timeSeconds } = this;
-    const [start, end] = playedRange;
-    room.copy(content);
-    if (end > start) {
-      for (const { view } of this.all) {
-        for (let i = 0; i <= FRAMED_MOMENTS; i++) {
-          view.seek(start + ((end - start) * i) / FRAMED_MOMENTS);
-          room.union(view.bounds(box));
-        }
-        view.seek(timeSeconds);
-      }
-    }
-    const far = room.getSize(this.step).length() > MOST_ROOM * content.getSize(this.point).length();
-    return far ? content : room;
-  }
-
-  /** Takes the camera along with the selected joint. */
-  private followJoint(): void {
-    const { display, selection, skeletons, point, rig } = this;
-    const { characterId, joint } = selection;
-    const found =
-      display.follow &&
-      characterId !== undefined &&
-      joint !== undefined &&
-      skeletons.positionOf(characterId, 0, joint, point);
-    if (!found) {
-      this.following = undefined;
-      return;
-    }
-    if (this.following === characterId && this.followedJoint === joint)
-      rig.shift(this.step.subVectors(point, this.lastFollowed));
-    else rig.moveTo(point);
-    this.following = characterId;
-    this.followedJoint = joint;
-    this.lastFollowed.copy(point);
-  }
-
-  private markVertex({ characterId, vertex }: Selection): void {
-    const { vertexDots, point } = this;
-    const entry = characterId === undefined ? undefined : this.shown.get(characterId);
-    const count = entry && vertex !== undefined ? entry.character.placements.length : 0;
-    vertexDots.visible = false;
-    if (!entry || vertex === undefined || count === 0) return;
-    if (vertexDots.instanceMatrix.count < count) {
-      vertexDots.instanceMatrix = new InstancedBufferAttribute(new Float32Array(16 * count), 16);
-    }
-    for (let p = 0; p < count; p++) {
-      if (!this.vertexPosition(entry, vertex, p, point)) return;
-      point.toArray(vertexDots.instanceMatrix.array, 16 * p + 12);
-      vertexDots.instanceMatrix.array[16 * p + 15] = 1;
-    }
-    vertexDots.count = count;
-    vertexDots.instanceMatrix.needsUpdate = true;
-    vertexDots.visible = true;
-  }
-
-  /** Where a skin's vertex is drawn, in the world; false where there is none. */
-  private vertexPosition(
-    { view, character, placements }: Shown,
-    vertex: number,
-    placement: number,
-    out: Vector3,
-  ): boolean {
-    const mesh = view.skinnedMeshes[placement];
-    const skin = shownSkin(character);
-    if (!mesh || !skin || vertex >= skin.positions.length / 3) return false;
-    mesh.getVertexPosition(vertex, out);
-    const m = placements;
-    const o = 16 * placement;
-    const { x, y, z } = out;
-    out.set(
-      m[o] * x + m[o + 4] * y + m[o + 8] * z + m[o + 12],
-      m[o + 1] * x + m[o + 5] * y + m[o + 9] * z + m[o + 13],
-      m[o + 2] * x + m[o + 6] * y + m[o + 10] * z + m[o + 14],
+  private bringIntoView(): void {
+    const { revealing, rig, box } = this;
+    this.revealing = undefined;
+    const entry = this.characters.seen(revealing);
+    if (!entry || entry.view.bounds(box).isEmpty()) return;
+    const { camera } = rig;
+    camera.updateMatrixWorld();
+    const seen = new Frustum().setFromProjectionMatrix(
+      new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
     );
-    return true;
+    const isSeen = seen.containsPoint(box.getCenter(this.point));
+    const { y } = this.point.project(camera);
+    const { y: above } = box
+      .getCenter(this.point)
+      .addScaledVector(camera.up, box.max.y - box.min.y)
+      .project(camera);
+    // A hand at the picture's edge is as good as nothing, and so is a dot in the distance.
+    if (!isSeen || Math.abs(above - y) < LEAST_SEEN) rig.frame(box, true);
   }
 
   /** Of a sphere around a joint that shows it with its neighbours, in the world. */
@@ -528,8 +448,10 @@ export class Viewport {
     const { skeleton } = character;
     if (!skeleton) return 1;
     let reach = 0.06 * sizesFor(skeleton).extent;
-    const { min, max } = skeleton.joints[joint].box;
-    reach = Math.max(reach, 0.6 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
+    const own = skeleton.joints[joint];
+    const { min, max } = own.box;
+    if (hasBox(own)) reach = Math.max(reach, 0.6 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
+    for (const end of own.endSites ?? []) reach = Math.max(reach, Math.hypot(...end));
     for (const { parent, offset } of skeleton.joints)
       if (parent === joint) reach = Math.max(reach, Math.hypot(...offset));
     return 1.8 * reach * Math.hypot(placements[0], placements[1], placements[2]);
@@ -543,7 +465,7 @@ export class Viewport {
     rig.camera.updateMatrixWorld();
     const skins: DrawnSkin[] = [];
     if (display.skin !== 'hidden') {
-      for (const { view, character } of this.shown.values()) {
+      for (const { view, character } of this.characters.visible) {
         view.skinnedMeshes.forEach((mesh, placement) => {
           skins.push({ characterId: character.id, placement, mesh });
         });

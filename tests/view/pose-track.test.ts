@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { poseAt } from '../../src/evaluate/pose.ts';
-import type { Channel, ChannelClip } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type Interpolation, RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import { PosePlayer } from '../../src/view/pose-track.ts';
 import { character, clip, joint, skeleton } from '../helpers/builders.ts';
 
@@ -106,6 +107,37 @@ describe('the track of a character', () => {
       }),
       { numRuns: 60 },
     );
+  });
+
+  it('plays samples as the command line poses them, and is made anew for others', () => {
+    const motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'replace' } as const;
+    const six = motion.channels.map(() => 0);
+    const root = joint(-1, { motion, pose: six, limits: six.map(() => ({ min: -1e5, max: 1e5 })) });
+    const values = Float64Array.from({ length: 6 * 40 }, (_, i) => 170 * Math.sin(i * i));
+    const take = (interpolation: Interpolation): ChannelClip => ({
+      ...playing(six.map(() => keylessChannel())),
+      range: [0, 39 / 30],
+      samples: {
+        frameCount: 40,
+        frameSeconds: 1 / 30,
+        startSeconds: 0,
+        firstChannel: 0,
+        values,
+        scales: Float64Array.of(1, 1, 1, RADIANS_PER_DEGREE, RADIANS_PER_DEGREE, RADIANS_PER_DEGREE),
+        interpolation,
+      },
+    });
+    const sampled = character({ skeleton: { name: 'taken', joints: [root] }, clips: [take('linear')], shownClip: 0 });
+    const played = new PosePlayer(sampled);
+    expect(played.clip.duration).toBeCloseTo(1.3, 12);
+    const expected = new Float64Array(6);
+    for (const time of [-1, 0, 1 / 30, 0.51, 0.512, 1.2999, 1.3, 8]) {
+      played.seek(time);
+      poseAt(sampled, time, expected);
+      expect([...played.dofs]).toEqual([...expected]);
+    }
+    expect(played.fits({ ...sampled, pose: [1] })).toBe(true);
+    expect(played.fits({ ...sampled, clips: [take('cubic')] })).toBe(false);
   });
 
   it('leaves to the pose what no channel drives, and clamps to the limits', () => {

@@ -1,0 +1,92 @@
+/** How a character's own space lies in the scene, what its position channels mean, and whether it is seen at all. */
+
+import { metresPerUnit } from '../../evaluate/metres.ts';
+import { liftOntoGround } from '../../evaluate/space.ts';
+import { type Character, LENGTH_UNITS, type Space, shownClip } from '../../model/document.ts';
+import { poseForPositions, positionsTaken, withPositions } from '../../model/position-channels.ts';
+import { finiteNumber, listOf, oneOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type Command, CommandError } from '../store.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
+
+interface OfCharacter {
+  readonly characterId: string;
+}
+
+export const setSpace: Command<OfCharacter & { readonly space: Space }> = {
+  id: 'character.setSpace',
+  label: (document, { characterId }) => `Set space of ${requireCharacter(document, characterId).name}`,
+  run: (document, { characterId, space }) =>
+    changeCharacter(document, characterId, (c) => {
+      const next = checked(space);
+      return c.space && sameSpace(c.space, next) ? c : { ...c, space: next };
+    }),
+};
+
+function checked(space: Space | undefined): Space {
+  const { up, unit, lift, metres } = space ?? {};
+  const next: Space = {
+    up: oneOf(up, ['y', 'z'] as const, 'The up axis'),
+    unit: oneOf(unit, LENGTH_UNITS, 'The unit'),
+    lift: finiteNumber(lift, 'The lift'),
+  };
+  if (next.unit !== 'own') return next;
+  if (finiteNumber(metres, 'The metres of a unit') > 0) return { ...next, metres: metres ?? 1 };
+  throw new CommandError(`A unit has to be above 0 metres; ${metres} was given.`);
+}
+
+function sameSpace(a: Space, b: Space): boolean {
+  return a.up === b.up && a.unit === b.unit && a.lift === b.lift && metresPerUnit(a) === metresPerUnit(b);
+}
+
+/**
+ * Whether position channels replace OFFSETs or are added to them. What was set by hand stays where it is; the clip's
+ * values stay as they are, for it is they that are now understood otherwise. On the ground it stood, it stands again.
+ */
+export const setPositionChannels: Command<OfCharacter & { readonly positions: 'replace' | 'add' }> = {
+  id: 'skeleton.setPositionChannels',
+  label: (document, { characterId, positions }) => {
+    const { name } = requireCharacter(document, characterId);
+    return positions === 'add' ? `Add positions of ${name} to offsets` : `Put positions of ${name} for offsets`;
+  },
+  run: (document, { characterId, positions }) =>
+    changeCharacter(document, characterId, (c) => {
+      oneOf(positions, ['replace', 'add'] as const, 'The meaning of position channels');
+      const { skeleton } = c;
+      if (!skeleton || positionsTaken(skeleton) === undefined) {
+        throw new CommandError(`${c.name} has no joints with position channels.`);
+      }
+      const next = withPositions(skeleton, positions);
+      if (next === skeleton) return c;
+      const pose = poseForPositions(skeleton, c.pose, positions);
+      return onTheGround({ ...withoutUnkeyed(c), skeleton: next, pose });
+    }),
+};
+
+function onTheGround(character: Character): Character {
+  const { skeleton, space } = character;
+  if (!skeleton || !space) return character;
+  return { ...character, space: { ...space, lift: liftOntoGround(skeleton, shownClip(character), space) } };
+}
+
+/** Takes characters out of the picture, or brings them back; they play on unseen. */
+export const setHidden: Command<{ readonly ids: readonly string[]; readonly hidden: boolean }> = {
+  id: 'character.setHidden',
+  label(document, { ids, hidden }) {
+    const what = ids.length === 1 ? requireCharacter(document, ids[0]).name : `${ids.length} characters`;
+    return `${hidden ? 'Hide' : 'Show'} ${what}`;
+  },
+  run(document, { ids, hidden }) {
+    oneOf(hidden, [true, false], 'Whether it is hidden');
+    let next = document;
+    for (const id of listOf(ids, 'The characters')) next = changeCharacter(next, String(id), (c) => seen(c, hidden));
+    return next;
+  },
+};
+
+function seen(character: Character, hidden: boolean): Character {
+  if ((character.isHidden ?? false) === hidden) return character;
+  if (hidden) return { ...character, isHidden: true };
+  const { isHidden: _gone, ...rest } = character;
+  return rest;
+}

@@ -1,0 +1,41 @@
+/** Frames of a figure that is no character yet, evenly over its clip: what guesses look at when a file is opened. */
+import type { ChannelClip } from '../model/clip.ts';
+import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
+import { filePose } from '../model/dofs.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { dofCountOf, poseAt } from './pose.ts';
+
+/**
+ * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` moments, first and last included; once, with
+ * the file's pose, where there is no clip. The array is filled anew each time.
+ */
+export function forFrames(
+  skeleton: Skeleton,
+  clip: ChannelClip | undefined,
+  most: number,
+  visit: (dofs: Float64Array) => void,
+): void {
+  const figure: Character = {
+    id: '',
+    name: '',
+    skeleton,
+    skins: [],
+    shownSkin: 0,
+    morphs: [],
+    textures: [],
+    clips: clip ? [clip] : [],
+    shownClip: clip ? 0 : -1,
+    pose: filePose(skeleton, 0),
+    clampsToLimits: false,
+    placements: [DEFAULT_PLACEMENT],
+    timeOffsetSeconds: 0,
+    sources: [],
+  };
+  const dofs = new Float64Array(dofCountOf(figure));
+  const [start, end] = clip?.range ?? [0, 0];
+  const count = end > start ? Math.max(2, Math.min(most, clip?.samples?.frameCount ?? most)) : 1;
+  for (let i = 0; i < count; i++) {
+    poseAt(figure, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
+    visit(dofs);
+  }
+}

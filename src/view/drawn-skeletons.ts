@@ -1,0 +1,154 @@
+/**
+ * Which joint of which character an instance of the skeleton drawing is. A skeleton's nodes are its joints and, after
+ * them, its End Sites; all kinds of shapes have an instance for each node:
+ *
+ *     character 0: placement 0: node 0 1 2 … placement 1: node 0 1 2 …   character 1: …
+ *
+ * An End Site stands for the joint that it ends: picked or hovered, it is that joint.
+ */
+import type { Skeleton } from '../model/skeleton.ts';
+import { type JointSizes, jointSizes } from './joint-shapes.ts';
+import type { Tint } from './theme.ts';
+
+/** A character's joints as they are to be drawn. The arrays live on: what they hold when it is drawn counts. */
+export interface PosedSkeleton {
+  readonly characterId: string;
+  readonly skeleton: Skeleton;
+  /** 16 a joint, in the character's space. */
+  readonly world: Float64Array;
+  /** 16 a placement. */
+  readonly placements: Float64Array;
+  readonly hasSkin: boolean;
+  /** Its colour instead of the joints' own. */
+  readonly tint?: Tint | undefined;
+}
+
+/** A skeleton with its place among the instances. */
+export interface DrawnSkeleton extends PosedSkeleton {
+  readonly sizes: JointSizes;
+  readonly nodes: Nodes;
+  readonly firstInstance: number;
+  readonly placementCount: number;
+}
+
+/** One joint of one placement. */
+export interface JointRef {
+  readonly characterId: string;
+  readonly placement: number;
+  readonly joint: number;
+}
+
+/** Joints first, then the End Sites that are not where their joint is. */
+export interface Nodes {
+  readonly count: number;
+  readonly jointCount: number;
+  /** The joint that each End Site ends. */
+  readonly owners: Int32Array;
+  /** x y z of each End Site, in its joint's space. */
+  readonly ends: Float64Array;
+}
+
+function nodesOf({ joints }: Skeleton): Nodes {
+  const owners: number[] = [];
+  const ends: number[] = [];
+  joints.forEach(({ endSites }, j) => {
+    for (const at of endSites ?? []) {
+      if (!(Math.hypot(...at) > 0)) continue;
+      owners.push(j);
+      ends.push(...at);
+    }
+  });
+  return {
+    count: joints.length + owners.length,
+    jointCount: joints.length,
+    owners: Int32Array.from(owners),
+    ends: Float64Array.from(ends),
+  };
+}
+
+interface Known {
+  readonly sizes: JointSizes;
+  readonly nodes: Nodes;
+}
+
+const known = new WeakMap<Skeleton, Known>();
+
+function knownOf(skeleton: Skeleton): Known {
+  let found = known.get(skeleton);
+  if (!found) {
+    found = { sizes: jointSizes(skeleton), nodes: nodesOf(skeleton) };
+    known.set(skeleton, found);
+  }
+  return found;
+}
+
+/** `jointSizes`, once a skeleton. */
+export function sizesFor(skeleton: Skeleton): JointSizes {
+  return knownOf(skeleton).sizes;
+}
+
+export function nodesFor(skeleton: Skeleton): Nodes {
+  return knownOf(skeleton).nodes;
+}
+
+/** Gives each skeleton its instances, one after the other. */
+export function layOut(skeletons: readonly PosedSkeleton[]): DrawnSkeleton[] {
+  let next = 0;
+  return skeletons.map((posed) => {
+    const { sizes, nodes } = knownOf(posed.skeleton);
+    const placementCount = posed.placements.length / 16;
+    const firstInstance = next;
+    next += placementCount * nodes.count;
+    return { ...posed, sizes, nodes, firstInstance, placementCount };
+  });
+}
+
+export function instancesOf(drawn: readonly DrawnSkeleton[]): number {
+  const last = drawn.at(-1);
+  return last ? last.firstInstance + last.placementCount * last.nodes.count : 0;
+}
+
+/** The instance of a joint; -1 where there is none. */
+export function instanceOf(
+  drawn: readonly DrawnSkeleton[],
+  characterId: string | undefined,
+  placement: number,
+  joint: number | undefined,
+): number {
+  const found = drawn.find((d) => d.characterId === characterId);
+  if (!found || joint === undefined || joint >= found.nodes.jointCount || placement >= found.placementCount) return -1;
+  return found.firstInstance + placement * found.nodes.count + joint;
+}
+
+/** The skeleton that an instance is of, its placement and its node there. */
+function nodeAt(drawn: readonly DrawnSkeleton[], instance: number) {
+  for (const of of drawn) {
+    const i = instance - of.firstInstance;
+    const { count } = of.nodes;
+    if (i >= 0 && i < of.placementCount * count) return { of, placement: Math.floor(i / count), node: i % count };
+  }
+  return undefined;
+}
+
+/** Which joint an instance is, or ends. */
+export function jointAt(drawn: readonly DrawnSkeleton[], instance: number): JointRef | undefined {
+  const found = nodeAt(drawn, instance);
+  if (!found) return undefined;
+  const { of, placement, node } = found;
+  const { jointCount, owners } = of.nodes;
+  const joint = node < jointCount ? node : owners[node - jointCount];
+  return { characterId: of.characterId, placement, joint };
+}
+
+/** The joint that a drawn bone belongs to: it leads from there to the instance's own node. */
+export function boneOwner(drawn: readonly DrawnSkeleton[], instance: number): JointRef | undefined {
+  const found = nodeAt(drawn, instance);
+  if (!found) return undefined;
+  return { characterId: found.of.characterId, placement: found.placement, joint: ownerOf(found.of, found.node) };
+}
+
+/** The joint that the bone to a node starts from; the root's own. */
+export function ownerOf({ nodes, skeleton }: DrawnSkeleton, node: number): number {
+  if (node >= nodes.jointCount) return nodes.owners[node - nodes.jointCount];
+  return Math.max(0, skeleton.joints[node].parent);
+}

@@ -1,0 +1,203 @@
+/**
+ * Ghosts (onion skin): where the selected character was before and will be after the time shown, as translucent bones,
+ * cool before and warm after, fainter the further away in time.
+ *
+ *     now − 2·step   now − step   now   now + step   now + 2·step          none outside of the played range
+ *
+ * Two draw calls for all of them. They are posed anew in every frame: six ghosts of 70 joints are six poses and 420
+ * matrices, a small part of a millisecond, so nothing is kept that could go stale while scrubbing.
+ */
+import {
+  Color,
+  CylinderGeometry,
+  DynamicDrawUsage,
+  Group,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  type Material,
+  ShaderMaterial,
+  SphereGeometry,
+} from 'three';
+import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../evaluate/pose.ts';
+import { groundTravel } from '../evaluate/space.ts';
+import { type Character, shownClip } from '../model/document.ts';
+import type { Display } from '../model/session.ts';
+import { nodesFor, sizesFor } from './drawn-skeletons.ts';
+import { fillBones, placeNodes, scaleOf } from './node-matrices.ts';
+import { NO_TRAVEL, placementMatrix } from './placements.ts';
+import type { StageTheme } from './theme.ts';
+import { rawColor } from './thick-lines.ts';
+
+/** Opacity of the nearest ghost, and of the furthest that is asked for. */
+const NEAR_OPACITY = 0.5;
+const FAR_OPACITY = 0.16;
+/** Nearer to the range's end than this still is in it; seconds. */
+const SLACK = 1e-9;
+
+/** Seconds between two ghosts. @param framesPerSecond of clips that have no frames of their own */
+export function ghostStepSeconds(character: Character, display: Display, framesPerSecond: number): number {
+  if (display.ghostStepIn === 'seconds') return display.ghostStep;
+  return display.ghostStep * (shownClip(character)?.samples?.frameSeconds ?? 1 / framesPerSecond);
+}
+
+/** How many steps from now ghosts are, earliest first: −2 −1 1 2, without those outside of the range. */
+export function ghostSteps(
+  display: Display,
+  timeSeconds: number,
+  stepSeconds: number,
+  [start, end]: readonly [number, number],
+): number[] {
+  const steps: number[] = [];
+  if (!(stepSeconds > 0)) return steps;
+  for (let k = -display.ghostsBefore; k <= display.ghostsAfter; k++) {
+    const time = timeSeconds + k * stepSeconds;
+    if (k !== 0 && time >= start - SLACK && time <= end + SLACK) steps.push(k);
+  }
+  return steps;
+}
+
+export class Ghosts {
+  readonly object = new Group();
+  private readonly balls: InstancedMesh;
+  private readonly bones: InstancedMesh;
+  /** r g b a of each instance, shared by both. */
+  private tint = new InstancedBufferAttribute(new Float32Array(4), 4);
+  private readonly before = new Color();
+  private readonly after = new Color();
+  private dofs = new Float64Array(0);
+  private world = new Float64Array(0);
+  private placed = new Float64Array(0);
+  private readonly placement = new Float64Array(16);
+  private readonly travel = new Float64Array(3);
+
+  constructor() {
+    const material = ghostMaterial();
+    const ball = new SphereGeometry(1, 12, 8);
+    const bone = new CylinderGeometry(0.45, 1, 1, 8, 1, true).translate(0, 0.5, 0);
+    this.balls = new InstancedMesh(ball, material, 1);
+    this.bones = new InstancedMesh(bone, material, 1);
+    for (const mesh of [this.bones, this.balls]) {
+      mesh.frustumCulled = false;
+      mesh.matrixAutoUpdate = false;
+      // Over grid and trail, under the markers.
+      mesh.renderOrder = 6;
+      this.object.add(mesh);
+    }
+    this.object.visible = false;
+  }
+
+  setTheme(theme: StageTheme): void {
+    this.before.copy(rawColor(theme.ghostBefore));
+    this.after.copy(rawColor(theme.ghostAfter));
+  }
+
+  /** Every frame in which something moved. @param character whose ghosts are shown; undefined for none */
+  fill(
+    character: Character | undefined,
+    display: Display,
+    timeSeconds: number,
+    range: readonly [number, number],
+    framesPerSecond: number,
+  ): void {
+    const { object, balls, bones, placement, travel } = this;
+    object.visible = false;
+    if (!character?.skeleton) return;
+    const stepSeconds = ghostStepSeconds(character, display, framesPerSecond);
+    const steps = ghostSteps(display, timeSeconds, stepSeconds, range);
+    if (steps.length === 0) return;
+    const { skeleton, placements } = character;
+    const compiled = compileSkeleton(skeleton);
+    const nodes = nodesFor(skeleton);
+    const sizes = sizesFor(skeleton);
+    this.makeRoom(nodes.count * placements.length * steps.length, nodes.count, dofCountOf(character));
+    const { dofs, world, placed, tint } = this;
+    let first = 0;
+    for (const step of steps) {
+      // A hand-set pose stands at its own moment only, and is no part of the motion.
+      poseAt(character, timeSeconds + step * stepSeconds, dofs);
+      worldMatrices(compiled, dofs, world);
+      if (display.inPlace) groundTravel(compiled, character.space, dofs, travel);
+      const color = step < 0 ? this.before : this.after;
+      const opacity = opacityOf(step, step < 0 ? display.ghostsBefore : display.ghostsAfter);
+      for (const place of placements) {
+        placementMatrix(place, character.space, display.inPlace ? travel : NO_TRAVEL, placement);
+        placeNodes(nodes, placement, 0, world, placed);
+        const scale = scaleOf(placement, 0);
+        fillBones(nodes, compiled.parent, sizes, scale, placed, matricesOf(balls), matricesOf(bones), first);
+        for (let n = first; n < first + nodes.count; n++) tint.setXYZW(n, color.r, color.g, color.b, opacity);
+        first += nodes.count;
+      }
+    }
+    balls.count = bones.count = first;
+    balls.instanceMatrix.needsUpdate = bones.instanceMatrix.needsUpdate = tint.needsUpdate = true;
+    object.visible = true;
+  }
+
+  dispose(): void {
+    for (const mesh of [this.balls, this.bones]) {
+      mesh.geometry.dispose();
+      // One material, made above.
+      (mesh.material as Material).dispose();
+      mesh.dispose();
+    }
+  }
+
+  private makeRoom(instances: number, nodes: number, dofs: number): void {
+    if (this.dofs.length < dofs) this.dofs = new Float64Array(dofs);
+    if (this.world.length < 16 * nodes) {
+      this.world = new Float64Array(16 * nodes);
+      this.placed = new Float64Array(16 * nodes);
+    }
+    if (this.tint.count >= instances && this.balls.geometry.hasAttribute('tint')) return;
+    this.tint = new InstancedBufferAttribute(new Float32Array(4 * instances), 4).setUsage(DynamicDrawUsage);
+    for (const mesh of [this.balls, this.bones]) {
+      const matrices = new InstancedBufferAttribute(new Float32Array(16 * instances), 16);
+      // What was there is given back, buffer and all.
+      mesh.dispose();
+      mesh.instanceMatrix = matrices.setUsage(DynamicDrawUsage);
+      mesh.geometry.setAttribute('tint', this.tint);
+    }
+  }
+}
+
+function opacityOf(step: number, furthest: number): number {
+  const part = furthest > 1 ? (Math.abs(step) - 1) / (furthest - 1) : 0;
+  return NEAR_OPACITY + (FAR_OPACITY - NEAR_OPACITY) * part;
+}
+
+function matricesOf(mesh: InstancedMesh): Float32Array {
+  // Made as a Float32Array; its type says any array.
+  return mesh.instanceMatrix.array as Float32Array;
+}
+
+/**
+ * A soft light from the camera, so that a ghost has a shape; depth is written, so that of balls and bones that overlap
+ * only one is seen.
+ */
+function ghostMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    transparent: true,
+    toneMapped: false,
+    vertexShader: /* glsl */ `
+      attribute vec4 tint;
+      varying vec4 vTint;
+      varying vec3 vNormal;
+      void main() {
+        vTint = tint;
+        vec4 at = modelViewMatrix * (instanceMatrix * vec4(position, 1.0));
+        // Radii are alike on both axes across a bone, so its sides keep their direction without an inverse.
+        vNormal = mat3(modelViewMatrix) * (mat3(instanceMatrix) * normal);
+        gl_Position = projectionMatrix * at;
+      }
+    `,
+    fragmentShader: /* glsl */ `
+      varying vec4 vTint;
+      varying vec3 vNormal;
+      void main() {
+        float facing = abs(normalize(vNormal).z);
+        gl_FragColor = vec4(vTint.rgb * mix(0.72, 1.0, facing), vTint.a);
+      }
+    `,
+  });
+}

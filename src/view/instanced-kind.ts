@@ -1,0 +1,128 @@
+/**
+ * One kind of shape (balls, say), drawn many times in one call: an instanced mesh that grows when it has to hold more,
+ * the same once more where something covers it, and the material that draws ids in place of colours for picking.
+ */
+import {
+  type BufferGeometry,
+  type Color,
+  DynamicDrawUsage,
+  type Group,
+  InstancedBufferAttribute,
+  InstancedMesh,
+  type Material,
+  ShaderMaterial,
+} from 'three';
+import { ID_FRAGMENT } from './thick-lines.ts';
+
+/** Covered ones come after all that may cover them, and before the markers. */
+const COVERED_ORDER = 15;
+
+/** A kind's mesh, made anew when it has to hold more; and the same once more where something covers it, if asked. */
+export class InstancedKind {
+  mesh: InstancedMesh;
+  /** Drawn only where it is behind something opaque: bones show through a skin. */
+  covered: InstancedMesh | undefined;
+  private tint: InstancedBufferAttribute | undefined;
+
+  constructor(
+    readonly geometry: BufferGeometry,
+    readonly material: Material,
+    readonly idMaterial: ShaderMaterial | undefined,
+    private readonly tinted: boolean,
+    parent: Group,
+    private readonly coveredMaterial?: Material,
+  ) {
+    this.mesh = this.create(1);
+    parent.add(this.mesh);
+    this.cover();
+  }
+
+  /** Room for `count` instances. */
+  resize(count: number): void {
+    if (count > this.mesh.instanceMatrix.count) {
+      const { parent, visible, castShadow, renderOrder } = this.mesh;
+      this.mesh.removeFromParent();
+      this.mesh.dispose();
+      this.mesh = this.create(count);
+      Object.assign(this.mesh, { visible, castShadow, renderOrder });
+      parent?.add(this.mesh);
+      this.cover();
+    }
+    this.mesh.count = count;
+    if (this.covered) this.covered.count = count;
+  }
+
+  /** Colour of one instance, sRGB for tinted lines. */
+  paint(instance: number, color: Color, opacity: number): void {
+    if (this.tint) this.tint.setXYZW(instance, color.r, color.g, color.b, opacity);
+    else this.mesh.setColorAt(instance, color);
+  }
+
+  painted(): void {
+    if (this.tint) this.tint.needsUpdate = true;
+    if (this.mesh.instanceColor) this.mesh.instanceColor.needsUpdate = true;
+    if (this.covered) this.covered.instanceColor = this.mesh.instanceColor;
+  }
+
+  get matrices(): Float32Array {
+    // Made by InstancedMesh as a Float32Array; its type says any array.
+    return this.mesh.instanceMatrix.array as Float32Array;
+  }
+
+  dispose(): void {
+    this.mesh.removeFromParent();
+    this.mesh.dispose();
+    this.geometry.dispose();
+    this.material.dispose();
+    this.idMaterial?.dispose();
+    this.covered?.removeFromParent();
+    this.covered?.dispose();
+    this.coveredMaterial?.dispose();
+  }
+
+  /** Makes the covered mesh anew, with the arrays of the mesh. */
+  private cover(): void {
+    if (!this.coveredMaterial) return;
+    const before = this.covered;
+    before?.removeFromParent();
+    before?.dispose();
+    const covered = new InstancedMesh(this.geometry, this.coveredMaterial, 0);
+    covered.instanceMatrix = this.mesh.instanceMatrix;
+    covered.frustumCulled = false;
+    covered.matrixAutoUpdate = false;
+    covered.renderOrder = COVERED_ORDER;
+    covered.visible = before?.visible ?? false;
+    this.mesh.parent?.add(covered);
+    this.covered = covered;
+  }
+
+  private create(count: number): InstancedMesh {
+    const mesh = new InstancedMesh(this.geometry, this.material, count);
+    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+    // Instances are all over the place: a sphere around the unit shape says nothing.
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    if (this.tinted) {
+      this.tint = new InstancedBufferAttribute(new Float32Array(4 * count), 4);
+      this.geometry.setAttribute('tint', this.tint);
+    }
+    return mesh;
+  }
+}
+
+/** Ids `firstId + instance` of instanced meshes. */
+export function meshIdMaterial(): ShaderMaterial {
+  return new ShaderMaterial({
+    toneMapped: false,
+    uniforms: { firstId: { value: 0 } },
+    vertexShader: /* glsl */ `
+      uniform float firstId;
+      flat varying highp uint vId;
+      void main() {
+        vId = uint(firstId) + uint(gl_InstanceID);
+        gl_Position = projectionMatrix * (modelViewMatrix * (instanceMatrix * vec4(position, 1.0)));
+      }
+    `,
+    fragmentShader: ID_FRAGMENT,
+  });
+}

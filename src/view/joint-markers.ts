@@ -1,0 +1,107 @@
+/** What marks the selected joint, on top of everything, in each placement: a dot, its axes, and the edges of its box. */
+import {
+  type BufferAttribute,
+  type BufferGeometry,
+  type Group,
+  InstancedBufferAttribute,
+  type InterleavedBufferAttribute,
+  ShaderMaterial,
+} from 'three';
+import { hasBox } from '../model/boxes.ts';
+import type { Joint } from '../model/skeleton.ts';
+import { dots } from './dots.ts';
+import { InstancedKind } from './instanced-kind.ts';
+import { axesMatrix, boxMatrix, type JointSizes, sphereMatrix } from './joint-shapes.ts';
+import type { StageTheme } from './theme.ts';
+import { lineMaterial, rawColor } from './thick-lines.ts';
+
+/** How solid a joint behind a skin shows through, where it is selected. */
+const MARKER_OPACITY = 0.5;
+
+export class JointMarkers {
+  private readonly dots = dots(1, { size: 9, depthTest: false });
+  private readonly edges: InstancedKind;
+  private readonly axes: InstancedKind;
+
+  constructor(parent: Group, boxEdges: BufferGeometry, axes: BufferGeometry) {
+    const onTop = { depthTest: false, depthWrite: false };
+    const edgeLines = lineMaterial({ width: 1.5, opacity: MARKER_OPACITY }, onTop);
+    const axisLines = lineMaterial({ width: 2, segmentColors: true }, onTop);
+    this.edges = new InstancedKind(boxEdges, edgeLines, undefined, false, parent);
+    this.axes = new InstancedKind(axes, axisLines, undefined, false, parent);
+    parent.add(this.dots);
+    this.edges.mesh.renderOrder = 20;
+    this.axes.mesh.renderOrder = 21;
+    this.dots.renderOrder = 22;
+    this.dots.matrixAutoUpdate = false;
+  }
+
+  /** @param count placements of the character whose joint is selected; 0 for none */
+  show(count: number, withBox: boolean): void {
+    this.edges.resize(count);
+    this.axes.resize(count);
+    if (count > this.dots.instanceMatrix.count) {
+      this.dots.instanceMatrix = new InstancedBufferAttribute(new Float32Array(16 * count), 16);
+    }
+    this.dots.count = count;
+    this.edges.mesh.visible = withBox && count > 0;
+    this.axes.mesh.visible = this.dots.visible = count > 0;
+  }
+
+  /** Puts the marks of one placement on a joint whose matrix in the scene is `world[o …]`. */
+  fill(placement: number, joint: Joint, sizes: JointSizes, scale: number, world: Float64Array, o: number): void {
+    const to = 16 * placement;
+    sphereMatrix(world[o + 12], world[o + 13], world[o + 14], 1, this.dotMatrices, to);
+    axesMatrix(world, o, sizes.axis * scale, this.axes.matrices, to);
+    if (hasBox(joint)) boxMatrix(world, o, joint.box, 1e-4 * sizes.extent, this.edges.matrices, to);
+    else this.edges.matrices.fill(0, to, to + 16);
+  }
+
+  filled(): void {
+    this.edges.mesh.instanceMatrix.needsUpdate = true;
+    this.axes.mesh.instanceMatrix.needsUpdate = true;
+    this.dots.instanceMatrix.needsUpdate = true;
+  }
+
+  /** Takes the marks out of the picture while `draw` runs. */
+  without(draw: () => void): void {
+    const meshes = [this.edges.mesh, this.axes.mesh, this.dots];
+    const before = meshes.map((mesh) => mesh.visible);
+    for (const mesh of meshes) mesh.visible = false;
+    try {
+      draw();
+    } finally {
+      meshes.forEach((mesh, i) => {
+        mesh.visible = before[i];
+      });
+    }
+  }
+
+  setTheme(theme: StageTheme): void {
+    this.dots.material.uniforms.color.value.copy(rawColor(theme.selected));
+    this.dots.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
+    const { material } = this.edges;
+    if (material instanceof ShaderMaterial) material.uniforms.color.value.copy(rawColor(theme.selected));
+  }
+
+  dispose(): void {
+    this.edges.dispose();
+    this.axes.dispose();
+    this.dots.geometry.dispose();
+    this.dots.material.dispose();
+    this.dots.dispose();
+  }
+
+  private get dotMatrices(): Float32Array {
+    // Made above as a Float32Array; its type says any array.
+    return this.dots.instanceMatrix.array as Float32Array;
+  }
+}
+
+/** Colours x, y and z on lines that are drawn with the colours of their segments. */
+export function paintAxes(axes: BufferGeometry, theme: StageTheme): void {
+  const colors = [theme.axisX, theme.axisY, theme.axisZ].map(rawColor);
+  const attribute: BufferAttribute | InterleavedBufferAttribute = axes.getAttribute('segmentColor');
+  for (let v = 0; v < 12; v++) colors[Math.floor(v / 4)].toArray(attribute.array, 3 * v);
+  attribute.needsUpdate = true;
+}

@@ -1,0 +1,66 @@
+/**
+ * Matrices of balls and bones for all nodes of one skeleton at one placement: what the skeleton drawing does in every
+ * frame, and ghosts for every ghost. Allocates nothing.
+ */
+import { multiplyAffine } from '../math/mat4.ts';
+import type { Nodes } from './drawn-skeletons.ts';
+import { boneMatrix, type JointSizes, sphereMatrix } from './joint-shapes.ts';
+
+/**
+ * Writes the matrices of all joints in the scene to `out`, 16 each, and after them those of the End Sites, of which only
+ * the place is written.
+ * @param world 16 a joint, in the character's space
+ */
+export function placeNodes(
+  nodes: Nodes,
+  placements: Float64Array,
+  p: number,
+  world: Float64Array,
+  out: Float64Array,
+): void {
+  const { count, jointCount, owners, ends } = nodes;
+  for (let j = 0; j < jointCount; j++) multiplyAffine(placements, p, world, 16 * j, out, 16 * j);
+  for (let n = jointCount, e = 0; n < count; n++, e++) {
+    const m = 16 * owners[e];
+    const x = ends[3 * e];
+    const y = ends[3 * e + 1];
+    const z = ends[3 * e + 2];
+    const o = 16 * n + 12;
+    out[o] = out[m] * x + out[m + 4] * y + out[m + 8] * z + out[m + 12];
+    out[o + 1] = out[m + 1] * x + out[m + 5] * y + out[m + 9] * z + out[m + 13];
+    out[o + 2] = out[m + 2] * x + out[m + 6] * y + out[m + 10] * z + out[m + 14];
+  }
+}
+
+/** A placement's scale, which balls and thicknesses take part in: the length of its x column. */
+export function scaleOf(placements: Float64Array, p: number): number {
+  return Math.hypot(placements[p], placements[p + 1], placements[p + 2]);
+}
+
+/**
+ * Writes the ball of every node and the bone that leads to it, from instance `first` on.
+ * @param world as `placeNodes` gives it
+ */
+export function fillBones(
+  nodes: Nodes,
+  parents: Int32Array,
+  sizes: JointSizes,
+  scale: number,
+  world: Float64Array,
+  balls: Float32Array,
+  bones: Float32Array,
+  first: number,
+): void {
+  const { count, jointCount, owners } = nodes;
+  const { radii, endRadii } = sizes;
+  for (let n = 0; n < count; n++) {
+    const o = 16 * n;
+    const to = 16 * (first + n);
+    const isJoint = n < jointCount;
+    const radius = isJoint ? radii[n] : endRadii[n - jointCount];
+    const parent = isJoint ? parents[n] : owners[n - jointCount];
+    sphereMatrix(world[o + 12], world[o + 13], world[o + 14], radius * scale, balls, to);
+    const thick = parent < 0 ? 0 : 0.8 * Math.min(radii[parent], 1.6 * radius) * scale;
+    boneMatrix(world, 16 * Math.max(parent, 0), o, thick, bones, to);
+  }
+}

@@ -1,0 +1,168 @@
+/**
+ * The characters in the picture, each with its view and the matrices of its placements: which came, went or changed
+ * after an edit, where they are in a frame. Hidden ones are kept and posed, for their numbers can be read; whatever is
+ * drawn, picked or framed goes through `visible`.
+ */
+import { Box3, type Group, Vector3 } from 'three';
+import { type Character, type Document, findCharacter, shownSkin } from '../model/document.ts';
+import type { Display, Selection } from '../model/session.ts';
+import type { CharacterView } from './character-view.ts';
+import type { PosedSkeleton } from './drawn-skeletons.ts';
+import { placementMatrix } from './placements.ts';
+import type { Tints } from './theme.ts';
+
+/** A character's view, with what is drawn of it elsewhere. */
+export interface Shown {
+  readonly view: CharacterView;
+  character: Character;
+  /** 16 a placement: see `placements.ts`. */
+  placements: Float64Array;
+}
+
+/** Of the played range, looked at when everything is framed. */
+const FRAMED_MOMENTS = 16;
+/** Framing leaves at most so much more room than everything takes now. */
+const MOST_ROOM = 3;
+
+export class ShownCharacters {
+  private readonly byId = new Map<string, Shown>();
+  /** The same, as a list: walking it allocates nothing. */
+  all: readonly Shown[] = [];
+  /** Those that are not hidden. */
+  visible: readonly Shown[] = [];
+  /** Around all that is visible, as of the last `place`. */
+  readonly content = new Box3();
+  private readonly room = new Box3();
+  private readonly box = new Box3();
+  private readonly size = new Vector3();
+
+  /**
+   * @param parent of the views' objects
+   * @param create makes the view of a character that is new
+   * @param prepare is given each whose skin is not there yet
+   */
+  constructor(
+    private readonly parent: Group,
+    private readonly create: (id: string) => CharacterView,
+    private readonly prepare: (entry: Shown) => void,
+  ) {}
+
+  get(id: string | undefined): Shown | undefined {
+    return id === undefined ? undefined : this.byId.get(id);
+  }
+
+  /** One that can be seen. */
+  seen(id: string | undefined): Shown | undefined {
+    const entry = this.get(id);
+    return entry?.character.isHidden ? undefined : entry;
+  }
+
+  /**
+   * After an edit.
+   * @param everything characters that did not change are shown anew too
+   */
+  show(document: Document, display: Display, selection: Selection, timeSeconds: number, everything: boolean): void {
+    const { byId } = this;
+    for (const [id, { view }] of byId) {
+      if (findCharacter(document, id)) continue;
+      view.dispose();
+      byId.delete(id);
+    }
+    for (const character of document.characters) {
+      let entry = byId.get(character.id);
+      if (!entry) {
+        entry = { view: this.create(character.id), character, placements: new Float64Array(0) };
+        byId.set(character.id, entry);
+        this.parent.add(entry.view.object);
+      } else if (character === entry.character && !everything) continue;
+      entry.character = character;
+      if (entry.placements.length !== 16 * character.placements.length) {
+        entry.placements = new Float64Array(16 * character.placements.length);
+      }
+      entry.view.object.visible = !character.isHidden;
+      entry.view.show(character, display, selection.characterId === character.id ? selection.joint : undefined);
+      entry.view.seek(timeSeconds);
+      if (entry.view.needsPreparing) this.prepare(entry);
+    }
+    this.all = [...byId.values()];
+    this.visible = this.all.filter(({ character }) => !character.isHidden);
+  }
+
+  seek(timeSeconds: number): void {
+    for (let i = 0; i < this.all.length; i++) this.all[i].view.seek(timeSeconds);
+  }
+
+  /** The skeletons that can be seen, to be drawn. */
+  posedSkeletons(tints: Tints): PosedSkeleton[] {
+    const posed: PosedSkeleton[] = [];
+    for (const { view, character, placements } of this.visible) {
+      if (!character.skeleton) continue;
+      const { id, skeleton } = character;
+      const hasSkin = shownSkin(character) !== undefined;
+      posed.push({ characterId: id, skeleton, world: view.worldMatrices, placements, hasSkin, tint: tints.get(id) });
+    }
+    return posed;
+  }
+
+  /** Every frame in which something moved: matrices of the placements, and the box around everything. */
+  place(inPlace: boolean): void {
+    const { content, box, visible } = this;
+    content.makeEmpty();
+    for (let i = 0; i < visible.length; i++) {
+      const { view, character, placements } = visible[i];
+      const travel = view.travel(inPlace);
+      for (let p = 0; p < character.placements.length; p++) {
+        placementMatrix(character.placements[p], character.space, travel, placements, 16 * p);
+      }
+      content.union(view.bounds(box));
+    }
+  }
+
+  /**
+   * Around everything at all moments played, as far as a few of them tell: who walks about is not framed out of the
+   * picture. Who walks far away would be a dot in it, and is framed where it stands.
+   */
+  roomOfMotion([start, end]: readonly [number, number], timeSeconds: number): Box3 {
+    const { content, room, box, size } = this;
+    room.copy(content);
+    if (end > start) {
+      for (const { view } of this.visible) {
+        for (let i = 0; i <= FRAMED_MOMENTS; i++) {
+          view.seek(start + ((end - start) * i) / FRAMED_MOMENTS);
+          room.union(view.bounds(box));
+        }
+        view.seek(timeSeconds);
+      }
+    }
+    const far = room.getSize(size).length() > MOST_ROOM * content.getSize(size).length();
+    return far ? content : room;
+  }
+
+  dispose(): void {
+    for (const { view } of this.all) view.dispose();
+    this.byId.clear();
+    this.all = this.visible = [];
+  }
+}
+
+/** Where a skin's vertex is drawn, in the world; false where there is none. */
+export function vertexPosition(
+  { view, character, placements }: Shown,
+  vertex: number,
+  placement: number,
+  out: Vector3,
+): boolean {
+  const mesh = view.skinnedMeshes[placement];
+  const skin = shownSkin(character);
+  if (!mesh || !skin || vertex >= skin.positions.length / 3) return false;
+  mesh.getVertexPosition(vertex, out);
+  const m = placements;
+  const o = 16 * placement;
+  const { x, y, z } = out;
+  out.set(
+    m[o] * x + m[o + 4] * y + m[o + 8] * z + m[o + 12],
+    m[o + 1] * x + m[o + 5] * y + m[o + 9] * z + m[o + 13],
+    m[o + 2] * x + m[o + 6] * y + m[o + 10] * z + m[o + 14],
+  );
+  return true;
+}

@@ -1,0 +1,146 @@
+import { describe, expect, it } from 'vitest';
+import { setInterpolation } from '../../src/edit/commands/clips.ts';
+import { setHidden, setPositionChannels, setSpace } from '../../src/edit/commands/spaces.ts';
+import { openFiles } from '../../src/edit/open-files.ts';
+import { CommandError, Store } from '../../src/edit/store.ts';
+import { EMPTY_DOCUMENT, type Space } from '../../src/model/document.ts';
+import type { ParsedFile } from '../../src/model/files.ts';
+import { character, clip, documentOf } from '../helpers/builders.ts';
+import { captured, figure, take } from '../helpers/mocap.ts';
+
+const SPACE: Space = { up: 'z', unit: 'inches', lift: 0.25 };
+
+function bvh(name: string, ...roots: readonly (readonly [number, number, number])[]): ParsedFile {
+  const skeleton = { ...figure(), name };
+  const figures = roots.map((root, i) => ({
+    skeleton: { ...skeleton, name: i ? `${name}${i}` : name },
+    clip: { ...take(skeleton, [root]), name: i ? `${name}${i}` : name },
+  }));
+  return { kind: 'bvh', source: { name: `${name}.bvh`, path: `${name}.bvh`, bytes: 1 }, figures };
+}
+
+describe('a figure of motion capture that is opened', () => {
+  it('stands upright, in metres, on the ground', () => {
+    const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 185, 0])]);
+    expect(document.characters[0].space).toEqual({ up: 'y', unit: 'centimetres', lift: -1 });
+  });
+
+  it('keeps the space that it was given when its file comes again', () => {
+    const { document } = openFiles(EMPTY_DOCUMENT, [bvh('walk', [0, 85, 0])]);
+    const store = new Store(document);
+    store.apply(setSpace, { characterId: document.characters[0].id, space: SPACE });
+    const again = openFiles(store.document, [bvh('walk', [0, 85, 0])]).document;
+    expect(again.characters).toHaveLength(1);
+    expect(again.characters[0].space).toEqual(SPACE);
+  });
+
+  it('stands beside the others in one row, wherever in its file it is', () => {
+    const files = [bvh('a', [0, 85, 0]), bvh('b', [400, 85, 900]), bvh('c', [-70, 85, -300])];
+    const { characters } = openFiles(EMPTY_DOCUMENT, files).document;
+    const feet = characters.map(({ placements: [{ position }] }, i) => [
+      position[0] + [0, 4, -0.7][i],
+      position[2] + [0, 9, -3][i],
+    ]);
+    expect(feet[1][0]).toBeGreaterThan(feet[0][0] + 0.2);
+    expect(feet[2][0]).toBeGreaterThan(feet[1][0] + 0.2);
+    expect(feet[2][0]).toBeLessThan(2);
+    for (const [, z] of feet) expect(z).toBeCloseTo(0, 9);
+  });
+
+  it('keeps its place to the others of its file', () => {
+    const { characters } = openFiles(EMPTY_DOCUMENT, [bvh('pair', [0, 85, 0], [60, 95, 0])]).document;
+    expect(characters).toHaveLength(2);
+    expect(characters[1].placements).toEqual(characters[0].placements);
+    expect(characters[1].space).toEqual(characters[0].space);
+  });
+
+  it('says so where its position channels look as if they were meant to be added to the offsets', () => {
+    const skeleton = figure({ positionsEverywhere: true });
+    const source = { name: 'made.bvh', path: 'made.bvh', bytes: 1 };
+    const figures = [{ skeleton, clip: take(skeleton, [[0, 85, 0]], 0) }];
+    const { diagnostics } = openFiles(EMPTY_DOCUMENT, [{ kind: 'bvh', source, figures }]);
+    expect(diagnostics.map((d) => d.code)).toContain('positions-near-zero');
+  });
+});
+
+describe('the space of a character', () => {
+  it('is set, and undone', () => {
+    const store = new Store(documentOf(character()));
+    store.apply(setSpace, { characterId: 'c1', space: SPACE });
+    expect(store.document.characters[0].space).toEqual(SPACE);
+    const { document } = store;
+    store.apply(setSpace, { characterId: 'c1', space: { ...SPACE } });
+    expect(store.document).toBe(document);
+    store.undo();
+    expect(store.document.characters[0].space).toBeUndefined();
+  });
+
+  it.each([
+    { ...SPACE, up: 'x' },
+    { ...SPACE, unit: 'ells' },
+    { ...SPACE, lift: Number.NaN },
+    { ...SPACE, unit: 'own' },
+    { ...SPACE, unit: 'own', metres: 0 },
+  ])('refuses what is none: %o', (space) => {
+    const store = new Store(documentOf(character()));
+    // As a script may say it.
+    expect(() => store.apply(setSpace, { characterId: 'c1', space: space as Space })).toThrow(CommandError);
+  });
+});
+
+describe('position channels of a character', () => {
+  it('mean something else, and it stands on the ground again', () => {
+    const skeleton = figure({ positionsEverywhere: true });
+    const space: Space = { up: 'y', unit: 'centimetres', lift: 0 };
+    const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]), { space })));
+    store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' });
+    const [{ skeleton: after, space: lifted, clips }] = store.document.characters;
+    expect(after?.joints[1].motion).toMatchObject({ positions: 'add' });
+    // Every bone counts twice, so the soles are as much lower as the legs are longer.
+    expect(lifted?.lift).toBeCloseTo(0.765 - 0.0, 1);
+    expect(clips[0].samples?.values).toBe(store.document.characters[0].clips[0].samples?.values);
+    store.undo();
+    expect(store.document.characters[0].skeleton).toEqual(skeleton);
+  });
+
+  it('are refused where there are none', () => {
+    const store = new Store(documentOf(character()));
+    expect(() => store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' })).toThrow(CommandError);
+  });
+});
+
+describe('hidden characters', () => {
+  it('are several at once, and come back as they were', () => {
+    const one = character();
+    const two = character({ id: 'c2' });
+    const store = new Store(documentOf(one, two));
+    store.apply(setHidden, { ids: ['c1', 'c2'], hidden: true });
+    expect(store.document.characters.map((c) => c.isHidden)).toEqual([true, true]);
+    store.apply(setHidden, { ids: ['c2'], hidden: false });
+    expect(store.document.characters[1]).toEqual(two);
+    const { document } = store;
+    store.apply(setHidden, { ids: ['c2'], hidden: false });
+    expect(store.document).toBe(document);
+  });
+
+  it('refuse who is not there', () => {
+    const store = new Store(documentOf(character()));
+    expect(() => store.apply(setHidden, { ids: ['c9'], hidden: true })).toThrow(CommandError);
+  });
+});
+
+describe('what a take plays between frames', () => {
+  it('is set for its samples, whose values stay', () => {
+    const skeleton = figure();
+    const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]))));
+    store.apply(setInterpolation, { characterId: 'c1', interpolation: 'nearest' });
+    expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('nearest');
+    store.undo();
+    expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('linear');
+  });
+
+  it('is the keys’ own where there are only keys', () => {
+    const store = new Store(documentOf(character({ clips: [clip('walk', [0])], shownClip: 0 })));
+    expect(() => store.apply(setInterpolation, { characterId: 'c1', interpolation: 'cubic' })).toThrow(CommandError);
+  });
+});

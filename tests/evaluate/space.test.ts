@@ -1,0 +1,129 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { compileSkeleton } from '../../src/evaluate/kinematics.ts';
+import { metresPerUnit } from '../../src/evaluate/metres.ts';
+import { applySpace, groundTravel, guessSpace, liftOntoGround, metresForPerson } from '../../src/evaluate/space.ts';
+import type { LengthUnit } from '../../src/model/document.ts';
+import { type FigureOptions, figure, take } from '../helpers/mocap.ts';
+
+/** Standing with its soles `over` the ground of its file. */
+function standing(options: FigureOptions, over = 0) {
+  const skeleton = figure(options);
+  const { height = 170, up = 'y' } = options;
+  const hips = 0.5 * height + over;
+  const clip = take(skeleton, up === 'y' ? [[0, hips, 0]] : [[0, 0, hips]]);
+  return { skeleton, clip };
+}
+
+describe('the unit of a figure that does not say', () => {
+  it.each([
+    [1.75, 'metres'],
+    [1.4, 'metres'],
+    [175, 'centimetres'],
+    [140, 'centimetres'],
+    [210, 'centimetres'],
+    [1750, 'millimetres'],
+    [67, 'inches'],
+    [53, 'inches'],
+    [29, 'cmu'],
+    [16.6, 'decimetres'],
+  ] satisfies [number, LengthUnit][])('%d high is in %s', (height, unit) => {
+    const { skeleton, clip } = standing({ height });
+    expect(guessSpace(skeleton, clip).unit).toBe(unit);
+  });
+
+  it('is a person’s height where no unit comes near one', () => {
+    const { skeleton, clip } = standing({ height: 5 });
+    const space = guessSpace(skeleton, clip);
+    expect(space.unit).toBe('own');
+    expect(5 * metresPerUnit(space)).toBeCloseTo(1.7, 2);
+    expect(metresForPerson(skeleton, clip, 'y')).toBe(space.metres);
+  });
+
+  it('leaves every figure between half a person’s height and twice of it', () => {
+    fc.assert(
+      fc.property(fc.double({ min: 0.01, max: 1e5, noNaN: true }), (height) => {
+        const { skeleton, clip } = standing({ height });
+        const metres = height * metresPerUnit(guessSpace(skeleton, clip));
+        expect(metres).toBeGreaterThan(0.8);
+        expect(metres).toBeLessThan(3.5);
+      }),
+    );
+  });
+
+  it('is that of the figure standing, though it sits most of the time', () => {
+    const skeleton = figure({ height: 170 });
+    // Folded: the head's channels are rotations, so the hips and head come down together.
+    const clip = take(
+      skeleton,
+      Array.from({ length: 20 }, () => [0, 85, 0] as const),
+    );
+    expect(guessSpace(skeleton, clip).unit).toBe('centimetres');
+  });
+});
+
+describe('the up axis of a figure that does not say', () => {
+  it.each(['y', 'z'] as const)('%s leads from the feet to the head, by their names', (up) => {
+    const { skeleton, clip } = standing({ up });
+    expect(guessSpace(skeleton, clip).up).toBe(up);
+  });
+
+  it.each(['y', 'z'] as const)('%s is along what is tall, where names say nothing', (up) => {
+    const { skeleton, clip } = standing({ up, named: false });
+    expect(guessSpace(skeleton, clip).up).toBe(up);
+  });
+
+  it.each(['y', 'z'] as const)('%s is seen in a rest pose alone', (up) => {
+    expect(guessSpace(figure({ up }), undefined).up).toBe(up);
+  });
+});
+
+describe('the ground under a figure', () => {
+  it.each([
+    ['y', 90],
+    ['z', -40],
+  ] as const)('is where its soles are: %s up, %d above the file’s', (up, over) => {
+    const { skeleton, clip } = standing({ up }, over);
+    expect(guessSpace(skeleton, clip).lift).toBeCloseTo(-over / 100, 3);
+  });
+
+  it('is believed where the file’s is as good', () => {
+    const { skeleton, clip } = standing({}, 0.5);
+    expect(guessSpace(skeleton, clip).lift).toBe(0);
+    expect(liftOntoGround(skeleton, clip, { up: 'y', unit: 'centimetres', lift: 0 })).toBeCloseTo(-0.005, 6);
+  });
+
+  it('is not where a jump takes it, nor one toe that sank in', () => {
+    const skeleton = figure();
+    const rows = Array.from({ length: 30 }, (_, i) => [0, i < 12 ? 185 : i === 20 ? 60 : 105, 0] as const);
+    expect(guessSpace(skeleton, take(skeleton, rows)).lift).toBeCloseTo(-0.2, 3);
+  });
+
+  it('is below an empty skeleton nowhere, and nothing breaks', () => {
+    expect(guessSpace({ name: 'none', joints: [] }, undefined)).toEqual({ up: 'y', unit: 'asIs', lift: 0 });
+  });
+});
+
+describe('a space', () => {
+  it('turns z up into y up, and leaves left and right as they are', () => {
+    const out = new Float64Array(3);
+    applySpace({ up: 'z', unit: 'centimetres', lift: 0.5 }, 100, 200, 300, out);
+    expect([...out]).toEqual([1, 3.5, -2]);
+  });
+
+  it('is no change where there is none', () => {
+    const out = new Float64Array(3);
+    applySpace(undefined, 1, 2, 3, out);
+    expect([...out]).toEqual([1, 2, 3]);
+  });
+
+  it.each([
+    ['y', [7, 0, 9]],
+    ['z', [7, 8, 0]],
+  ] as const)('says which of the root’s travel goes over the ground: %s up', (up, expected) => {
+    const out = new Float64Array(3);
+    const compiled = compileSkeleton(figure());
+    groundTravel(compiled, { up, unit: 'metres', lift: 0 }, Float64Array.of(7, 8, 9, 1, 2, 3), out);
+    expect([...out]).toEqual(expected);
+  });
+});

@@ -1,0 +1,51 @@
+import { Group } from 'three';
+import { describe, expect, it } from 'vitest';
+import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
+import { CharacterView } from '../../src/view/character-view.ts';
+import { ShownCharacters } from '../../src/view/shown-characters.ts';
+import { documentOf } from '../helpers/builders.ts';
+import { captured, figure, take } from '../helpers/mocap.ts';
+
+const skeleton = figure();
+const space = { up: 'y', unit: 'centimetres', lift: 0 } as const;
+const near = captured(skeleton, take(skeleton, [[0, 85, 0]]), { id: 'near', space });
+const far = captured(skeleton, take(skeleton, [[1000, 85, 0]]), { id: 'far', space });
+
+function shown(...characters: (typeof near)[]): ShownCharacters {
+  const all = new ShownCharacters(
+    new Group(),
+    () => new CharacterView(),
+    () => {},
+  );
+  all.show(documentOf(...characters), DEFAULT_DISPLAY, {}, 0, true);
+  all.place(false);
+  return all;
+}
+
+describe('the characters in the picture', () => {
+  it('are framed where they stand, in metres', () => {
+    const { content } = shown(near, far);
+    expect(content.max.y).toBeCloseTo(1.7, 6);
+    expect(content.min.y).toBeCloseTo(0, 6);
+    expect(content.max.x).toBeCloseTo(10.102, 6);
+  });
+
+  it('are neither drawn nor framed while they are hidden, and posed all the same', () => {
+    const all = shown(near, { ...far, isHidden: true });
+    expect(all.posedSkeletons(new Map()).map((p) => p.characterId)).toEqual(['near']);
+    expect(all.content.max.x).toBeLessThan(1);
+    expect(all.seen('far')).toBeUndefined();
+    expect(all.get('far')?.view.object.visible).toBe(false);
+    expect(all.get('far')?.view.dofs[0]).toBe(1000);
+    all.show(documentOf(near, far), DEFAULT_DISPLAY, {}, 0, false);
+    expect(all.posedSkeletons(new Map())).toHaveLength(2);
+  });
+
+  it('stand on the spot in place', () => {
+    const all = shown(far);
+    all.show(documentOf(far), { ...DEFAULT_DISPLAY, inPlace: true }, {}, 0, true);
+    all.place(true);
+    expect(all.content.max.x).toBeCloseTo(0.102, 6);
+    expect(all.content.max.y).toBeCloseTo(1.7, 6);
+  });
+});

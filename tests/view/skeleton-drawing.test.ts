@@ -1,0 +1,102 @@
+import { InstancedMesh, Matrix4, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
+import { filePose } from '../../src/model/dofs.ts';
+import { DEFAULT_DISPLAY, type Display } from '../../src/model/session.ts';
+import type { Skeleton } from '../../src/model/skeleton.ts';
+import type { PosedSkeleton } from '../../src/view/drawn-skeletons.ts';
+import { SkeletonDrawing } from '../../src/view/skeleton-drawing.ts';
+import { STAGE_THEMES } from '../../src/view/theme.ts';
+import { joint, skeleton } from '../helpers/builders.ts';
+import { figure } from '../helpers/mocap.ts';
+
+function posed(characterId: string, of: Skeleton): PosedSkeleton {
+  const world = new Float64Array(16 * of.joints.length);
+  worldMatrices(compileSkeleton(of), Float64Array.from(filePose(of, 0)), world);
+  return {
+    characterId,
+    skeleton: of,
+    world,
+    placements: Float64Array.from(new Matrix4().elements),
+    hasSkin: false,
+  };
+}
+
+function drawn(skeletons: readonly Skeleton[], display: Partial<Display> = {}): SkeletonDrawing {
+  const drawing = new SkeletonDrawing();
+  const all = skeletons.map((s, i) => posed(`c${i}`, s));
+  drawing.show(all, { ...DEFAULT_DISPLAY, ...display }, {}, STAGE_THEMES.dark);
+  drawing.fill();
+  return drawing;
+}
+
+/** What a frame draws: meshes with something in them. */
+function calls({ object }: SkeletonDrawing): InstancedMesh[] {
+  return object.children.filter(
+    (mesh): mesh is InstancedMesh => mesh instanceof InstancedMesh && mesh.visible && mesh.count > 0,
+  );
+}
+
+/** Instances of a mesh that have any size. */
+function seen(mesh: InstancedMesh): number[] {
+  const matrix = new Matrix4();
+  return Array.from({ length: mesh.count }, (_, i) => i).filter((i) => {
+    mesh.getMatrixAt(i, matrix);
+    return matrix.determinant() !== 0;
+  });
+}
+
+describe('a skeleton without boxes', () => {
+  it('is drawn as balls and bones, End Sites included', () => {
+    const [balls, bones] = calls(drawn([figure()]));
+    expect(seen(balls)).toHaveLength(9);
+    // One to each joint but the root, one to each End Site.
+    expect(seen(bones)).toEqual([1, 2, 3, 4, 5, 6, 7, 8]);
+  });
+
+  it('costs two draw calls for fifty characters of seventy joints', () => {
+    const [first, ...others] = figure().joints;
+    const seventy: Skeleton = {
+      name: 'seventy',
+      joints: [first, ...others, ...Array.from({ length: 64 }, (_, i) => ({ ...others[0], parent: 5 + i }))],
+    };
+    const fifty = Array.from({ length: 50 }, () => seventy);
+    const drawing = drawn(fifty);
+    expect(calls(drawing)).toHaveLength(2);
+    expect(drawing.instanceCount).toBe(50 * (70 + 64 + 3));
+  });
+
+  it('leaves boxes to those that have them, side by side', () => {
+    const drawing = drawn([figure(), skeleton(3)]);
+    const [edges, faces, balls, bones] = calls(drawing);
+    expect(seen(edges)).toEqual([9, 10, 11]);
+    expect(seen(faces)).toEqual([9, 10, 11]);
+    expect(seen(balls)).toHaveLength(9);
+    expect(seen(bones).every((i) => i < 9)).toBe(true);
+  });
+
+  it('is not drawn where boxes are hidden, but for the bones that were asked for', () => {
+    expect(calls(drawn([figure()], { boxes: 'hidden' }))).toHaveLength(0);
+    expect(calls(drawn([figure()], { boxes: 'hidden', bones: true }))).toHaveLength(2);
+  });
+});
+
+describe('the bone to an End Site', () => {
+  it('leads from its joint to it', () => {
+    const root = figure().joints[0];
+    const one: Skeleton = { name: 'one', joints: [{ ...root, endSites: [[0, 20, 0]] }] };
+    const [, bones] = calls(drawn([one]));
+    const matrix = new Matrix4();
+    bones.getMatrixAt(1, matrix);
+    expect(new Vector3(0, 0, 0).applyMatrix4(matrix).toArray()).toEqual([0, 0, 0]);
+    expect(new Vector3(0, 1, 0).applyMatrix4(matrix).toArray()).toEqual([0, 20, 0]);
+  });
+
+  it('takes the joint’s turn with it', () => {
+    const motion = { kind: 'bvh', channels: ['rz'], positions: 'replace' } as const;
+    const turned = joint(-1, { motion, pose: [Math.PI / 2], offset: [0, 0, 0], endSites: [[0, 2, 0]] });
+    const { positions } = drawn([{ name: 'turned', joints: [turned] }]);
+    expect(positions[3]).toBeCloseTo(-2, 12);
+    expect(positions[4]).toBeCloseTo(0, 12);
+  });
+});
