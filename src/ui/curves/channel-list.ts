@@ -16,7 +16,7 @@ import { icon } from '../icons.ts';
 import { isMac } from '../keys.ts';
 import { openMenu } from '../menu.ts';
 import { plural } from '../number-text.ts';
-import { channelName, type ListedChannel } from '../timeline/channels.ts';
+import { channelName, isAnimated, type ListedChannel } from '../timeline/channels.ts';
 import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
@@ -40,6 +40,10 @@ interface Row {
   readonly joint: HTMLElement;
   readonly dof: HTMLElement;
 }
+
+/** In place of `Selected joint` while there is none, in what room there is. */
+const NO_JOINT_LABEL = 'No joint: all';
+const NO_JOINT_TITLE = 'Follows the selected joint. None is selected, so all channels are listed';
 
 /** What the plot knows of the channels. */
 export interface ListSource {
@@ -121,7 +125,7 @@ export class ChannelList {
     const { wb, grid } = this;
     const view = wb.timeline.view.get();
     this.channels = this.source.channels;
-    if (this.choice.value !== view.list) this.choice.value = view.list;
+    this.showChoice(view.list);
     if (this.filter.value !== view.filter) this.filter.value = view.filter;
     const count = this.channels.length;
     this.empty.hidden = count > 0;
@@ -145,6 +149,15 @@ export class ChannelList {
       if (i < needed) this.fill(row, this.first + i, state);
     }
     setAttribute(grid, 'aria-activedescendant', count ? this.cellId(this.active, this.activeCell) : undefined);
+  }
+
+  private showChoice(list: ListChoice): void {
+    const { choice, wb } = this;
+    if (choice.value !== list) choice.value = list;
+    const showsAll = list === 'selected' && wb.store.selection.joint === undefined;
+    const texts = showsAll ? { ...LIST_LABELS, selected: NO_JOINT_LABEL } : LIST_LABELS;
+    for (const [i, one] of CHANNEL_LISTS.entries()) setText(choice.options[i], texts[one]);
+    setAttribute(choice, 'title', showsAll ? NO_JOINT_TITLE : undefined);
   }
 
   private cellId(index: number, cell: Cell): string {
@@ -182,7 +195,7 @@ export class ChannelList {
     const line = this.source.line(channel);
     const held = takeInHand(this.wb)?.clip.channels[channel];
     const name = channelName(listed);
-    const keyed = listed.keyCount > 0;
+    const keyed = isAnimated(listed);
     const hidden = state.hidden.has(channel);
     const isolated = state.isolated?.has(channel) ?? false;
     const { element: target, cells } = row;
@@ -200,14 +213,16 @@ export class ChannelList {
     row.swatch.style.background = line && keyed ? cssColour(line.colour) : '';
     row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
     describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
-    const keys = keyed ? plural(listed.keyCount, 'key') : 'no keys';
+    const { keyCount, sampleCount } = listed;
+    const keys = sampleCount ? plural(sampleCount, 'sample') : keyed ? plural(keyCount, 'key') : 'no keys';
     describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}`, isolated);
     const pinned = state.pinned.has(channel);
     describe(cells.pin, `${pinned ? 'Unpin' : 'Pin'} ${name}`, pinned);
     for (const side of ['in', 'out'] as const) {
       const way = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
       const cell = cells[side];
-      cell.hidden = !keyed;
+      // Beyond samples their ends hold: there is nothing to choose.
+      cell.hidden = keyCount === 0;
       if (!way || cell.dataset.way === way) continue;
       cell.dataset.way = way;
       cell.replaceChildren(icon(extrapolationIcon(way)));
@@ -247,11 +262,11 @@ export class ChannelList {
     byKeyboard: boolean,
   ) {
     const { wb } = this;
-    const { channel, keyCount } = this.channels[index];
+    const { channel } = this.channels[index];
     if (cell === 'eye') toggleIn(wb, 'hidden', channel);
     else if (cell === 'pin') toggleIn(wb, 'pinned', channel);
     else if (cell === 'name') {
-      if (keyCount === 0) return this.showSoon();
+      if (!isAnimated(this.channels[index])) return this.showSoon();
       const range = shift ? this.between(this.anchor, index) : [channel];
       if (!shift) this.anchor = index;
       wb.timeline.isolate(isolatedAfter(wb.timeline.view.get().isolated, range, ctrl));
@@ -264,7 +279,7 @@ export class ChannelList {
 
   private between(a: number, b: number): number[] {
     const rows = this.channels.slice(Math.min(a, b), Math.max(a, b) + 1);
-    return rows.filter((c) => c.keyCount > 0).map((c) => c.channel);
+    return rows.filter(isAnimated).map((c) => c.channel);
   }
 
   private onDoubleClick(event: MouseEvent): void {

@@ -2,7 +2,7 @@
 
 import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../edit/keys/selection.ts';
-import { EXTRAPOLATIONS } from '../../model/clip.ts';
+import { EXTRAPOLATIONS, isSampled } from '../../model/clip.ts';
 import { actionsOf } from '../actions.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { itemOf } from '../menu-entries.ts';
@@ -20,6 +20,16 @@ interface Place {
 
 const LINE: MenuEntry = { kind: 'line' };
 const TANGENTS = ['flat', 'linear', 'smooth', 'fixed'].map((kind) => `tangents.${kind}`);
+export const SAMPLE_TOOLS = [
+  'convertToKeys',
+  'smoothSamples',
+  'resampleSamples',
+  'samples.crop',
+  'samples.trimStart',
+  'samples.trimEnd',
+  'samples.split',
+  'samples.reverse',
+];
 export const CURVE_TOOLS = ['simplify', 'resample', 'bake', 'euler', 'loop', 'scaleKeys'];
 
 /** Actions of the timeline as entries. */
@@ -36,6 +46,8 @@ export function openPlotMenu(wb: Workbench, hit: Hit, where: Place, byKeyboard: 
       selectKeys(wb, [{ channel: hit.channel, indices: [hit.index] }]);
     }
     openMenu(where, keyEntries(wb), { label: 'Key', focusFirst });
+  } else if (hit.kind === 'curve' && isSampledHere(wb, hit.channel)) {
+    openMenu(where, sampledEntries(wb, hit.channel), { label: 'Curve', focusFirst });
   } else if (hit.kind === 'curve') {
     selectCurve(wb, hit.channel);
     const { channel, timeSeconds } = hit;
@@ -55,7 +67,9 @@ export function openChannelMenu(wb: Workbench, channel: number, where: Place, fo
   const take = takeInHand(wb);
   if (!take) return;
   const label = channelName(namedChannel(take.character, channel));
-  if (take.clip.channels[channel]?.times.length) {
+  if (isSampled(take.clip, channel)) {
+    openMenu(where, sampledEntries(wb, channel), { label, focusFirst });
+  } else if (take.clip.channels[channel]?.times.length) {
     selectCurve(wb, channel);
     openMenu(where, channelEntries(wb, channel), { label, focusFirst });
   } else {
@@ -93,7 +107,18 @@ function keyEntries(wb: Workbench): MenuEntry[] {
   ];
 }
 
-function channelEntries(wb: Workbench, channel: number): MenuEntry[] {
+function isSampledHere(wb: Workbench, channel: number): boolean {
+  const clip = takeInHand(wb)?.clip;
+  return clip !== undefined && isSampled(clip, channel);
+}
+
+/** Of a curve that follows samples: it has no keys to do anything with. */
+function sampledEntries(wb: Workbench, channel: number): MenuEntry[] {
+  return [...showEntries(wb, channel), LINE, ...entriesOf(wb, SAMPLE_TOOLS)];
+}
+
+/** What of a channel is shown. */
+function showEntries(wb: Workbench, channel: number): MenuEntry[] {
   const { view } = wb.timeline;
   const { isolated } = view.get();
   const isOnly = isolated?.length === 1 && isolated[0] === channel;
@@ -113,6 +138,12 @@ function channelEntries(wb: Workbench, channel: number): MenuEntry[] {
       run: () => toggleIn(wb, 'hidden', channel),
     },
     pinEntry(wb, channel),
+  ];
+}
+
+function channelEntries(wb: Workbench, channel: number): MenuEntry[] {
+  return [
+    ...showEntries(wb, channel),
     LINE,
     { kind: 'menu', label: 'Before the keys', entries: () => extrapolationEntries(wb, channel, 'in') },
     { kind: 'menu', label: 'After the keys', entries: () => extrapolationEntries(wb, channel, 'out') },
@@ -129,6 +160,7 @@ function groundEntries(wb: Workbench): MenuEntry[] {
     ...entriesOf(wb, ['selectAll', 'invert', 'selectBefore', 'selectHere', 'selectAfter']),
     LINE,
     { kind: 'menu', label: 'Curve tools', entries: () => entriesOf(wb, CURVE_TOOLS) },
+    { kind: 'menu', label: 'Samples', entries: () => entriesOf(wb, SAMPLE_TOOLS) },
     LINE,
     ...entriesOf(wb, ['fitSelected', 'fitAll', 'normalised', 'snapsToFrames', 'snapsToValues', 'scaleFrame']),
   ];

@@ -1,4 +1,5 @@
 /** What stands in the plot while there is no curve in it: what would make one. */
+import { spanOfChannel } from '../../model/clip.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { shown } from '../number-text.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
@@ -10,7 +11,7 @@ export function emptyPlotText(wb: Workbench, listed: number): string {
     return 'Curves will stand here. Drop a character and its animation anywhere on the page, or choose Open.';
   const take = takeInHand(wb);
   const at = `${shown(wb.transport.get().timeSeconds, 3)} s`;
-  const keyed = take?.clip.channels.some((c) => c.times.length > 0) ?? false;
+  const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   if (!keyed) {
     return `${character.name} has no animation. K keys the whole pose at ${at}, Shift+K the selected joint; or drop an .anim file.`;
   }

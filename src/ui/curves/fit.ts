@@ -1,5 +1,6 @@
 /** The view that shows all of something, with some room around it. */
 
+import { isSampled, spanOfChannel } from '../../model/clip.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { AXES, type AxisName, type CurveSpace, PLOT_TOP, type ValueAxis } from './space.ts';
 import { ChannelExtremes } from './trace-extremes.ts';
@@ -14,6 +15,7 @@ const ABOVE_PIXELS = 22;
 const LEAST_EXTENT: Readonly<Record<AxisName, number>> = {
   angle: Math.PI / 90,
   length: 1e-3,
+  factor: 0.02,
   weight: 0.02,
   normalised: 2,
 };
@@ -21,6 +23,7 @@ const LEAST_EXTENT: Readonly<Record<AxisName, number>> = {
 const STILL_EXTENT: Readonly<Record<AxisName, number>> = {
   angle: Math.PI / 3,
   length: 1,
+  factor: 2.4,
   weight: 1.2,
   normalised: 2,
 };
@@ -38,7 +41,7 @@ const extremes = new ChannelExtremes();
 /**
  * Axes of which there is nothing to show stay as they are.
  *
- * @param what the lines' keys and the played range, or the selected keys (all where none is selected)
+ * @param what the lines' keys or samples and the played range, or the selected keys (all where none is selected)
  * @param keepTime leaves the window of time alone, and fits the values that are in it
  */
 export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): CurveSpace {
@@ -55,7 +58,7 @@ export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): 
 }
 
 function noBounds(): Bounds {
-  const every = (value: number) => ({ angle: value, length: value, weight: value, normalised: value });
+  const every = (value: number) => ({ angle: value, length: value, factor: value, weight: value, normalised: value });
   return {
     from: Number.POSITIVE_INFINITY,
     to: Number.NEGATIVE_INFINITY,
@@ -94,8 +97,7 @@ function includeAll(scene: Fitted, bounds: Bounds): void {
   bounds.from = scene.range[0] + scene.offsetSeconds;
   bounds.to = scene.range[1] + scene.offsetSeconds;
   for (const line of scene.lines) {
-    const { times } = scene.clip.channels[line.channel];
-    const [start, stop] = times.length > 0 ? [times[0], times[times.length - 1]] : [bounds.from, bounds.from];
+    const [start, stop] = spanOfChannel(scene.clip, line.channel) ?? [bounds.from, bounds.from];
     bounds.from = Math.min(bounds.from, start);
     bounds.to = Math.max(bounds.to, stop);
     includeCurve(scene, line, start, stop, bounds);
@@ -111,7 +113,7 @@ function includeInView(scene: Fitted, bounds: Bounds): void {
 
 function includeCurve({ curves, clip }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
   const channel = clip.channels[line.channel];
-  if (channel.times.length === 0) {
+  if (channel.times.length === 0 && !isSampled(clip, line.channel)) {
     include(bounds, line, channel.rest ?? 0, channel.rest ?? 0);
     return;
   }

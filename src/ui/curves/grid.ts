@@ -15,6 +15,7 @@ const HATCH_OPACITY = 0.6;
 const UNITS: Readonly<Record<AxisName, string>> = {
   angle: 'angle',
   length: 'length',
+  factor: 'factor',
   weight: 'weight',
   normalised: 'normalised',
 };

@@ -103,7 +103,8 @@ function nearestOn(scene: CurveScene, line: CurveLine, x: number, y: number, rea
     [x0, y0] = [x1, y1];
   }
   const channel = scene.clip.channels[line.channel];
-  if (best <= reach || channel.times.length < 2) return { distance: best, x: bestX };
+  const isSampled = scene.curves.columns[line.channel] >= 0;
+  if (best <= reach || (channel.times.length < 2 && !isSampled)) return { distance: best, x: bestX };
   // Where a pixel holds many spans, steps may pass all that is drawn there.
   extremes.open(scene.curves, line.channel, channel);
   extremes.over(map.left + (x - 0.5) / map.perSecond, map.left + (x + 0.5) / map.perSecond);

@@ -12,8 +12,10 @@
  *     shown      old, moved          old     └▶ new
  */
 import type { Channel } from '../../model/clip.ts';
+import type { Samples } from '../../model/samples.ts';
 import { type BaseColour, mixed } from './colours.ts';
 import { type ColumnLine, ColumnRaster } from './picture-raster.ts';
+import { sampleExtremes } from './sample-extremes.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { type CurveSpace, PLOT_TOP } from './space.ts';
 import { DOT_PERIOD, LineTrace, sameMap, traceLine, traceMap } from './trace.ts';
@@ -35,6 +37,8 @@ const UNBROKEN: readonly number[] = [];
 
 interface Traced {
   readonly channel: Channel;
+  /** What it follows instead of keys. */
+  readonly samples: Samples | undefined;
   readonly map: TraceMap;
   readonly columnsPerPixel: number;
   readonly trace: LineTrace;
@@ -143,7 +147,10 @@ export class CurveLayer {
     const { lines } = scene;
     const before = this.traced;
     this.traced = new Map(before);
-    const columnsPerPixel = lines.length > MOST_LINES_AT_ONCE ? 1 : ratio;
+    const isMany = lines.length > MOST_LINES_AT_ONCE;
+    const columnsPerPixel = isMany ? 1 : ratio;
+    const { samples } = scene.curves;
+    if (isMany && samples) yield* sampleExtremes(samples).building();
     for (const line of lines) {
       this.traced.set(line.channel, traceAgain(scene, line, columnsPerPixel, before.get(line.channel)));
       yield;
@@ -244,12 +251,13 @@ function isStandIn(a: LinesView, b: LinesView): boolean {
 function traceAgain(scene: CurveScene, line: CurveLine, columnsPerPixel: number, before: Traced | undefined): Traced {
   const channel = scene.clip.channels[line.channel];
   const map = traceMap(scene, line);
-  if (before?.channel === channel && before.columnsPerPixel === columnsPerPixel && sameMap(before.map, map)) {
-    return before;
-  }
+  const { curves } = scene;
+  const samples = curves.columns[line.channel] >= 0 ? curves.samples : undefined;
+  const sameCurve = before?.channel === channel && before.samples === samples;
+  if (sameCurve && before.columnsPerPixel === columnsPerPixel && sameMap(before.map, map)) return before;
   const trace = before?.trace ?? new LineTrace();
-  traceLine(scene.curves, line.channel, channel, map, columnsPerPixel, trace);
-  return { channel, map, columnsPerPixel, trace, solid: pathOf(trace.solid), dotted: pathOf(trace.dotted) };
+  traceLine(curves, line.channel, channel, map, columnsPerPixel, trace);
+  return { channel, samples, map, columnsPerPixel, trace, solid: pathOf(trace.solid), dotted: pathOf(trace.dotted) };
 }
 
 /** None for nothing: a hundred paths are made in a frame. */

@@ -89,10 +89,20 @@ export class PlotScene {
   }
 
   private updateLines(character: Character, clip: ChannelClip, normalised: boolean): void {
-    // Only normalised lines depend on where the keys are.
+    // Only normalised lines depend on where the keys and samples are.
     const keys = normalised ? (this.frozen ? this.linesOf[4] : clip.channels) : undefined;
+    const samples = normalised ? (this.frozen ? this.linesOf[5] : clip.samples) : undefined;
     const count = clip.channels.length;
-    const from = [character.id, character.skeleton, character.morphs, this.listedNumbers(), keys, normalised, count];
+    const from = [
+      character.id,
+      character.skeleton,
+      character.morphs,
+      this.listedNumbers(),
+      keys,
+      samples,
+      normalised,
+      count,
+    ];
     const same = from.every((part, i) => part === this.linesOf[i]);
     if (same && this.drawn === this.linesDrawn) return;
     // Of all that are listed, so that a curve keeps its colour when another one is hidden.

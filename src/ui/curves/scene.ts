@@ -1,11 +1,13 @@
 /** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
-import type { Channel, ChannelClip } from '../../model/clip.ts';
+import { type Channel, type ChannelClip, isSampled } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, unitOfChannel } from '../../model/dofs.ts';
+import { columnOf } from '../../model/samples.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../model/skeleton.ts';
 import { axisColour, type LineColour, otherColour } from './colours.ts';
+import { extremesOfColumn } from './sample-extremes.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 
 /** A channel that is drawn. */
@@ -99,7 +101,7 @@ export function sceneLines(
       colour: axis ? axisColour(axis, ordinals.get(group) ?? 0) : otherColour(others++),
       ...(dof && isLimited(dof.limit) && { limit: dof.limit }),
       ...(normalised && {
-        normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(held),
+        normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(clip, channel),
       }),
     });
   }
@@ -126,8 +128,13 @@ function isLimited(limit: Limit): boolean {
 
 const normalisations = new WeakMap<Channel, Normalise>();
 
-/** The smallest key goes to −1, the largest to 1; a channel of one value to 0. */
-function normalisation(channel: Channel): Normalise {
+/** The smallest key or sample goes to −1, the largest to 1; a channel of one value to 0. */
+function normalisation(clip: ChannelClip, index: number): Normalise {
+  if (clip.samples && isSampled(clip, index)) {
+    const { low, high } = extremesOfColumn(clip.samples, columnOf(clip.samples, index));
+    return normaliseBetween(low, high);
+  }
+  const channel = clip.channels[index];
   const known = normalisations.get(channel);
   if (known) return known;
   let low = Number.POSITIVE_INFINITY;
@@ -137,10 +144,14 @@ function normalisation(channel: Channel): Normalise {
     if (value > high) high = value;
   }
   if (!(low <= high)) low = high = channel.rest ?? 0;
-  const scale = high > low && Number.isFinite(2 / (high - low)) ? 2 / (high - low) : 1;
-  const made = { scale, shift: -scale * (low + (high - low) / 2) };
+  const made = normaliseBetween(low, high);
   normalisations.set(channel, made);
   return made;
+}
+
+function normaliseBetween(low: number, high: number): Normalise {
+  const scale = high > low && Number.isFinite(2 / (high - low)) ? 2 / (high - low) : 1;
+  return { scale, shift: -scale * (low + (high - low) / 2) };
 }
 
 /** The line that draws a channel. */

@@ -1,6 +1,6 @@
 /**
  * The curve editor's coordinates. Everything on screen is in CSS pixels from the plot's top left corner, everything in
- * the document in seconds of the clip and model units (radians, lengths, weights).
+ * the document in seconds of the clip and model units (radians, lengths, factors, weights).
  *
  *      x = 0                                  width
  *      ┌──────────── time ruler ────────────────┐ y = 0
@@ -12,15 +12,16 @@
  *
  *      clip's time = transport's time + offsetSeconds
  *
- * Angles, lengths and weights have an axis each: three metres and three radians are not the same height. All axes are
- * zoomed and moved together on screen, so that no curve slides over another by that. Normalised lines share a fourth
- * axis, in which each line's own smallest key is −1 and its largest is 1.
+ * Angles, lengths, factors and weights have an axis each: three metres and three radians are not the same height. All
+ * axes are zoomed and moved together on screen, so that no curve slides over another by that. Normalised lines share a
+ * fifth axis, in which each line's own smallest key is −1 and its largest is 1.
  */
+import { DOF_UNITS } from '../../model/skeleton.ts';
 import { type TimeWindow, zoomWindow } from '../time-window.ts';
 import { TIME_RULER_HEIGHT } from '../timeline/time-ruler.ts';
 
-/** `angle`, `length` and `weight` are the units of DOFs (model/skeleton.ts). */
-export const AXES = ['angle', 'length', 'weight', 'normalised'] as const;
+/** The units of DOFs, and what normalised lines share. */
+export const AXES = [...DOF_UNITS, 'normalised'] as const;
 export type AxisName = (typeof AXES)[number];
 
 /** What an axis shows from bottom to top, in model units; `high` is above `low`. */
@@ -56,6 +57,7 @@ export const PLOT_TOP: number = TIME_RULER_HEIGHT;
 export const DEFAULT_AXES: CurveSpace['axes'] = {
   angle: { low: -Math.PI / 2, high: Math.PI / 2 },
   length: { low: -1, high: 1 },
+  factor: { low: -0.2, high: 2.2 },
   weight: { low: -0.1, high: 1.1 },
   normalised: { low: -1.15, high: 1.15 },
 };
@@ -143,6 +145,7 @@ function mapAxes(axes: CurveSpace['axes'], change: (axis: ValueAxis) => ValueAxi
   return {
     angle: change(axes.angle),
     length: change(axes.length),
+    factor: change(axes.factor),
     weight: change(axes.weight),
     normalised: change(axes.normalised),
   };

@@ -7,13 +7,13 @@ import type { ScaleKeys } from '../../edit/commands/keys.ts';
 import type { Character } from '../../model/document.ts';
 import { unitOfChannel } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
-import type { DofUnit } from '../../model/skeleton.ts';
+import { DOF_UNITS, type DofUnit } from '../../model/skeleton.ts';
 import { shownPerUnit } from '../angles.ts';
 import type { Settings } from '../settings.ts';
 import { dofsFor } from '../timeline/channels.ts';
 import type { Answers } from './tool-dialog.ts';
 
-export const UNITS: readonly DofUnit[] = ['angle', 'length', 'weight'];
+export const UNITS: readonly DofUnit[] = DOF_UNITS;
 
 /** The units that occur among a character's channels: what a dialog has to ask for. In the order of `UNITS`. */
 export function unitsOf(character: Character, channels: readonly number[]): DofUnit[] {

@@ -43,12 +43,25 @@ export interface ToolDialog<A> {
   /** What the tool does, in a sentence. */
   readonly about: string;
   readonly asked: readonly Asked[];
-  readonly command: Command<A, Edit>;
+  readonly command: Command<A, Document | Edit>;
   args(answers: Answers): A;
+  /**
+   * The command a little at a time, where it takes longer than a moment: pauses with the part that is done, and ends
+   * with the change and what it came to. Another answer, or closing, stops it.
+   */
+  steps?(base: Document, args: A): Generator<number, Stepped>;
   /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. `after` is the document as it would be. */
   result(args: A, after: Document): string;
 }
 
+/** A change that was made step by step, and what it came to, in sentences. */
+export interface Stepped {
+  readonly change: Document | Edit;
+  readonly text: string;
+}
+
+/** What steps may take of a frame. */
+const SLICE_MS = 12;
 /** Typing is answered at most so often. */
 const PREVIEW_MS = 120;
 
@@ -71,7 +84,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     choice: (name) => fields.get(name)?.value ?? '',
   };
   const name = tool.title.replace('…', '');
-  const command = aboutKeysInHand(wb, tool.command);
+  const command = aboutKeysInHand(wb, asEdit(tool.command));
   const trial = new Trial(store, name, () => {
     wb.messages.note(`${name} was not applied: something else has changed meanwhile.`, 'warning');
     unsubscribe();
@@ -79,26 +92,57 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   });
   // The first document is what is measured against, whatever is previewed.
   const { base } = trial;
+  /** Counts what was asked: steps of an older question stop. */
+  let asked = 0;
+  const refuse = (error: unknown) => {
+    if (!(error instanceof CommandError)) throw error;
+    trial.show(base);
+    setText(result, error.message);
+    result.classList.add('wrong');
+    apply.disabled = true;
+  };
+  const goOn = (steps: Generator<number, Stepped>, mine: number) => {
+    if (trial.over || mine !== asked) return;
+    const until = performance.now() + SLICE_MS;
+    try {
+      let step = steps.next();
+      while (!step.done && performance.now() < until) step = steps.next();
+      if (!step.done) {
+        setText(result, `Working … ${Math.floor(100 * step.value)} %`);
+        setTimeout(() => goOn(steps, mine));
+        return;
+      }
+      trial.show(step.value.change);
+      setText(result, step.value.text);
+      apply.disabled = store.document === base;
+    } catch (error) {
+      refuse(error);
+    }
+  };
   const preview = () => {
     if (trial.over) return;
     try {
       const args = tool.args(answers);
+      if (tool.steps) {
+        apply.disabled = true;
+        result.classList.remove('wrong');
+        goOn(tool.steps(base, args), ++asked);
+        return;
+      }
       const edit = command.run(base, args);
       trial.show(edit);
       setText(result, tool.result(args, edit.document));
       result.classList.remove('wrong');
       apply.disabled = store.document === base;
     } catch (error) {
-      if (!(error instanceof CommandError)) throw error;
-      trial.show(base);
-      setText(result, error.message);
-      result.classList.add('wrong');
-      apply.disabled = true;
+      asked++;
+      refuse(error);
     }
   };
   const end = (keep: boolean) => {
     if (trial.over) return;
-    if (keep) preview();
+    // What took steps is there; it could not have been applied before it was.
+    if (keep && !tool.steps) preview();
     unsubscribe();
     if (keep) trial.keep();
     else trial.putBack();
@@ -107,7 +151,11 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     if (shown !== tool.name) end(false);
   });
   const soon = atMostEvery(PREVIEW_MS, preview);
-  body.addEventListener('input', soon);
+  body.addEventListener('input', () => {
+    // Not what was asked before.
+    if (tool.steps) apply.disabled = true;
+    soon();
+  });
   body.addEventListener('submit', (event) => {
     event.preventDefault();
     if (apply.disabled) return;
@@ -117,6 +165,17 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   cancel.addEventListener('click', close);
   preview();
   return { title: tool.title, body, kind: 'tool-dialog' };
+}
+
+/** A command that says nothing of keys selects none. */
+function asEdit<A>(command: Command<A, Document | Edit>): Command<A, Edit> {
+  return {
+    ...command,
+    run(document, args) {
+      const change = command.run(document, args);
+      return 'document' in change ? change : { document: change, keys: [] };
+    },
+  };
 }
 
 function fieldOf(asked: Asked, fields: Map<string, HTMLInputElement | HTMLSelectElement>): HTMLElement {

@@ -30,10 +30,11 @@ import {
 import { changesBeyond } from './tool-changes.ts';
 import { type Asked, toolDialog } from './tool-dialog.ts';
 
-/** What is hardly seen: half a degree, a hundredth of a length, half a per cent of a morph. In what is shown. */
+/** What is hardly seen: half a degree, a hundredth of a length, half a per cent of a scale or morph. In what is shown. */
 const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> = {
   angle: ['Angles within', 0.5, 0.01],
   length: ['Lengths within', 0.01, 0.01],
+  factor: ['Factors within', 0.005, 0.005],
   weight: ['Weights within', 0.005, 0.005],
 };
 
@@ -115,7 +116,7 @@ export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
       keys.map((k) => k.channel),
     );
     const pivots = found.map((unit): Asked => {
-      const what = { angle: 'Angles about', length: 'Lengths about', weight: 'Weights about' }[unit];
+      const what = `${{ angle: 'Angles', length: 'Lengths', factor: 'Factors', weight: 'Weights' }[unit]} about`;
       return { kind: 'number', name: unit, label: what, value: 0, unit: unitText(unit, angles).trim() };
     });
     return toolDialog(wb, close, {

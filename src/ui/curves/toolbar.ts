@@ -11,7 +11,7 @@ import { type MenuEntry, menuButton } from '../menu.ts';
 import { HANDLE_MODES, type HandleMode } from '../timeline/timeline.ts';
 import { keepTooltip } from '../tooltips.ts';
 import type { Workbench } from '../workbench.ts';
-import { CURVE_TOOLS, entriesOf } from './context-menu.ts';
+import { CURVE_TOOLS, entriesOf, SAMPLE_TOOLS } from './context-menu.ts';
 import { keyFields } from './key-fields.ts';
 
 const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
@@ -116,7 +116,12 @@ export function curveToolbar(wb: Workbench): HTMLElement {
         { kind: 'menu', label: 'Before the keys', entries: () => entriesOf(wb, extrapolation('in')()) },
         { kind: 'menu', label: 'After the keys', entries: () => entriesOf(wb, extrapolation('out')()) },
       ]),
-      menu('Tools for whole curves', 'curveTools', () => entriesOf(wb, CURVE_TOOLS)),
+      menu('Tools for whole curves', 'curveTools', () => [
+        ...entriesOf(wb, CURVE_TOOLS),
+        { kind: 'line' },
+        { kind: 'note', text: 'Samples' },
+        ...entriesOf(wb, SAMPLE_TOOLS),
+      ]),
     ),
     group(
       'View',

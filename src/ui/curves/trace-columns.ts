@@ -91,6 +91,23 @@ export class TracedColumns {
     }
   }
 
+  /**
+   * Adds a stretch of time whose columns someone else fills, by `include`.
+   * @returns the first of them and the one after the last; undefined where the stretch is out of sight
+   */
+  solid(map: TraceMap, from: number, to: number, perPixel: number): readonly [number, number] | undefined {
+    const range = this.columnsOf(map, from, to, perPixel);
+    if (range) this.mark(range[0], range[1], SOLID_COLUMN);
+    return range;
+  }
+
+  /** What a column reaches from and to, CSS pixels; beside what it has. */
+  include(column: number, top: number, bottom: number): void {
+    const { tops, bottoms } = this;
+    if (top < tops[column]) tops[column] = top;
+    if (bottom > bottoms[column]) bottoms[column] = bottom;
+  }
+
   /** The columns of a stretch of time, with room made for them. */
   private columnsOf(map: TraceMap, from: number, to: number, perPixel: number): [number, number] | undefined {
     const count = Math.ceil(map.width * perPixel);
@@ -124,12 +141,6 @@ export class TracedColumns {
     const had = this.from < this.to;
     this.from = had ? Math.min(this.from, begin) : begin;
     this.to = had ? Math.max(this.to, end) : end;
-  }
-
-  private include(column: number, top: number, bottom: number): void {
-    const { tops, bottoms } = this;
-    if (top < tops[column]) tops[column] = top;
-    if (bottom > bottoms[column]) bottoms[column] = bottom;
   }
 
   /** The value at each edge of columns `begin` … `end`, in the columns on both sides of it. @param key at `from` */

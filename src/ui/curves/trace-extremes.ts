@@ -11,6 +11,7 @@ import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
+import { extremesOver } from './sample-extremes.ts';
 
 const BLOCK = 16;
 const CYCLE = EXTRAPOLATIONS.indexOf('cycle');
@@ -109,7 +110,7 @@ function cubicExtremes(cubics: Float64Array, o: number, from: number, to: number
   }
 }
 
-/** Asks one channel at a time; meant to be kept and opened again for the next. */
+/** Asks one channel at a time, of keys or of samples; meant to be kept and opened again for the next. */
 export class ChannelExtremes {
   /** Of the last stretch that was asked for. */
   low = 0;
@@ -156,6 +157,11 @@ export class ChannelExtremes {
     this.low = Number.POSITIVE_INFINITY;
     this.high = Number.NEGATIVE_INFINITY;
     if (!this.curves) return;
+    const { samples, columns } = this.curves;
+    if (samples && columns[this.index] >= 0) {
+      ({ low: this.low, high: this.high } = extremesOver(samples, columns[this.index], from, to));
+      return;
+    }
     const start = this.times[this.first];
     const stop = this.times[this.last];
     if (this.last <= this.first || !(stop > start)) {

@@ -10,6 +10,9 @@
  */
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 
+/** Cubics and the times that they begin at: what of a compiled clip is drawn. */
+export type Spans = Pick<CompiledClip, 'times' | 'cubics'>;
+
 /** What a point of a path is for: two coordinates each, a curve six. */
 export const MOVE = 0;
 export const LINE = 1;
@@ -95,7 +98,7 @@ export function heightOf(map: TraceMap, value: number): number {
 
 /** Draws cubics of one compiled clip into paths; kept and set up again for the next. */
 export class SpanTracer {
-  private curves: CompiledClip | undefined;
+  private curves: Spans | undefined;
   private map: TraceMap | undefined;
   private path = new TracedPath();
   /** Where values are cut off. */
@@ -104,7 +107,7 @@ export class SpanTracer {
   /** Of the values: drift from period to period, less the value at the bottom. */
   private add = 0;
 
-  open(curves: CompiledClip, map: TraceMap, path: TracedPath): void {
+  open(curves: Spans, map: TraceMap, path: TracedPath): void {
     this.curves = curves;
     this.map = map;
     this.path = path;

@@ -11,10 +11,12 @@
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
+import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import type { CurveScene } from './scene.ts';
 import { type OnAxis, PLOT_TOP, pixelsPerSecond, pixelsPerUnit, valueAt } from './space.ts';
 import { TracedColumns } from './trace-columns.ts';
 import { FAR_PIXELS, heightOf, SpanTracer, TracedPath, type TraceMap } from './trace-path.ts';
+import { traceSampleColumns, traceSamplePath } from './trace-samples.ts';
 
 /** Dots of what is extrapolated: pixels from one to the next. They stand still beside the curve as the view moves. */
 export const DOT_PERIOD = 5;
@@ -87,6 +89,10 @@ export function traceLine(
   const right = map.left + map.width / map.perSecond;
   const first = curves.firstKey[index];
   const last = curves.firstKey[index + 1] - 1;
+  if (curves.samples && curves.columns[index] >= 0) {
+    sampled(curves.samples, curves.columns[index], map, columnsPerPixel, out);
+    return;
+  }
   if (channel.times.length === 0) {
     const beside = BESIDE_PIXELS / map.perSecond;
     straight(map, map.left - beside, right + beside, 0, channel.rest ?? 0, 0, out.dotted);
@@ -97,6 +103,24 @@ export function traceLine(
   if (map.left < start) outside(curves, index, channel, map, 0, columnsPerPixel, out);
   if (stop > start && map.left < stop && right > start) inside(curves, index, channel, map, columnsPerPixel, out);
   if (right > stop) outside(curves, index, channel, map, 1, columnsPerPixel, out);
+}
+
+/** The column of a channel that follows the samples. */
+function sampled(samples: Samples, column: number, map: TraceMap, columnsPerPixel: number, out: LineTrace): void {
+  const { values, scales, frameCount, frameSeconds } = samples;
+  const [start, stop] = rangeOfSamples(samples);
+  const beside = BESIDE_PIXELS / map.perSecond;
+  const left = map.left - beside;
+  const right = map.left + map.width / map.perSecond + beside;
+  const held = (frame: number) => values[frame * scales.length + column] * scales[column];
+  if (left < start) straight(map, left, Math.min(start, right), start, held(0), 0, out.dotted);
+  if (right > stop) straight(map, Math.max(stop, left), right, stop, held(frameCount - 1), 0, out.dotted);
+  const from = Math.max(start, left);
+  const to = Math.min(stop, right);
+  if (!(to > from)) return;
+  if (isDense((to - from) / frameSeconds, (to - from) * map.perSecond)) {
+    traceSampleColumns(samples, column, map, from, to, columnsPerPixel, out.columns);
+  } else traceSamplePath(samples, column, map, from, to, out.solid);
 }
 
 function inside(

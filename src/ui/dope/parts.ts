@@ -22,6 +22,8 @@ export interface DopeColours extends TimeColours {
 /** Pixels of marks beyond both edges: of keys that lie just outside half of the diamond is in view. */
 export const PAD = 8;
 const HELD_HEIGHT = 4;
+const SAMPLED_HEIGHT = 6;
+const SAMPLED_OPACITY = 0.35;
 
 export function drawGround(
   g: CanvasRenderingContext2D,
@@ -68,6 +70,24 @@ export function drawHeld(
     g.fillRect(pixel - PAD + 0.5, y - HELD_HEIGHT / 2, to - pixel, HELD_HEIGHT);
     pixel = to;
   }
+}
+
+/** A quiet bar from the first frame to the last one, where a row has channels that follow samples. */
+export function drawSampled(
+  g: CanvasRenderingContext2D,
+  sheet: Sheet,
+  from: number,
+  to: number,
+  y: number,
+  colours: DopeColours,
+): void {
+  const left = Math.max(-1, Math.round(xOf(sheet, from)));
+  const right = Math.min(sheet.width + 1, Math.max(left + 1, Math.round(xOf(sheet, to))));
+  if (!(right > left)) return;
+  g.fillStyle = colours.band;
+  g.globalAlpha = SAMPLED_OPACITY;
+  g.fillRect(left, y - SAMPLED_HEIGHT / 2, right - left, SAMPLED_HEIGHT);
+  g.globalAlpha = 1;
 }
 
 /** What is selected, from its first key to its last, with grips at both ends. */

@@ -2,6 +2,7 @@
  * Draws the dope sheet on two canvases: what changes with edits and looking around below, and what follows the clock
  * and the pointer (playhead, box, readout) above, so that playing redraws a line and nothing else.
  */
+import { rangeOfSamples } from '../../model/samples.ts';
 import { element } from '../dom.ts';
 import {
   drawOutsideRange,
@@ -13,7 +14,17 @@ import {
 } from '../timeline/time-ruler.ts';
 import { type DiamondSize, Diamonds } from './diamonds.ts';
 import { markKeys, markMoves, PLAIN, SELECTED } from './marks.ts';
-import { type DopeColours, drawBox, drawGround, drawHeld, drawReadout, drawStrip, PAD, readColours } from './parts.ts';
+import {
+  type DopeColours,
+  drawBox,
+  drawGround,
+  drawHeld,
+  drawReadout,
+  drawSampled,
+  drawStrip,
+  PAD,
+  readColours,
+} from './parts.ts';
 import { runsOf } from './runs.ts';
 import type { DopeOverlay, DopeScene } from './scene.ts';
 import { HEAD, rowsInView, rowsTop, rowTop, type Sheet, secondsPerPixel } from './sheet.ts';
@@ -130,6 +141,10 @@ export class DopePicture {
     const pixel = secondsPerPixel(sheet);
     const span = { from: sheet.window.from + offsetSeconds - PAD * pixel, secondsPerPixel: pixel };
     const y = rowTop(sheet, row) + sheet.rowHeight / 2;
+    if (curves.samples && of.some((channel) => curves.columns[channel] >= 0)) {
+      const [from, to] = rangeOfSamples(curves.samples);
+      drawSampled(g, sheet, from - offsetSeconds, to - offsetSeconds, y, colours);
+    }
     const ends = markMoves(curves, of, span, moves);
     if (ends) drawHeld(g, moves, ends, y, colours);
     markKeys(channels, of, selected, span, marks);

@@ -11,7 +11,7 @@
  * A row is a list of channels; all that is drawn, hit or selected in it follows from that. Joints stand in one flat
  * list and not in a tree: one looks for *when* here, and a hand would be ten folds away.
  */
-import type { Channel, ChannelClip } from '../../model/clip.ts';
+import { type ChannelClip, isSampled } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, rootDofCount } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
@@ -46,7 +46,7 @@ export interface DopeRow {
 export interface RowOptions {
   /** See `TimelineView.unfolded`. */
   readonly unfolded: readonly number[];
-  /** Also rows without a single key. */
+  /** Also rows without a single key or sample. */
   readonly all: boolean;
   /** Part of a joint's, a morph's or a channel's name ("rx", "hand rx"); all where it is empty. */
   readonly filter: string;
@@ -71,7 +71,7 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
   const rows: DopeRow[] = [];
   const listed: number[] = [];
   for (const group of groupsOf(character, dofs, channels.length)) {
-    const within = channelRows(group, dofs, channels, options.all);
+    const within = channelRows(group, dofs, clip, options.all);
     const matching = words.length
       ? within.filter((row) => {
           const name = `${group.label} ${row.label}`.toLowerCase();
@@ -93,7 +93,7 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
   return [summary, ...rows];
 }
 
-/** The channels with keys that the rows would be made of, ascending. */
+/** The channels with keys or samples that the rows would be made of, ascending. */
 export function keyedChannels(character: Character, filter: string): number[] {
   const clip = shownClip(character);
   if (!clip) return [];
@@ -104,7 +104,8 @@ export function keyedChannels(character: Character, filter: string): number[] {
 export function sameRows(a: ChannelClip, b: ChannelClip): boolean {
   if (a === b) return true;
   if (a.channels.length !== b.channels.length) return false;
-  return a.channels.every((c, i) => c === b.channels[i] || hasKeys(c) === hasKeys(b.channels[i]));
+  const sameSamples = a.samples?.firstChannel === b.samples?.firstChannel && widthOf(a) === widthOf(b);
+  return a.channels.every((c, i) => (sameSamples && c === b.channels[i]) || isAnimated(a, i) === isAnimated(b, i));
 }
 
 /** Every fold that a character with such a clip has. */
@@ -149,12 +150,12 @@ function jointName(character: Character, joint: number): string {
 function channelRows(
   { kind, first, count, joint }: Group,
   dofs: readonly CharacterDof[],
-  channels: readonly Channel[],
+  clip: ChannelClip,
   all: boolean,
 ): DopeRow[] {
   const rows: DopeRow[] = [];
   for (let c = first; c < first + count; c++) {
-    if (!all && !hasKeys(channels[c])) continue;
+    if (!all && !isAnimated(clip, c)) continue;
     const dof = kind === 'others' ? undefined : dofs[c];
     const label = dof ? dof.name : `channel ${c}`;
     const row: DopeRow = { key: `channel/${c}`, kind: 'channel', label, depth: 1, channels: [c], expanded: false };
@@ -163,6 +164,10 @@ function channelRows(
   return rows;
 }
 
-function hasKeys({ times }: Channel): boolean {
-  return times.length > 0;
+function isAnimated(clip: ChannelClip, channel: number): boolean {
+  return clip.channels[channel].times.length > 0 || isSampled(clip, channel);
+}
+
+function widthOf({ samples }: ChannelClip): number {
+  return samples?.scales.length ?? 0;
 }

@@ -10,7 +10,7 @@ export const SPACE: CurveSpace = {
   width: 400,
   height: 222,
   window: { from: 0, to: 4 },
-  axes: { angle: axis, length: axis, weight: axis, normalised: axis },
+  axes: { angle: axis, length: axis, factor: axis, weight: axis, normalised: axis },
 };
 
 /** Keys as `[time, value]`, with the slope given on both sides. */

@@ -1,0 +1,182 @@
+/**
+ * What is done to the samples of the take that a character shows: cutting, another rate, backwards, smoothed, and made
+ * into keys. Seconds are the clip's. Where nothing changes the document is the very same, and no step is made.
+ */
+import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import { type Document, shownClip } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import { finiteNumber, oneOf } from '../arguments.ts';
+import { checkedChannels, clipOf } from '../channel-edits.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
+import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';
+import { resampled } from '../samples/resample.ts';
+import { reversed } from '../samples/reverse.ts';
+import { jointRotations } from '../samples/rotations.ts';
+import { smoothed } from '../samples/smooth.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+import { uniqueTakeName, withTake } from '../takes.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
+
+interface OfSamples {
+  readonly characterId: string;
+}
+
+export interface CropSamples extends OfSamples {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Frames from one time to another stay, both included, and are what is played; keys stay all. */
+export const cropSamples: Command<CropSamples> = {
+  id: 'samples.crop',
+  label: (document, args) => `Crop ${nameOf(document, args)}`,
+  run(document, args) {
+    const from = finiteNumber(args.from, '"from"');
+    const to = finiteNumber(args.to, '"to"');
+    if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
+    return changed(document, args, (clip) => cropped(clip, from, to));
+  },
+};
+
+export interface TrimSamples extends OfSamples {
+  /** Which end goes: what lies before the time, or after it. */
+  readonly side: 'start' | 'end';
+  readonly timeSeconds: number;
+}
+
+/** One end goes, up to a time; the frame there stays. */
+export const trimSamples: Command<TrimSamples> = {
+  id: 'samples.trim',
+  label: (document, args) => `Trim the ${args.side} of ${nameOf(document, args)}`,
+  run(document, args) {
+    const side = oneOf<TrimSamples['side']>(args.side, ['start', 'end'], '"side"');
+    const seconds = finiteNumber(args.timeSeconds, '"timeSeconds"');
+    return changed(document, args, (clip) => trimmed(clip, side, seconds));
+  },
+};
+
+export interface SplitSamples extends OfSamples {
+  readonly timeSeconds: number;
+}
+
+/** Two takes: the one that is shown ends before the time, one more begins there and is shown then. */
+export const splitSamples: Command<SplitSamples> = {
+  id: 'samples.split',
+  label: (document, args) => `Split ${nameOf(document, args)}`,
+  run: (document, { characterId, timeSeconds }) =>
+    changeCharacter(document, characterId, (character) => {
+      const clip = clipOf(document, characterId);
+      const [before, after] = splitAt(clip, finiteNumber(timeSeconds, '"timeSeconds"'));
+      const named = { ...after, name: uniqueTakeName(character, clip.name) };
+      const clips = withTake(character, character.shownClip, before).clips;
+      return { ...withoutUnkeyed(character), clips: [...clips, named], shownClip: clips.length };
+    }),
+};
+
+export interface ResampleSamples extends OfSamples {
+  readonly framesPerSecond: number;
+}
+
+/** Another frame rate; see `samples/resample.ts`. Keys stay. */
+export const resampleSamples: Command<ResampleSamples> = {
+  id: 'samples.resample',
+  label: (document, args) => `Resample ${nameOf(document, args)}`,
+  run(document, args) {
+    const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
+    if (!(rate > 0)) throw new CommandError(`A frame rate is more than 0; ${rate} was given.`);
+    const character = requireCharacter(document, args.characterId);
+    return changed(document, args, (clip) => resampled(character, clip, rate));
+  },
+};
+
+/** Backwards, keys too. */
+export const reverseSamples: Command<OfSamples> = {
+  id: 'samples.reverse',
+  label: (document, args) => `Reverse ${nameOf(document, args)}`,
+  run: (document, args) => changed(document, args, reversed),
+};
+
+export interface SmoothSamples extends OfSamples {
+  /** All that follow the samples, where absent. */
+  readonly channels?: readonly number[] | undefined;
+  /** σ of the Gaussian, seconds; above 0. See `samples/smooth.ts`. */
+  readonly sigmaSeconds: number;
+}
+
+export const smoothSamples: Command<SmoothSamples> = {
+  id: 'samples.smooth',
+  label: (document, args) => `Smooth ${nameOf(document, args)}`,
+  run(document, args) {
+    const sigma = finiteNumber(args.sigmaSeconds, '"sigmaSeconds"');
+    if (!(sigma > 0)) throw new CommandError(`The width of a filter is more than 0; ${sigma} was given.`);
+    const { skeleton, morphs } = requireCharacter(document, args.characterId);
+    return changed(document, args, (clip) =>
+      smoothed(
+        clip,
+        characterDofs(skeleton, morphs),
+        skeleton ? jointRotations(skeleton) : [],
+        sampledChannels(clip, args.channels),
+        sigma,
+      ),
+    );
+  },
+};
+
+export interface ConvertToKeys extends OfSamples {
+  /** All that follow the samples, where absent; those that don't are passed over. */
+  readonly channels?: readonly number[] | undefined;
+  readonly tolerance: Tolerance;
+}
+
+/** Keys in place of samples; see `samples/convert.ts`. Nothing is selected after it. */
+export const convertToKeys: Command<ConvertToKeys, Edit> = {
+  id: 'samples.convertToKeys',
+  label: (document, args) => `Convert ${nameOf(document, args)} to keys`,
+  run(document, args) {
+    const steps = convertSteps(document, args);
+    let step = steps.next();
+    while (!step.done) step = steps.next();
+    return step.value.edit;
+  },
+};
+
+/** What the conversion came to, with the document as it is after it. */
+export interface Conversion {
+  readonly edit: Edit;
+  readonly report: Converted;
+}
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* convertSteps(document: Document, args: ConvertToKeys): Generator<number, Conversion> {
+  const { characterId, tolerance } = args;
+  const character = requireCharacter(document, characterId);
+  const clip = clipOf(document, characterId);
+  // Beyond its type on purpose: a console gives what it likes.
+  const given: { position?: unknown; angle?: unknown } = tolerance ?? {};
+  const position = finiteNumber(given.position, 'The tolerance of positions');
+  const angle = finiteNumber(given.angle, 'The tolerance of angles');
+  if (!(position > 0 && angle > 0)) {
+    throw new CommandError(`A tolerance has to be more than 0; ${Math.min(position, angle)} was given.`);
+  }
+  requireSamples(clip);
+  const report = yield* converting(character, clip, sampledChannels(clip, args.channels), { position, angle });
+  return { edit: { document: changed(document, args, () => report.clip), keys: [] }, report };
+}
+
+/** Those of the given channels that follow the samples, or all that do. */
+function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefined): readonly number[] {
+  const given = channels === undefined ? [...clip.channels.keys()] : checkedChannels(clip, channels);
+  const sampled = given.filter((channel) => isSampled(clip, channel));
+  if (sampled.length > 0) return sampled;
+  throw new CommandError(`${channels ? 'None of these curves' : 'Nothing in this take'} follows samples.`);
+}
+
+function changed(document: Document, { characterId }: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {
+  const clip = change(clipOf(document, characterId));
+  return changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, clip));
+}
+
+function nameOf(document: Document, { characterId }: OfSamples): string {
+  return shownClip(requireCharacter(document, characterId))?.name ?? 'take';
+}

@@ -1,0 +1,90 @@
+/**
+ * Keys for one sampled channel, within a tolerance: the method of *simplify* (`channels/simplify.ts`, `channels/fit.ts`)
+ * on a smooth curve through the frames. A curve that stays within the tolerance of one value gets a single key.
+ *
+ * Long takes are fitted piece by piece, with a key where two pieces meet and the frames' own slope on both of its sides,
+ * so that the curve is smooth there too: a key in two thousand frames more, and somebody may look up between pieces.
+ */
+import { type Channel, FIXED, SMOOTH } from '../../model/clip.ts';
+import { simplifyChannel } from '../channels/simplify.ts';
+
+const PIECE_FRAMES = 2048;
+
+/**
+ * Pauses after each piece.
+ * @param times of the frames, ascending
+ * @param tolerance in the channel's own unit, above 0
+ */
+export function* fittingFrames(times: Float64Array, values: Float64Array, tolerance: number): Generator<void, Channel> {
+  const still = stillAt(times, values, tolerance);
+  if (still) return still;
+  const pieces: Channel[] = [];
+  const last = times.length - 1;
+  for (let from = 0; from < last; from += PIECE_FRAMES) {
+    const to = Math.min(last, from + PIECE_FRAMES);
+    pieces.push(simplifyChannel(piece(times, values, from, to), tolerance).channel);
+    yield;
+  }
+  return joined(pieces);
+}
+
+/** One key, where that is enough. */
+function stillAt(times: Float64Array, values: Float64Array, tolerance: number): Channel | undefined {
+  let low = values[0];
+  let high = values[0];
+  for (const value of values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (!(high - low <= 2 * tolerance)) return undefined;
+  return smoothChannel(times.slice(0, 1), Float64Array.of(high === low ? low : low + (high - low) / 2));
+}
+
+/** Frames `from` to `to` as keys, with fixed slopes at those of its ends that are not the take's. */
+function piece(times: Float64Array, values: Float64Array, from: number, to: number): Channel {
+  const channel = smoothChannel(times.slice(from, to + 1), values.slice(from, to + 1));
+  const fix = (side: Channel['tangentsIn'], key: number, frame: number) => {
+    side.kinds[key] = FIXED;
+    side.slopes[key] = (values[frame + 1] - values[frame - 1]) / (times[frame + 1] - times[frame - 1]);
+  };
+  if (from > 0) fix(channel.tangentsOut, 0, from);
+  if (to < times.length - 1) fix(channel.tangentsIn, to - from, to);
+  return channel;
+}
+
+function smoothChannel(times: Float64Array, values: Float64Array): Channel {
+  const side = () => ({ kinds: new Uint8Array(times.length).fill(SMOOTH), slopes: new Float64Array(times.length) });
+  return {
+    extrapolateIn: 'constant',
+    extrapolateOut: 'constant',
+    times,
+    values,
+    tangentsIn: side(),
+    tangentsOut: side(),
+  };
+}
+
+/** Pieces in a row, of which each ends with the key that the next one begins with. */
+function joined(pieces: readonly Channel[]): Channel {
+  if (pieces.length === 1) return pieces[0];
+  const count = pieces.reduce((sum, { times }) => sum + times.length - 1, 1);
+  const whole = smoothChannel(new Float64Array(count), new Float64Array(count));
+  let at = 0;
+  for (const { times, values, tangentsIn, tangentsOut } of pieces) {
+    const first = at > 0 ? 1 : 0;
+    const to = at - 1 + (first === 0 ? 1 : 0);
+    if (first) {
+      // The key that is there already takes the way out of this piece.
+      whole.tangentsOut.kinds[at - 1] = tangentsOut.kinds[0];
+      whole.tangentsOut.slopes[at - 1] = tangentsOut.slopes[0];
+    }
+    whole.times.set(times.subarray(first), to + first);
+    whole.values.set(values.subarray(first), to + first);
+    whole.tangentsIn.kinds.set(tangentsIn.kinds.subarray(first), to + first);
+    whole.tangentsIn.slopes.set(tangentsIn.slopes.subarray(first), to + first);
+    whole.tangentsOut.kinds.set(tangentsOut.kinds.subarray(first), to + first);
+    whole.tangentsOut.slopes.set(tangentsOut.slopes.subarray(first), to + first);
+    at += times.length - first;
+  }
+  return whole;
+}

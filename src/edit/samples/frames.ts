@@ -1,0 +1,78 @@
+/**
+ * Which frames of a take lie where in time, and takes of some of them: what trimming, cropping and splitting have in
+ * common. Frames keep their times. The rows that stay are copied, for a view of them would hold on to those that went.
+ */
+import type { ChannelClip } from '../../model/clip.ts';
+import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { CommandError } from '../store.ts';
+
+/** Nearer to a frame than this part of one is that frame. */
+const SAME_FRAME = 1e-4;
+
+/** The samples of a take; refuses where it has none. */
+export function requireSamples(clip: ChannelClip): Samples {
+  if (clip.samples) return clip.samples;
+  throw new CommandError(`${clip.name} has no samples: all that moves in it has keys.`);
+}
+
+/** The first frame at a time or after it, from 0 up to and with the count of frames. */
+export function firstFrameFrom({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
+  const frame = Math.ceil((seconds - startSeconds) / frameSeconds - SAME_FRAME);
+  return Math.min(frameCount, Math.max(0, frame));
+}
+
+/** Frames `first` up to (not including) `end`; the very same samples where that is all of them. */
+export function framesBetween(samples: Samples, first: number, end: number): Samples {
+  const { frameCount, frameSeconds, startSeconds, values, scales } = samples;
+  if (first === 0 && end === frameCount) return samples;
+  return {
+    ...samples,
+    frameCount: end - first,
+    startSeconds: startSeconds + first * frameSeconds,
+    values: values.slice(first * scales.length, end * scales.length),
+  };
+}
+
+/**
+ * The take with the frames from one time to another, both included, and nothing else played; keys stay. The very same
+ * where nothing goes. Refuses where no frame lies there.
+ */
+export function cropped(clip: ChannelClip, from: number, to: number): ChannelClip {
+  const samples = requireSamples(clip);
+  const first = firstFrameFrom(samples, from);
+  const end = lastFrameTo(samples, to) + 1;
+  if (first >= end) {
+    const [start, stop] = rangeOfSamples(samples).map((seconds) => Number(seconds.toFixed(6)));
+    throw new CommandError(`No frame lies there: the samples go from ${start} s to ${stop} s of the take.`);
+  }
+  const kept = framesBetween(samples, first, end);
+  const range = rangeOfSamples(kept);
+  if (kept === samples && range[0] === clip.range[0] && range[1] === clip.range[1]) return clip;
+  return { ...clip, range, samples: kept };
+}
+
+function lastFrameTo({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
+  const frame = Math.floor((seconds - startSeconds) / frameSeconds + SAME_FRAME);
+  return Math.min(frameCount - 1, Math.max(-1, frame));
+}
+
+/** Without the frames before a time, or after it; the frame there stays. */
+export function trimmed(clip: ChannelClip, side: 'start' | 'end', seconds: number): ChannelClip {
+  const everything = Number.MAX_VALUE;
+  return side === 'start' ? cropped(clip, seconds, everything) : cropped(clip, -everything, seconds);
+}
+
+/**
+ * Two takes: the frames before a time, and those from it on. Keys are in both, for they say what lies between them.
+ * Refuses where one of the two would have no frame.
+ */
+export function split(clip: ChannelClip, seconds: number): readonly [ChannelClip, ChannelClip] {
+  const samples = requireSamples(clip);
+  const at = firstFrameFrom(samples, seconds);
+  if (at === 0 || at === samples.frameCount) {
+    throw new CommandError('There is nothing to split here: all frames are on one side of the playhead.');
+  }
+  const parts = [framesBetween(samples, 0, at), framesBetween(samples, at, samples.frameCount)];
+  const [before, after] = parts.map((part) => ({ ...clip, range: rangeOfSamples(part), samples: part }));
+  return [before, after];
+}

@@ -1,0 +1,92 @@
+/**
+ * How far apart two clips put the joints of one skeleton: the largest distance in world position, and the largest angle
+ * between world rotations, for each joint over all frames.
+ *
+ *     distance     |p − p′| of the joint's origin, and of its End Sites
+ *     angle        2·asin(‖R − R′‖ / 2√2), ‖·‖ the root of the sum of squares
+ *
+ * World means the character's own space, before it is placed, with limits not held.
+ */
+import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import type { Samples } from '../../model/samples.ts';
+import { takeAlone } from './take-alone.ts';
+
+/** By joint. */
+export interface PoseErrors {
+  /** Lengths of the file. */
+  readonly distances: Float64Array;
+  /** Radians. */
+  readonly angles: Float64Array;
+  /** Frames in which those are. */
+  readonly distanceFrames: Int32Array;
+  readonly angleFrames: Int32Array;
+}
+
+/** Frames from one pause to the next. */
+const SLICE_FRAMES = 64;
+
+/** Compares at every frame of the samples; pauses now and then, with the part that is done. */
+export function* measuringPoses(
+  character: Character,
+  before: ChannelClip,
+  after: ChannelClip,
+  { frameCount, startSeconds, frameSeconds }: Samples,
+): Generator<number, PoseErrors> {
+  const { skeleton } = character;
+  const count = dofCountOf(character);
+  const jointCount = skeleton?.joints.length ?? 0;
+  const errors: PoseErrors = {
+    distances: new Float64Array(jointCount),
+    angles: new Float64Array(jointCount),
+    distanceFrames: new Int32Array(jointCount),
+    angleFrames: new Int32Array(jointCount),
+  };
+  if (!skeleton) return errors;
+  const compiled = compileSkeleton(skeleton);
+  const [a, b] = [takeAlone(character, before), takeAlone(character, after)];
+  const dofs = new Float64Array(count);
+  const [worldA, worldB] = [new Float64Array(16 * jointCount), new Float64Array(16 * jointCount)];
+  const sites = skeleton.joints.map(({ endSites = [] }) => endSites);
+  for (let f = 0; f < frameCount; f++) {
+    const time = startSeconds + f * frameSeconds;
+    poseAt(a, time, dofs);
+    worldMatrices(compiled, dofs, worldA);
+    poseAt(b, time, dofs);
+    worldMatrices(compiled, dofs, worldB);
+    for (let j = 0; j < jointCount; j++) {
+      const o = 16 * j;
+      let turn = 0;
+      for (let n = o; n < o + 11; n++) turn += (worldA[n] - worldB[n]) ** 2;
+      let distance = apart(worldA, worldB, o, 0, 0, 0);
+      for (const [x, y, z] of sites[j]) distance = Math.max(distance, apart(worldA, worldB, o, x, y, z));
+      if (distance > errors.distances[j]) {
+        errors.distances[j] = distance;
+        errors.distanceFrames[j] = f;
+      }
+      // Squares, until the end.
+      if (turn > errors.angles[j]) {
+        errors.angles[j] = turn;
+        errors.angleFrames[j] = f;
+      }
+    }
+    if (f % SLICE_FRAMES === SLICE_FRAMES - 1) yield f / frameCount;
+  }
+  for (let j = 0; j < jointCount; j++) {
+    errors.angles[j] = 2 * Math.asin(Math.min(1, Math.sqrt(errors.angles[j] / 8)));
+    errors.distances[j] = Math.sqrt(errors.distances[j]);
+  }
+  return errors;
+}
+
+/** Squared distance between where two matrices put a point. */
+function apart(a: Float64Array, b: Float64Array, o: number, x: number, y: number, z: number): number {
+  let sum = 0;
+  for (let r = o; r < o + 3; r++) {
+    const d = (a[r] - b[r]) * x + (a[r + 4] - b[r + 4]) * y + (a[r + 8] - b[r + 8]) * z + (a[r + 12] - b[r + 12]);
+    sum += d * d;
+  }
+  return sum;
+}

@@ -1,0 +1,46 @@
+/**
+ * Another frame rate: what is played, taken at other times. Between frames that is what the samples say (nearest, linear
+ * or cubic), and joints turn along their way from one rotation to the next, not angle by angle.
+ */
+import { poseAt } from '../../evaluate/pose.ts';
+import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { CommandError } from '../store.ts';
+import { requireSamples } from './frames.ts';
+import { takeAlone } from './take-alone.ts';
+
+const MOST_FRAMES = 1_000_000;
+/** A last frame that is missed by less than this part of one is there. */
+const SAME_FRAME = 1e-4;
+
+/** The clip with samples at this rate, from its first frame on; the very same where they have it. */
+export function resampled(character: Character, clip: ChannelClip, framesPerSecond: number): ChannelClip {
+  const samples = requireSamples(clip);
+  const frameSeconds = 1 / framesPerSecond;
+  if (Math.abs(frameSeconds - samples.frameSeconds) <= 1e-12 * frameSeconds) return clip;
+  const [start, stop] = rangeOfSamples(samples);
+  const frameCount = Math.floor((stop - start) * framesPerSecond + SAME_FRAME) + 1;
+  if (frameCount > MOST_FRAMES) throw new CommandError(`That would be ${frameCount} frames, which is too much.`);
+  const { scales, firstChannel } = samples;
+  const width = scales.length;
+  const values = new Float64Array(frameCount * width);
+  const alone = takeAlone(character, clip);
+  const pose = new Float64Array(Math.max(clip.channels.length, firstChannel + width) + character.pose.length);
+  const driven = Array.from({ length: width }, (_, column) => isSampled(clip, firstChannel + column));
+  for (let f = 0; f < frameCount; f++) {
+    const time = Math.min(stop, start + f * frameSeconds);
+    poseAt(alone, time, pose);
+    for (let column = 0; column < width; column++) {
+      const value = driven[column] ? pose[firstChannel + column] / scales[column] : undriven(samples, column, time);
+      values[f * width + column] = value;
+    }
+  }
+  return { ...clip, samples: { ...samples, frameCount, frameSeconds, values } };
+}
+
+/** What lies beneath a channel that has keys by now: the nearest frame. In file units. */
+function undriven({ values, scales, startSeconds, frameSeconds, frameCount }: Samples, column: number, time: number) {
+  const frame = Math.min(frameCount - 1, Math.max(0, Math.round((time - startSeconds) / frameSeconds)));
+  return values[frame * scales.length + column];
+}

@@ -1,0 +1,34 @@
+/**
+ * A take backwards, frame by frame and key by key, about the middle of its samples: the last frame becomes the first.
+ *
+ *     t  →  start + stop − t
+ */
+import type { Channel, ChannelClip } from '../../model/clip.ts';
+import { rangeOfSamples } from '../../model/samples.ts';
+import { scaleKeys } from '../keys/scale.ts';
+import { requireSamples } from './frames.ts';
+
+export function reversed(clip: ChannelClip): ChannelClip {
+  const samples = requireSamples(clip);
+  const { values, scales, frameCount } = samples;
+  const width = scales.length;
+  const backwards = new Float64Array(values.length);
+  for (let f = 0; f < frameCount; f++) {
+    backwards.set(values.subarray(f * width, (f + 1) * width), (frameCount - 1 - f) * width);
+  }
+  const [start, stop] = rangeOfSamples(samples);
+  const mirror = (seconds: number) => start + stop - seconds;
+  return {
+    ...clip,
+    range: [mirror(clip.range[1]), mirror(clip.range[0])],
+    channels: clip.channels.map((channel) => reversedKeys(channel, (start + stop) / 2)),
+    samples: { ...samples, values: backwards },
+  };
+}
+
+function reversedKeys(channel: Channel, pivotSeconds: number): Channel {
+  if (channel.times.length === 0) return channel;
+  const scaling = { pivotSeconds, timeFactor: -1, pivotValue: 0, valueFactor: 1 };
+  const { channel: turned } = scaleKeys(channel, [...channel.times.keys()], scaling, 'step');
+  return { ...turned, extrapolateIn: channel.extrapolateOut, extrapolateOut: channel.extrapolateIn };
+}

@@ -1,0 +1,163 @@
+/**
+ * Rotations of sampled joints: which angles turn one joint together, angles that don't jump, and quaternions.
+ *
+ *     R = R_i(α) · R_j(β) · R_k(γ)      i j k the axes from left to right, each of x y z once
+ *
+ * The same rotation is (α, β, γ), whole turns more or less, and (α + π, π − β, γ + π). With σ the sign of ijk as a
+ * permutation of xyz, and R's entry [row i][column k]:
+ *
+ *     sin β = σ·R[i][k]      α = atan2(−σ·R[j][k], R[k][k])      γ = atan2(−σ·R[i][j], R[i][i])
+ */
+import { firstDofs } from '../../model/dofs.ts';
+import { dofsOf, type Motion, type Skeleton } from '../../model/skeleton.ts';
+
+/** A joint that turns about three axes. */
+export interface JointRotation {
+  readonly joint: number;
+  /** The channels of α, β, γ. */
+  readonly channels: readonly [number, number, number];
+  /** i, j, k: 0, 1, 2 for x, y, z. */
+  readonly axes: readonly [number, number, number];
+}
+
+/** The joints of a skeleton that turn about three axes by three angles. */
+export function jointRotations(skeleton: Skeleton): JointRotation[] {
+  const starts = firstDofs(skeleton);
+  return skeleton.joints.flatMap(({ motion }, joint) => {
+    const letters = productOf(motion);
+    if (letters?.length !== 3) return [];
+    const names = dofsOf(motion).map((dof) => dof.name);
+    const [a, b, c] = letters.map((letter) => starts[joint] + names.indexOf(`r${letter}`));
+    const [i, j, k] = letters.map((letter) => 'xyz'.indexOf(letter));
+    return [{ joint, channels: [a, b, c], axes: [i, j, k] }];
+  });
+}
+
+/** The axes that a motion turns about, as it multiplies them from the left; undefined where it is no such product. */
+function productOf(motion: Motion): readonly string[] | undefined {
+  switch (motion.kind) {
+    case 'ball':
+    case 'free':
+      // Orders name what is applied first.
+      return [...motion.order].reverse();
+    case 'bvh':
+      return motion.channels.filter((name) => name.startsWith('r')).map((name) => name[1]);
+    case 'compound':
+      if (motion.dofs.some((name) => name.startsWith('s'))) return undefined;
+      return motion.dofs.filter((name) => name.startsWith('r')).map((name) => name[1]);
+    default:
+      return undefined;
+  }
+}
+
+const TURN = 2 * Math.PI;
+
+/** Each angle within half a turn of the one before it, in place. */
+export function unroll(angles: Float64Array): void {
+  for (let f = 1; f < angles.length; f++) angles[f] = near(angles[f], angles[f - 1]);
+}
+
+/** Each triple the form of its rotation that is nearest to the one before it, in place. */
+export function unrollTriples([a, b, c]: readonly [Float64Array, Float64Array, Float64Array]): void {
+  for (let f = 1; f < a.length; f++) {
+    nearestForm(a[f], b[f], c[f], a[f - 1], b[f - 1], c[f - 1]);
+    a[f] = form[0];
+    b[f] = form[1];
+    c[f] = form[2];
+  }
+}
+
+/** What `nearestForm` and `anglesOf` found. */
+const form = new Float64Array(3);
+
+function nearestForm(a: number, b: number, c: number, a0: number, b0: number, c0: number): void {
+  const [pa, pb, pc] = [near(a, a0), near(b, b0), near(c, c0)];
+  const [fa, fb, fc] = [near(a + Math.PI, a0), near(Math.PI - b, b0), near(c + Math.PI, c0)];
+  const plain = (pa - a0) ** 2 + (pb - b0) ** 2 + (pc - c0) ** 2;
+  const flipped = (fa - a0) ** 2 + (fb - b0) ** 2 + (fc - c0) ** 2;
+  const isFlipped = flipped < plain - 1e-9;
+  form[0] = isFlipped ? fa : pa;
+  form[1] = isFlipped ? fb : pb;
+  form[2] = isFlipped ? fc : pc;
+}
+
+/** An angle, whole turns away, nearest to another; by no turn it stays the very number. */
+function near(angle: number, target: number): number {
+  const turns = Math.round((target - angle) / TURN);
+  return turns === 0 ? angle : angle + TURN * turns;
+}
+
+/** The rotations as quaternions x y z w, four a frame, each on the side of the one before it: none jumps to its opposite. */
+export function quaternionsOf(
+  [a, b, c]: readonly [Float64Array, Float64Array, Float64Array],
+  axes: JointRotation['axes'],
+): Float64Array {
+  const out = new Float64Array(4 * a.length);
+  const q = new Float64Array(4);
+  for (let f = 0; f < a.length; f++) {
+    q.fill(0);
+    q[3] = 1;
+    turnBy(q, axes[0], a[f]);
+    turnBy(q, axes[1], b[f]);
+    turnBy(q, axes[2], c[f]);
+    const o = 4 * f;
+    const dot = f === 0 ? 1 : q[0] * out[o - 4] + q[1] * out[o - 3] + q[2] * out[o - 2] + q[3] * out[o - 1];
+    for (let n = 0; n < 4; n++) out[o + n] = dot < 0 ? -q[n] : q[n];
+  }
+  return out;
+}
+
+/** q ← q · (axis, angle) */
+function turnBy(q: Float64Array, axis: number, angle: number): void {
+  const s = Math.sin(angle / 2);
+  const w = Math.cos(angle / 2);
+  const u = (axis + 1) % 3;
+  const v = (axis + 2) % 3;
+  const [qa, qu, qv, qw] = [q[axis], q[u], q[v], q[3]];
+  q[axis] = qa * w + qw * s;
+  q[u] = qu * w + qv * s;
+  q[v] = qv * w - qu * s;
+  q[3] = qw * w - qa * s;
+}
+
+/**
+ * The angles of a quaternion (of any length but 0), in the form that is nearest to other angles.
+ * @param o where it begins in `q`
+ * @returns scratch that the next call fills again
+ */
+export function anglesOf(
+  q: Float64Array,
+  o: number,
+  [i, j, k]: JointRotation['axes'],
+  a0: number,
+  b0: number,
+  c0: number,
+): Float64Array {
+  const size = q[o] * q[o] + q[o + 1] * q[o + 1] + q[o + 2] * q[o + 2] + q[o + 3] * q[o + 3];
+  const t = 2 / size;
+  const w = q[o + 3];
+  const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
+  // R[r][c] for r ≠ c is t·(q_r·q_c ∓ w·q_other), minus where r c other is an even permutation.
+  const entry = (r: number, c: number) => {
+    if (r === c) return 1 - t * (q[o + ((r + 1) % 3)] ** 2 + q[o + ((r + 2) % 3)] ** 2);
+    const even = (c - r + 3) % 3 === 1;
+    return t * (q[o + r] * q[o + c] + (even ? -1 : 1) * w * q[o + 3 - r - c]);
+  };
+  const sin = Math.min(1, Math.max(-1, sign * entry(i, k)));
+  const b = Math.asin(sin);
+  if (Math.abs(sin) > 1 - 1e-9) {
+    // Gimbal lock: α and γ turn about one axis, and only their sum or difference counts. γ stays.
+    const together = Math.atan2(sign * entry(k, j), entry(j, j));
+    nearestForm(together - (sin > 0 ? c0 : -c0), b, c0, a0, b0, c0);
+    return form;
+  }
+  nearestForm(
+    Math.atan2(-sign * entry(j, k), entry(k, k)),
+    b,
+    Math.atan2(-sign * entry(i, j), entry(i, i)),
+    a0,
+    b0,
+    c0,
+  );
+  return form;
+}

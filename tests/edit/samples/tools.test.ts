@@ -1,0 +1,148 @@
+import { describe, expect, it } from 'vitest';
+import {
+  cropSamples,
+  resampleSamples,
+  reverseSamples,
+  smoothSamples,
+  splitSamples,
+  trimSamples,
+} from '../../../src/edit/commands/samples.ts';
+import { CommandError } from '../../../src/edit/store.ts';
+import { poseAt } from '../../../src/evaluate/pose.ts';
+import type { ChannelClip } from '../../../src/model/clip.ts';
+import { type Document, shownClip } from '../../../src/model/document.ts';
+import { channelOf } from '../keys/channels.ts';
+import { documentWith, swing, swinging, take, WIDTH } from './made.ts';
+
+const c1 = { characterId: 'c1' };
+
+function clipOf(document: Document): ChannelClip {
+  const clip = shownClip(document.characters[0]);
+  if (!clip) throw new Error('the take is gone');
+  return clip;
+}
+
+function pose(clip: ChannelClip, seconds: number): number[] {
+  const out = new Float64Array(WIDTH);
+  poseAt(swinging(clip), seconds, out);
+  return [...out];
+}
+
+describe('cutting samples', () => {
+  it('crops to the frames within a range, at the times they had', () => {
+    const clip = clipOf(cropSamples.run(documentWith(), { ...c1, from: 0.49, to: 1.5 }));
+    expect(clip.samples?.frameCount).toBe(61);
+    expect(clip.range).toEqual([0.5, 1.5]);
+    expect(pose(clip, 1)).toEqual(pose(swing, 1));
+    expect(clip.samples?.values.buffer.byteLength).toBe(61 * WIDTH * 8);
+  });
+
+  it('trims either end at a time, whose frame stays', () => {
+    const start = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'start', timeSeconds: 1 }));
+    const end = clipOf(trimSamples.run(documentWith(), { ...c1, side: 'end', timeSeconds: 1 }));
+    expect([start.range, end.range]).toEqual([
+      [1, 2],
+      [0, 1],
+    ]);
+  });
+
+  it('splits into two takes, of which the second is shown', () => {
+    const document = splitSamples.run(documentWith(), { ...c1, timeSeconds: 1 });
+    const { clips, shownClip: shown } = document.characters[0];
+    expect(clips.map((c) => [c.name, c.samples?.frameCount])).toEqual([
+      ['swing', 60],
+      ['swing_2', 61],
+    ]);
+    expect(shown).toBe(1);
+    expect(pose(clips[1], 1.5)).toEqual(pose(swing, 1.5));
+  });
+
+  it('changes nothing where nothing goes, and refuses to leave nothing', () => {
+    const document = documentWith();
+    expect(cropSamples.run(document, { ...c1, from: -1, to: 9 })).toBe(document);
+    expect(() => cropSamples.run(document, { ...c1, from: 5, to: 9 })).toThrow(CommandError);
+    expect(() => splitSamples.run(document, { ...c1, timeSeconds: -1 })).toThrow('on one side');
+    expect(() => trimSamples.run(document, { ...c1, side: 'start', timeSeconds: 9 })).toThrow('from 0 s to 2 s');
+  });
+});
+
+describe('resampling samples', () => {
+  it('takes what is played at the new frames', () => {
+    const clip = clipOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 24 }));
+    expect(clip.samples?.frameCount).toBe(49);
+    pose(clip, 1.125).forEach((value, d) => {
+      expect(value).toBeCloseTo(pose(swing, 1.125)[d], 12);
+    });
+    expect(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 60 }).characters[0].clips[0]).toBe(swing);
+  });
+
+  it('turns joints the short way where an angle jumps from frame to frame', () => {
+    const jump = take((c, t) => (c === 4 ? (t < 0.25 ? 178 : -178) : 0), 31, 60);
+    const clip = clipOf(resampleSamples.run(documentWith(jump), { ...c1, framesPerSecond: 120 }));
+    const angle = pose(clip, 14.5 / 60)[4];
+    expect(Math.cos(angle)).toBeLessThan(-0.99);
+  });
+});
+
+describe('reversing a take', () => {
+  it('plays it backwards, keys too', () => {
+    const keyed = {
+      ...swing,
+      channels: swing.channels.map((c, i) =>
+        i === 0
+          ? channelOf([
+              [0, 1],
+              [1, 5],
+            ])
+          : c,
+      ),
+    };
+    const clip = clipOf(reverseSamples.run(documentWith(keyed), c1));
+    for (const seconds of [0, 0.5, 2]) {
+      pose(clip, 2 - seconds).forEach((value, d) => {
+        expect(value).toBeCloseTo(pose(keyed, seconds)[d], 10);
+      });
+    }
+    const twice = clipOf(reverseSamples.run(documentWith(clip), c1));
+    expect(twice.samples?.values).toEqual(swing.samples?.values);
+    expect([...twice.channels[0].times]).toEqual([0, 1]);
+  });
+});
+
+describe('smoothing samples', () => {
+  const smooth = (clip: ChannelClip, sigmaSeconds = 0.05, channels?: readonly number[]) =>
+    clipOf(smoothSamples.run(documentWith(clip), { ...c1, sigmaSeconds, channels }));
+
+  it('takes away jitter and leaves ends and straight ways where they are', () => {
+    const jitter = take((c, t) => (c === 0 ? 10 * t + (Math.round(60 * t) % 2 ? 0.1 : -0.1) : 0));
+    const clip = smooth(jitter);
+    expect(pose(clip, 1)[0]).toBeCloseTo(10, 3);
+    expect(pose(clip, 0)[0]).toBeCloseTo(-0.1, 12);
+    const straight = take((c, t) => (c === 0 ? 10 * t : 0));
+    for (const t of [0, 0.1, 1, 2]) expect(pose(smooth(straight), t)[0]).toBeCloseTo(10 * t, 10);
+  });
+
+  it('keeps of a swing what its formula says', () => {
+    const period = 0.5;
+    const wave = take((c, t) => (c === 0 ? Math.cos((2 * Math.PI * t) / period) : 0), 241, 120);
+    expect(pose(smooth(wave), 1)[0]).toBeCloseTo(Math.exp(-2 * ((Math.PI * 0.05) / period) ** 2), 2);
+  });
+
+  it('does not smear angles that jump by a turn', () => {
+    const turning = take((c, t) => (c === 3 ? ((90 * t + 170) % 360) - (90 * t + 170 >= 180 ? 360 : 0) : 0));
+    const clip = smooth(turning);
+    for (const t of [0.05, 0.1, 0.111, 0.15, 1]) {
+      expect(Math.cos(pose(clip, t)[3] - ((90 * t + 170) * Math.PI) / 180)).toBeCloseTo(1, 4);
+    }
+  });
+
+  it('leaves other channels, and those with keys, the numbers they are', () => {
+    const clip = smooth(swing, 0.1, [0]);
+    expect(pose(clip, 0.7).slice(1)).toEqual(pose(swing, 0.7).slice(1));
+    expect(pose(clip, 0.7)[0]).toBeCloseTo(0.7, 10);
+  });
+
+  it('refuses a filter of no width', () => {
+    expect(() => smooth(swing, 0)).toThrow(CommandError);
+  });
+});
