@@ -15,6 +15,7 @@ interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
   readonly disk: Disk;
+  readonly framesPerSecond: () => number;
 }
 
 export function fileActions(parts: Parts): FileActions {

@@ -10,8 +10,11 @@ import type { Messages } from '../ui/messages.ts';
 import type { SaveKind, UnsavedPart } from '../ui/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import {
+  exportCharacter,
   fileNameOf,
+  isExport,
   jointPose,
+  type LongFile,
   type Part,
   partsOf,
   poseToSave,
@@ -19,6 +22,7 @@ import {
   saveCharacter,
   savePart,
   saveSkeletons,
+  saveTakes,
   sourceOf,
 } from './saving.ts';
 import type { Unsaved } from './unsaved.ts';
@@ -27,10 +31,13 @@ import type { Unsaved } from './unsaved.ts';
 export interface Disk {
   asksWhereToSave(): boolean;
   pickTarget(suggestedName: string): Promise<FileSystemFileHandle | undefined>;
-  writeTo(handle: FileSystemFileHandle, content: string | Uint8Array<ArrayBuffer>): Promise<string>;
+  writeTo(handle: FileSystemFileHandle, content: Content): Promise<string>;
   versionOnDisk(handle: FileSystemFileHandle): Promise<string | undefined>;
-  download(name: string, content: string | Uint8Array<ArrayBuffer>): void;
+  download(name: string, content: Content): void;
 }
+
+/** Of a file: a text, the bytes of a zip, or a text of any length that was put together from pieces. */
+type Content = string | Uint8Array<ArrayBuffer> | Blob;
 
 export interface SaverParts {
   readonly store: Store;
@@ -38,6 +45,8 @@ export interface SaverParts {
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
   readonly disk: Disk;
+  /** At which keys are sampled for motion capture; absent: 30. */
+  readonly framesPerSecond?: () => number;
 }
 
 /** A part with whose it is, and the pose that goes into a skeleton's file. */
@@ -53,8 +62,11 @@ interface Job {
   /** What it holds: several skeletons where a `.skel` has several roots, otherwise one part; none for a `.rig`. */
   readonly holds: readonly Owned[];
   readonly target: DiskFile | undefined;
-  write(): Omit<SavedFile, 'name'> | { readonly bytes: Uint8Array<ArrayBuffer> };
+  write(): Omit<SavedFile, 'name'> | Omit<LongFile, 'name'> | { readonly bytes: Uint8Array<ArrayBuffer> };
 }
+
+/** For this long a long file is written at a stretch; milliseconds. */
+const STRETCH = 12;
 
 export class Saver {
   private last: Promise<unknown> = Promise.resolve();
@@ -114,11 +126,14 @@ export class Saver {
     for (const job of jobs) {
       try {
         const written = job.write();
-        const saved = await this.put(job, 'bytes' in written ? written.bytes : written.text, targetOf(job), asks);
+        const make = async () =>
+          'bytes' in written ? written.bytes : 'text' in written ? written.text : await blobOf(written.pieces);
+        const saved = await this.put(job, make, targetOf(job), asks);
         if (saved === undefined) continue;
         names.push(saved);
         well.push(job.name);
-        if ('diagnostics' in written) diagnostics.push(...written.diagnostics);
+        if ('text' in written) diagnostics.push(...written.diagnostics);
+        else if ('pieces' in written) diagnostics.push(...written.diagnostics());
       } catch (error) {
         const why = error instanceof Error ? error.message : String(error);
         diagnostics.push(withoutPlace('error', 'save-failed', `Not saved. ${why}`, job.name));
@@ -131,31 +146,33 @@ export class Saver {
   /** Gives the name under which it was saved; undefined where the person gave up. */
   private async put(
     job: Job,
-    content: string | Uint8Array<ArrayBuffer>,
+    make: () => Promise<Content>,
     target: DiskFile | undefined,
     asks: boolean,
   ): Promise<string | undefined> {
     const { disk, handles, unsaved } = this.parts;
     let savedAs = job.name;
-    if (target?.handle) await this.putInPlace(job, content, target, target.handle);
+    if (target?.handle) await this.putInPlace(job, await make(), target, target.handle);
     else if (asks && disk.asksWhereToSave()) {
       const handle = await disk.pickTarget(job.name);
       if (!handle) return undefined;
+      // After the dialog, which wants the key that was pressed to be fresh: a long file takes a while.
+      const content = await make();
       const version = await disk.writeTo(handle, content);
       savedAs = handle.name;
-      if (typeof content === 'string') {
+      if (!(content instanceof Uint8Array)) {
         for (const { character, part } of job.holds) {
           handles.setPart(character, part, { path: target?.path ?? job.name, handle, version });
         }
       }
-    } else disk.download(job.name, content);
+    } else disk.download(job.name, await make());
     for (const { character, part, pose } of job.holds) unsaved.saved(character.id, part, pose);
     return savedAs;
   }
 
   private async putInPlace(
     { holds, name }: Job,
-    content: string | Uint8Array<ArrayBuffer>,
+    content: Content,
     target: DiskFile,
     handle: FileSystemFileHandle,
   ): Promise<void> {
@@ -198,6 +215,12 @@ export class Saver {
         return { name: file.name, holds: [], target: undefined, write: () => file };
       });
     }
+    if (isExport(character, kind)) {
+      const { framesPerSecond } = this.parts;
+      return exportCharacter(character, kind, framesPerSecond && { framesPerSecond: framesPerSecond() }).map((file) => {
+        return { name: file.name, holds: [], target: undefined, write: () => file };
+      });
+    }
     const parts = partsOf(character).filter((part) => part.kind === kind);
     return parts.map((part) => this.fileOf(character, part, jointPose));
   }
@@ -207,6 +230,15 @@ export class Saver {
     const { store, handles } = this.parts;
     const name = fileNameOf(character, part);
     const target = handles.ofPart(character, part);
+    if (part.kind === 'bvh') {
+      const roots = takesBeside(store.document, character, part);
+      return {
+        name,
+        holds: roots.map(({ character: c, take }) => ({ character: c, part: { kind: 'bvh', part: take }, pose: [] })),
+        target,
+        write: () => saveTakes(name, roots),
+      };
+    }
     if (part.kind !== 'skel') {
       const holds = [{ character, part, pose: [] }];
       return { name, holds, target, write: () => savePart(part, name, []) };
@@ -232,6 +264,39 @@ function find(document: Document, { characterId, kind, index }: UnsavedPart) {
   const character = findCharacter(document, characterId);
   const part = character && partsOf(character).filter((p) => p.kind === kind)[index];
   return character && part && { character, part };
+}
+
+/**
+ * A long file as a Blob, made in stretches between which the page lives on. The browser keeps it, not the script: what is
+ * in the script's memory at any time are some hundred pieces.
+ */
+async function blobOf(pieces: Iterable<string>): Promise<Blob> {
+  const parts: Blob[] = [];
+  let batch: string[] = [];
+  let begun = performance.now();
+  for (const piece of pieces) {
+    batch.push(piece);
+    if (performance.now() - begun < STRETCH) continue;
+    parts.push(new Blob(batch));
+    batch = [];
+    await new Promise((resolve) => setTimeout(resolve));
+    begun = performance.now();
+  }
+  return new Blob([...parts, ...batch], { type: 'text/plain' });
+}
+
+/** The takes of one `.bvh`, in their order: one character each. */
+function takesBeside(document: Document, character: Character, part: Extract<Part, { kind: 'bvh' }>) {
+  const path = sourceOf(character, part)?.path;
+  const roots: { readonly character: Character; readonly take: typeof part.part }[] = [];
+  for (const other of document.characters) {
+    for (const own of partsOf(other)) {
+      if (own.kind !== 'bvh') continue;
+      const isBeside = path !== undefined && other !== character && sourceOf(other, own)?.path === path;
+      if (own.part === part.part || isBeside) roots.push({ character: other, take: own.part });
+    }
+  }
+  return roots;
 }
 
 /** The skeletons of one `.skel`, in their order: one character each. */

@@ -1,14 +1,23 @@
-/** A character's parts as files again, each in the format of its kind. */
+/**
+ * A character's parts as files again, each in the format of its kind.
+ *
+ * Its own are those that it came from, or would be opened from: a figure of motion capture is a `.bvh` a take, with
+ * skeleton and motion in one; every other character has its skeleton in a `.skel` and its takes in `.anim`s. In the other
+ * one's formats it can be exported (`edit/convert/character-files.ts`): a copy, by which nothing counts as saved.
+ */
+import { animOf, bvhOf, inPose, skelOf } from '../edit/convert/character-files.ts';
+import { isBvh } from '../evaluate/bvh-figure.ts';
 import { channelOf } from '../evaluate/pose.ts';
+import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
 import { writeFile } from '../formats/write.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
-import { firstDofs, jointDofCount, rootDofCount } from '../model/dofs.ts';
-import { type FileContent, type FileKind, type SourceFile, stemOf } from '../model/files.ts';
+import { jointDofCount, rootDofCount } from '../model/dofs.ts';
+import { type Figure, type FileContent, type FileKind, type SourceFile, stemOf } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Rig } from '../model/rig.ts';
-import { dofsOf, type Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton.ts';
 import type { Skin } from '../model/skin.ts';
 
 export interface SavedFile {
@@ -18,21 +27,61 @@ export interface SavedFile {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** A file too long to be written in one go: its text in pieces, and what is known when all of them were taken. */
+export interface LongFile {
+  readonly name: string;
+  readonly pieces: Iterable<string>;
+  diagnostics(): readonly Diagnostic[];
+}
+
+/** A take of motion capture: its skeleton and how it moves, which one `.bvh` holds. */
+export interface BvhTake extends Figure {
+  /** Of the clip, or of the skeleton where there is none. */
+  readonly name: string;
+}
+
 /** One of a character's parts, with the kind of file that holds it. */
 export type Part =
   | { readonly kind: 'skel'; readonly part: Skeleton }
   | { readonly kind: 'skin'; readonly part: Skin }
   | { readonly kind: 'morph'; readonly part: Morph }
-  | { readonly kind: 'anim'; readonly part: ChannelClip };
+  | { readonly kind: 'anim'; readonly part: ChannelClip }
+  | { readonly kind: 'bvh'; readonly part: BvhTake };
 
 /** All that a character is made of, in the order in which one would open it. */
-export function partsOf({ skeleton, skins, morphs, clips }: Character): readonly Part[] {
+export function partsOf(character: Character): readonly Part[] {
+  const { skeleton, skins, morphs, clips } = character;
+  const isTake = (clip: ChannelClip) => isBvh(character) && !isFromAnim(character, clip);
+  const takes = skeleton && isBvh(character) ? takesOf(skeleton, clips.filter(isTake)) : undefined;
   return [
-    ...(skeleton ? [{ kind: 'skel', part: skeleton } as const] : []),
+    ...(takes ?? []).map((part) => ({ kind: 'bvh', part }) as const),
+    ...(skeleton && !takes ? [{ kind: 'skel', part: skeleton } as const] : []),
     ...skins.map((part) => ({ kind: 'skin', part }) as const),
     ...morphs.map((part) => ({ kind: 'morph', part }) as const),
-    ...clips.map((part) => ({ kind: 'anim', part }) as const),
+    ...clips.filter((clip) => !isTake(clip)).map((part) => ({ kind: 'anim', part }) as const),
   ];
+}
+
+/** Whether a clip of a figure of motion capture was read from an `.anim`, which stays its file. */
+function isFromAnim({ sources }: Character, { name }: ChannelClip): boolean {
+  return sources.some((source) => source.name.toLowerCase().endsWith('.anim') && stemOf(source) === name);
+}
+
+/** One for each clip; without any, the skeleton alone is one. */
+function takesOf(skeleton: Skeleton, clips: readonly ChannelClip[]): readonly BvhTake[] {
+  return clips.length ? clips.map((clip) => takeOf(skeleton, clip)) : [takeOf(skeleton, undefined)];
+}
+
+/** A take is the same object as long as its parts are: by identity it is told whether it changed. */
+const takes = new WeakMap<Skeleton, WeakMap<object, BvhTake>>();
+
+function takeOf(skeleton: Skeleton, clip: ChannelClip | undefined): BvhTake {
+  const known = takes.get(skeleton) ?? new WeakMap<object, BvhTake>();
+  takes.set(skeleton, known);
+  const key = clip ?? skeleton;
+  const take = known.get(key) ?? { name: clip?.name ?? skeleton.name, skeleton, ...(clip && { clip }) };
+  known.set(key, take);
+  return take;
 }
 
 /**
@@ -41,9 +90,12 @@ export function partsOf({ skeleton, skins, morphs, clips }: Character): readonly
  */
 export function sourceOf({ sources }: Character, { kind, part }: Part): SourceFile | undefined {
   const ending = `.${kind}`;
+  // Of a `.bvh` too; its takes have the names of their skeletons then.
+  const isRootOf = (s: SourceFile) =>
+    kind === 'bvh' && part.name === part.skeleton.name && part.name.startsWith(stemOf(s));
   const fits = sources.filter(
     // Several roots of one `.skel` are several characters, whose skeletons have names of their own.
-    (s) => s.name.toLowerCase().endsWith(ending) && (kind === 'skel' || stemOf(s) === part.name),
+    (s) => s.name.toLowerCase().endsWith(ending) && (kind === 'skel' || stemOf(s) === part.name || isRootOf(s)),
   );
   return fits.length === 1 ? fits[0] : undefined;
 }
@@ -53,15 +105,106 @@ export function fileNameOf(character: Character, part: Part): string {
   return sourceOf(character, part)?.name ?? nameOf(part);
 }
 
+export interface ExportOptions {
+  /** Of `.bvh`, for clips that have no rate of their own; absent: 30. */
+  readonly framesPerSecond?: number;
+}
+
 /** The files that saving a character as `kind` gives: none where it has nothing of it, several for several morphs. */
-export function saveCharacter(character: Character, kind: FileKind): readonly SavedFile[] {
+export function saveCharacter(character: Character, kind: FileKind, options: ExportOptions = {}): readonly SavedFile[] {
   if (kind === 'rig') return [write(`${character.name}.rig`, { kind, rig: rigOf(character) })];
+  if (isExport(character, kind)) return exportCharacter(character, kind, options).map(asText);
   const parts = partsOf(character).filter((p) => p.kind === kind);
-  return parts.map((part) => write(nameOf(part), contentOf(part, jointPose(character))));
+  return parts.map((part) => {
+    return part.kind === 'bvh'
+      ? asText(saveTakes(nameOf(part), [{ character, take: part.part }], options))
+      : write(nameOf(part), contentOf(part, jointPose(character)));
+  });
+}
+
+/** Whether that is a format of which the character has nothing itself, but which it can be converted to. */
+export function isExport(character: Character, kind: FileKind): boolean {
+  if (!character.skeleton) return false;
+  if (kind === 'bvh') return !isBvh(character);
+  return (kind === 'skel' || kind === 'anim') && isBvh(character);
+}
+
+/** Copies in a format that is not its own. */
+export function exportCharacter(
+  character: Character,
+  kind: FileKind,
+  { framesPerSecond }: ExportOptions = {},
+): readonly LongFile[] {
+  switch (kind) {
+    case 'bvh':
+      return bvhOf(character, hasOwnRate(character) ? undefined : framesPerSecond).map(
+        ({ name, figure, diagnostics }) => {
+          const file = `${name}.bvh`;
+          const written = writeBvhPieces([figure], file);
+          return { name: file, pieces: written.pieces, diagnostics: () => [...diagnostics, ...written.diagnostics()] };
+        },
+      );
+    case 'skel': {
+      const skeleton = skelOf(character);
+      return skeleton ? [asLong(write(`${skeleton.name}.skel`, { kind, skeletons: [skeleton] }))] : [];
+    }
+    case 'anim':
+      return character.clips.map((clip) => asLong(write(`${clip.name}.anim`, { kind, clip: animOf(character, clip) })));
+    default:
+      return [];
+  }
+}
+
+/** Whether all its clips say at which times they are sampled. */
+function hasOwnRate({ clips, driver }: Character): boolean {
+  if (driver) return driver.source.clip.samples !== undefined;
+  return clips.length > 0 && clips.every(({ samples }) => samples !== undefined);
+}
+
+/**
+ * Takes as one `.bvh`, each a root of its own.
+ * @throws Error, in a sentence, where roots of one file have no longer the same frames
+ */
+export function saveTakes(
+  name: string,
+  roots: readonly { readonly character: Character; readonly take: BvhTake }[],
+  { framesPerSecond }: ExportOptions = {},
+): LongFile {
+  const made = roots.map(({ character: { driver: _, ...character }, take }) => {
+    // The take itself, whatever else moves the character just now.
+    const rate = take.clip?.samples ? undefined : framesPerSecond;
+    const [figure] = bvhOf({ ...character, clips: take.clip ? [take.clip] : [], shownClip: take.clip ? 0 : -1 }, rate);
+    return figure;
+  });
+  const figures = made.map(({ figure }) => figure);
+  if (!fitOneBvh(figures)) {
+    throw new Error(
+      `The figures of ${name} have different frames now, and one .bvh gives all of them the same: ` +
+        'trim and resample them alike, or rename the takes to save each by itself.',
+    );
+  }
+  const written = writeBvhPieces(figures, name);
+  return {
+    name,
+    pieces: written.pieces,
+    diagnostics: () => [
+      ...made.flatMap(({ diagnostics }) => diagnostics.map((d) => ({ ...d, file: name }))),
+      ...written.diagnostics(),
+    ],
+  };
+}
+
+function asText({ name, pieces, diagnostics }: LongFile): SavedFile {
+  const text = [...pieces].join('');
+  return { name, text, diagnostics: diagnostics() };
+}
+
+function asLong({ name, text, diagnostics }: SavedFile): LongFile {
+  return { name, pieces: [text], diagnostics: () => diagnostics };
 }
 
 /** One part as the text of its file; a skeleton in the pose given, one value for each DOF of its joints. */
-export function savePart(part: Part, name: string, pose: readonly number[]): SavedFile {
+export function savePart(part: Exclude<Part, { kind: 'bvh' }>, name: string, pose: readonly number[]): SavedFile {
   return write(name, contentOf(part, pose));
 }
 
@@ -100,7 +243,7 @@ function nameOf({ kind, part }: Part): string {
   return `${part.name}.${kind}`;
 }
 
-function contentOf({ kind, part }: Part, pose: readonly number[]): FileContent {
+function contentOf({ kind, part }: Exclude<Part, { kind: 'bvh' }>, pose: readonly number[]): FileContent {
   switch (kind) {
     case 'skel':
       return { kind, skeletons: [inPose(part, pose)] };
@@ -120,17 +263,8 @@ function write(name: string, content: FileContent): SavedFile {
   return { name, ...written };
 }
 
-/** The skeleton with a pose of its joints as the file's. */
-function inPose(skeleton: Skeleton, pose: readonly number[]): Skeleton {
-  const first = firstDofs(skeleton);
-  const joints = skeleton.joints.map((joint, index) => {
-    const start = first[index] - rootDofCount(skeleton);
-    return { ...joint, pose: pose.slice(start, start + dofsOf(joint.motion).length) };
-  });
-  return { ...skeleton, joints };
-}
-
-function rigOf({ name, skeleton, skins, shownSkin, morphs, clips, shownClip }: Character): Rig {
+function rigOf(character: Character): Rig {
+  const { name, skeleton, skins, shownSkin, morphs, clips, shownClip } = character;
   const skin = skins[shownSkin];
   const clip = clips[shownClip];
   return {

@@ -6,6 +6,7 @@ import { finiteNumber } from '../edit/arguments.ts';
 import { COMMANDS_BY_ID } from '../edit/commands/all.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
+import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, shownClip } from '../model/document.ts';
@@ -56,6 +57,8 @@ export interface MarrowApi {
   characters(): readonly CharacterInfo[];
   /** A list of 16 numbers, column-major, for each joint, in the character's own space (without its placement). */
   worldMatrices(character?: CharacterRef): number[][];
+  /** Where the End Sites are, in the file's order, in the character's own space. */
+  endSites(character?: CharacterRef): EndSitePosition[];
   /** x y z of every vertex as drawn: morphed and skinned, in the character's own space. */
   vertices(character?: CharacterRef): number[];
   /**
@@ -109,6 +112,10 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
     worldMatrices(character) {
       const world = facts(character).worldMatrices();
       return Array.from({ length: world.length / 16 }, (_, j) => Array.from(world.subarray(16 * j, 16 * j + 16)));
+    },
+    endSites(character) {
+      const { skeleton } = resolve(store, character);
+      return skeleton ? endSitePositions(skeleton, facts(character).worldMatrices()) : [];
     },
     vertices: (character) => Array.from(facts(character).vertices()),
     run: (id, args = {}) => run(workbench, id, args),
@@ -194,7 +201,7 @@ function asReference(value: unknown): CharacterRef | undefined {
   return typeof value === 'string' || typeof value === 'number' ? value : undefined;
 }
 
-const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig', 'bvh'];
 
 /** The selected character's file of that name, or another's; else the selected character's first of that kind. */
 function saveByName(store: Store, name: string): string {

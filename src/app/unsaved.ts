@@ -64,7 +64,7 @@ export class Unsaved {
     const replaced = files.filter(({ source }) => unsavedBefore.some((part) => sameName(part.name, source.name)));
     const fresh = new Set<object>([...files, ...this.waiting].flatMap(contentOf));
     for (const character of this.store.document.characters) {
-      const read = partsOf(character).filter(({ part }) => fresh.has(part));
+      const read = partsOf(character).filter((part) => piecesOf(part).every((piece) => fresh.has(piece)));
       if (read.length) this.mark(character, read, filePoseOfJoints(character));
     }
     this.waiting = this.store.document.unused.map(({ file }) => file);
@@ -141,7 +141,7 @@ export class Unsaved {
     const known = this.lists.get(character);
     if (known) return known;
     const baseline = this.baselines.get(character.id);
-    const counts: Record<PartKind, number> = { skel: 0, skin: 0, morph: 0, anim: 0 };
+    const counts: Record<PartKind, number> = { skel: 0, skin: 0, morph: 0, anim: 0, bvh: 0 };
     const list: UnsavedPart[] = [];
     for (const part of partsOf(character)) {
       const index = counts[part.kind]++;
@@ -156,7 +156,9 @@ export class Unsaved {
     let saved = isSaved.get(part);
     if (saved === undefined) {
       const alike = parts.filter((p) => p.kind === kind && p.part.name === part.name);
-      saved = alike.some((p) => p.part === part) || alike.some((p) => sameData(p.part, part));
+      saved =
+        alike.some((p) => p.part === part) ||
+        alike.some((p) => sameData(contentInFile(p), contentInFile({ kind, part })));
       isSaved.set(part, saved);
     }
     return saved;
@@ -166,6 +168,19 @@ export class Unsaved {
     const inFile = this.poseInFile(character);
     return poseToSave(character, inFile) === inFile;
   }
+}
+
+/** What of a part was read from files, as the very objects. */
+function piecesOf({ kind, part }: Part): readonly object[] {
+  if (kind !== 'bvh') return [part];
+  return part.clip ? [part.skeleton, part.clip] : [part.skeleton];
+}
+
+/** A part without what its file can't hold: a `.bvh` says neither what of it is played nor how between its frames. */
+function contentInFile({ kind, part }: Pick<Part, 'kind' | 'part'>): unknown {
+  if (kind !== 'bvh' || !('skeleton' in part) || !part.clip?.samples) return part;
+  const { interpolation: _, ...samples } = part.clip.samples;
+  return { ...part, clip: { ...part.clip, range: [], samples } };
 }
 
 /** One value for each DOF of the joints. */

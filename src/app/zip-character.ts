@@ -2,16 +2,21 @@
 import { zipFiles } from '../io/zip-files.ts';
 import type { Character } from '../model/document.ts';
 import type { FileKind } from '../model/files.ts';
-import { saveCharacter } from './saving.ts';
+import { isExport, saveCharacter } from './saving.ts';
 
-const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+const KINDS: readonly FileKind[] = ['bvh', 'skel', 'skin', 'morph', 'anim', 'rig'];
 
-/** Everything of a character, its textures too: what opens again as it is. */
+/** Everything of a character in its own formats, its textures too: what opens again as it is. */
 export function zipCharacter(character: Character): { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> } {
-  const texts = KINDS.flatMap((kind) => saveCharacter(character, kind)).map(({ name, text }) => ({
-    name,
-    content: text,
-  }));
+  const isOwn = (kind: FileKind) => !isExport(character, kind);
+  // A rig names a `.skel`, and motion capture has none.
+  const kinds = KINDS.filter((kind) => isOwn(kind) && (kind !== 'rig' || isOwn('skel')));
+  const texts = kinds
+    .flatMap((kind) => saveCharacter(character, kind))
+    .map(({ name, text }) => ({
+      name,
+      content: text,
+    }));
   const textures = character.textures.map(({ name, bytes }) => ({ name, content: bytes }));
   // A name may be anything; what the file system would take for a folder is no part of it.
   const folder = character.name.replace(/[/\\:]/g, '_') || 'character';

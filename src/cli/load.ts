@@ -72,7 +72,7 @@ function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
   const mime = textureTypeOf(name);
   try {
     const bytes = statSync(absolute).size;
-    if (format) return { bytes, ...readText(absolute, name, format) };
+    if (format) return { bytes, ...readText(absolute, bytes, name, format) };
     if (!mime) return { bytes, diagnostics: [unknownFormat(name)] };
     return {
       bytes,
@@ -86,8 +86,8 @@ function loadOne({ absolute }: GivenPath, name: string): LoadedOne {
   }
 }
 
-function readText(path: string, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
-  const reader = format.reader(name);
+function readText(path: string, bytes: number, name: string, format: Format): Omit<LoadedOne, 'bytes'> {
+  const reader = format.reader(name, bytes);
   const chunk = new Uint8Array(CHUNK_BYTES);
   const file = openSync(path, 'r');
   try {

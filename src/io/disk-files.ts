@@ -96,7 +96,7 @@ export async function pickTarget(suggestedName: string): Promise<FileSystemFileH
 /** Writes a file in place; it is only replaced when all of it is written. Gives the version that it is now. */
 export async function writeTo(
   handle: FileSystemFileHandle,
-  content: string | Uint8Array<ArrayBuffer>,
+  content: string | Uint8Array<ArrayBuffer> | Blob,
 ): Promise<string> {
   try {
     await allow(handle, 'readwrite');

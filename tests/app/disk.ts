@@ -36,9 +36,14 @@ export class FakeDisk implements Disk {
     this.asked.push(name);
     return this.picks === 'give up' ? undefined : this.picks;
   };
-  writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array) => {
+  writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array | Blob) => {
     if (!this.files.has(handle)) throw new DiskError('It is gone.', true);
-    const text = typeof content === 'string' ? content : `${content.length} bytes`;
+    const text =
+      content instanceof Uint8Array
+        ? `${content.length} bytes`
+        : content instanceof Blob
+          ? await content.text()
+          : content;
     this.files.set(handle, text);
     return text;
   };

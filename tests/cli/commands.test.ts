@@ -251,3 +251,114 @@ describe('marrow convert', () => {
     expect(written('same.skel')).toBe(written('other.skel'));
   });
 });
+
+describe('marrow convert of motion capture', () => {
+  const BVH = `HIERARCHY
+ROOT Hips
+{
+	OFFSET 0 90 0
+	CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+	JOINT Chest
+	{
+		OFFSET 0 20 0
+		CHANNELS 2 Xrotation Yrotation
+		End Site
+		{
+			OFFSET 0 15 0
+		}
+	}
+}
+MOTION
+Frames: 3
+Frame Time: 0.05
+0 90 0 0 0 0 0 0
+1 91 0 0 10 0 0.1 170
+2 92 0 0 20 0 0.2 190
+`;
+  const at = (...path: string[]) => join(folder, ...path);
+  const convert = (...args: string[]) => command(['convert', ...args], folder);
+  const tree = (path: string) => (readdirSync(at(path), { recursive: true }) as string[]).sort();
+
+  beforeAll(() => {
+    for (const [name, text] of Object.entries({
+      'takes/walk.bvh': BVH,
+      'takes/broken.bvh': BVH.replace('0 0 10', '0 0 1x0'),
+      'takes/more/run.bvh': BVH,
+      'takes/read.me': 'no one converts this',
+      'walk.bvh': BVH,
+    })) {
+      mkdirSync(dirname(at(name)), { recursive: true });
+      writeFileSync(at(name), text);
+    }
+  });
+
+  it('rewrites it to the same bytes, and at another rate when asked', async () => {
+    expect(await convert('walk.bvh', 'again.bvh')).toMatchObject({ code: 0, err: '' });
+    expect(readFileSync(at('again.bvh'), 'utf8')).toBe(BVH);
+    expect(await convert('walk.bvh', 'slow.bvh', '--fps', '10')).toMatchObject({ code: 0 });
+    expect(readFileSync(at('slow.bvh'), 'utf8')).toContain('Frames: 2\nFrame Time: 0.1\n');
+  });
+
+  it('makes .skel and .anim by the name of OUT, and .bvh of those again', async () => {
+    expect(await convert('walk.bvh', 'w.skel')).toMatchObject({ code: 0, err: '' });
+    expect(await convert('walk.bvh', 'w.anim')).toMatchObject({ code: 0, err: '' });
+    expect(readFileSync(at('w.skel'), 'utf8')).toContain('freejoint Hips {');
+    expect(await convert('w.skel', 'w.anim', 'back.bvh', '--fps', '20')).toMatchObject({ code: 0, err: '' });
+    const ends = ['0.05', '--json'] as const;
+    const before = await commandJson<PoseJson>(['pose', 'walk.bvh', '--time', ends[0]], folder);
+    const after = await commandJson<PoseJson>(['pose', 'back.bvh', '--time', ends[0]], folder);
+    const worlds = ({ characters }: PoseJson) => characters[0].joints.flatMap(({ world }) => world);
+    worlds(before).forEach((v, i) => {
+      expect(worlds(after)[i]).toBeCloseTo(v, 9);
+    });
+  });
+
+  it('keeps fewer keys within a tolerance', async () => {
+    await convert('walk.bvh', 'all.anim');
+    await convert('walk.bvh', 'few.anim', '--tolerance', '0.001');
+    const keys = async (name: string) => (await commandJson<InfoJson>(['info', name], folder)).files[0].keys;
+    expect(await keys('all.anim')).toBe(24);
+    expect(await keys('few.anim')).toBeLessThan(24);
+  });
+
+  it('converts a folder below another one, goes on past what is broken, and says so in the end', async () => {
+    const { code, out, err } = await convert('takes', '--to', 'skel', '--out', 'made');
+    expect(code).toBe(1);
+    expect(err).toContain('broken.bvh:');
+    expect(
+      out
+        .split('\n')
+        .filter(Boolean)
+        .map((line) => line.split(':')[0]),
+    ).toEqual(['made/more/run.skel', 'made/more/run.anim', 'made/walk.skel', 'made/walk.anim']);
+    expect(tree('made')).toEqual(['more', 'more/run.anim', 'more/run.skel', 'walk.anim', 'walk.skel']);
+    rmSync(at('takes', 'broken.bvh'));
+    expect(await convert('made', '--to', 'bvh', '--out', 'back')).toMatchObject({ code: 0, err: '' });
+    expect(tree('back')).toEqual(['more', 'more/run.bvh', 'walk.bvh']);
+  });
+
+  it('writes beside what was read, and replaces nothing unasked', async () => {
+    mkdirSync(at('beside'));
+    writeFileSync(at('beside', 'walk.bvh'), BVH);
+    writeFileSync(at('beside', 'walk.anim'), 'mine');
+    const { code, err, out } = await convert('beside', '--to', '.anim');
+    expect({ code, out }).toEqual({ code: 1, out: '' });
+    expect(err).toContain('--force replaces it');
+    expect(readFileSync(at('beside', 'walk.anim'), 'utf8')).toBe('mine');
+    rmSync(at('beside', 'walk.bvh'));
+    writeFileSync(at('beside', 'walk.bvh'), BVH);
+    rmSync(at('beside', 'walk.anim'));
+    expect(await convert('beside/walk.bvh', '--to', 'anim', '--force')).toMatchObject({ code: 0, err: '' });
+    expect(readFileSync(at('beside', 'walk.anim'), 'utf8')).toContain('numchannels 8');
+  });
+
+  it('says what it needs', async () => {
+    expect(await convert('walk.bvh', '--to', 'gif')).toMatchObject({ code: 2 });
+    expect(await convert('walk.bvh', 'x.bvh', '--fps', '0')).toMatchObject({ code: 2 });
+    expect(await convert('walk.bvh', 'x.bvh', '--force')).toMatchObject({ code: 2 });
+    const alone = await convert('hero_walk.anim', '--to', 'bvh', '--out', 'none');
+    expect(alone.code).toBe(1);
+    expect(alone.err).toContain('give its skeleton too');
+    expect(await convert('note.txt', '--to', 'bvh')).toMatchObject({ code: 1 });
+  });
+});

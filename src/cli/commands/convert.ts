@@ -1,77 +1,221 @@
 /**
- * `marrow convert IN… OUT`: writes OUT in the format of its name, from whatever IN holds of that kind. A `.rig` is
- * made, where none is given, of the names of the files that are.
+ * `marrow convert IN… OUT`: writes OUT in the format of its name, from whatever IN holds of that kind, or from what can
+ * become it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its clip. A `.rig` is made, where none
+ * is given, of the names of the files that are.
  *
- * OUT is written beside its place and moved there whole, so that it may be one of IN, and never half a file.
+ * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
  */
-import { renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { basename, resolve } from 'node:path';
+import { bvhOf, skelOf } from '../../edit/convert/character-files.ts';
+import { openFiles } from '../../edit/open-files.ts';
+import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { type Format, formatOf, READABLE_EXTENSIONS } from '../../formats/registry.ts';
-import { writeFile } from '../../formats/write.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
+import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
-import { parseArguments, UsageError } from '../arguments.ts';
-import type { Command } from '../io.ts';
+import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
+import {
+  bvhOutput,
+  type ConversionOptions,
+  type Output,
+  outputsOf,
+  refusal,
+  TARGETS,
+  type Target,
+  textOutput,
+} from '../conversion.ts';
+import { convertMany, type WrittenFile } from '../convert-many.ts';
+import type { Command, CommandIo, ExitCode } from '../io.ts';
 import { loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
+import { writeOutput } from '../write-output.ts';
 
 export const convert: Command = {
   name: 'convert',
-  usage: 'IN… OUT [--json]',
-  summary: 'writes OUT in the format of its name, from what IN holds',
+  usage: 'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
+  summary: 'writes OUT in the format of its name, or all of IN as files of one kind (skel: with its animations)',
   async run(args, io) {
-    const given = parseArguments(args, { json: 'flag' });
-    const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
-    if (out === undefined || ins.length === 0) throw new UsageError('convert takes what to read and what to write.');
-    const format = formatOf(out);
-    if (!format) {
-      const known = READABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
-      throw new UsageError(`The format of "${out}" is not known; its name has to end in one of ${known}.`);
+    const given = parseArguments(args, {
+      json: 'flag',
+      fps: 'value',
+      tolerance: 'value',
+      to: 'value',
+      out: 'value',
+      force: 'flag',
+    });
+    const to = given.value('to');
+    if (to !== undefined) return toKind(given, to, io);
+    if (given.value('out') !== undefined || given.flag('force')) {
+      throw new UsageError('--out and --force go with --to; otherwise the last name is what is written.');
     }
-
-    const name = basename(out);
-    const { files, diagnostics: read } = loadFiles(ins, io.folder);
-    const diagnostics = [...read];
-    let bytes = 0;
-    if (!hasErrors(diagnostics)) {
-      const picked = pick(files, format, name);
-      if ('content' in picked) {
-        const written = writeFile(picked.content, name);
-        diagnostics.push(...(written?.diagnostics ?? []));
-        const failure = written ? replaceFile(resolve(io.folder, out), written.text) : 'there is no writer for it';
-        if (failure === undefined) bytes = Buffer.byteLength(written?.text ?? '');
-        else diagnostics.push(refusal('file-not-written', `The file could not be written: ${failure}.`, name));
-      } else diagnostics.push(picked.refusal);
-    }
-    report(diagnostics, io);
-    const failed = hasErrors(diagnostics);
-    if (given.flag('json'))
-      await printJson({ written: failed ? null : { name, kind: format.kind, bytes }, diagnostics }, io);
-    else if (!failed) await io.out(`${out}: ${format.label}, ${bytes} bytes\n`);
-    return failed ? 1 : 0;
+    return toFile(given, io);
   },
 };
 
-function pick(
-  files: readonly ParsedFile[],
-  format: Format,
-  out: string,
-): { readonly content: FileContent } | { readonly refusal: Diagnostic } {
-  const fitting = files.filter((file) => file.kind === format.kind);
-  if (fitting.length === 1) return { content: fitting[0] };
-  const names = fitting.map((file) => file.source.name).join(', ');
-  if (fitting.length > 1) {
-    const message = `More than one ${format.label} was given (${names}), and ${out} holds one: name only that one.`;
-    return { refusal: refusal('part-ambiguous', message, out) };
+function readOptions(given: Arguments): ConversionOptions {
+  const positive = (name: string) => {
+    const text = given.value(name);
+    const value = text === undefined ? undefined : numberOf(name, text);
+    if (value !== undefined && !(value > 0)) throw new UsageError(`--${name} has to be above 0; it is ${value}.`);
+    return value;
+  };
+  const framesPerSecond = positive('fps');
+  const tolerance = positive('tolerance');
+  return { ...(framesPerSecond && { framesPerSecond }), ...(tolerance && { tolerance }) };
+}
+
+async function toKind(given: Arguments, to: string, io: CommandIo): Promise<ExitCode> {
+  const target = TARGETS.find((t) => t === to.replace(/^\./, '').toLowerCase());
+  if (!target) throw new UsageError(`--to takes one of ${TARGETS.join(', ')}; "${to}" is none.`);
+  if (given.files.length === 0) throw new UsageError('convert takes what to read.');
+  const out = given.value('out');
+  const written: WrittenFile[] = [];
+  const diagnostics: Diagnostic[] = [];
+  const isJson = given.flag('json');
+  const options = { ...readOptions(given), target, replaces: given.flag('force'), ...(out !== undefined && { out }) };
+  const isWhole = await convertMany(given.files, io.folder, options, {
+    async written(file) {
+      written.push(file);
+      if (!isJson) await io.out(`${file.path}: ${labelOf(file.path)}, ${file.bytes} bytes\n`);
+    },
+    told(found) {
+      diagnostics.push(...found);
+      report(found, io);
+    },
+  });
+  if (isJson) await printJson({ written, diagnostics }, io);
+  return isWhole ? 0 : 1;
+}
+
+function labelOf(path: string): string {
+  return formatOf(path)?.label ?? 'file';
+}
+
+async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
+  const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
+  if (out === undefined || ins.length === 0) throw new UsageError('convert takes what to read and what to write.');
+  const format = formatOf(out);
+  if (!format) {
+    const known = READABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
+    throw new UsageError(`The format of "${out}" is not known; its name has to end in one of ${known}.`);
   }
-  if (format.kind === 'rig') return rigOf(files, out);
+
+  const options = readOptions(given);
+  const name = basename(out);
+  const { files, diagnostics: read } = loadFiles(ins, io.folder);
+  const diagnostics = [...read];
+  let bytes = 0;
+  if (!hasErrors(diagnostics)) {
+    const picked = pick(files, format, name, options);
+    if ('output' in picked) {
+      const written = writeOutput(resolve(io.folder, out), picked.output.pieces());
+      diagnostics.push(...picked.output.diagnostics());
+      if ('bytes' in written) bytes = written.bytes;
+      else {
+        const message = `The file could not be written: ${written.failure}.`;
+        diagnostics.push(refusal('file-not-written', message, name));
+      }
+    } else diagnostics.push(picked.refusal);
+  }
+  report(diagnostics, io);
+  const failed = hasErrors(diagnostics);
+  if (given.flag('json'))
+    await printJson({ written: failed ? null : { name, kind: format.kind, bytes }, diagnostics }, io);
+  else if (!failed) await io.out(`${out}: ${format.label}, ${bytes} bytes\n`);
+  return failed ? 1 : 0;
+}
+
+type Picked = { readonly output: Output } | { readonly refusal: Diagnostic };
+
+function pick(files: readonly ParsedFile[], format: Format, out: string, options: ConversionOptions): Picked {
+  const { kind } = format;
+  const fitting = files.filter((file) => file.kind === kind);
+  if (fitting.length > 1)
+    return {
+      refusal: tooMany(
+        format,
+        fitting.map((file) => file.source.name),
+        out,
+      ),
+    };
+  const [only] = fitting;
+  // A rate asks for other frames than the file has.
+  if (only && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
+    return { output: kind === 'bvh' ? bvhAgain(only, out) : textOutput(out, () => only) };
+  }
+  if (kind === 'rig') return rigOf(files, out);
+  const target = TARGETS.find((t) => t === kind);
+  const converted = target ? convertedTo(target, files, format, out, options) : undefined;
+  if (converted) return converted;
   const held = files.map((file) => file.source.name).join(', ') || 'nothing that was read';
   const message = `No ${format.label} was given to write ${out} from: there is ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
 }
 
+function tooMany({ label }: Format, names: readonly string[], out: string): Diagnostic {
+  const message = `More than one ${label} was given (${names.join(', ')}), and ${out} holds one: name only that one.`;
+  return refusal('part-ambiguous', message, out);
+}
+
+/** All roots, frames as they were read. */
+function bvhAgain(file: ParsedFile, out: string): Output {
+  const figures = file.kind === 'bvh' ? file.figures : [];
+  return bvhOutput(
+    stem(out),
+    figures.map((figure) => ({ figure, name: figure.skeleton.name, diagnostics: [] })),
+  );
+}
+
+/** What the files, put together, are in that format; undefined where they hold nothing that could be it. */
+function convertedTo(
+  target: Target,
+  files: readonly ParsedFile[],
+  format: Format,
+  out: string,
+  options: ConversionOptions,
+): Picked | undefined {
+  const characters = openFiles(EMPTY_DOCUMENT, files).document.characters.filter(({ skeleton }) => skeleton);
+  if (target === 'bvh') {
+    const figures = characters.flatMap((character) => bvhOf(character, options.framesPerSecond));
+    if (figures.length === 0) return undefined;
+    if (characters.length > 1 || figures.length > 1) {
+      const isOne = figures.length === characters.length && files.length === 1;
+      if (!isOne || !fitOneBvh(figures.map(({ figure }) => figure))) {
+        return {
+          refusal: tooMany(
+            format,
+            figures.map(({ name }) => name),
+            out,
+          ),
+        };
+      }
+    }
+    return { output: bvhOutput(stem(out), figures) };
+  }
+  // One kind alone: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
+  const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
+  if (target === 'skel' && skeletons.length && files.length === 1) {
+    return { output: textOutput(out, () => ({ kind: 'skel', skeletons })) };
+  }
+  const made = outputsOf(characters, target, options).filter(({ name }) => name.toLowerCase().endsWith(`.${target}`));
+  if (made.length === 0) return undefined;
+  if (made.length > 1)
+    return {
+      refusal: tooMany(
+        format,
+        made.map(({ name }) => name),
+        out,
+      ),
+    };
+  return { output: made[0] };
+}
+
+function stem(name: string): string {
+  return stemOf({ name, path: name, bytes: 0 });
+}
+
 /** A rig that names the files given. */
-function rigOf(files: readonly ParsedFile[], out: string) {
+function rigOf(files: readonly ParsedFile[], out: string): Picked {
   const named = (kind: FileKind) => files.filter((file) => file.kind === kind).map((file) => file.source.name);
   const [skeletons, skins, morphs, animations] = (['skel', 'skin', 'morph', 'anim'] as const).map(named);
   const twice = [skeletons, skins, animations].find((names) => names.length > 1);
@@ -85,31 +229,12 @@ function rigOf(files: readonly ParsedFile[], out: string) {
   const content: FileContent = {
     kind: 'rig',
     rig: {
-      name: stemOf({ name: out, path: out, bytes: 0 }),
+      name: stem(out),
       ...(skeletons.length && { skeleton: skeletons[0] }),
       ...(skins.length && { skin: skins[0] }),
       morphs,
       ...(animations.length && { animation: animations[0] }),
     },
   };
-  return { content };
-}
-
-/** Undefined when done, else why not; then what was there is as it was. */
-function replaceFile(path: string, text: string): string | undefined {
-  const scratch = `${path}.${process.pid}.tmp`;
-  try {
-    const there = statSync(path, { throwIfNoEntry: false });
-    if (there && !there.isFile()) return 'something that is not a file has this name';
-    writeFileSync(scratch, text, { flag: 'wx', ...(there && { mode: there.mode }) });
-    renameSync(scratch, path);
-    return undefined;
-  } catch (error) {
-    rmSync(scratch, { force: true });
-    return error instanceof Error ? error.message : String(error);
-  }
-}
-
-function refusal(code: string, message: string, file: string): Diagnostic {
-  return { severity: 'error', code, message, file, line: 0, column: 0 };
+  return { output: textOutput(out, () => content) };
 }

@@ -4,6 +4,7 @@ import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../model/document.ts';
 import { jointDofCount } from '../../model/dofs.ts';
 import type { FileContent } from '../../model/files.ts';
+import { rangeOfSamples } from '../../model/samples.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { parseArguments } from '../arguments.ts';
 import type { Command } from '../io.ts';
@@ -73,10 +74,17 @@ function counts(content: FileContent): Record<string, unknown> {
     }
     case 'bvh': {
       const { figures } = content;
+      const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
+      // The same for all figures that have any: a row holds the channels of all roots.
+      const samples = figures.find(({ clip }) => clip?.samples)?.clip?.samples;
+      const range = samples && rangeOfSamples(samples);
       return {
-        joints: sum(figures.map(({ skeleton }) => skeleton.joints.length)),
+        joints: joints.length,
+        endSites: sum(joints.map(({ endSites = [] }) => endSites.length)),
         dofs: sum(figures.map(({ skeleton }) => jointDofCount(skeleton))),
         roots: figures.length,
+        frames: samples?.frameCount ?? 0,
+        ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
       };
     }
     case 'texture':

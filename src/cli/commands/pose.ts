@@ -1,17 +1,18 @@
 /**
  * `marrow pose`: joints, and with `--vertices` the skin, of each character that the files make, at a pose built from
  *
- *     the files' own pose  ←  --time (the animation)  ←  --root, --dofs, --morphs     each overriding what is before
+ *     the files' own pose  ←  --time or --frame (the animation)  ←  --root, --dofs, --morphs     each overriding what is before
  *
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
 import { openFiles } from '../../edit/open-files.ts';
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
-import { clampDofs, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { type EndSitePosition, endSitePositions } from '../../evaluate/end-sites.ts';
+import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { jointTypeOfMotion } from '../../formats/skel/joint-types.ts';
+import { typeName } from '../../formats/skel/joint-types.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
-import { type Character, EMPTY_DOCUMENT, shownSkin } from '../../model/document.ts';
+import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Command } from '../io.ts';
@@ -20,11 +21,12 @@ import { printJson, report } from '../report.ts';
 
 export const pose: Command = {
   name: 'pose',
-  usage: 'FILE… [--time T] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
+  usage: 'FILE… [--time T | --frame N] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
   summary: 'joints and vertices at a pose or a time of the animation',
   async run(args, io) {
     const given = parseArguments(args, {
       time: 'value',
+      frame: 'value',
       root: 'value',
       dofs: 'value',
       morphs: 'value',
@@ -38,7 +40,10 @@ export const pose: Command = {
     const { characters } = opened.document;
     // Told first: that a file is broken explains why a list does not fit.
     report(diagnostics, io);
-    if (!hasErrors(diagnostics)) checkCounts(characters, asked);
+    if (!hasErrors(diagnostics)) {
+      checkCounts(characters, asked);
+      checkFrame(characters, asked);
+    }
     const posed = characters.filter((c) => fits(c, asked)).map((c) => poseCharacter(c, asked, given.flag('vertices')));
     if (given.flag('json')) await printJson({ characters: posed, diagnostics }, io);
     else await io.out(posed.map(asText).join('\n'));
@@ -49,6 +54,8 @@ export const pose: Command = {
 /** Undefined for what the command line leaves to the animation or the files. */
 interface Asked {
   readonly time: number | undefined;
+  /** From 0, of the samples. */
+  readonly frame: number | undefined;
   readonly root: readonly number[] | undefined;
   readonly dofs: readonly number[] | undefined;
   readonly morphs: readonly number[] | undefined;
@@ -60,10 +67,16 @@ function readAsked(given: Arguments): Asked {
     return text === undefined ? undefined : numbersOf(name, text);
   };
   const time = given.value('time');
+  const frameText = given.value('frame');
+  const frame = frameText === undefined ? undefined : numberOf('frame', frameText);
+  if (time !== undefined && frame !== undefined) throw new UsageError('--time and --frame say the same: give one.');
+  if (frame !== undefined && !Number.isInteger(frame))
+    throw new UsageError(`--frame takes a whole number, not ${frame}.`);
   const root = list('root');
   if (root && root.length !== 3) throw new UsageError(`--root takes 3 numbers, x,y,z; there are ${root.length}.`);
   return {
     time: time === undefined ? undefined : numberOf('time', time),
+    frame,
     root,
     dofs: list('dofs'),
     morphs: list('morphs'),
@@ -95,11 +108,31 @@ function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked):
   check('morphs', 'morphs', morphs, (c) => c.morphs.length);
 }
 
+/** A frame is one of every character that is sampled. */
+function checkFrame(characters: readonly Character[], { frame }: Asked): void {
+  if (frame === undefined) return;
+  const sampled = characters.filter((c) => shownClip(c)?.samples);
+  if (sampled.length === 0) throw new UsageError('--frame takes motion capture; in these files nothing is sampled.');
+  for (const character of sampled) {
+    const { frameCount = 0 } = shownClip(character)?.samples ?? {};
+    if (frame >= 0 && frame < frameCount) continue;
+    throw new UsageError(`--frame takes 0 to ${frameCount - 1}, the frames of "${character.name}", not ${frame}.`);
+  }
+}
+
+/** The time that was asked for, in seconds of the character's clip. */
+function timeOf(character: Character, { time, frame }: Asked): number | undefined {
+  const samples = shownClip(character)?.samples;
+  return frame !== undefined && samples ? samples.startSeconds + frame * samples.frameSeconds : time;
+}
+
 /** Where files have errors, what remains of them may not be what the lists were meant for. */
-function fits(character: Character, { dofs, morphs }: Asked): boolean {
+function fits(character: Character, { dofs, morphs, frame = 0 }: Asked): boolean {
   const matches = (list: readonly number[] | undefined, count: number) =>
     list === undefined || count === 0 || count === list.length;
-  return matches(dofs, jointDofCount(character.skeleton)) && matches(morphs, character.morphs.length);
+  const { frameCount = Infinity } = shownClip(character)?.samples ?? {};
+  const isFrame = frame >= 0 && frame < frameCount;
+  return isFrame && matches(dofs, jointDofCount(character.skeleton)) && matches(morphs, character.morphs.length);
 }
 
 interface PosedCharacter {
@@ -107,6 +140,8 @@ interface PosedCharacter {
   /** The root's translation. */
   readonly root: readonly number[];
   readonly joints: readonly PosedJoint[];
+  /** Where bones end that no joint ends; absent where there are none. */
+  readonly endSites?: readonly EndSitePosition[];
   readonly morphs: readonly { readonly name: string; readonly weight: number }[];
   /** x y z a vertex. */
   readonly positions?: readonly number[];
@@ -139,10 +174,11 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     index,
     name: joint.name,
     parent: joint.parent,
-    type: jointTypeOfMotion(joint.motion).keyword,
+    type: typeName(joint.motion),
     dofs: compiled ? Array.from(values.subarray(compiled.firstDof[index], compiled.firstDof[index + 1])) : [],
     world: world ? Array.from(world.subarray(16 * index, 16 * index + 16)) : [],
   }));
+  const endSites = skeleton && world ? endSitePositions(skeleton, world) : [];
   const firstMorph = values.length - morphs.length;
   const { positions, normals } = deformed(character, values, firstMorph, world);
   const points = positions ?? Float64Array.from(joints.flatMap((joint) => joint.world.slice(12, 15)));
@@ -150,6 +186,7 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     name: character.name,
     root: Array.from(compiled?.travel ?? ROOT, (dof) => values[dof]),
     joints,
+    ...(endSites.length > 0 && { endSites }),
     morphs: morphs.map((morph, m) => ({ name: morph.name, weight: values[firstMorph + m] })),
     ...(withVertices && { positions: Array.from(positions ?? []), normals: Array.from(normals ?? []) }),
     bounds: boundsOf(points),
@@ -157,7 +194,9 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
 }
 
 /** The character's DOFs, in the order of `model/dofs.ts`. */
-function poseValues(character: Character, { time, root, dofs, morphs }: Asked): Float64Array {
+function poseValues(character: Character, asked: Asked): Float64Array {
+  const { root, dofs, morphs } = asked;
+  const time = timeOf(character, asked);
   const values = new Float64Array(dofCountOf(character));
   // Without a time the animation has no say.
   poseAt(time === undefined ? { ...character, shownClip: -1 } : character, time ?? 0, values);
@@ -165,14 +204,16 @@ function poseValues(character: Character, { time, root, dofs, morphs }: Asked): 
   const own = rootDofCount(skeleton);
   if (root && own) values.set(root, 0);
   if (dofs && skeleton) values.set(dofs, own);
-  // A root that moves by itself has its own say over where it is, and the root translation is added to that.
-  if (root && skeleton && !own) {
-    compileSkeleton(skeleton).travel.forEach((dof, k) => {
+  if (morphs && character.morphs.length) values.set(morphs, values.length - morphs.length);
+  if (!skeleton) return values;
+  const compiled = compileSkeleton(skeleton);
+  settleDofs(compiled, values, true);
+  // A root that moves by itself has its own say over where it is, within its limits; the translation is added to that.
+  if (root && !own) {
+    compiled.travel.forEach((dof, k) => {
       values[dof] += root[k];
     });
   }
-  if (morphs && character.morphs.length) values.set(morphs, values.length - morphs.length);
-  if (character.skeleton) clampDofs(compileSkeleton(character.skeleton), values);
   return values;
 }
 
@@ -201,7 +242,7 @@ function boundsOf(points: Float64Array): PosedCharacter['bounds'] {
   return { min, max };
 }
 
-function asText({ name, root, joints, morphs, positions, normals, bounds }: PosedCharacter): string {
+function asText({ name, root, joints, endSites = [], morphs, positions, normals, bounds }: PosedCharacter): string {
   const lines = [`character ${name}, root ${root.join(' ')}`];
   for (const joint of joints) {
     lines.push(
@@ -209,6 +250,7 @@ function asText({ name, root, joints, morphs, positions, normals, bounds }: Pose
       ...[0, 1, 2, 3].map((row) => `      ${[0, 4, 8, 12].map((column) => joint.world[column + row]).join(' ')}`),
     );
   }
+  for (const { joint, position } of endSites) lines.push(`  end site of ${joint}: ${position.join(' ')}`);
   for (const morph of morphs) lines.push(`  morph ${morph.name}: ${morph.weight}`);
   for (let o = 0; positions && normals && o < positions.length; o += 3) {
     const [position, normal] = [positions, normals].map((list) => list.slice(o, o + 3).join(' '));

@@ -1,0 +1,71 @@
+/**
+ * A character in formats that it did not come from: BVH as `.skel` and `.anim`, anything as `.bvh`. What page and
+ * command write, as models: the text is the writers' business.
+ */
+
+import { framesOf, playedClip } from '../../evaluate/bake.ts';
+import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
+import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import type { KeyOptions } from './keys-of-samples.ts';
+import { skelClip, skelFigure, skelPose } from './skel-figure.ts';
+
+/** A second where a clip has no rate of its own. */
+export const DEFAULT_FRAMES_PER_SECOND = 30;
+
+/** The character's skeleton as `.skel` holds it, in the pose as set. Undefined without one. */
+export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>): Skeleton | undefined {
+  return skeleton && inPose(skelFigure(skeleton).skeleton, skelPose(pose, skeleton));
+}
+
+/** One of its clips as `.anim` holds it: keys for the DOFs of `skelOf`. */
+export function animOf(
+  { skeleton }: Pick<Character, 'skeleton'>,
+  clip: ChannelClip,
+  options?: KeyOptions,
+): ChannelClip {
+  return skeleton ? skelClip(clip, skeleton, options) : clip;
+}
+
+/** A clip's figure of BVH, and how its file is called without its ending. */
+export interface NamedFigure extends BvhFigure {
+  readonly name: string;
+}
+
+/**
+ * A figure of BVH for each clip, or one that stands in the pose as set where there is none.
+ * @param framesPerSecond of all; absent: each clip's own, or 30
+ */
+export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
+  const { skeleton, clips, driver } = character;
+  if (!skeleton) return [];
+  // What another one's take makes it do, whichever of its own is shown.
+  if (driver) return [named(character, framesPerSecond, `${skeleton.name}_${driver.source.clip.name}`)];
+  if (clips.length === 0) return [named({ ...character, shownClip: -1 }, framesPerSecond, skeleton.name)];
+  return clips.map((clip, index) => named({ ...character, shownClip: index }, framesPerSecond, clip.name));
+}
+
+function named(character: Character, framesPerSecond: number | undefined, name: string): NamedFigure {
+  const clip = playedClip(character);
+  const frames =
+    framesPerSecond === undefined
+      ? framesFor(character, DEFAULT_FRAMES_PER_SECOND)
+      : framesOf(clip?.range ?? [0, 0], framesPerSecond);
+  return { name, ...toBvhFigure(character, frames, `${name}.bvh`) };
+}
+
+/**
+ * The skeleton with a pose of its joints as the file's.
+ * @param pose one value for each DOF of the joints
+ */
+export function inPose(skeleton: Skeleton, pose: readonly number[]): Skeleton {
+  let start = 0;
+  const joints = skeleton.joints.map((joint) => {
+    const from = start;
+    start += dofsOf(joint.motion).length;
+    return { ...joint, pose: pose.slice(from, start) };
+  });
+  return { ...skeleton, joints };
+}

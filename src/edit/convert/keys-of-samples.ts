@@ -1,0 +1,85 @@
+/**
+ * Samples as keys: every frame a key with linear tangents, so that the curve passes through every sample and goes
+ * straight between them. What `.anim` needs, which has no samples.
+ *
+ * Angles are made continuous first (`channels/euler-filter.ts`): a joint at 179° in one frame and −179° in the next must
+ * not spin between them. The rotation at every frame is what it was. Between frames samples turn a joint along the
+ * shortest arc, keys each angle by itself; at mocap rates that is no difference to be seen.
+ */
+import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
+import { type Channel, type ChannelClip, isSampled, LINEAR, type Tangents } from '../../model/clip.ts';
+import { firstDofs } from '../../model/dofs.ts';
+import { columnOf, type Samples } from '../../model/samples.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
+import { simplifyChannel } from '../channels/simplify.ts';
+
+export interface KeyOptions {
+  /** Keys that are not needed to stay within this much of every curve go; radians, or units of length. 0: none go. */
+  readonly tolerance?: number;
+}
+
+/**
+ * A clip of keys alone: channels that followed samples have keys, all others are the very same. The clip itself where
+ * there is nothing to do.
+ * @param skeleton whose DOFs the channels drive: tells which of them are angles
+ */
+export function keyedClip(clip: ChannelClip, skeleton: Skeleton | undefined, options: KeyOptions = {}): ChannelClip {
+  const { samples, ...rest } = clip;
+  if (!samples) return clip;
+  const shared = sharedColumns(samples);
+  const sampled = clip.channels.map((_, c) => isSampled(clip, c));
+  const channels = clip.channels.map((channel, c) => (sampled[c] ? keyed(channel, samples, c, shared) : channel));
+  if (skeleton) unwind(channels, sampled, skeleton);
+  const tolerance = options.tolerance ?? 0;
+  if (tolerance > 0) {
+    channels.forEach((channel, c) => {
+      if (sampled[c]) channels[c] = simplifyChannel(channel, tolerance).channel;
+    });
+  }
+  return { ...rest, channels };
+}
+
+/** What the channels of one clip have in common, made once: none of it ever changes. */
+function sharedColumns({ frameCount, frameSeconds, startSeconds }: Samples) {
+  const times = new Float64Array(frameCount);
+  for (let f = 0; f < frameCount; f++) times[f] = startSeconds + f * frameSeconds;
+  const linear: Tangents = {
+    kinds: new Uint8Array(frameCount).fill(LINEAR),
+    slopes: new Float64Array(frameCount),
+  };
+  return { times, tangentsIn: linear, tangentsOut: linear };
+}
+
+function keyed(
+  { extrapolateIn, extrapolateOut }: Channel,
+  samples: Samples,
+  channel: number,
+  shared: ReturnType<typeof sharedColumns>,
+): Channel {
+  const { frameCount, scales, values: rows } = samples;
+  const column = columnOf(samples, channel);
+  const values = new Float64Array(frameCount);
+  for (let f = 0; f < frameCount; f++) values[f] = rows[f * scales.length + column] * scales[column];
+  return { extrapolateIn, extrapolateOut, values, ...shared };
+}
+
+/** Takes out the jumps of angles, in place. */
+function unwind(channels: Channel[], sampled: readonly boolean[], skeleton: Skeleton): void {
+  const starts = firstDofs(skeleton);
+  skeleton.joints.forEach(({ motion }, j) => {
+    const first = starts[j];
+    const euler = eulerDofs(motion);
+    const together = euler ? [euler.x, euler.y, euler.z].map((dof) => first + dof) : [];
+    if (euler && together.every((c) => sampled[c])) {
+      const [x, y, z] = together.map((c) => channels[c]);
+      filterRotations([x, y, z], euler.order).forEach((channel, i) => {
+        channels[together[i]] = channel;
+      });
+      return;
+    }
+    turningDofs(motion).forEach((turns, d) => {
+      if (turns && sampled[first + d]) channels[first + d] = unrollAngle(channels[first + d]);
+    });
+  });
+}

@@ -1,0 +1,163 @@
+/**
+ * A figure of BVH as a skeleton that `.skel` can hold, and its clips as `.anim` can.
+ *
+ *     three rotations                    balljoint, of their order
+ *     … and all three positions          freejoint
+ *     no channels                        fixedjoint
+ *     anything else                      compoundjoint, translation first as in BVH
+ *     End Site                           a leaf `fixedjoint End_Site`
+ *
+ * Where position channels replace the offset, the offset along them becomes 0, for here they are added to it.
+ *
+ * `.skel` has no End Sites. Boxes that reach to where they were would show them, but nothing would find them again; a
+ * joint without DOFs is as exact, changes no channel, and comes back as an End Site (`evaluate/bvh-figure.ts`).
+ */
+
+import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { type Channel, type ChannelClip, keylessChannel } from '../../model/clip.ts';
+import { filePose, firstDofs, rootDofCount } from '../../model/dofs.ts';
+import { skelMotionOf } from '../../model/skel-motion.ts';
+import {
+  type Box,
+  dofsOf,
+  isUnlimited,
+  type Joint,
+  type Limit,
+  type Skeleton,
+  UNLIMITED,
+} from '../../model/skeleton.ts';
+import { type KeyOptions, keyedClip } from './keys-of-samples.ts';
+
+export interface SkelFigure {
+  readonly skeleton: Skeleton;
+  /** For each channel of a clip of the new skeleton that of the old one; -1 for none. */
+  readonly channelMap: readonly number[];
+}
+
+/** Of the figure's extent: how thick its boxes are. */
+const THICKNESS = 1 / 80;
+
+/** The name of a leaf that stands for an End Site; as one token, which is what `.skel` can hold. */
+const END_SITE = 'End_Site';
+
+const made = new WeakMap<Skeleton, SkelFigure>();
+
+/** The skeleton itself where none of its joints is one of BVH. Made once for each skeleton. */
+export function skelFigure(skeleton: Skeleton): SkelFigure {
+  let figure = made.get(skeleton);
+  if (!figure) {
+    figure = make(skeleton);
+    made.set(skeleton, figure);
+  }
+  return figure;
+}
+
+/** What `.anim` can hold of a clip: keys, for the DOFs of `skelFigure(skeleton)`. */
+export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: KeyOptions = {}): ChannelClip {
+  const { channelMap } = skelFigure(skeleton);
+  const keyed = keyedClip(clip, skeleton, options);
+  if (channelMap.every((c, i) => c === i)) return keyed;
+  const none = keylessChannel();
+  const past = clip.channels.slice(rootDofCount(skeleton) + dofCount(skeleton));
+  const channels = channelMap.map((c): Channel => (c < 0 ? none : (keyed.channels[c] ?? none)));
+  return { ...keyed, channels: [...channels, ...past] };
+}
+
+/** A character's pose as the new skeleton's joints take it: one value for each of their DOFs. */
+export function skelPose(pose: readonly number[], skeleton: Skeleton): readonly number[] {
+  const { skeleton: to, channelMap } = skelFigure(skeleton);
+  return channelMap.slice(rootDofCount(to)).map((c) => (c < 0 ? 0 : (pose[c] ?? 0)));
+}
+
+function dofCount({ joints }: Skeleton): number {
+  return joints.reduce((sum, { motion }) => sum + dofsOf(motion).length, 0);
+}
+
+function make(skeleton: Skeleton): SkelFigure {
+  const identity = () => Array.from({ length: rootDofCount(skeleton) + dofCount(skeleton) }, (_, c) => c);
+  if (!skeleton.joints.some(({ motion }) => motion.kind === 'bvh')) return { skeleton, channelMap: identity() };
+  const thickness = THICKNESS * extentOf(skeleton);
+  const joints: Joint[] = [];
+  /** Of each old joint, its number among the new ones; of each new one, the old one or -1. */
+  const numbers: number[] = [];
+  const origins: number[] = [];
+  skeleton.joints.forEach((joint, j) => {
+    numbers.push(joints.length);
+    origins.push(j);
+    joints.push({ ...skelJoint(joint, boxOf(skeleton, j, thickness)), parent: numbers[joint.parent] ?? -1 });
+    for (const end of joint.endSites ?? []) {
+      origins.push(-1);
+      joints.push(endSite(numbers[j], end, thickness));
+    }
+  });
+  const known = joints.map(({ couples, ...joint }): Joint => {
+    if (!couples) return joint;
+    return { ...joint, couples: couples.map((couple) => ({ ...couple, joint: numbers[couple.joint] ?? 0 })) };
+  });
+  const to: Skeleton = { name: skeleton.name, joints: known };
+  return { skeleton: to, channelMap: channelMapOf(skeleton, to, origins) };
+}
+
+function skelJoint(joint: Joint, box: Box): Joint {
+  const { endSites: _, ...rest } = joint;
+  const { motion } = joint;
+  if (motion.kind !== 'bvh') return rest;
+  const { motion: to, dofMap } = skelMotionOf(motion);
+  const replaces = (name: 'tx' | 'ty' | 'tz') => motion.positions === 'replace' && motion.channels.includes(name);
+  const [x, y, z] = joint.offset;
+  return {
+    ...rest,
+    box,
+    motion: to,
+    offset: [replaces('tx') ? 0 : x, replaces('ty') ? 0 : y, replaces('tz') ? 0 : z],
+    limits: dofMap.map((d) => limitOf(joint, d)),
+    pose: dofMap.map((d) => joint.pose[d] ?? 0),
+  };
+}
+
+/** What nothing limits is unlimited as `.skel` says it: no decimal is infinite. */
+function limitOf({ limits }: Joint, dof: number): Limit {
+  const limit = limits[dof] ?? UNLIMITED;
+  return isUnlimited(limit) ? UNLIMITED : limit;
+}
+
+function endSite(parent: number, offset: Vec3, thickness: number): Joint {
+  const box: Box = { min: [-thickness, -thickness, -thickness], max: [thickness, thickness, thickness] };
+  return { name: END_SITE, parent, offset, box, motion: { kind: 'fixed' }, limits: [], pose: [] };
+}
+
+function channelMapOf(from: Skeleton, to: Skeleton, origins: readonly number[]): readonly number[] {
+  const starts = firstDofs(from);
+  const own = rootDofCount(from);
+  const map = Array.from({ length: rootDofCount(to) }, (_, c) => (c < own ? c : -1));
+  origins.forEach((j) => {
+    if (j < 0) return;
+    const { motion } = from.joints[j];
+    const dofMap = motion.kind === 'bvh' ? skelMotionOf(motion).dofMap : dofsOf(motion).map((_, d) => d);
+    map.push(...dofMap.map((d) => starts[j] + d));
+  });
+  return map;
+}
+
+/** Around the bones that begin at a joint: a figure drawn as boxes looks like one. */
+function boxOf({ joints }: Skeleton, j: number, thickness: number): Box {
+  const points = [...(joints[j].endSites ?? []), ...joints.filter(({ parent }) => parent === j).map((c) => c.offset)];
+  const side = (k: number, of: (...values: number[]) => number, pad: number) => of(0, ...points.map((p) => p[k])) + pad;
+  return {
+    min: [side(0, Math.min, -thickness), side(1, Math.min, -thickness), side(2, Math.min, -thickness)],
+    max: [side(0, Math.max, thickness), side(1, Math.max, thickness), side(2, Math.max, thickness)],
+  };
+}
+
+/** The longest side of the box around the joints as the file poses them. */
+function extentOf(skeleton: Skeleton): number {
+  const compiled = compileSkeleton(skeleton);
+  const world = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, Float64Array.from(filePose(skeleton, 0)), world);
+  const sides = [12, 13, 14].map((k) => {
+    const along = skeleton.joints.map((_, j) => world[16 * j + k]);
+    return along.reduce((a, b) => Math.max(a, b)) - along.reduce((a, b) => Math.min(a, b));
+  });
+  return Math.max(...sides) || 1;
+}

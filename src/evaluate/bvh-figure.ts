@@ -1,0 +1,310 @@
+/**
+ * Any character as a figure of BVH: its joints with channels of rotation (and position where they move), what its shown
+ * clip does as rows of values.
+ *
+ * Positions come from the joints' matrices, for in BVH a position channel replaces the offset; angles are the joints'
+ * own DOFs wherever those are such angles (`bvh-joints.ts`). The root always has all six channels, or what it had.
+ *
+ * `.skel` knows no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-figure.ts`), which become
+ * End Sites again here.
+ */
+import { invertAffine, multiplyAffine } from '../math/mat4.ts';
+import type { Vec3 } from '../math/vec3.ts';
+import { type ChannelClip, isSampled, keylessChannel } from '../model/clip.ts';
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Character, shownClip } from '../model/document.ts';
+import { firstDofs, rootDofCount } from '../model/dofs.ts';
+import type { Figure } from '../model/files.ts';
+import { columnOf, RADIANS_PER_DEGREE } from '../model/samples.ts';
+import { type BvhChannel, dofsOf, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
+import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
+import { type JointPlan, MATRIX_CHANNELS, planJoints, scales } from './bvh-joints.ts';
+import { rotationPart, zxyAngles } from './euler-angles.ts';
+import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
+
+export interface BvhFigure {
+  readonly figure: Figure;
+  /** What BVH can't hold. */
+  readonly diagnostics: readonly Diagnostic[];
+}
+
+/** A translation that stays within this part of the skeleton's reach of where it was does not move. */
+const STILL = 1e-12;
+
+const POSITIONS: readonly BvhChannel[] = ['tx', 'ty', 'tz'];
+
+/** What a leaf is called that stands for an End Site. */
+const END_SITE = /^end[ _]?site$/i;
+
+/** Whether a joint of `.skel` stands for an End Site of BVH: a leaf below another joint that never moves. */
+export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
+  const { motion, name, parent } = joints[j];
+  return motion.kind === 'fixed' && END_SITE.test(name) && parent >= 0 && joints[j + 1]?.parent !== j;
+}
+
+/** Whether a character is a figure of BVH as it stands: what is kept of it is what its file holds. */
+export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
+  return skeleton?.joints.every(({ motion }) => motion.kind === 'bvh') ?? false;
+}
+
+/**
+ * The frames that a character is sampled at where nobody says otherwise: its clip's own, or as many of `framesPerSecond`
+ * as its clip's range holds; one where it has no clip.
+ */
+export function framesFor(character: Character, framesPerSecond: number): Frames {
+  const clip = playedClip(character);
+  return ownFrames(character) ?? framesOf(clip?.range ?? [0, 0], framesPerSecond);
+}
+
+/**
+ * @param character with a skeleton
+ * @param frames seconds of the clip
+ * @param file what diagnostics name
+ */
+export function toBvhFigure(character: Character, frames: Frames, file = ''): BvhFigure {
+  const { skeleton } = character;
+  if (!skeleton) throw new Error(`${character.name} has no skeleton.`);
+  const clip = shownClip(character);
+  if (isUntouched(character, clip, frames)) return { figure: { skeleton, ...(clip && { clip }) }, diagnostics: [] };
+  return new Figuring(character, skeleton, frames, file).result();
+}
+
+/** Whether all that the clip does is in its samples: then they are what is written, to the last bit. */
+function isUntouched(character: Character, clip: ChannelClip | undefined, frames: Frames): boolean {
+  const { skeleton, clampsToLimits, driver } = character;
+  if (driver || !skeleton || !isBvh(character) || rootDofCount(skeleton) > 0) return false;
+  if (!clip) return true;
+  const { samples } = clip;
+  if (samples?.startSeconds !== frames.startSeconds || samples.frameSeconds !== frames.frameSeconds) return false;
+  if (samples.frameCount !== frames.frameCount) return false;
+  const compiled = compileSkeleton(skeleton);
+  if (compiled.couples.length > 0) return false;
+  if (clampsToLimits && !compiled.lower.every((v, d) => v <= UNLIMITED.min && compiled.upper[d] >= UNLIMITED.max)) {
+    return false;
+  }
+  for (let d = 0; d < compiled.dofCount; d++) if (!isSampled(clip, d)) return false;
+  return true;
+}
+
+class Figuring {
+  private readonly plans: readonly JointPlan[];
+  private readonly isScaled: boolean;
+  /** Which joints are joints there: those that stand for End Sites are none. */
+  private readonly kept: readonly number[];
+  /** 16 a joint: each in its parent's space, without scale and shear. */
+  private readonly local: Float64Array<ArrayBuffer>;
+  private readonly world: Float64Array<ArrayBuffer>;
+
+  constructor(
+    private readonly character: Character,
+    private readonly skeleton: Skeleton,
+    private readonly frames: Frames,
+    private readonly file: string,
+  ) {
+    const { joints } = skeleton;
+    this.plans = planJoints(skeleton);
+    this.isScaled = joints.some(({ motion }) => scales(motion));
+    this.kept = joints.flatMap((_, j) => (standsForEndSite(skeleton, j) ? [] : [j]));
+    this.local = new Float64Array(16 * joints.length);
+    this.world = new Float64Array(16 * joints.length);
+  }
+
+  result(): BvhFigure {
+    const { skeleton, frames, kept } = this;
+    const offsets = this.offsets();
+    const channels = this.channels(offsets);
+    const width = kept.reduce((sum, j) => sum + channels[j].length, 0);
+    const values = new Float64Array(frames.frameCount * width);
+    const write = this.writer(channels, width, values);
+    eachFrame(this.character, frames, (dofs, frame) => {
+      this.place(dofs);
+      write(dofs, frame);
+    });
+
+    const numbers = new Map(kept.map((j, index) => [j, index]));
+    const joints = kept.map((j): Joint => {
+      const { endSites, parent, name, box } = skeleton.joints[j];
+      const ends = [...(endSites ?? []), ...this.endsOf(j)];
+      return {
+        name: name || (skeleton.joints[j].motion.kind === 'bvh' ? '' : `joint${j}`),
+        parent: numbers.get(parent) ?? -1,
+        offset: offsets[j],
+        box,
+        motion: { kind: 'bvh', channels: channels[j], positions: 'replace' },
+        limits: channels[j].map(() => UNLIMITED),
+        pose: channels[j].map((channel) => (channel.startsWith('t') ? offsets[j]['xyz'.indexOf(channel[1])] : 0)),
+        ...(ends.length && { endSites: ends }),
+      };
+    });
+    const figure = { name: skeleton.name, joints };
+    const { frameSeconds, frameCount } = frames;
+    const scales = joints.flatMap(({ motion }) =>
+      dofsOf(motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1)),
+    );
+    // Without a root translation before them, or with one that stands at 0.
+    const firstChannel = rootDofCount(figure);
+    const clip: ChannelClip = {
+      name: shownClip(this.character)?.name ?? this.character.name,
+      range: [0, (frameCount - 1) * frameSeconds],
+      channels: Array.from({ length: firstChannel + width }, () => keylessChannel()),
+      samples: {
+        frameCount,
+        frameSeconds,
+        startSeconds: 0,
+        firstChannel,
+        values,
+        scales: Float64Array.from(scales),
+        interpolation: shownClip(this.character)?.samples?.interpolation ?? 'linear',
+      },
+    };
+    return { figure: { skeleton: figure, clip }, diagnostics: this.diagnostics() };
+  }
+
+  /** Each joint in its parent's space, as a rotation and a position. */
+  private place(dofs: Float64Array): void {
+    const { local, world, skeleton, plans, isScaled } = this;
+    const compiled = compileSkeleton(skeleton);
+    localMatrices(compiled, dofs, local);
+    if (!isScaled) return;
+    worldMatrices(compiled, dofs, world);
+    const { joints } = skeleton;
+    joints.forEach((_, j) => {
+      if (plans[j].isScaled) rotationPart(world, 16 * j);
+    });
+    joints.forEach(({ parent }, j) => {
+      if (!plans[j].isScaled) return;
+      if (parent < 0) {
+        local.set(world.subarray(0, 16), 0);
+        return;
+      }
+      invertAffine(world, 16 * parent, inverse, 0);
+      multiplyAffine(inverse, 0, world, 16 * j, local, 16 * j);
+    });
+  }
+
+  /** Where joints stand that don't move; where the others begin. */
+  private offsets(): readonly Vec3[] {
+    const { skeleton, plans, frames, local, kept } = this;
+    const { joints } = skeleton;
+    const offsets = joints.map(({ offset }) => offset);
+    const own = kept.filter((j) => plans[j].mayMove && !plans[j].positions);
+    if (own.length) {
+      eachFrame(this.character, { ...frames, frameCount: 1 }, (dofs) => this.place(dofs));
+      for (const j of own) {
+        if (plans[j].isScaled) offsets[j] = [local[16 * j + 12], local[16 * j + 13], local[16 * j + 14]];
+      }
+    }
+    return offsets;
+  }
+
+  private channels(offsets: readonly Vec3[]): readonly (readonly BvhChannel[])[] {
+    const { skeleton, plans } = this;
+    const moving = this.moving(offsets);
+    return skeleton.joints.map(({ parent, motion }, j) => {
+      const plan = plans[j];
+      // A joint of BVH keeps its channels, in their order; a root that something else carries gets what it lacks.
+      if (motion.kind === 'bvh' && !plan.isScaled && (parent >= 0 || rootDofCount(skeleton) === 0)) {
+        return motion.channels;
+      }
+      const positions = parent < 0 || moving.has(j) ? POSITIONS : [];
+      const turns = plan.angles ? plan.angles.map(({ channel }) => channel) : MATRIX_CHANNELS;
+      return [...positions, ...turns];
+    });
+  }
+
+  /** Joints whose bone to them is not the same at every frame. */
+  private moving(offsets: readonly Vec3[]): ReadonlySet<number> {
+    const { plans, local, kept } = this;
+    const still = kept.filter((j) => plans[j].mayMove && !plans[j].positions);
+    const moving = new Set<number>();
+    if (still.length === 0) return moving;
+    const reach = Math.max(...offsets.flat().map(Math.abs));
+    eachFrame(this.character, this.frames, (dofs) => {
+      if (moving.size === still.length) return;
+      this.place(dofs);
+      for (const j of still) {
+        for (let k = 0; k < 3; k++) {
+          if (Math.abs(local[16 * j + 12 + k] - offsets[j][k]) > STILL * reach) moving.add(j);
+        }
+      }
+    });
+    return moving;
+  }
+
+  /** What fills a row, from the DOFs and the matrices placed. */
+  private writer(channels: readonly (readonly BvhChannel[])[], width: number, values: Float64Array) {
+    const { character, skeleton, plans, kept, local, frames } = this;
+    const starts = firstDofs(skeleton);
+    const clip = shownClip(character);
+    const samples = clip?.samples;
+    const isOwn = samples?.startSeconds === frames.startSeconds && samples.frameSeconds === frames.frameSeconds;
+    const angles = new Float64Array(3);
+    const turns = new Float64Array(3 * skeleton.joints.length);
+    /** Rows follow each other, and so do the angles that come out of matrices. */
+    return (dofs: Float64Array, frame: number) => {
+      let at = frame * width;
+      for (const j of kept) {
+        const plan = plans[j];
+        if (!plan.angles) {
+          angles.set(turns.subarray(3 * j, 3 * j + 3));
+          zxyAngles(local, 16 * j, angles, 0);
+          turns.set(angles, 3 * j);
+        }
+        for (const channel of channels[j]) {
+          if (channel.startsWith('t')) {
+            values[at++] = local[16 * j + 12 + 'xyz'.indexOf(channel[1])];
+            continue;
+          }
+          const angle = plan.angles?.find((a) => a.channel === channel);
+          if (!angle) {
+            values[at++] = turns[3 * j + MATRIX_CHANNELS.indexOf(channel)] / RADIANS_PER_DEGREE;
+            continue;
+          }
+          const dof = starts[j] + angle.dof;
+          const column = isOwn && clip && isSampled(clip, dof) ? columnOf(samples, dof) : -1;
+          const raw = column >= 0 && samples ? samples.values[frame * samples.scales.length + column] : 0;
+          const isRaw = column >= 0 && samples?.scales[column] === RADIANS_PER_DEGREE;
+          // What was read in degrees is written as it was read, unless a limit had a say.
+          values[at++] =
+            isRaw && angle.sign > 0 && raw * RADIANS_PER_DEGREE === dofs[dof]
+              ? raw
+              : (angle.sign * dofs[dof]) / RADIANS_PER_DEGREE;
+        }
+      }
+    };
+  }
+
+  /** The End Sites that leaves below a joint stand for. */
+  private endsOf(j: number): readonly Vec3[] {
+    const { joints } = this.skeleton;
+    return joints.flatMap(({ parent, offset }, k) =>
+      parent === j && standsForEndSite(this.skeleton, k) ? [offset] : [],
+    );
+  }
+
+  private diagnostics(): readonly Diagnostic[] {
+    const { isScaled, skeleton, character, file } = this;
+    const found: Diagnostic[] = [];
+    const info = (code: string, message: string, assumed: string) =>
+      found.push(withoutPlace('info', code, message, file, assumed));
+    if (isScaled) {
+      const names = skeleton.joints.filter(({ motion }) => scales(motion)).map(({ name }) => name || '(no name)');
+      const message = `BVH can't hold the scale or shear of ${names.join(', ')}.`;
+      info('scale-not-held', message, 'joints stand where they stood, without it');
+    }
+    if (character.morphs.length) {
+      const count = character.morphs.length;
+      info(
+        'morphs-not-held',
+        `BVH can't hold the weights of ${count === 1 ? 'a morph' : `${count} morphs`}.`,
+        'left out',
+      );
+    }
+    const couples = skeleton.joints.some((joint) => joint.couples?.length);
+    if (couples) info('couples-not-held', "BVH can't hold that DOFs follow others.", 'wrote what they come to');
+    return found;
+  }
+}
+
+/** Scratch, never escapes. */
+const inverse = new Float64Array(16);

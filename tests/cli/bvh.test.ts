@@ -1,0 +1,145 @@
+/** Motion capture through the command: what a script sees of it. */
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { command, commandJson, type InfoJson, type PoseJson } from '../helpers/command.ts';
+import { conformance, describeShared, sharedPath } from '../helpers/shared.ts';
+
+const root = (name: string) => `ROOT ${name} {
+  OFFSET 1 2 3
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Arm { OFFSET 0 10 0 CHANNELS 1 Zrotation End Site { OFFSET 0 5 0 } End Site { } }
+}
+`;
+const TWO = `HIERARCHY
+${root('Left')}${root('Right')}MOTION
+Frames: 3
+Frame Time: 0.5
+0 0 0 0 0 0 0  9 0 0 0 0 0 0
+1 0 0 0 0 0 90  9 0 0 90 0 0 0
+2 0 0 0 0 0 0  9 0 0 0 0 0 0
+`;
+
+let folder = '';
+beforeAll(() => {
+  folder = mkdtempSync(join(tmpdir(), 'marrow-bvh-'));
+  writeFileSync(join(folder, 'two.bvh'), TWO);
+  writeFileSync(join(folder, 'still.bvh'), `HIERARCHY\n${root('Still')}MOTION\nFrames: 0\nFrame Time: 0.5\n`);
+  writeFileSync(
+    join(folder, 'short.bvh'),
+    `HIERARCHY\n${root('x')}MOTION\nFrames: 1\nFrame Time: 0.5\n0 0 0 0 0 0 0\n`,
+  );
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const pose = async (...args: string[]) => (await commandJson<PoseJson>(['pose', ...args], folder)).characters;
+const at = (character: PoseJson['characters'][0]) => [
+  ...character.joints.map(({ world }) => world.slice(12, 15)),
+  ...(character.endSites ?? []).map(({ position }) => position),
+];
+const rounded = (points: readonly (readonly number[])[]) =>
+  points.map((p) => p.map((x) => Math.round(1e9 * x) / 1e9 + 0));
+
+describe('marrow info, of motion capture', () => {
+  it('counts joints, End Sites, DOFs, roots and frames', async () => {
+    const { files } = await commandJson<InfoJson>(['info', 'two.bvh', 'still.bvh'], folder);
+    expect(files).toEqual([
+      {
+        ...{ name: 'two.bvh', kind: 'bvh', loaded: true, joints: 4, endSites: 4, dofs: 14, roots: 2 },
+        ...{ frames: 3, frameTime: 0.5, duration: 1 },
+      },
+      { name: 'still.bvh', kind: 'bvh', loaded: true, joints: 2, endSites: 2, dofs: 7, roots: 1, frames: 0 },
+    ]);
+    expect((await command(['info', 'two.bvh'], folder)).out).toContain('frames 3, frameTime 0.5, duration 1');
+  });
+});
+
+describe('marrow pose, of motion capture', () => {
+  it('has a character for each root, with End Sites in the order of the file', async () => {
+    const [left, right] = await pose('two.bvh', '--frame', '1');
+    expect(left.endSites?.map(({ joint }) => joint)).toEqual([1, 1]);
+    expect(rounded(at(left))).toEqual([
+      [1, 0, 0],
+      [1, 10, 0],
+      [-4, 10, 0],
+      [1, 10, 0],
+    ]);
+    expect(rounded(at(right))).toEqual([
+      [9, 0, 0],
+      [-1, 0, 0],
+      [-6, 0, 0],
+      [-1, 0, 0],
+    ]);
+  });
+
+  it('poses a frame as it does its time, and the rest pose without either', async () => {
+    expect(await pose('two.bvh', '--frame', '2')).toEqual(await pose('two.bvh', '--time', '1'));
+    expect(rounded(at((await pose('two.bvh'))[0]))).toEqual([
+      [1, 2, 3],
+      [1, 12, 3],
+      [1, 17, 3],
+      [1, 12, 3],
+    ]);
+  });
+
+  it('prints End Sites in words too', async () => {
+    expect((await command(['pose', 'two.bvh', '--frame', '0'], folder)).out).toContain('end site of 1: 0 15 0');
+  });
+
+  it.each([
+    ['beyond the last frame', ['two.bvh', '--frame', '3'], '0 to 2, the frames of "two Left"'],
+    [
+      'beyond the frames of one of several takes',
+      ['two.bvh', 'short.bvh', '--frame', '1'],
+      '0 to 0, the frames of "short"',
+    ],
+    ['before the first frame', ['two.bvh', '--frame', '-1'], '0 to 2'],
+    ['between frames', ['two.bvh', '--frame', '0.5'], 'whole number'],
+    ['a frame of what has none', ['still.bvh', '--frame', '0'], 'nothing is sampled'],
+    ['a frame and a time', ['two.bvh', '--frame', '0', '--time', '0'], 'give one'],
+  ])('refuses %s, and says what there is', async (_, args, said) => {
+    const { code, out, err } = await command(['pose', ...args], folder);
+    expect({ code, out }).toEqual({ code: 2, out: '' });
+    expect(err).toContain(said);
+  });
+});
+
+interface Reference {
+  readonly frames: number;
+  readonly frame_time: number;
+  readonly channels: number;
+  readonly nodes: readonly (readonly [string, number, string | null])[];
+  readonly rest: readonly (readonly number[])[];
+  readonly positions: Readonly<Record<string, readonly (readonly number[])[]>>;
+  readonly positions_add?: Readonly<Record<string, readonly (readonly number[])[]>>;
+  readonly tolerance: number;
+}
+
+describeShared('the motion capture of the reference, through the command', () => {
+  const { files } = conformance<{ files: Readonly<Record<string, Reference>> }>('bvh-positions.json');
+  const SHARED = sharedPath('');
+
+  it.each(Object.entries(files))('%s: counts and positions', async (name, expected) => {
+    const path = `data/bvh/${name}`;
+    const isEnd = expected.nodes.map(([, , channels]) => channels === null);
+    const info = (await commandJson<InfoJson>(['info', path], SHARED)).files[0];
+    const endSites = isEnd.filter((is) => is).length;
+    expect(info).toMatchObject({ joints: isEnd.length - endSites, endSites, dofs: expected.channels });
+    expect(info).toMatchObject({ frames: expected.frames });
+    expect(info.frameTime).toBeCloseTo(expected.frame_time, 9);
+
+    const check = async (options: readonly string[], points: readonly (readonly number[])[]) => {
+      const { characters } = await commandJson<PoseJson>(['pose', path, ...options], SHARED);
+      const joints = characters.flatMap((c) => c.joints.map(({ world }) => world.slice(12, 15)));
+      const ends = characters.flatMap((c) => (c.endSites ?? []).map(({ position }) => position));
+      const got = isEnd.map((is) => (is ? ends.shift() : joints.shift()) ?? [Number.NaN, Number.NaN, Number.NaN]);
+      const off = points.flatMap((point, n) => point.map((x, k) => Math.abs(got[n][k] - x)));
+      for (const each of off) expect(each).toBeLessThanOrEqual(expected.tolerance);
+    };
+    await check([], expected.rest);
+    for (const [frame, points] of Object.entries(expected.positions)) {
+      await check(['--frame', frame], expected.positions_add?.[frame] ?? points);
+    }
+  });
+});

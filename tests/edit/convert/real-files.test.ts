@@ -1,0 +1,67 @@
+/** Every real file of motion capture through `.skel` and `.anim` and back, by the evaluators of both sides. */
+import { expect, it } from 'vitest';
+import { animOf, bvhOf, skelOf } from '../../../src/edit/convert/character-files.ts';
+import { readWhole } from '../../../src/formats/reader.ts';
+import { formatOf } from '../../../src/formats/registry.ts';
+import { writeFile } from '../../../src/formats/write.ts';
+import { filePose } from '../../../src/model/dofs.ts';
+import type { Figure, FileContent } from '../../../src/model/files.ts';
+import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
+import { describeShared } from '../../helpers/shared.ts';
+import { characterOf, frameTimes, heightOf, worstDistance } from './round-trip.ts';
+
+/** Of the figure's height: how far any joint may be off, in any frame. */
+const TOLERANCE = 1e-9;
+
+/** Frames compared of each file; the last one is among them. */
+const MOST_FRAMES = 600;
+
+/** Through the text of a file. */
+function throughFile(content: FileContent, name: string): FileContent {
+  const written = writeFile(content, name);
+  const read = formatOf(name)?.reader(name);
+  if (!written || !read) throw new Error(`${name} has no format.`);
+  const { value, diagnostics } = readWhole(read, written.text);
+  if (!value) throw new Error(`${name} was not read: ${diagnostics[0].message}`);
+  return value;
+}
+
+function asSkelAndAnim({ skeleton, clip }: Figure): Figure {
+  const own = skelOf({ skeleton, pose: filePose(skeleton, 0) });
+  if (!own) throw new Error('There is a skeleton.');
+  const skel = throughFile({ kind: 'skel', skeletons: [own] }, 'x.skel');
+  const anim = clip && throughFile({ kind: 'anim', clip: animOf({ skeleton }, clip) }, 'x.anim');
+  if (skel.kind !== 'skel' || (anim && anim.kind !== 'anim')) throw new Error('Files are of the kind asked for.');
+  return { skeleton: skel.skeletons[0], ...(anim && { clip: anim.clip }) };
+}
+
+function throughBvh(figure: Figure, framesPerSecond: number): Figure {
+  const [{ figure: bvh }] = bvhOf(characterOf(figure), framesPerSecond);
+  const written = writeFile({ kind: 'bvh', figures: [bvh] }, 'x.bvh');
+  return readFigures('x.bvh', written?.text ?? '')[0];
+}
+
+function someFrames(figure: Figure): readonly number[] {
+  const times = frameTimes(figure);
+  const step = Math.ceil(times.length / MOST_FRAMES);
+  return times.filter((_, f) => f % step === 0 || f === times.length - 1);
+}
+
+describeShared('a real .bvh as .skel and .anim', () => {
+  it.each(BVH_FILES)('%s has every joint and End Site where it was, there and back', (name) => {
+    for (const figure of sharedFigures(name)) {
+      const height = heightOf(figure);
+      const times = someFrames(figure);
+      const there = asSkelAndAnim(figure);
+      const toSkel = worstDistance(characterOf(figure), characterOf(there), times) / height;
+      const back = throughBvh(there, 1 / (figure.clip?.samples?.frameSeconds ?? 1));
+      const roundTrip = worstDistance(characterOf(figure), characterOf(back), times) / height;
+      const again = asSkelAndAnim(back);
+      const secondTrip = worstDistance(characterOf(there), characterOf(again), times) / height;
+      if (process.env.SAY_ERRORS) console.log(name, toSkel, roundTrip, secondTrip);
+      expect(Math.max(toSkel, roundTrip, secondTrip)).toBeLessThan(TOLERANCE);
+      expect(back.clip?.samples?.frameCount).toBe(figure.clip?.samples?.frameCount);
+      expect(back.skeleton.joints).toHaveLength(figure.skeleton.joints.length);
+    }
+  });
+});

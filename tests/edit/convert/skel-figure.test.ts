@@ -1,0 +1,95 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { animOf, bvhOf, skelOf } from '../../../src/edit/convert/character-files.ts';
+import { keyedClip } from '../../../src/edit/convert/keys-of-samples.ts';
+import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
+import { filePose } from '../../../src/model/dofs.ts';
+import type { Figure } from '../../../src/model/files.ts';
+import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
+import { anyFigure } from './figures.ts';
+import { characterOf, frameTimes, worstDistance } from './round-trip.ts';
+
+/** `.skel` and `.anim` of a figure, as a character. */
+function skelAndAnim(figure: Figure) {
+  const skeleton = skelOf({ skeleton: figure.skeleton, pose: filePose(figure.skeleton, 0) });
+  if (!skeleton || !figure.clip) throw new Error('There is a skeleton and a clip.');
+  return characterOf({ skeleton, clip: animOf(figure, figure.clip) });
+}
+
+const angle = fc.double({ min: -400, max: 400, noNaN: true });
+
+describe('BVH as .skel and .anim', () => {
+  it('makes of each joint the simplest type that moves as it does', () => {
+    const joints = [
+      bvhJoint(-1, ['tx', 'ty', 'tz', 'rz', 'rx', 'ry']),
+      bvhJoint(0, ['rz', 'ry', 'rx']),
+      bvhJoint(0, []),
+      bvhJoint(0, ['ry', 'rz']),
+      bvhJoint(0, ['rx', 'tz']),
+    ];
+    expect(skelFigure({ name: 'x', joints }).skeleton.joints.map(({ motion }) => motion)).toEqual([
+      { kind: 'free', order: 'yxz' },
+      { kind: 'ball', order: 'xyz' },
+      { kind: 'fixed' },
+      { kind: 'compound', dofs: ['ry', 'rz'] },
+      { kind: 'compound', dofs: ['tz', 'rx'] },
+    ]);
+  });
+
+  it('makes a leaf of each End Site, right behind its joint and before that joint’s children', () => {
+    const joints = [
+      bvhJoint(-1, ['rx'], { endSites: [[1, 2, 3]] }),
+      bvhJoint(0, ['rx'], { name: 'tip', endSites: [[4, 5, 6]] }),
+    ];
+    const { skeleton } = skelFigure({ name: 'x', joints });
+    expect(skeleton.joints.map(({ name, parent, offset }) => [name, parent, offset])).toEqual([
+      ['joint0', -1, [0, 1, 0]],
+      ['End_Site', 0, [1, 2, 3]],
+      ['tip', 0, [0, 1, 0]],
+      ['End_Site', 2, [4, 5, 6]],
+    ]);
+    expect(skeleton.joints.every((joint) => joint.endSites === undefined)).toBe(true);
+  });
+
+  it('leaves a skeleton of .skel as it is', () => {
+    const { skeleton } = skelFigure(bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[0]]).skeleton);
+    expect(skelFigure(skeleton).skeleton).toBe(skeleton);
+  });
+
+  it('moves every joint and End Site as before, at every frame, for channels of any kind', () => {
+    fc.assert(
+      fc.property(anyFigure(angle), (figure) => {
+        const worst = worstDistance(characterOf(figure), skelAndAnim(figure), frameTimes(figure));
+        expect(worst).toBeLessThan(1e-9);
+      }),
+    );
+  });
+
+  it('comes back as BVH with every joint and End Site where it was', () => {
+    fc.assert(
+      fc.property(anyFigure(angle), (figure) => {
+        const there = skelAndAnim(figure);
+        const [{ figure: back }] = bvhOf(there, 1 / (figure.clip?.samples?.frameSeconds ?? 1));
+        expect(worstDistance(there, characterOf(back), frameTimes(back))).toBeLessThan(1e-7);
+      }),
+    );
+  });
+
+  it('gives keys that do not spin: an angle that jumps by a turn goes the short way', () => {
+    const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[170], [-175], [-160]]);
+    if (!figure.clip) throw new Error('There is a clip.');
+    const { channels, samples } = keyedClip(figure.clip, figure.skeleton);
+    expect(samples).toBeUndefined();
+    expect(Array.from(channels[3].values, (v) => Math.round((v * 180) / Math.PI))).toEqual([170, 185, 200]);
+  });
+
+  it('keeps only the keys that a tolerance asks for', () => {
+    const rows = Array.from({ length: 100 }, (_, f) => [10 * Math.sin(f / 20)]);
+    const figure = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, rows);
+    if (!figure.clip) throw new Error('There is a clip.');
+    const all = keyedClip(figure.clip, figure.skeleton);
+    const few = keyedClip(figure.clip, figure.skeleton, { tolerance: 0.001 });
+    expect(all.channels[3].times).toHaveLength(100);
+    expect(few.channels[3].times.length).toBeLessThan(20);
+  });
+});

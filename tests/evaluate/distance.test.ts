@@ -1,0 +1,136 @@
+import { describe, expect, it } from 'vitest';
+import {
+  type Alignment,
+  commonFrames,
+  type Distances,
+  measureDistances,
+  sceneMatrix,
+} from '../../src/evaluate/distance.ts';
+import { matchJoints } from '../../src/evaluate/joint-match.ts';
+import { readBvh } from '../../src/formats/bvh/read.ts';
+import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
+import { filePose } from '../../src/model/dofs.ts';
+import type { Samples } from '../../src/model/samples.ts';
+import { placementMatrix } from '../../src/view/placements.ts';
+import { character, clip, skeleton } from '../helpers/builders.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+
+/** Moved along x by the value of its first channel; joints one above the other. */
+function moving(values: readonly number[], more: Partial<Character> = {}): Character {
+  return character({ skeleton: skeleton(3), clips: [clip('take', values)], shownClip: 0, ...more });
+}
+
+function measured(a: Character, b: Character, alignment: Alignment = 'world', framesPerSecond = 10): Distances {
+  if (!a.skeleton || !b.skeleton) throw new Error('both need a skeleton');
+  const match = matchJoints(a.skeleton, b.skeleton);
+  const times = commonFrames(a, b, framesPerSecond, match.first.length);
+  if (!times) throw new Error('no time in common');
+  const work = measureDistances(a, b, match, times, alignment);
+  for (;;) {
+    const step = work.next();
+    if (step.done) return step.value;
+  }
+}
+
+describe('the distance of two takes', () => {
+  it('is 0 between a take and itself', () => {
+    const { values, mean, most, frameCount } = measured(moving([1]), moving([1]));
+    expect(frameCount).toBe(11);
+    expect([...values, ...mean, ...most].every((d) => d === 0)).toBe(true);
+  });
+
+  it('is how far each joint is from its partner in the scene', () => {
+    const d = measured(moving([1, 0, 0]), moving([4, 4, 0]));
+    expect([...d.values]).toEqual(new Array(33).fill(5));
+    expect([...d.jointMean, ...d.jointMost, ...d.jointRms]).toEqual(new Array(9).fill(5));
+  });
+
+  it('counts where the characters stand, and in which unit they are', () => {
+    const inCentimetres = { space: { up: 'y', unit: 'centimetres', lift: 0 } } as const;
+    const a = moving([100], inCentimetres);
+    const b = moving([1], { placements: [{ ...DEFAULT_PLACEMENT, position: [0, 0, 2] }] });
+    // Joints are 1 cm above each other in one, and 1 m in the other: whoever says nothing is taken as it is.
+    const d = measured(a, b);
+    expect(d.values[0]).toBeCloseTo(Math.hypot(2, 0.99), 6);
+    expect(d.values[d.frameCount]).toBeCloseTo(Math.hypot(2, 1.98), 6);
+  });
+
+  it('leaves out where the root is, and how it is turned, where asked to', () => {
+    const turned = [3, 0, 1, 0, 0.7, 0];
+    const [a, b] = [moving([]), moving(turned)];
+    expect(measured(a, b, 'world').jointMost[0]).toBeGreaterThan(3);
+    expect(measured(a, b, 'root').jointMost[0]).toBe(0);
+    // A chain upright on its root: a turn about y leaves it alone, one about x does not.
+    const [c, d] = [moving([]), moving([3, 0, 1, 0.7, 0, 0])];
+    expect(measured(c, d, 'root').jointMost[2]).toBeGreaterThan(0.5);
+    expect(measured(c, d, 'turned').jointMost[2]).toBeCloseTo(0, 6);
+  });
+
+  it('is taken where both takes are, at the finer rate, each with its offset', () => {
+    const sampled: ChannelClip = {
+      ...clip('sampled', []),
+      range: [0, 1],
+      samples: {
+        frameCount: 51,
+        frameSeconds: 0.02,
+        startSeconds: 0,
+        firstChannel: 0,
+        values: new Float64Array(51),
+        scales: Float64Array.of(1),
+        interpolation: 'linear',
+      },
+    };
+    const a = moving([], { clips: [sampled], timeOffsetSeconds: 0.5 });
+    const b = moving([0], { clips: [clip('keyed', [0], [0, 3])] });
+    const times = commonFrames(a, b, 10, 3);
+    expect(times?.startSeconds).toBeCloseTo(0, 12);
+    expect(times?.frameSeconds).toBeCloseTo(0.02, 12);
+    expect(times?.frameCount).toBe(26);
+    expect(commonFrames(a, moving([], { timeOffsetSeconds: -9 }), 10, 3)).toBeUndefined();
+    expect(commonFrames(a, { ...b, shownClip: -1 }, 10, 3)).toBeUndefined();
+  });
+
+  it('says of each joint how far it is in the mean and at most, and when', () => {
+    const samples: Samples = {
+      frameCount: 3,
+      frameSeconds: 0.5,
+      startSeconds: 0,
+      firstChannel: 0,
+      values: Float64Array.of(0, 6, 3),
+      scales: Float64Array.of(1),
+      interpolation: 'linear',
+    };
+    const ramp: ChannelClip = { name: 'ramp', range: [0, 1], channels: [keylessChannel()], samples };
+    const d = measured(moving([], { clips: [ramp] }), moving([0]), 'world', 2);
+    expect([...d.values.subarray(0, d.frameCount)]).toEqual([0, 6, 3]);
+    expect(d.jointMost[0]).toBe(6);
+    expect(d.jointMostAt[0]).toBe(1);
+    expect(d.jointMean[0]).toBe(3);
+    expect(d.jointRms[0]).toBeCloseTo(Math.sqrt(15), 12);
+  });
+
+  it('places characters as the picture does', () => {
+    const placements = [{ position: [1, 2, 3], turn: [0.3, -0.8, 2], scale: 1.7 }] as const;
+    const c = moving([], { placements, space: { up: 'z', unit: 'inches', lift: 0.4 } });
+    const drawn = new Float64Array(16);
+    placementMatrix(placements[0], c.space, new Float64Array(3), drawn);
+    for (const [i, value] of sceneMatrix(c).entries()) expect(value).toBeCloseTo(drawn[i], 12);
+  });
+});
+
+describeShared('the distance of a real take and itself', () => {
+  it('is 0 at the same offset, and that of the motion at another', () => {
+    const { value } = readBvh(sharedBytes('data/bvh/cmu-daz-pirouette.bvh'), 'pirouette.bvh');
+    const figure = value?.[0];
+    if (!figure?.clip) throw new Error('the file has no motion');
+    const { skeleton: own, clip: take } = figure;
+    const base = { skeleton: own, pose: filePose(own, 0), clips: [take], shownClip: 0 };
+    const same = measured(character(base), character({ ...base, id: 'c2' }));
+    expect(same.frameCount).toBe(take.samples?.frameCount);
+    expect(Math.max(...same.jointMost)).toBe(0);
+    const later = measured(character(base), character({ ...base, id: 'c2', timeOffsetSeconds: 0.25 }));
+    expect(Math.max(...later.jointMost)).toBeGreaterThan(1);
+    expect(later.match.first).toHaveLength(own.joints.length);
+  });
+});

@@ -1,0 +1,30 @@
+import { describe, expect, it } from 'vitest';
+import { isSameSkeleton, matchJoints } from '../../src/evaluate/joint-match.ts';
+import { skeleton } from '../ui/builders.ts';
+
+describe('joints of two skeletons', () => {
+  const figure = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_r', 0], ['foot', 3]);
+
+  it('match by name and parent, in whatever order siblings stand', () => {
+    const other = skeleton(['hips', -1], ['leg_r', 0], ['foot', 1], ['leg_l', 0], ['foot', 3]);
+    const match = matchJoints(figure, other);
+    expect(match).toEqual({ first: [0, 1, 2, 3, 4], second: [0, 3, 4, 1, 2], onlyFirst: [], onlySecond: [] });
+    expect(isSameSkeleton(match)).toBe(true);
+  });
+
+  it('of one name below one parent go together in their order', () => {
+    const twice = skeleton(['hips', -1], ['tail', 0], ['tail', 0]);
+    expect(matchJoints(twice, twice)).toMatchObject({ first: [0, 1, 2], second: [0, 1, 2] });
+  });
+
+  it('without a partner are listed, with the whole limb below them', () => {
+    const other = skeleton(['hips', -1], ['leg_l', 0], ['foot', 1], ['leg_x', 0], ['foot', 3]);
+    const match = matchJoints(figure, other);
+    expect(match).toEqual({ first: [0, 1, 2], second: [0, 1, 2], onlyFirst: [3, 4], onlySecond: [3, 4] });
+    expect(isSameSkeleton(match)).toBe(false);
+  });
+
+  it('of figures with other names have nothing in common', () => {
+    expect(matchJoints(figure, skeleton(['pelvis', -1], ['leg_l', 0])).first).toEqual([]);
+  });
+});
