@@ -51,7 +51,16 @@ const workbench: Workbench = {
   messages,
   loading,
   dialog: observable<DialogName | undefined>(undefined),
-  files: fileActions({ store, messages, opener, samples, unsaved, handles, disk: { ...disk, download } }),
+  files: fileActions({
+    store,
+    messages,
+    opener,
+    samples,
+    unsaved,
+    handles,
+    disk: { ...disk, download },
+    framesPerSecond: () => transport.get().framesPerSecond,
+  }),
   kept: observable<KeptOffer | undefined>(undefined),
 };
 
@@ -65,7 +74,10 @@ opener.subscribe(({ given, files }) => {
 });
 markUnsaved(workbench.files, window);
 mountWorkbench(root, workbench);
-transport.subscribe((now) => viewport.setPlayedRange(now.range));
+transport.subscribe((now) => {
+  viewport.setPlayedRange(now.range);
+  viewport.setFramesPerSecond(now.framesPerSecond);
+});
 window.marrow = scriptingApi(workbench, opener);
 
 // What nobody caught is said in the page, not only in a console that few have open.

@@ -6,6 +6,7 @@ import { animOf, bvhOf, type NamedFigure, skelOf } from '../edit/convert/charact
 import type { KeyOptions } from '../edit/convert/keys-of-samples.ts';
 import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
 import { writeFile } from '../formats/write.ts';
+import { inHierarchyForm } from '../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
 import { type FileContent, type SourceFile, stemOf } from '../model/files.ts';
@@ -22,14 +23,14 @@ export interface ConversionOptions extends KeyOptions {
 /** A file to be written, made only when its pieces are taken. */
 export interface Output {
   readonly name: string;
-  pieces(): Iterable<string>;
+  pieces(): Iterable<string | Uint8Array>;
   /** Complete when the pieces have been taken. */
   diagnostics(): readonly Diagnostic[];
 }
 
 /** The one part of the file itself: a skeleton's file, or that of one of its clips. */
 export function sourceFor({ sources }: Character, name: string): SourceFile | undefined {
-  return sources.find((s) => stemOf(s) === name) ?? sources.find((s) => /\.(skel|bvh)$/i.test(s.name));
+  return sources.find((s) => stemOf(s) === name) ?? sources.find((s) => /\.((ax)?skel|bvh)$/i.test(s.name));
 }
 
 /**
@@ -49,7 +50,9 @@ export function outputsOf(
       textOutput(`${clip.name}.anim`, () => ({ kind: 'anim', clip: animOf(character, clip, options) })),
     );
     if (target === 'anim') return clips;
-    return [textOutput(`${skeleton.name}.skel`, () => ({ kind: 'skel', skeletons: [skeleton] })), ...clips];
+    // A change of the ending asks for the form that all `.skel`s have.
+    const written = character.sources.some((s) => /\.axskel$/i.test(s.name)) ? inHierarchyForm(skeleton) : skeleton;
+    return [textOutput(`${skeleton.name}.skel`, () => ({ kind: 'skel', skeletons: [written] })), ...clips];
   });
 }
 

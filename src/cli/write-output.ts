@@ -11,7 +11,7 @@ export type Written = { readonly bytes: number } | { readonly failure: string };
  * @param path absolute
  * @param pieces one after the other, a file of any size
  */
-export function writeOutput(path: string, pieces: Iterable<string>): Written {
+export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>): Written {
   const scratch = `${path}.${process.pid}.tmp`;
   try {
     const there = statSync(path, { throwIfNoEntry: false });

@@ -7,7 +7,7 @@
  * its end. What is left of a chunk behind that byte is carried over and completed by the head of the next one: a copy
  * of a few bytes, never of a chunk. A separator of our own ends the last token of the file.
  */
-import { CR, LF, tokenEnd } from './scan.ts';
+import { LF, tokenEnd } from './scan.ts';
 
 /**
  * Takes bytes [from, to). Returns `to`, or where the rest begins that it wants again, together with all up to the end
@@ -74,14 +74,14 @@ export class Pieces {
 
 /** The first CR or LF from `i` on, `end` when there is none. */
 export function lineEnd(bytes: Uint8Array, i: number, end: number): number {
-  while (i < end && bytes[i] !== LF && bytes[i] !== CR) i++;
+  while (i < end && bytes[i] !== 10 && bytes[i] !== 13) i++;
   return i;
 }
 
 /** The last CR or LF not before `from`; `from - 1` when there is none. */
 function lastLineEnd(bytes: Uint8Array, from: number): number {
   let i = bytes.length - 1;
-  while (i >= from && bytes[i] !== LF && bytes[i] !== CR) i--;
+  while (i >= from && bytes[i] !== 10 && bytes[i] !== 13) i--;
   return i;
 }
 
@@ -90,7 +90,7 @@ function lastSeparator(bytes: Uint8Array, from: number): number {
   let i = bytes.length - 1;
   for (; i >= from; i--) {
     const c = bytes[i];
-    if (c === 32 || c === LF || c === 9 || c === CR || c === 125 || c === 123) break;
+    if (c === 32 || c === 10 || c === 9 || c === 13 || c === 125 || c === 123) break;
   }
   return i;
 }

@@ -14,7 +14,6 @@
  */
 import type { Excerpt } from '../model/diagnostic.ts';
 import { lineEnd } from './pieces.ts';
-import { CR, LF } from './scan.ts';
 
 /** Characters of a line that are shown. */
 const SHOWN = 200;
@@ -22,7 +21,12 @@ const SHOWN = 200;
 const WINDOW = 4 * SHOWN;
 /** Bytes that are counted sooner than remembered. */
 const SHORT = 256;
+/** Bytes of lines that are kept in one array. */
+const POOL = 16384;
 const NOTHING = new Uint8Array(0);
+/** The loops' own names for them: some module loaders look an imported one up at every use. */
+const LF = 10;
+const CR = 13;
 
 /** Where something is. Cheap to make, so that a place can be noted before it is known to be wanted. */
 export interface Place {
@@ -69,6 +73,9 @@ export class Places {
   private startCharacters = 0;
   private startPendingCrs = 0;
   private unfinished: Unfinished[] = [];
+  /** What is kept of lines lies here, one behind the other: many small arrays of their own cost more than they hold. */
+  private pool: Uint8Array = NOTHING;
+  private poolAt = 0;
   /** Stretches of the piece whose LFs are known: start, end, LFs, and so on. */
   private stretches: number[] = [];
   /** The first of them that the cursor has not passed. */
@@ -100,8 +107,8 @@ export class Places {
   leave(until: number): void {
     this.advance(until);
     const { bytes, lineStart } = this;
-    if (lineStart >= 0) this.head = bytes.slice(Math.max(lineStart, until - WINDOW), until);
-    else this.head = lastBytes(this.head, bytes.subarray(this.from, until));
+    if (lineStart >= 0) this.head = this.copy(NOTHING, bytes, Math.max(lineStart, until - WINDOW), until);
+    else this.head = this.lastBytes(this.head, this.from, until);
     this.lineStart = -1;
   }
 
@@ -118,11 +125,11 @@ export class Places {
     if (!keepsLine) return { line, column: characters + 1 };
     const before =
       lineStart >= 0
-        ? bytes.slice(Math.max(lineStart, offset - WINDOW), offset)
-        : lastBytes(this.head, bytes.subarray(this.from, offset));
+        ? this.copy(NOTHING, bytes, Math.max(lineStart, offset - WINDOW), offset)
+        : this.lastBytes(this.head, this.from, offset);
     const limit = Math.min(to, offset + WINDOW);
     const end = lineEnd(bytes, offset, limit);
-    const place: Place = { line, column: characters + 1, before, after: bytes.slice(offset, end) };
+    const place: Place = { line, column: characters + 1, before, after: this.copy(NOTHING, bytes, offset, end) };
     if (end === to && to < offset + WINDOW) this.unfinished.push({ place, wants: this.base + to - this.from });
     return place;
   }
@@ -141,9 +148,30 @@ export class Places {
     if (start >= this.to) return false;
     const limit = Math.min(this.to, start + WINDOW - had.length);
     const end = lineEnd(this.bytes, start, limit);
-    place.after = joined(had, this.bytes.subarray(start, end));
+    place.after = this.copy(had, this.bytes, start, end);
     u.wants += end - start;
     return end < this.to || place.after.length >= WINDOW;
+  }
+
+  /** The last `WINDOW` bytes of `head` followed by bytes [from, to) of the piece at hand. */
+  private lastBytes(head: Uint8Array, from: number, to: number): Uint8Array {
+    if (to - from >= WINDOW) return this.copy(NOTHING, this.bytes, to - WINDOW, to);
+    return this.copy(head.subarray(Math.max(0, head.length + to - from - WINDOW)), this.bytes, from, to);
+  }
+
+  /** `head` followed by [from, to) of `bytes`, which will not stay. */
+  private copy(head: Uint8Array, bytes: Uint8Array, from: number, to: number): Uint8Array {
+    const length = head.length + to - from;
+    if (length === 0) return NOTHING;
+    if (this.poolAt + length > this.pool.length) {
+      this.pool = new Uint8Array(Math.max(POOL, length));
+      this.poolAt = 0;
+    }
+    const start = this.poolAt;
+    this.poolAt += length;
+    this.pool.set(head, start);
+    this.pool.set(bytes.subarray(from, to), start + head.length);
+    return this.pool.subarray(start, this.poolAt);
   }
 
   private advance(until: number): void {
@@ -253,19 +281,6 @@ const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
 function isLowSurrogate(text: string, at: number): boolean {
   const c = text.charCodeAt(at);
   return c >= 0xdc00 && c <= 0xdfff;
-}
-
-function joined(a: Uint8Array, b: Uint8Array): Uint8Array {
-  const both = new Uint8Array(a.length + b.length);
-  both.set(a);
-  both.set(b, a.length);
-  return both;
-}
-
-/** The last `WINDOW` bytes of `a` followed by `b`. */
-function lastBytes(a: Uint8Array, b: Uint8Array): Uint8Array {
-  if (b.length >= WINDOW) return b.slice(b.length - WINDOW);
-  return joined(a.subarray(Math.max(0, a.length + b.length - WINDOW)), b);
 }
 
 /** Bytes that begin a character of UTF-8. */

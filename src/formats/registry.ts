@@ -25,7 +25,8 @@ export interface Format {
 export const FORMATS: readonly Format[] = [
   {
     kind: 'skel',
-    extensions: ['skel'],
+    // The axis-angle form is told by what is in a file, and may be called either.
+    extensions: ['skel', 'axskel'],
     label: 'skeleton',
     reader: (name) => mapped(skelReader(name), (skeletons) => ({ kind: 'skel', skeletons })),
   },

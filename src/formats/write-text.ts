@@ -82,6 +82,11 @@ export class Text {
     this.report.info(code, message, NOWHERE, 'left out');
   }
 
+  /** What could not be written in the form that it came from, as an info. */
+  changedForm(message: string): void {
+    this.report.info('form-changed', message, NOWHERE, 'wrote the hierarchy form');
+  }
+
   private changed(name: string, fit: string, what: string): string {
     if (fit !== name) {
       const message = `The ${what} ${JSON.stringify(name)} can't be written so.`;

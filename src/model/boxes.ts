@@ -1,11 +1,19 @@
 /**
- * Which joints have boxes. The formats of skeletons give every joint one; in BVH there is no such thing, and joints read
- * from it carry a stand-in that nobody meant: they are drawn as bones, and no size is measured by it.
+ * Which joints have boxes. The formats of skeletons give every joint one; in BVH and the axis-angle form there is no such
+ * thing, and joints read from them carry a stand-in that nobody meant: they are drawn as bones, and no size is measured
+ * by it. A joint with a bone of its own has a box only where someone set one.
  */
+import { hasOwnBox } from './axis-angle.ts';
 import type { Joint, Skeleton } from './skeleton.ts';
 
-export function hasBox({ motion }: Joint): boolean {
-  return motion.kind !== 'bvh';
+export function hasBox(joint: Joint): boolean {
+  if (joint.length !== undefined && !hasOwnBox(joint)) return false;
+  return joint.motion.kind !== 'bvh';
+}
+
+/** Whether every joint has one: what has none is seen as a bone only. */
+export function hasAllBoxes({ joints }: Skeleton): boolean {
+  return joints.every(hasBox);
 }
 
 export function hasBoxes({ joints }: Skeleton): boolean {

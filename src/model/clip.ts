@@ -71,14 +71,17 @@ export function spanOfChannel(
 
 /** A channel without keys that stands at a value. */
 export function keylessChannel(rest = 0): Channel {
-  const none = { kinds: new Uint8Array(0), slopes: new Float64Array(0) };
   return {
     ...(rest !== 0 && { rest }),
     extrapolateIn: 'constant',
     extrapolateOut: 'constant',
-    times: new Float64Array(0),
-    values: new Float64Array(0),
-    tangentsIn: none,
-    tangentsOut: none,
+    times: NO_NUMBERS,
+    values: NO_NUMBERS,
+    tangentsIn: NO_TANGENTS,
+    tangentsOut: NO_TANGENTS,
   };
 }
+
+/** Shared by all channels without keys: a message to the page that has thousands of them then holds these once. */
+const NO_NUMBERS = new Float64Array(0);
+const NO_TANGENTS: Tangents = { kinds: new Uint8Array(0), slopes: NO_NUMBERS };

@@ -47,6 +47,8 @@ export interface Couple {
 export interface Skeleton {
   readonly name: string;
   readonly joints: readonly Joint[];
+  /** Read from the axis-angle form of `.skel`, and written so again where it still can be; absent: the hierarchy form. */
+  readonly form?: 'axis-angle';
 }
 
 /** The box drawn for a joint, in its own space. min > max occurs in real files and is drawn all the same. */

@@ -5,11 +5,13 @@
 import type { Action } from './actions/action.ts';
 import { DOPE_ACTIONS } from './actions/dope-actions.ts';
 import { EDIT_ACTIONS } from './actions/edit-actions.ts';
-import { FILE_ACTIONS, sampleActions } from './actions/file-actions.ts';
+import { FILE_ACTIONS, keptActions, sampleActions } from './actions/file-actions.ts';
 import { KEY_ACTIONS } from './actions/key-actions.ts';
 import { KEYING_ACTIONS } from './actions/keying-actions.ts';
 import { PAGE_ACTIONS } from './actions/page-actions.ts';
 import { PLAY_ACTIONS } from './actions/play-actions.ts';
+import { RETARGET_ACTIONS } from './actions/retarget-actions.ts';
+import { TAKE_ACTIONS } from './actions/take-actions.ts';
 import { TIMELINE_ACTIONS } from './actions/timeline-actions.ts';
 import { VIEW_ACTIONS } from './actions/view-actions.ts';
 import type { Workbench } from './workbench.ts';
@@ -18,18 +20,20 @@ import type { Workbench } from './workbench.ts';
 export const ACTIONS: readonly Action[] = [
   ...FILE_ACTIONS,
   ...EDIT_ACTIONS,
+  ...RETARGET_ACTIONS,
   ...KEYING_ACTIONS,
   ...KEY_ACTIONS,
   ...TIMELINE_ACTIONS,
   ...DOPE_ACTIONS,
   ...VIEW_ACTIONS,
   ...PLAY_ACTIONS,
+  ...TAKE_ACTIONS,
   ...PAGE_ACTIONS,
 ];
 
-/** All of them on this page, with its samples. */
+/** All of them on this page just now, with its samples and the work that an earlier page left behind. */
 export function actionsOf(wb: Workbench): Action[] {
-  return [...ACTIONS, ...sampleActions(wb)];
+  return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
 }
 
 /** Runs an action by its id, as a menu would. Throws where there is none, or where it can't run just now. */

@@ -1,10 +1,12 @@
 /** The page's dialogs: one at a time, named by `wb.dialog`. The browser's own `<dialog>` holds the focus and Escape. */
 import { aboutDialog } from './about.ts';
 import { commandSearch } from './command-search.ts';
+import { convertDialog, resampleSamplesDialog, smoothDialog } from './curves/sample-dialogs.ts';
 import { bakeDialog, resampleDialog, scaleDialog, simplifyDialog } from './curves/tool-dialogs.ts';
 import type { DialogContent } from './dialog.ts';
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
+import { retargetDialog } from './retarget/dialog.ts';
 import { saveList } from './save-list.ts';
 import { shortcutsPage } from './shortcuts-page.ts';
 import type { DialogName, Workbench } from './workbench.ts';
@@ -18,6 +20,10 @@ const MAKE: Readonly<Record<DialogName, (wb: Workbench, close: () => void) => Di
   resample: resampleDialog,
   bake: bakeDialog,
   scaleKeys: scaleDialog,
+  convertToKeys: convertDialog,
+  smoothSamples: smoothDialog,
+  resampleSamples: resampleSamplesDialog,
+  retarget: retargetDialog,
 };
 
 export function startDialogs(wb: Workbench, root: HTMLElement): void {

@@ -89,6 +89,7 @@ interface Shown {
   readonly clamps: boolean;
   readonly copies: number;
   readonly hasTake: boolean;
+  readonly hasSamples: boolean;
   readonly angles: string;
 }
 
@@ -103,6 +104,7 @@ function whatIsShown(wb: Workbench): Shown {
     clamps: character?.clampsToLimits ?? true,
     copies: character?.placements.length ?? 0,
     hasTake: character !== undefined && shownClip(character) !== undefined,
+    hasSamples: character !== undefined && shownClip(character)?.samples !== undefined,
     angles: wb.settings.get().angles,
   };
 }
@@ -126,6 +128,7 @@ function sameCharacterRows(a: Shown, b: Shown): boolean {
     a.morphs === b.morphs &&
     a.copies === b.copies &&
     a.hasTake === b.hasTake &&
+    a.hasSamples === b.hasSamples &&
     a.angles === b.angles
   );
 }

@@ -2,6 +2,7 @@
  * Every number behind what is picked. Built anew for another joint or vertex, filled while the character moves: ten
  * times a second at most, and only while it can be seen.
  */
+import { tipPosition } from '../evaluate/end-sites.ts';
 import { compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
 import { determinant3 } from '../math/mat4.ts';
 import { type Character, shownSkin } from '../model/document.ts';
@@ -13,7 +14,7 @@ import { element } from './dom.ts';
 import { FactList, type FactView } from './fact-list.ts';
 import { atMostEvery } from './frame.ts';
 import { movedVertices } from './moved-vertices.ts';
-import { plural } from './number-text.ts';
+import { plural, shown } from './number-text.ts';
 import { vertexFacts } from './vertex-facts.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -83,15 +84,20 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
   const { skeleton, id } = character;
   if (!skeleton) throw new Error('A joint without a skeleton.');
   const joint = skeleton.joints[index];
-  const list = new FactList(joint.name || 'no name');
+  const list = new FactList(joint.name || `#${index}`);
   list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
   list.fact('Type', motionText(joint.motion));
   list.fact('Parent', joint.parent < 0 ? 'none, it is the root' : parentLink(wb, character, joint.parent));
+  if (joint.length !== undefined) list.fact('Bone', shown(joint.length, 6));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
 
   const dofs = dofTable(wb, character, index, list);
   const local = list.grid({ label: 'Local matrix', rows: 4, columns: 4 });
   const world = list.grid({ label: 'World matrix', rows: 4, columns: 4 });
+  const { length } = joint;
+  const columnLabels = ['x', 'y', 'z'];
+  const tip =
+    length === undefined ? undefined : list.grid({ label: 'Tip in world', rows: 1, columns: 3, columnLabels });
   const skin = shownSkin(character);
   if (skin && index < skin.bindings.length / 16) {
     const binding = list.grid({ label: 'Binding matrix', rows: 4, columns: 4 });
@@ -110,6 +116,7 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
     const worlds = facts.worldMatrices();
     world.grid.setMatrix(worlds, 16 * index);
     world.note(mirrorText(worlds, 16 * index));
+    if (length !== undefined) tip?.grid.setRow(0, tipPosition(length, worlds, index));
   };
   return { element: list.element, fill };
 }
@@ -157,6 +164,30 @@ function motionText(motion: Motion): string {
   switch (motion.kind) {
     case 'ball':
       return `balljoint, order ${motion.order}`;
+    case 'hinge':
+      return `hingejoint, axis ${motion.axis.join(' ')}`;
+    case 'universal':
+      return `universaljoint, order ${motion.order}`;
+    case 'quaternion':
+      return 'quaternionjoint';
+    case 'prismatic':
+      return `prismaticjoint, axis ${motion.axis.join(' ')}`;
+    case 'translational':
+      return 'translationaljoint';
+    case 'free':
+      return `freejoint, order ${motion.order}`;
+    case 'screw':
+      return `screwjoint, axis ${motion.axis.join(' ')}, ${motion.pitch} a turn`;
+    case 'scale': {
+      const isAlong = motion.mode === 'axis' || motion.mode === 'volume';
+      return `scalejoint, mode ${motion.mode}${isAlong ? `, axis ${motion.axis.join(' ')}` : ''}`;
+    }
+    case 'shear':
+      return 'shearjoint';
+    case 'fixed':
+      return 'fixedjoint';
+    case 'compound':
+      return motion.dofs.length ? `compoundjoint, ${motion.dofs.join(' ')}` : 'compoundjoint without DOFs';
     case 'bvh':
       return motion.channels.length ? `BVH joint, channels ${motion.channels.join(' ')}` : 'BVH joint without channels';
   }

@@ -51,13 +51,14 @@ export function itemsOf(wb: Workbench, actions: readonly Action[]): MenuEntry[] 
 
 export function itemOf(wb: Workbench, action: Action): MenuItem {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
+  const enabled = isEnabled(wb, action);
   return {
     kind: 'item',
     label: actionLabel(wb, action),
-    detail: action.detail,
+    detail: (enabled ? undefined : action.whyNot?.(wb)) ?? action.detail,
     shortcut: shortcut && shortcutText(shortcut, isMac),
     ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
-    enabled: isEnabled(wb, action),
+    enabled,
     checked: action.checked?.(wb),
     radio: action.radio,
     run: () => tryAction(wb, action),

@@ -4,13 +4,19 @@ import './styles/base.css';
 import './styles/layout.css';
 import './styles/menu.css';
 import './styles/outliner.css';
+import './styles/lil-gui.css';
 import './styles/inspector.css';
+import './styles/facts.css';
 import './styles/transport.css';
 import './styles/stage.css';
 import './styles/kept.css';
 import './styles/timeline.css';
 import './styles/curves.css';
+import './styles/channel-list.css';
+import './styles/tool-dialog.css';
+import './styles/retarget.css';
 import './styles/dope.css';
+import './styles/takes.css';
 import './styles/dialogs.css';
 import { startDialogs } from './dialogs.ts';
 import { dropTarget } from './drop-target.ts';
@@ -30,6 +36,18 @@ import { transport } from './transport.ts';
 import { viewportPane } from './viewport-pane.ts';
 import type { Workbench } from './workbench.ts';
 
+/** Each is a script of its own. */
+async function buildTab(wb: Workbench, name: TimelineTabName): Promise<TimelineTab> {
+  switch (name) {
+    case 'curves':
+      return (await import('./curves/panel.ts')).curvePanel(wb);
+    case 'dope':
+      return (await import('./dope/panel.ts')).dopePanel(wb);
+    case 'takes':
+      return (await import('./takes/panel.ts')).takesPanel(wb);
+  }
+}
+
 /**
  * Builds the page in `root` and keeps it in step with the workbench: viewport and document, transport and clock, theme
  * and system. `signal` takes the listeners on window and document away again.
@@ -42,9 +60,7 @@ export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new Ab
   const scrubber = new Scrubber(wb);
   const tabs: TimelineTab[] = [];
   const loadTab = async (name: TimelineTabName) => {
-    const make =
-      name === 'curves' ? (await import('./curves/panel.ts')).curvePanel : (await import('./dope/panel.ts')).dopePanel;
-    const tab = make(wb);
+    const tab = await buildTab(wb, name);
     tabs.push(tab);
     return tab;
   };

@@ -22,6 +22,8 @@ export interface OutlineRow {
   readonly index: number;
   readonly expandable: boolean;
   readonly expanded: boolean;
+  /** A character that is taken out of the picture. */
+  readonly hidden?: boolean;
   /** Of alternatives, the one that is drawn or played. */
   readonly shown?: boolean;
   /** Only here because something below it was searched for. */
@@ -34,6 +36,11 @@ export type IsOpen = (key: string, otherwise: boolean) => boolean;
 /** Skeletons up to this size are unfolded from the start. */
 const SMALL_SKELETON = 80;
 const OPEN_DEPTH = 3;
+/** And characters, where there are no more than so many: of a folder of takes one wants to see the names. */
+const FEW_CHARACTERS = 5;
+
+/** Whether characters are so few that all of them are unfolded from the start. */
+export const isFew = (characters: readonly Character[]) => characters.length <= FEW_CHARACTERS;
 
 export const characterKey = (id: string) => `${id}`;
 export const groupKey = (id: string, group: string) => `${id}/${group}`;
@@ -46,7 +53,7 @@ export function outlineRows(document: Document, isOpen: IsOpen, query = ''): Out
   for (const character of document.characters) {
     const key = characterKey(character.id);
     const inside: OutlineRow[] = [];
-    const open = needle !== '' || isOpen(key, true);
+    const open = needle !== '' || isOpen(key, isFew(document.characters));
     if (open) {
       addJoints(inside, character, isOpen, needle);
       addAlternatives(inside, character, 'skin', 'Skins', isOpen, needle);
@@ -66,6 +73,7 @@ export function outlineRows(document: Document, isOpen: IsOpen, query = ''): Out
       expandable: true,
       expanded: open,
       onTheWay: !isMatch,
+      ...(character.isHidden && { hidden: true }),
     });
     for (const row of inside) rows.push(row);
   }
@@ -210,6 +218,7 @@ export function sameOutline(a: Document, b: Document): boolean {
       before === after ||
       (before.id === after.id &&
         before.name === after.name &&
+        before.isHidden === after.isHidden &&
         before.skeleton === after.skeleton &&
         before.skins === after.skins &&
         before.shownSkin === after.shownSkin &&

@@ -1,7 +1,8 @@
 /** The left panel: characters and what they are made of, and below it files and messages. */
 import { removeCopy, renameCharacter, showClip, showSkin } from '../edit/commands/characters.ts';
 import { duplicateClip, removeClip, renameClip } from '../edit/commands/clips.ts';
-import { type Document, findCharacter } from '../model/document.ts';
+import { setHidden } from '../edit/commands/spaces.ts';
+import { type Character, type Document, findCharacter } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import { actionsOf } from './actions.ts';
 import { attempt } from './attempt.ts';
@@ -13,6 +14,7 @@ import { itemOf } from './menu-entries.ts';
 import {
   characterKey,
   groupKey,
+  isFew,
   jointKey,
   keysAbove,
   type OutlineRow,
@@ -40,6 +42,7 @@ export function outliner(wb: Workbench): HTMLElement {
 
   const tree = new Tree('Characters and joints', {
     toggle(row, open) {
+      unfolded.keys.delete(row.key);
       folds.set(row.key, open);
       show();
     },
@@ -47,7 +50,7 @@ export function outliner(wb: Workbench): HTMLElement {
     activate: (row) => activate(wb, row),
     doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
     menu: (row, at) => rowMenu(wb, row, at, startRename),
-    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(row, isUnsaved(wb, row))),
+    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row)),
   });
   tree.element.dataset.panel = 'outliner';
   tree.element.addEventListener('keydown', (event) => {
@@ -69,14 +72,27 @@ export function outliner(wb: Workbench): HTMLElement {
     empty.textContent = document.characters.length && query ? `Nothing here is called “${query}”.` : EMPTY;
     tree.show(rows);
   };
+  /** What selecting has unfolded of one of many characters: folded again when another is selected. */
+  const unfolded = { of: '', keys: new Set<string>() };
+  const foldOthers = ({ characters }: Document, character: Character | undefined) => {
+    if (!character || unfolded.of === character.id) return false;
+    const isAny = unfolded.keys.size > 0 && !isFew(characters);
+    if (isAny) for (const key of unfolded.keys) folds.delete(key);
+    unfolded.of = character.id;
+    unfolded.keys.clear();
+    return isAny;
+  };
   const showSelection = ({ document, selection }: { document: Document; selection: Selection }) => {
     const character = findCharacter(document, selection.characterId);
-    if (!character) return tree.select(undefined);
-    if (selection.joint === undefined) return tree.select(characterKey(character.id));
-    let opened = false;
+    let opened = foldOthers(document, character);
+    if (!character || selection.joint === undefined) {
+      if (opened) show();
+      return tree.select(character && characterKey(character.id));
+    }
     for (const key of keysAbove(character, selection.joint)) {
       if (folds.get(key) === true) continue;
       folds.set(key, true);
+      unfolded.keys.add(key);
       opened = true;
     }
     if (opened) show();
@@ -156,8 +172,10 @@ function searchBox() {
   return { input, element: element('div', { class: 'search' }, icon('search'), input) };
 }
 
-function drawRow(row: OutlineRow, unsaved: boolean): Node[] {
-  const label = row.label === '' ? element('i', { class: 'label' }, 'no name') : element('span', { class: 'label' });
+function drawRow(wb: Workbench, row: OutlineRow): Node[] {
+  const unsaved = isUnsaved(wb, row);
+  const unnamed = row.kind === 'joint' ? `#${row.detail}` : 'no name';
+  const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
   if (row.label) {
     label.textContent = row.label;
     label.title = row.label;
@@ -166,7 +184,25 @@ function drawRow(row: OutlineRow, unsaved: boolean): Node[] {
   if (unsaved) nodes.splice(1, 0, element('span', { class: 'unsaved-dot', title: 'Not saved', role: 'img' }));
   if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
+  if (row.kind === 'character') nodes.push(eyeOf(wb, row));
   return nodes;
+}
+
+/** For the mouse; the keyboard has the row's menu. A row's children are no stops of Tab. */
+function eyeOf(wb: Workbench, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
+  const eye = element(
+    'button',
+    { type: 'button', class: 'eye', tabindex: '-1', 'aria-pressed': String(hidden) },
+    icon(hidden ? 'eyeOff' : 'eye'),
+  );
+  eye.title = `${hidden ? 'Show' : 'Hide'} ${label}`;
+  eye.setAttribute('aria-label', eye.title);
+  eye.addEventListener('click', (event) => {
+    event.stopPropagation();
+    wb.store.apply(setHidden, { ids: [characterId], hidden: !hidden });
+  });
+  eye.addEventListener('dblclick', (event) => event.stopPropagation());
+  return eye;
 }
 
 /** Whether what the row stands for is not saved; the joints stand for the skeleton's file. */
@@ -175,6 +211,8 @@ function isUnsaved(wb: Workbench, { kind, key, characterId, index }: OutlineRow)
   if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'clip') return false;
   return wb.files.unsaved.get().some((part) => {
     if (part.characterId !== characterId) return false;
+    // A take of motion capture is skeleton and clip in one file.
+    if (part.kind === 'bvh') return kind === 'clip' && part.index === index;
     return isSkeleton ? part.kind === 'skel' : part.kind === PART_KINDS[kind] && part.index === index;
   });
 }
@@ -199,7 +237,13 @@ function rename(wb: Workbench, { kind, characterId, index }: OutlineRow, name: s
   else wb.store.apply(renameCharacter, { characterId, name });
 }
 
-const CHARACTER_ACTIONS = ['character.copy', 'pose.resetToFile', 'pose.resetToZero', 'pose.holdLimits'];
+const CHARACTER_ACTIONS = [
+  'character.hide',
+  'character.copy',
+  'pose.resetToFile',
+  'pose.resetToZero',
+  'pose.holdLimits',
+];
 const JOINT_ACTIONS = ['view.frameSelection', 'draw.follow', 'draw.skin.heat'];
 
 function rowMenu(

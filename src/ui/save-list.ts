@@ -15,7 +15,7 @@ export function saveList(wb: Workbench, close: () => void): DialogContent {
     for (const kind of SAVE_KINDS) {
       if (!canSave(character, kind)) continue;
       row.append(
-        saveButton(SAVE_LABELS[kind], contents(character, kind), () => {
+        saveButton(SAVE_LABELS[kind], contents(character, kind, wb.transport.get().framesPerSecond), () => {
           close();
           wb.files.save(character.id, kind);
         }),
@@ -45,11 +45,12 @@ function saveButton(label: string, detail: string, save: () => void): HTMLElemen
   return made;
 }
 
-function contents(character: Character, kind: SaveKind): string {
+function contents(character: Character, kind: SaveKind, framesPerSecond: number): string {
   const skin = shownSkin(character);
   const clip = shownClip(character);
   switch (kind) {
     case 'skel':
+    case 'axskel':
       return plural(character.skeleton?.joints.length ?? 0, 'joint');
     case 'skin':
       return skin ? plural(vertexCount(skin), 'vertex', 'vertices') : '';
@@ -57,6 +58,11 @@ function contents(character: Character, kind: SaveKind): string {
       return plural(character.morphs.length, 'morph');
     case 'anim':
       return clip ? `${clip.name}, ${plural(clip.channels.length, 'channel')}` : '';
+    case 'bvh': {
+      const frames = clip?.samples?.frameCount;
+      if (!clip) return 'the pose, 1 frame';
+      return frames === undefined ? `at ${framesPerSecond} frames a second` : plural(frames, 'frame');
+    }
     case 'rig':
       return 'which files belong together';
   }

@@ -1,5 +1,6 @@
 /** Draws the scrubber: ruler, played range, keys as diamonds, playhead. Canvas, for a clip may have any number of keys. */
 import { bucketKeys, MEANT_KEY, NO_KEY } from './key-buckets.ts';
+import { drawPlayheadAt } from './playhead.ts';
 import { rulerTicks } from './ruler.ts';
 import type { ShownChannel } from './shown-keys.ts';
 import type { TimeWindow } from './time-window.ts';
@@ -73,19 +74,8 @@ export function drawPlayhead(
   g.setTransform(ratio, 0, 0, ratio, 0, 0);
   const { window, timeSeconds, timeText } = picture;
   const x = ((timeSeconds - window.from) / (window.to - window.from)) * width;
-  g.font = colours.font;
-  const half = Math.ceil(g.measureText(timeText).width / 2) + 5;
-  if (x < -half || x > width + half) return;
-  g.fillStyle = colours.playhead;
-  g.fillRect(Math.round(x) - 1, RULER_HEIGHT - 2, 2, height - RULER_HEIGHT + 2);
-  const middle = Math.max(half, Math.min(width - half, x));
-  g.beginPath();
-  g.roundRect(Math.round(middle - half), 1, 2 * half, RULER_HEIGHT - 3, 3);
-  g.fill();
-  g.fillStyle = colours.playheadText;
-  g.textAlign = 'center';
-  g.textBaseline = 'middle';
-  g.fillText(timeText, Math.round(middle), RULER_HEIGHT / 2);
+  const place = { width, rulerHeight: RULER_HEIGHT, inset: 1 };
+  drawPlayheadAt(g, { x, text: timeText, lineWidth: 2, bottom: height }, place, colours);
 }
 
 function drawRange(

@@ -3,7 +3,7 @@
  * localStorage. A store that is forbidden, full, or holds something else than we wrote only means defaults: nobody
  * should be locked out of the page by what an older version left there.
  */
-import { DEFAULT_DISPLAY, type Display } from '../model/session.ts';
+import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MOST_GHOSTS } from '../model/session.ts';
 import { type Observable, observable } from './observable.ts';
 
 export const THEMES = ['system', 'light', 'dark'] as const;
@@ -112,9 +112,18 @@ function parseDisplay(kept: Record<string, unknown>): Display {
     ...display,
     skin: oneOf(SKINS, kept.skin, DEFAULT_DISPLAY.skin),
     boxes: oneOf(BOXES, kept.boxes, DEFAULT_DISPLAY.boxes),
+    ghostsBefore: count(kept.ghostsBefore, DEFAULT_DISPLAY.ghostsBefore),
+    ghostsAfter: count(kept.ghostsAfter, DEFAULT_DISPLAY.ghostsAfter),
+    ghostStepIn: oneOf(GHOST_UNITS, kept.ghostStepIn, DEFAULT_DISPLAY.ghostStepIn),
     // A camera that follows from the first moment on looks like a fault.
     follow: DEFAULT_DISPLAY.follow,
   };
+}
+
+/** How many ghosts. */
+function count(kept: unknown, otherwise: number): number {
+  const fits = typeof kept === 'number' && Number.isInteger(kept) && kept >= 0 && kept <= MOST_GHOSTS;
+  return fits ? kept : otherwise;
 }
 
 /** `defaults`, with what `kept` has of the same type. Sizes have to be sensible numbers. */

@@ -7,7 +7,7 @@
  */
 import { firstNotBelow } from '../math/search.ts';
 import type { Channel } from '../model/clip.ts';
-import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
+import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../model/document.ts';
 import { firstDofs } from '../model/dofs.ts';
 import type { Selection } from '../model/session.ts';
 import { dofsOf } from '../model/skeleton.ts';
@@ -78,15 +78,5 @@ export function nextKey(channels: readonly ShownChannel[], timeSeconds: number):
   return best;
 }
 
-/** From the first start to the last end of all takes that are shown, on the transport. */
-export function clipsRange(document: Document): readonly [number, number] | undefined {
-  let range: [number, number] | undefined;
-  for (const character of document.characters) {
-    const clip = shownClip(character);
-    if (!clip) continue;
-    const start = clip.range[0] - character.timeOffsetSeconds;
-    const end = clip.range[1] - character.timeOffsetSeconds;
-    range = range ? [Math.min(range[0], start), Math.max(range[1], end)] : [start, end];
-  }
-  return range;
-}
+/** From the first start to the last end of all takes that play, on the transport. */
+export const clipsRange = rangeOfClips;

@@ -4,6 +4,7 @@
  */
 import { type Document, shownSkin } from '../model/document.ts';
 import { type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
+import { NO_TINTS, type Tints } from '../view/theme.ts';
 import { BOX_STYLES, SKIN_STYLES } from './actions/view-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setText } from './dom.ts';
@@ -12,12 +13,13 @@ import { keptSession } from './kept-session.ts';
 import { menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { messageLine } from './message-line.ts';
+import { type Comparison, comparedIn, drawnDocument, withoutTwin } from './takes/takes.ts';
 import { keepTooltip } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
 
 /** A press that moved further was a drag. */
 const CLICK_PIXELS = 4;
-const TOGGLES = ['bones', 'axes', 'names', 'normals', 'grid', 'shadow', 'orthographic'] as const;
+const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   const { viewport, viewportElement, store, settings } = wb;
@@ -25,7 +27,17 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   viewport.canvas.tabIndex = 0;
   viewport.canvas.setAttribute('role', 'img');
   viewport.canvas.setAttribute('aria-label', 'Viewport. Arrow keys up and down go from joint to joint.');
-  const show = () => viewport.show(store.document, store.selection, settings.get().display);
+  const { takes } = wb.timeline;
+  const show = () => {
+    const { document, selection } = store;
+    const comparison = takes.comparison.get();
+    viewport.show(
+      drawnDocument(document, comparison),
+      selection,
+      settings.get().display,
+      tintsOf(document, comparison),
+    );
+  };
   const stops = [
     store.subscribe((now, before) => {
       if (now !== before) show();
@@ -33,6 +45,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     settings.subscribe((now, before) => {
       if (now.display !== before.display) show();
     }),
+    takes.comparison.subscribe(show),
   ];
   signal.addEventListener('abort', () => {
     for (const stop of stops) stop();
@@ -47,6 +60,16 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     displayStrip(wb),
     element('div', { class: 'stage-foot' }, missingNote(wb), keptSession(wb), messageLine(wb)),
   );
+}
+
+/** The two characters that are compared; none where they are not there, or there is nothing to be told apart. */
+function tintsOf(document: Document, comparison: Comparison | undefined): Tints {
+  const compared = comparedIn(document, comparison);
+  if (!compared) return NO_TINTS;
+  return new Map([
+    [compared[0].drawnAs, 'comparedFirst'],
+    [compared[1].drawnAs, 'comparedSecond'],
+  ]);
 }
 
 function pickOnClick(wb: Workbench, signal: AbortSignal): void {
@@ -67,7 +90,7 @@ function pickOnClick(wb: Workbench, signal: AbortSignal): void {
       down = undefined;
       if (!from || Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > CLICK_PIXELS) return;
       const hit = wb.viewport.pick(event.clientX, event.clientY);
-      wb.store.select(hit ?? NOTHING_SELECTED);
+      wb.store.select(hit ? { ...hit, characterId: withoutTwin(hit.characterId) } : NOTHING_SELECTED);
     },
     { signal },
   );

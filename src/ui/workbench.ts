@@ -19,6 +19,7 @@ export type Stage = Pick<
   | 'pick'
   | 'frameAll'
   | 'frameSelection'
+  | 'reveal'
   | 'lookFrom'
   | 'cameraView'
   | 'setTheme'
@@ -46,9 +47,11 @@ export interface Workbench {
   readonly kept: Observable<KeptOffer | undefined>;
 }
 
-export type DialogName = 'shortcuts' | 'search' | 'save' | 'about' | CurveToolName;
+export type DialogName = 'shortcuts' | 'search' | 'save' | 'about' | 'retarget' | CurveToolName;
 /** The curve tools that ask for something. */
-export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys';
+export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
+/** Those for sampled motion that do. */
+export type SampleToolName = 'convertToKeys' | 'smoothSamples' | 'resampleSamples';
 
 export interface Loading {
   /** Name of the file being read. */
@@ -60,11 +63,12 @@ export interface Loading {
   cancel(): void;
 }
 
-export type SaveKind = 'skel' | 'skin' | 'morph' | 'anim' | 'rig';
-export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'skin', 'morph', 'anim', 'rig'];
+/** `skel` is the hierarchy form, `axskel` the axis-angle form. */
+export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh';
+export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh'];
 
 /** Kinds of files whose content can be changed here. */
-export type PartKind = 'skel' | 'skin' | 'morph' | 'anim';
+export type PartKind = 'skel' | 'skin' | 'morph' | 'anim' | 'bvh';
 
 /** A part of a character that is not as it was opened, or last saved. */
 export interface UnsavedPart {
@@ -99,7 +103,10 @@ export interface FileActions {
   /** Reads a character's files again, where someone changed them beside the page. */
   reload(characterId: string): void;
   canReload(characterId: string): boolean;
-  /** Parts of one kind, to a place that the person chooses. */
+  /**
+   * Parts of one kind, to a place that the person chooses. A kind that the character does not have is made: skeleton and
+   * animation of motion capture, and the other way round, at the transport's frame rate.
+   */
   save(characterId: string, kind: SaveKind): void;
   /** A character as one zip. */
   saveAll(characterId: string): void;

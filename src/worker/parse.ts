@@ -36,7 +36,7 @@ export async function parse(input: ParseInput, onProgress: (progress: Progress) 
     const format = formatOf(source.name);
     const mime = textureTypeOf(source.name);
     if (format) {
-      const reader = format.reader(source.name);
+      const reader = format.reader(source.name, source.bytes);
       try {
         await feed(blob, (chunk) => {
           reader.feed(chunk);

@@ -9,6 +9,7 @@ import { bench, describe } from 'vitest';
 import { animReader } from '../../src/formats/anim/read.ts';
 import type { Reader } from '../../src/formats/reader.ts';
 import { skinReader } from '../../src/formats/skin/read.ts';
+import { bareLoop, countNumbers } from './bare-loop.ts';
 
 /** Few and long: an iteration takes up to seconds. */
 const LONG = { time: 0, iterations: 5, warmupTime: 0, warmupIterations: 2 };
@@ -87,53 +88,6 @@ function joined(lines: readonly string[]): Uint8Array {
   return all;
 }
 
-/** The bare loop. Trusts that everything is a number, and rounds as it goes. */
-function bareLoop(bytes: Uint8Array, count: number): Float32Array {
-  const out = new Float32Array(count);
-  const end = bytes.length;
-  let n = 0;
-  let i = 0;
-  while (i < end) {
-    let c = bytes[i];
-    if ((c < 48 || c > 57) && c !== 45 && c !== 46) {
-      i++;
-      continue;
-    }
-    let sign = 1;
-    if (c === 45) {
-      sign = -1;
-      c = bytes[++i];
-    }
-    let v = 0;
-    while (c >= 48 && c <= 57) {
-      v = v * 10 + (c - 48);
-      c = bytes[++i];
-    }
-    if (c === 46) {
-      let f = 0.1;
-      c = bytes[++i];
-      while (c >= 48 && c <= 57) {
-        v += f * (c - 48);
-        f *= 0.1;
-        c = bytes[++i];
-      }
-    }
-    if (c === 101) {
-      let exponent = 0;
-      c = bytes[++i];
-      const negative = c === 45;
-      if (negative || c === 43) c = bytes[++i];
-      while (c >= 48 && c <= 57) {
-        exponent = exponent * 10 + (c - 48);
-        c = bytes[++i];
-      }
-      v *= 10 ** (negative ? -exponent : exponent);
-    }
-    out[n++] = sign * v;
-  }
-  return out;
-}
-
 /** As three.js's loaders do it. */
 function splitLines(bytes: Uint8Array): number {
   const lines = new TextDecoder().decode(bytes).split('\n');
@@ -143,17 +97,6 @@ function splitLines(bytes: Uint8Array): number {
     for (const word of words) sum += Number.parseFloat(word) || 0;
   }
   return sum;
-}
-
-function countNumbers(bytes: Uint8Array): number {
-  let n = 0;
-  let inside = false;
-  for (const c of bytes) {
-    const isDigit = c >= 48 && c <= 57;
-    if (isDigit && !inside) n++;
-    inside = isDigit || c === 46 || c === 45 || c === 101 || c === 43;
-  }
-  return n;
 }
 
 function readInPieces(reader: Reader<unknown>, bytes: Uint8Array, size: number): void {

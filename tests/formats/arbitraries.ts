@@ -1,5 +1,6 @@
 /** Models as a format can hold them, for fast-check. */
 import fc from 'fast-check';
+import { radiansOf } from '../../src/formats/skel/degrees.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED, type Tangents } from '../../src/model/clip.ts';
 import type { Morph, MorphRows } from '../../src/model/morph.ts';
@@ -9,6 +10,7 @@ import {
   type BvhMotion,
   COMPOUND_DOFS,
   type Couple,
+  DEFAULT_BOX,
   dofsOf,
   EULER_ORDERS,
   type Joint,
@@ -128,6 +130,32 @@ export const skeleton: fc.Arbitrary<Skeleton> = fc
   })
   .chain((joints) => fc.oneof(fc.constant(joints), coupled(joints)))
   .map((joints) => ({ name: 'x', joints }));
+
+/** Hinges, each at its parent's tip, in poses that degrees can say: all that the axis-angle form holds. */
+export const axisAngleSkeleton: fc.Arbitrary<Skeleton> = fc
+  .array(fc.record({ length: finite.filter((l) => l >= 0), axis, degrees: finite, line: fc.nat() }), {
+    minLength: 1,
+    maxLength: 12,
+  })
+  .map((all) => {
+    const joints: Joint[] = [];
+    for (const { length, axis: own, degrees, line } of all) {
+      const ancestors: number[] = [];
+      for (let j = joints.length - 1; j >= 0; j = joints[j].parent) ancestors.push(j);
+      const parent = ancestors[line % ancestors.length] ?? -1;
+      joints.push({
+        name: '',
+        parent,
+        offset: [0, joints[parent]?.length ?? 0, 0],
+        box: DEFAULT_BOX,
+        motion: { kind: 'hinge', axis: own },
+        limits: [UNLIMITED],
+        pose: [radiansOf(degrees)],
+        length,
+      });
+    }
+    return { name: 'x', joints, form: 'axis-angle' };
+  });
 
 const doubles = (length: number) =>
   fc.array(finite, { minLength: length, maxLength: length }).map((a) => Float64Array.from(a));

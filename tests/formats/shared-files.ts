@@ -10,5 +10,5 @@ function filesIn(folder: string): string[] {
     .map((name) => `${folder}/${name}`);
 }
 
-export const GOOD_FILES = [...filesIn('data/cse169'), ...filesIn('data/synthetic')];
-export const ALL_FILES = [...GOOD_FILES, ...filesIn('data/malformed')];
+export const GOOD_FILES = [...filesIn('data/cse169'), ...filesIn('data/synthetic'), ...filesIn('data/axis-skel')];
+export const ALL_FILES = [...GOOD_FILES, ...filesIn('data/malformed'), ...filesIn('data/axis-skel/malformed')];

@@ -166,7 +166,6 @@ describe('reading .skel', () => {
     ['', ['error joint-missing 1:1']],
     ['  \n\t\n', ['error joint-missing 1:1']],
     ['\uFEFF', ['error joint-missing 1:1']],
-    ['1 0 1 0 0 0', ['error axis-angle-form 1:1']],
     ['balljoint', ['error brace-missing 1:10', 'error brace-missing 1:10']],
     ['balljoint a', ['error brace-missing 1:12', 'error brace-missing 1:12']],
     ['balljoint a {', ['error brace-missing 1:14']],

@@ -40,6 +40,29 @@ describe('the list of actions', () => {
     expect(ids).toContain('sample.walker');
   });
 
+  it('has work that an earlier page left behind, for as long as there is some', () => {
+    const { wb } = workbench();
+    const inMenu = () => actionsOf(wb).find((a) => a.id === 'session.restore');
+    expect(inMenu()).toBeUndefined();
+    const asked: string[] = [];
+    const works = [{ id: 's1', savedAtMs: 0, characters: [{ name: 'wasp', joints: 31, clips: 1 }] }];
+    const no = () => {};
+    const answers = {
+      restore: no,
+      discard: no,
+      putBack: no,
+      choose: no,
+      later: no,
+      again: () => void asked.push('s1'),
+    };
+    wb.kept.set({ works, isAside: false, isPutOff: true, isAskedFor: false, ...answers });
+    expect(inMenu()?.detail).toContain('wasp, 31 joints');
+    runAction(wb, 'session.restore');
+    expect(asked).toEqual(['s1']);
+    wb.kept.set({ works: [], isAside: false, isPutOff: true, isAskedFor: false, ...answers });
+    expect(inMenu()).toBeUndefined();
+  });
+
   it('can all be asked about without a character', () => {
     const { wb } = workbench();
     for (const action of actionsOf(wb)) {

@@ -73,12 +73,14 @@ export function documentOf(...characters: Character[]): Document {
 export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial<Playback> = {}) {
   const seeks: number[] = [];
   const saved: string[] = [];
+  const revealed: string[] = [];
   const viewport = {
     seek: (seconds: number) => void seeks.push(seconds),
     show: () => {},
     pick: () => undefined,
     frameAll: () => {},
     frameSelection: () => {},
+    reveal: (id: string) => void revealed.push(id),
     lookFrom: () => {},
     setTheme: () => {},
     character: () => undefined,
@@ -103,5 +105,5 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     viewport,
   };
   // What no test touches, the canvas and the element around it, needs a browser.
-  return { wb: wb as unknown as Workbench, seeks, saved };
+  return { wb: wb as unknown as Workbench, seeks, saved, revealed };
 }

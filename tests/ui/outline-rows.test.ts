@@ -20,6 +20,14 @@ const wasp = character({
 });
 
 describe('outlineRows', () => {
+  it('folds the characters where they are many, unless someone unfolds one', () => {
+    const many = documentOf(...Array.from({ length: 50 }, (_, i) => character({ ...wasp, id: `c${i}` })));
+    expect(outlineRows(many, asIs)).toHaveLength(50);
+    const one = (key: string, otherwise: boolean) => key === 'c7' || otherwise;
+    expect(outlineRows(many, one).length).toBeGreaterThan(55);
+    expect(outlineRows(many, asIs, 'foot_l')).toHaveLength(50 * 5);
+  });
+
   it('lists a character and what it is made of', () => {
     expect(text(outlineRows(documentOf(wasp), asIs))).toEqual([
       'wasp',

@@ -1,14 +1,16 @@
 import { describe, expect, it } from 'vitest';
 import type { CharacterDof } from '../../src/model/dofs.ts';
 import { UNLIMITED } from '../../src/model/skeleton.ts';
-import { limitText, sliderOptions } from '../../src/ui/inspector/dof-rows.ts';
+import { markLabel } from '../../src/ui/inspector/dof-mark.ts';
+import { coupleText, limitText, sliderOptions } from '../../src/ui/inspector/dof-rows.ts';
 import { typedLimit } from '../../src/ui/inspector/limit-editor.ts';
+import { refusalOf } from '../../src/ui/inspector/slider.ts';
 import { lengthStep, reachOf } from '../../src/ui/reach.ts';
 import { clampSize } from '../../src/ui/splitter.ts';
 import { character, skeleton } from './builders.ts';
 
 const arm = character({ skeleton: skeleton(['hips', -1], ['arm', 0], ['hand', 1]) });
-const rx: CharacterDof = { name: 'rx', unit: 'angle', joint: 0, limit: UNLIMITED };
+const rx: CharacterDof = { name: 'rx', unit: 'angle', rest: 0, joint: 0, limit: UNLIMITED, takesLimits: true };
 const limited: CharacterDof = { ...rx, limit: { min: -Math.PI / 6, max: Math.PI / 4 } };
 
 describe('sliderOptions', () => {
@@ -31,6 +33,16 @@ describe('sliderOptions', () => {
     const options = sliderOptions(limited, free, 'degrees');
     expect(options).toMatchObject({ span: [-180, 180], limits: [-30, 45] });
     expect(options.bounds).toBeUndefined();
+  });
+
+  it('spans twice the size for a scale, and from −1 to 1 for other factors', () => {
+    const factor: CharacterDof = { ...rx, name: 'sx', unit: 'factor', rest: 1 };
+    expect(sliderOptions(factor, arm, 'degrees').span).toEqual([0, 2]);
+    expect(sliderOptions({ ...factor, name: 'qw' }, arm, 'degrees').span).toEqual([-1, 1]);
+    expect(sliderOptions({ ...factor, limit: { min: 0.5, max: 3 } }, arm, 'degrees')).toMatchObject({
+      span: [0.5, 3],
+      bounds: [0.5, 3],
+    });
   });
 
   it('shows a DOF that is locked by its limits', () => {
@@ -62,6 +74,49 @@ it('bears a limit on one side alone', () => {
   expect(sliderOptions({ ...rx, limit: { min: 7, max: UNLIMITED.max } }, arm, 'radians').span?.[1]).toBeGreaterThan(7);
   expect(limitText(above, arm, 'degrees')).toBe('limits from -30°');
   expect(limitText(below, arm, 'degrees')).toBe('limits up to 45°');
+});
+
+describe('coupleText', () => {
+  it('says what a DOF follows, in the units that are shown', () => {
+    const couple = { dof: 6, follows: 3, gain: 0.5, offset: Math.PI / 18 };
+    expect(coupleText(couple, rx, arm, 'degrees')).toBe('follows 0.5 · rx of hips + 10°');
+    expect(coupleText({ ...couple, offset: 0 }, rx, arm, 'radians')).toBe('follows 0.5 · rx of hips');
+    const length: CharacterDof = { ...rx, name: 't', unit: 'length' };
+    expect(coupleText({ ...couple, gain: 1 }, length, arm, 'degrees')).toBe('follows 0.0175 · rx of hips + 0.1745');
+  });
+});
+
+describe('a typed number that is not taken', () => {
+  const held = sliderOptions(limited, arm, 'degrees');
+
+  it('is told the limit that it is beyond, and what holds it', () => {
+    expect(refusalOf('rx of arm', '90', held)).toBe(
+      'rx of arm goes no higher than 45°; 90° was typed. Hold limits, in the Edit menu, keeps it there.',
+    );
+    expect(refusalOf('rx of arm', '-31', held)).toContain('no lower than -30°');
+    expect(refusalOf('rate', '9', { bounds: [-4, 4], step: 1, decimals: 1, suffix: '×' })).toBe(
+      'rate goes no higher than 4×; 9× was typed.',
+    );
+  });
+
+  it('is told that a DOF is locked', () => {
+    const locked = sliderOptions({ ...rx, limit: { min: 0, max: 0 } }, arm, 'degrees');
+    expect(refusalOf('rx', '30', locked)).toMatch(/^rx is held at 0°; 30° was typed/);
+  });
+
+  it('is told that it is none', () => {
+    expect(refusalOf('rx', 'ten', held)).toBe('rx: “ten” is not a number.');
+  });
+
+  it('is none of those within the limits, or where there are none', () => {
+    expect(refusalOf('rx', '45,0', held)).toBeUndefined();
+    expect(refusalOf('rx', '900', sliderOptions(rx, arm, 'degrees'))).toBeUndefined();
+  });
+});
+
+it('names the DOF of a mark to who can’t see its row', () => {
+  expect(markLabel('driven', 'rx of leg_fl')).toBe('Key rx of leg_fl');
+  expect(markLabel('keyed', 'rx of leg_fl')).toBe('Delete this moment’s key of rx of leg_fl');
 });
 
 it('reads typed limits: a number, or nothing for no limit', () => {

@@ -2,6 +2,7 @@ import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { parse } from '../../src/worker/parse.ts';
 import type { Progress } from '../../src/worker/protocol.ts';
+import { transferables } from '../../src/worker/transferables.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
 const given = (path: string, content: string | Uint8Array<ArrayBuffer>) => ({ path, blob: new Blob([content]) });
@@ -69,6 +70,32 @@ describe('the parse job', () => {
     const seen: Progress[] = [];
     await parse({ files: [given('a.skel', skel), given('b.skel', skel)] }, (p) => seen.push(p));
     expect(seen[0]).toMatchObject({ label: 'a.skel', bytesTotal: 2 * skel.length });
+  });
+});
+
+describe('the parse job on motion capture', () => {
+  const head =
+    'HIERARCHY\nROOT Hips\n{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n}\nMOTION\nFrames: 200000\nFrame Time: .01\n';
+  // In parts, which Node's stream gives one by one as a browser's gives chunks.
+  const part = '1.25 -2.5 30\n'.repeat(20000);
+  const take = { path: 'walk.bvh', blob: new Blob([head, ...Array.from({ length: 10 }, () => part)]) };
+
+  it('tells how far it is while the bytes come in, up to the last one', async () => {
+    const seen: Progress[] = [];
+    await parse({ files: [take, given('b.skel', skel)] }, (p) => seen.push(p));
+    const ofTake = seen.filter((p) => p.label === 'walk.bvh').map((p) => p.bytesDone);
+    expect(ofTake.length).toBeGreaterThan(2);
+    expect(ofTake).toEqual([...ofTake].sort((a, b) => a - b));
+    expect(seen.every((p) => p.bytesTotal === take.blob.size + skel.length)).toBe(true);
+  });
+
+  it('hands the samples over without a copy, in hardly more memory than they take', async () => {
+    const output = await parse({ files: [take] }, ignore);
+    const [file] = output.files;
+    const values = file.kind === 'bvh' ? file.figures[0].clip?.samples?.values : undefined;
+    expect(values).toHaveLength(600000);
+    expect(transferables(output)).toContain(values?.buffer);
+    expect(values?.buffer.byteLength).toBeLessThan(1.15 * 8 * 600000);
   });
 });
 

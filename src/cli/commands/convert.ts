@@ -10,9 +10,11 @@ import { bvhOf, skelOf } from '../../edit/convert/character-files.ts';
 import { openFiles } from '../../edit/open-files.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { type Format, formatOf, READABLE_EXTENSIONS } from '../../formats/registry.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import {
   bvhOutput,
@@ -141,6 +143,7 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const [only] = fitting;
   // A rate asks for other frames than the file has.
   if (only && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
+    if (only.kind === 'skel') return skelInForm(only.skeletons, only.source.name, out);
     return { output: kind === 'bvh' ? bvhAgain(only, out) : textOutput(out, () => only) };
   }
   if (kind === 'rig') return rigOf(files, out);
@@ -155,6 +158,28 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
 function tooMany({ label }: Format, names: readonly string[], out: string): Diagnostic {
   const message = `More than one ${label} was given (${names.join(', ')}), and ${out} holds one: name only that one.`;
   return refusal('part-ambiguous', message, out);
+}
+
+/**
+ * Skeletons in the form that the name asks for. `.skel` may be either form: it stays what it was, unless the file that
+ * was read had the other ending.
+ */
+function skelInForm(skeletons: readonly Skeleton[], source: string, out: string): Picked {
+  if (!isAxisAngleName(out)) {
+    const written = isAxisAngleName(source) ? skeletons.map(inHierarchyForm) : skeletons;
+    return { output: textOutput(out, () => ({ kind: 'skel', skeletons: written })) };
+  }
+  const why =
+    skeletons.length === 1 ? axisAngleObstacle(skeletons[0]) : `it holds one tree, and here are ${skeletons.length}.`;
+  if (why !== undefined) {
+    const message = `${out} can't be written in the axis-angle form: ${why} As .skel it can.`;
+    return { refusal: refusal('axis-angle-impossible', message, out) };
+  }
+  return { output: textOutput(out, () => ({ kind: 'skel', skeletons: skeletons.map(inAxisAngleForm) })) };
+}
+
+function isAxisAngleName(name: string): boolean {
+  return name.toLowerCase().endsWith('.axskel');
 }
 
 /** All roots, frames as they were read. */
@@ -194,8 +219,8 @@ function convertedTo(
   }
   // One kind alone: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
   const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
-  if (target === 'skel' && skeletons.length && files.length === 1) {
-    return { output: textOutput(out, () => ({ kind: 'skel', skeletons })) };
+  if (target === 'skel' && skeletons.length && (files.length === 1 || isAxisAngleName(out))) {
+    return skelInForm(skeletons, files[0].source.name, out);
   }
   const made = outputsOf(characters, target, options).filter(({ name }) => name.toLowerCase().endsWith(`.${target}`));
   if (made.length === 0) return undefined;

@@ -7,7 +7,7 @@
  */
 import { openFiles } from '../../edit/open-files.ts';
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
-import { type EndSitePosition, endSitePositions } from '../../evaluate/end-sites.ts';
+import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { typeName } from '../../formats/skel/joint-types.ts';
@@ -161,6 +161,8 @@ interface PosedJoint {
   readonly dofs: readonly number[];
   /** 16 numbers, column-major. */
   readonly world: readonly number[];
+  /** Where its bone ends; absent where it has none of its own. */
+  readonly tip?: readonly number[];
 }
 
 function poseCharacter(character: Character, asked: Asked, withVertices: boolean): PosedCharacter {
@@ -177,6 +179,7 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     type: typeName(joint.motion),
     dofs: compiled ? Array.from(values.subarray(compiled.firstDof[index], compiled.firstDof[index + 1])) : [],
     world: world ? Array.from(world.subarray(16 * index, 16 * index + 16)) : [],
+    ...(world && joint.length !== undefined && { tip: tipPosition(joint.length, world, index) }),
   }));
   const endSites = skeleton && world ? endSitePositions(skeleton, world) : [];
   const firstMorph = values.length - morphs.length;
@@ -248,6 +251,7 @@ function asText({ name, root, joints, endSites = [], morphs, positions, normals,
     lines.push(
       `  ${joint.index} ${joint.name || '(no name)'} (${joint.type}, parent ${joint.parent}): ${joint.dofs.join(' ')}`,
       ...[0, 1, 2, 3].map((row) => `      ${[0, 4, 8, 12].map((column) => joint.world[column + row]).join(' ')}`),
+      ...(joint.tip ? [`      tip ${joint.tip.join(' ')}`] : []),
     );
   }
   for (const { joint, position } of endSites) lines.push(`  end site of ${joint}: ${position.join(' ')}`);

@@ -112,12 +112,15 @@ export class Rows {
     let lineFeeds = 0;
     let rowsFeeds = 0;
     let why = AT_END;
+    // Numbers before the row at hand, or the part of it that this piece has.
+    let before = this.count;
     scan.at = at;
     for (;;) {
       this.makeRoom();
       scan.count = this.count;
       scan.limit = this.row + width;
       const start = scan.at;
+      before = this.count;
       why = scanNumbers(bytes, end, this.values, scan, undefined);
       this.bytesRead += scan.at - start;
       lineFeeds = scan.lineFeeds;
@@ -136,7 +139,7 @@ export class Rows {
     t.passed(since, scan.at, lineFeeds);
     if (why === AT_END) {
       this.rowPlace ??= t.placeAt(this.rowAt);
-      this.onLine = this.numbersOnLine(bytes, from, end);
+      this.onLine = lineFeeds === 0 ? this.onLine + this.count - before : this.numbersOnLine(bytes, from, end);
     }
     // Whether what comes next starts a line is for the tokens to see.
     let behind = scan.at;

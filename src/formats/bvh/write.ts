@@ -6,8 +6,9 @@
  * but as they are where reading would take them so again (`model/position-channels.ts`). A channel that stands is written in every frame. Keys are not played here: who has some samples
  * them first (`evaluate/bake.ts`).
  *
- * A take of 100 MB is written as pieces of some 40 kB, so that a page can stay alive in between and no string has to
- * hold all of it; `writeBvh` joins them for those who want one text. (V8 ends at 512 MB for a string.)
+ * A take of 100 MB is written as bytes, in pieces of 64 kB, so that a page can stay alive in between and no string has
+ * to hold all of it; `writeBvh` joins them for those who want one text. (V8 ends at 512 MB for a string. Pieces of text
+ * take three times as long: a string for each number, and the joining of them.)
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { firstDofs } from '../../model/dofs.ts';
@@ -15,27 +16,20 @@ import type { Figure } from '../../model/files.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../../model/samples.ts';
 import { type BvhChannel, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
 import type { WriteResult } from '../reader.ts';
+import { LONGEST_DECIMAL, putDecimal } from '../write-decimal.ts';
 import { Text } from '../write-text.ts';
+import { CHANNEL_NAMES } from './channels.ts';
 
-/** What a file's text is made of, one piece after the other. */
+/** What a file is made of, one piece after the other. */
 export interface WrittenPieces {
-  /** To be gone through once. */
-  readonly pieces: Iterable<string>;
+  /** UTF-8. To be gone through once. */
+  readonly pieces: Iterable<Uint8Array<ArrayBuffer>>;
   /** Complete when all pieces have been taken. */
   diagnostics(): readonly Diagnostic[];
 }
 
-const CHANNEL_NAMES: Readonly<Record<BvhChannel, string>> = {
-  tx: 'Xposition',
-  ty: 'Yposition',
-  tz: 'Zposition',
-  rx: 'Xrotation',
-  ry: 'Yrotation',
-  rz: 'Zrotation',
-};
-
-/** Numbers and blanks of a piece: some 40 kB. */
-const PIECE = 1 << 13;
+/** Bytes of a piece of rows. */
+const PIECE = 1 << 16;
 
 /** What a file without frames says of their time. */
 const NO_FRAME_SECONDS = 1 / 30;
@@ -55,7 +49,9 @@ export function fitOneBvh(figures: readonly Figure[]): boolean {
  */
 export function writeBvh(figures: readonly Figure[], fileName = ''): WriteResult {
   const { pieces, diagnostics } = writeBvhPieces(figures, fileName);
-  const text = [...pieces].join('');
+  const decoder = new TextDecoder();
+  let text = '';
+  for (const piece of pieces) text += decoder.decode(piece, { stream: true });
   return { text, diagnostics: diagnostics() };
 }
 
@@ -74,7 +70,7 @@ export function writeBvhPieces(figures: readonly Figure[], fileName = ''): Writt
   text.line(0, `Frame Time: ${text.number(samples?.frameSeconds ?? NO_FRAME_SECONDS)}`);
   let diagnostics: readonly Diagnostic[] = [];
   function* pieces() {
-    yield text.takeText();
+    yield UTF8.encode(text.takeText());
     yield* rows(text, columns, frameCount);
     diagnostics = text.result().diagnostics;
   }
@@ -149,9 +145,16 @@ function addedTo({ joints }: Skeleton, j: number, name: string): number {
   return motion.kind === 'bvh' && motion.positions === 'add' ? offset['xyz'.indexOf(name[1])] : 0;
 }
 
+const UTF8 = new TextEncoder();
+const BLANK = 32;
+const LF = 10;
+
 /** The rows, in pieces that end anywhere between two numbers: a row may be long. */
-function* rows(text: Text, columns: readonly Column[], frameCount: number): Generator<string> {
-  const piece: string[] = [];
+function* rows(text: Text, columns: readonly Column[], frameCount: number): Generator<Uint8Array<ArrayBuffer>> {
+  const bytes = new Uint8Array(PIECE);
+  // A number and what is behind it has to find room.
+  const full = PIECE - LONGEST_DECIMAL - 1;
+  let at = 0;
   for (let frame = 0; frame < frameCount; frame++) {
     for (let c = 0; c < columns.length; c++) {
       const { values, first, width, factor, plus } = columns[c];
@@ -159,12 +162,23 @@ function* rows(text: Text, columns: readonly Column[], frameCount: number): Gene
       if (factor !== 1) value *= factor;
       // Adding 0 would turn −0 into 0.
       if (plus !== 0) value += plus;
-      piece.push(text.number(value), c + 1 < columns.length ? ' ' : '\n');
-      if (piece.length < PIECE) continue;
-      yield piece.join('');
-      piece.length = 0;
+      const end = putDecimal(value, bytes, at);
+      at = end < 0 ? putAscii(text.number(value), bytes, at) : end;
+      bytes[at++] = c + 1 < columns.length ? BLANK : LF;
+      if (at < full) continue;
+      yield bytes.slice(0, at);
+      at = 0;
     }
-    if (columns.length === 0) piece.push('\n');
+    if (columns.length > 0) continue;
+    bytes[at++] = LF;
+    if (at < full) continue;
+    yield bytes.slice(0, at);
+    at = 0;
   }
-  if (piece.length) yield piece.join('');
+  if (at > 0) yield bytes.slice(0, at);
+}
+
+function putAscii(text: string, bytes: Uint8Array, at: number): number {
+  for (let i = 0; i < text.length; i++) bytes[at + i] = text.charCodeAt(i);
+  return at + text.length;
 }

@@ -1,5 +1,5 @@
 /**
- * `.skel`, hierarchy form.
+ * `.skel`, hierarchy form; one that begins with a number is in the other (`read-axis-angle.ts`).
  *
  *     skel   = { joint }                                   several roots: each its own skeleton
  *     joint  = JOINTTYPE [NAME] "{" { token } "}"
@@ -24,11 +24,11 @@ import {
 import { braceTooMany, number, numberRun, openBrace, type Part, skipStrange, stemOf } from '../grammar.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
-import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { couple, type OpenCouple, resolveCouples } from './couples.ts';
 import { JOINT_TYPES, type JointType, jointTypeOf, LIMIT_TOKENS, readOwn } from './joint-types.ts';
 import { numberToken, vectorToken } from './own-tokens.ts';
+import { axisAngleTree, beginsAxisAngle } from './read-axis-angle.ts';
 
 /** A reader for a `.skel`: a skeleton for each root. */
 export function skelReader(fileName: string): Reader<readonly Skeleton[]> {
@@ -84,10 +84,8 @@ function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
         t.report.info('several-roots', message, t.place());
       }
       roots.push(yield* tree(t, type));
-    } else if (isFirst && !Number.isNaN(t.value())) {
-      // The axis-angle form begins with a number; its reader belongs here.
-      t.error('axis-angle-form', 'Expected a joint, found a number: the axis-angle form of .skel is not read yet.');
-      throw new ParseError('axis-angle-form');
+    } else if (isFirst && beginsAxisAngle(t)) {
+      return [{ name: stemOf(t.fileName), joints: yield* axisAngleTree(t), form: 'axis-angle' }];
     } else yield* skipStrange(t, 'a .skel file', 'a joint such as balljoint');
   }
   if (roots.length === 0) t.report.error('joint-missing', 'Expected at least one joint, found none.', WHOLE_FILE);

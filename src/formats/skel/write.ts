@@ -1,7 +1,8 @@
 /**
- * Writes `.skel`, hierarchy form. What is the default is left out, except the offset; a skeleton of balljoints in xyz
+ * Writes `.skel`: the hierarchy form, or the axis-angle form for a skeleton that was read from it. What is the default is left out, except the offset; a skeleton of balljoints in xyz
  * order uses the classic tokens only, so that other tools read it.
  */
+import { axisAngleObstacle, savesAsAxisAngle } from '../../model/axis-angle.ts';
 import { skelSkeleton } from '../../model/skel-motion.ts';
 import {
   type Box,
@@ -16,17 +17,31 @@ import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 import { coupleTargets } from './couples.ts';
 import { jointTypeOfMotion, LIMIT_TOKENS, ownLines } from './joint-types.ts';
+import { writeAxisAngleTree } from './write-axis-angle.ts';
 
 /** Every skeleton is a root of its own. `fileName` is what diagnostics name. */
 export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteResult {
   const text = new Text(fileName);
+  const [only, ...others] = skeletons;
+  if (only && others.length === 0 && savesAsAxisAngle(only)) {
+    writeAxisAngleTree(text, only);
+    return text.result();
+  }
   for (const skeleton of skeletons) {
+    tellForm(text, skeleton, skeletons.length);
     const { joints } = skelSkeleton(skeleton);
     const ends = joints.reduce((sum, { endSites = [] }) => sum + endSites.length, 0);
     if (ends) text.left('end-sites-left-out', `A .skel has no End Sites; ${skeleton.name} has ${ends}.`);
     writeTree(text, joints);
   }
   return text.result();
+}
+
+/** One that came from the axis-angle form, and can't go back there. */
+function tellForm(text: Text, skeleton: Skeleton, count: number): void {
+  if (skeleton.form !== 'axis-angle') return;
+  const why = axisAngleObstacle(skeleton) ?? `that holds one tree, and here are ${count}.`;
+  text.changedForm(`${skeleton.name} can't be written in the axis-angle form: ${why}`);
 }
 
 /** Pre-order makes this a walk: joints that are no ancestors of the next one are closed before it. */

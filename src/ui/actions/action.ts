@@ -30,6 +30,8 @@ export interface Action extends Bindable {
   readonly repeats?: boolean;
   /** Always, where absent. */
   enabled?(wb: Workbench): boolean;
+  /** Where it is not: the reason, in a sentence, in place of the detail. */
+  whyNot?(wb: Workbench): string | undefined;
   /** Shows a tick; `radio` among alternatives. */
   checked?(wb: Workbench): boolean;
   readonly radio?: boolean;

@@ -1,7 +1,10 @@
 /** Changing the document, and what is selected in it. */
+
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
-import { DEFAULT_PLACEMENT, findCharacter } from '../../model/document.ts';
+import { setHidden } from '../../edit/commands/spaces.ts';
+import { metresPerUnit } from '../../evaluate/metres.ts';
+import { DEFAULT_PLACEMENT, DEFAULT_SPACE, findCharacter } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../pose-edits.ts';
@@ -80,6 +83,19 @@ export const EDIT_ACTIONS: readonly Action[] = [
       const [x, y, z] = last.position;
       const aside = 1.2 * last.scale * widthOf(wb, character.id);
       wb.store.apply(addCopy, { characterId: character.id, placement: { ...last, position: [x + aside, y, z] } });
+    },
+  },
+  {
+    id: 'character.hide',
+    name: 'Hide or show the character',
+    label: (wb) => `${currentCharacter(wb)?.isHidden ? 'Show' : 'Hide'} ${currentCharacter(wb)?.name ?? 'character'}`,
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    enabled: hasCharacter,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (character) wb.store.apply(setHidden, { ids: [character.id], hidden: !character.isHidden });
     },
   },
   {
@@ -200,12 +216,13 @@ function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number 
 /** How wide a character's joints reach in x; for placing a copy beside it. */
 function widthOf(wb: Workbench, id: string): number {
   const world = wb.viewport.character(id)?.worldMatrices();
-  if (!world || world.length < 32 || !findCharacter(wb.store.document, id)) return 1;
+  const character = findCharacter(wb.store.document, id);
+  if (!world || world.length < 32 || !character) return 1;
   let low = Infinity;
   let high = -Infinity;
   for (let i = 12; i < world.length; i += 16) {
     low = Math.min(low, world[i]);
     high = Math.max(high, world[i]);
   }
-  return high > low ? high - low : 1;
+  return (high > low ? high - low : 1) * metresPerUnit(character.space ?? DEFAULT_SPACE);
 }

@@ -1,21 +1,28 @@
 /** Opening and saving. */
+import { axisAngleObstacle } from '../../model/axis-angle.ts';
 import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { contentText, whenText } from '../kept-text.ts';
 import { SAVE_KINDS, type SaveKind, type Workbench } from '../workbench.ts';
 import { type Action, currentCharacter } from './action.ts';
 
 export const SAVE_LABELS: Readonly<Record<SaveKind, string>> = {
   skel: 'Skeleton (.skel)',
+  axskel: 'Axis-angle skeleton (.axskel)',
   skin: 'Skin (.skin)',
   morph: 'Morphs (.morph)',
   anim: 'Animation (.anim)',
   rig: 'Rig (.rig)',
+  bvh: 'Motion capture (.bvh)',
 };
 
 /** Whether a character has anything to save as such a file. */
 export function canSave(character: Character, kind: SaveKind): boolean {
   switch (kind) {
     case 'skel':
+    case 'bvh':
       return character.skeleton !== undefined;
+    case 'axskel':
+      return character.skeleton !== undefined && axisAngleObstacle(character.skeleton) === undefined;
     case 'skin':
       return shownSkin(character) !== undefined;
     case 'morph':
@@ -25,6 +32,12 @@ export function canSave(character: Character, kind: SaveKind): boolean {
     case 'rig':
       return character.skeleton !== undefined || shownSkin(character) !== undefined;
   }
+}
+
+/** What stands in the way of the axis-angle form, which is more than that there is no skeleton. */
+function whyNotAxisAngle(wb: Workbench): string | undefined {
+  const skeleton = currentCharacter(wb)?.skeleton;
+  return skeleton && axisAngleObstacle(skeleton);
 }
 
 const hasCharacters = (wb: Workbench) => wb.store.document.characters.length > 0;
@@ -95,6 +108,7 @@ export const FILE_ACTIONS: readonly Action[] = [
         const character = currentCharacter(wb);
         return character !== undefined && canSave(character, kind);
       },
+      ...(kind === 'axskel' && { whyNot: whyNotAxisAngle }),
       run(wb) {
         const character = currentCharacter(wb);
         if (character) wb.files.save(character.id, kind);
@@ -114,6 +128,24 @@ export const FILE_ACTIONS: readonly Action[] = [
     },
   },
 ];
+
+/** Work of an earlier page, for as long as there is some: nothing that was put off is out of reach. */
+export function keptActions(wb: Workbench): Action[] {
+  const offer = wb.kept.get();
+  const [work] = offer?.works ?? [];
+  if (!offer || !work) return [];
+  return [
+    {
+      id: 'session.restore',
+      label: 'Restore last session…',
+      detail: `${whenText(work.savedAtMs)}: ${contentText(work.characters)}`,
+      group: 'Files',
+      menu: 'Open',
+      section: 2,
+      run: () => offer.again(),
+    },
+  ];
+}
 
 /** One for each sample that the page came with. */
 export function sampleActions(wb: Workbench): Action[] {

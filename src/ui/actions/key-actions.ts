@@ -1,7 +1,8 @@
 /** What is done to selected keys. The keys on the keyboard are the timeline's: elsewhere on the page they mean other things. */
 import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import { stepFrames } from '../../edit/playback.ts';
-import { EXTRAPOLATIONS, type Extrapolation, TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
+import { type Channel, EXTRAPOLATIONS, type Extrapolation, TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
+import type { ChannelKeys } from '../../model/session.ts';
 import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import {
   copyToTray,
@@ -156,7 +157,18 @@ function now(wb: Workbench): number {
   return wb.transport.get().timeSeconds;
 }
 
-function walk(id: string, label: string, shortcuts: readonly string[], step: 1 | -1, adds: boolean): Action {
+/** From key to key. @param next what is selected then, of the channels in view, counted from the playhead */
+function step(
+  id: string,
+  label: string,
+  shortcuts: readonly string[],
+  next: (
+    channels: readonly Channel[],
+    keys: readonly ChannelKeys[],
+    shown: readonly number[],
+    fromSeconds: number,
+  ) => readonly ChannelKeys[],
+): Action {
   return key(id, label, shortcuts, {
     menu: 'Keys/Select',
     section: 13,
@@ -166,28 +178,20 @@ function walk(id: string, label: string, shortcuts: readonly string[], step: 1 |
       const take = takeInHand(wb);
       if (!take) return;
       const { character, clip } = take;
-      const from = clipTime(wb, character);
-      selectKeys(wb, walkKeys(clip.channels, keysInHand(wb), channelsInView(wb), from, step, adds));
+      selectKeys(wb, next(clip.channels, keysInHand(wb), channelsInView(wb), clipTime(wb, character)));
     },
   });
 }
 
-function crossing(id: string, label: string, shortcuts: readonly string[], step: 1 | -1): Action {
-  return key(id, label, shortcuts, {
-    menu: 'Keys/Select',
-    section: 13,
-    repeats: true,
-    enabled: inView,
-    run(wb) {
-      const take = takeInHand(wb);
-      if (!take) return;
-      const { character, clip } = take;
-      const keys = keysInHand(wb);
-      const shown = channelsInView(wb);
-      const begin = () => walkKeys(clip.channels, keys, shown, clipTime(wb, character), step, false);
-      selectKeys(wb, keys.length ? walkChannels(clip.channels, keys, shown, step) : begin());
-    },
-  });
+function walk(id: string, label: string, shortcuts: readonly string[], by: 1 | -1, adds: boolean): Action {
+  return step(id, label, shortcuts, (channels, keys, shown, from) => walkKeys(channels, keys, shown, from, by, adds));
+}
+
+/** From channel to channel; with nothing selected, the next key in time. */
+function crossing(id: string, label: string, shortcuts: readonly string[], by: 1 | -1): Action {
+  return step(id, label, shortcuts, (channels, keys, shown, from) =>
+    keys.length ? walkChannels(channels, keys, shown, by) : walkKeys(channels, keys, shown, from, by, false),
+  );
 }
 
 /** Arrow keys move what is selected; with nothing selected, left and right step by a frame as they do elsewhere. */

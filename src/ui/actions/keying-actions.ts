@@ -95,7 +95,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'New take',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 2,
+    section: 1,
     enabled: canKey,
     run: (wb) =>
       withCharacter(wb, (character) =>
@@ -107,7 +107,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Duplicate the take',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 2,
+    section: 1,
     enabled: (wb) => shownTake(wb) !== undefined,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateClip, { characterId: id })),
   },
@@ -116,7 +116,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Rename the take…',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 2,
+    section: 1,
     enabled: (wb) => shownTake(wb) !== undefined,
     run: (wb) => wb.timeline.takeRenameAsked.update((times) => times + 1),
   },
@@ -126,7 +126,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: (wb) => `Remove ${shownTake(wb)?.name ?? 'the take'}`,
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 2,
+    section: 1,
     enabled: (wb) => shownTake(wb) !== undefined,
     run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeClip, { characterId: id })),
   },
@@ -135,7 +135,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     label: 'Take’s range from the played range',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 3,
+    section: 2,
     enabled: (wb) => shownTake(wb) !== undefined,
     run: (wb) =>
       withCharacter(wb, (character) =>
@@ -144,11 +144,14 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rangeFromKeys',
-    label: 'Take’s range from its keys',
+    label: 'Take’s range from its keys and samples',
     group: 'Keys',
     menu: 'Keys/Take',
-    section: 3,
-    enabled: (wb) => (shownTake(wb)?.channels ?? []).some((c) => c.times.length > 0),
+    section: 2,
+    enabled(wb) {
+      const take = shownTake(wb);
+      return take !== undefined && rangeOfKeys(take) !== undefined;
+    },
     run: (wb) =>
       withCharacter(wb, (character) => {
         const clip = shownClip(character);

@@ -1,14 +1,18 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
 
+import { hasSamples, runSampleTool, type SampleTool } from '../curves/sample-dialogs.ts';
 import { runCurveTool } from '../timeline/curve-tools.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import type { ChannelList, HandleMode, TimelineView } from '../timeline/timeline.ts';
-import type { Workbench } from '../workbench.ts';
+import type { CurveToolName, Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
 import { hasKeys, hasTake } from './key-actions.ts';
 
 const inView = (wb: Workbench) => channelsInView(wb).length > 0;
 const inHand = (wb: Workbench) => channelsInHand(wb).length > 0;
+/** Tools for curves of keys have nothing to do on samples. */
+const keyedInHand = (wb: Workbench) =>
+  channelsInHand(wb).some((c) => (takeInHand(wb)?.clip.channels[c]?.times.length ?? 0) > 0);
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
   const action: Action = { id: `timeline.${id}`, label, group: 'Curves', panel: 'timeline', ...more };
@@ -66,6 +70,23 @@ function choice<K extends 'list' | 'handles' | 'onCollision'>(
   });
 }
 
+/** Tools for samples that ask for something. */
+function sampleTools(tools: readonly (readonly [CurveToolName, string])[]): Action[] {
+  return tools.map(([name, label]) =>
+    curves(name, label, [], { menu: 'Keys/Samples', section: 15, enabled: hasSamples, run: tool(name) }),
+  );
+}
+
+/** One that asks for nothing. */
+function sampled(name: SampleTool, label: string): Action {
+  return curves(`samples.${name}`, label, [], {
+    menu: 'Keys/Samples',
+    section: 16,
+    enabled: hasSamples,
+    run: (wb) => runSampleTool(wb, name),
+  });
+}
+
 function move(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
   return curves(id, label, shortcuts, { menu: 'Keys/Look at', section: 16, repeats: true, run });
 }
@@ -74,19 +95,19 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('simplify', 'Simplify…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: inHand,
+    enabled: keyedInHand,
     run: tool('simplify'),
   }),
   curves('resample', 'Resample…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: inHand,
+    enabled: keyedInHand,
     run: tool('resample'),
   }),
   curves('bake', 'Bake extrapolation to keys…', [], {
     menu: 'Keys/Curve tools',
     section: 15,
-    enabled: inHand,
+    enabled: keyedInHand,
     run: tool('bake'),
   }),
   curves('scaleKeys', 'Scale keys…', ['Shift+T'], {
@@ -102,15 +123,25 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('euler', 'Euler filter', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: inHand,
+    enabled: keyedInHand,
     run: (wb) => runCurveTool(wb, 'euler'),
   }),
   curves('loop', 'Make loop', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: inHand,
+    enabled: keyedInHand,
     run: (wb) => runCurveTool(wb, 'loop'),
   }),
+  ...sampleTools([
+    ['convertToKeys', 'Convert to keys…'],
+    ['smoothSamples', 'Smooth samples…'],
+    ['resampleSamples', 'Resample samples…'],
+  ]),
+  sampled('crop', 'Crop samples to the played range'),
+  sampled('trimStart', 'Trim samples before the playhead'),
+  sampled('trimEnd', 'Trim samples after the playhead'),
+  sampled('split', 'Split the take at the playhead'),
+  sampled('reverse', 'Reverse the take'),
   toggle('snapsToFrames', 'Snap to frames', ['Shift+F'], 'snapFrames', 15),
   toggle('snapsToValues', 'Snap to values', ['Shift+V'], 'snapValues', 15),
   choice('onCollision', 'replace', 'A key moved onto another replaces it', 'Keys/Editing', 16),
@@ -195,7 +226,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
 const ZOOM = 1.25;
 const PAN = 0.25;
 
-function tool(name: 'simplify' | 'resample' | 'bake' | 'scaleKeys') {
+function tool(name: CurveToolName) {
   return (wb: Workbench) => {
     if (takeInHand(wb)) wb.dialog.set(name);
   };

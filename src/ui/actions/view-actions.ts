@@ -97,6 +97,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
   toggle('names', 'Names', 'names', ['N']),
   toggle('normals', 'Normals', 'normals', ['Shift+N']),
   toggle('trail', 'Trail of the joint', undefined, []),
+  toggle('ghosts', 'Ghosts before and after', 'ghosts', ['Shift+O']),
   toggle('grid', 'Grid', 'grid', ['G']),
   toggle('shadow', 'Shadow', 'shadow', ['Shift+G']),
 ];

@@ -6,6 +6,7 @@ import { type CharacterDof, characterDofs, unitOfChannel } from '../../model/dof
 import { columnOf } from '../../model/samples.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../model/skeleton.ts';
+import { jointName } from '../timeline/channels.ts';
 import { axisColour, type LineColour, otherColour } from './colours.ts';
 import { extremesOfColumn } from './sample-extremes.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
@@ -112,8 +113,7 @@ export function sceneLines(
 function lineName(character: Character, channel: number, dof: CharacterDof | undefined): string {
   if (!dof) return `channel ${channel}`;
   if (dof.joint < 0) return dof.name;
-  const joint = character.skeleton?.joints[dof.joint];
-  return `${joint?.name || 'root'} ${dof.name}`;
+  return `${jointName(character, dof.joint)} ${dof.name}`;
 }
 
 function axisLetter(dof: CharacterDof): 'x' | 'y' | 'z' | undefined {

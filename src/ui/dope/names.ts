@@ -283,7 +283,7 @@ export class DopeNames {
 /** What a row is called on screen. */
 export function rowName(row: DopeRow): string {
   if (row.kind === 'summary') return 'All keys';
-  return row.label || 'no name';
+  return row.label || (row.joint === undefined ? 'no name' : `#${row.joint}`);
 }
 
 function axisOf(dof: string): string | undefined {

@@ -7,9 +7,11 @@ import { runAction } from '../actions.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
 import { button, element } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
+import { exact } from '../number-text.ts';
 import { lengthStep } from '../reach.ts';
 import type { Workbench } from '../workbench.ts';
 import { emptyFolder, Slider } from './slider.ts';
+import { addSpaceRows } from './space-rows.ts';
 import { addTakeRows, askForTakeName } from './take-rows.ts';
 
 type Axis = 0 | 1 | 2;
@@ -52,6 +54,7 @@ export class CharacterFolder {
     this.addLimits(character);
     this.addTimeOffset(character);
     this.addPlacement(character);
+    this.rows.push(addSpaceRows(this.wb, this.edit, this.folder, character));
     this.folder.$children.append(this.buttons);
     this.buttons.classList.toggle('single', character.placements.length === 1);
   }
@@ -61,6 +64,11 @@ export class CharacterFolder {
     this.character = character;
     if (character) for (const row of this.rows) row();
   }
+
+  private readonly refuse = (reason: string) => {
+    // Escape gives up what was typed: nobody asks for it any more.
+    if (!this.edit.cancelled) this.wb.messages.note(reason, 'warning');
+  };
 
   private get id(): string {
     return this.character?.id ?? '';
@@ -75,7 +83,8 @@ export class CharacterFolder {
     const row = this.folder.add(binding, 'name').name('Name');
     row.onFinishChange((name: string) => {
       const trimmed = name.trim();
-      if (trimmed && findCharacter(this.wb.store.document, this.id)) {
+      if (!trimmed) this.refuse('A character needs a name.');
+      else if (findCharacter(this.wb.store.document, this.id)) {
         this.wb.store.apply(renameCharacter, { characterId: this.id, name: trimmed });
       }
     });
@@ -106,7 +115,7 @@ export class CharacterFolder {
 
   private addTimeOffset(character: Character): void {
     const options = { step: 0.01, decimals: 4, suffix: ' s' };
-    const row = new Slider(this.folder, 'Time offset', character.timeOffsetSeconds, options);
+    const row = new Slider(this.folder, 'Time offset', character.timeOffsetSeconds, options, this.refuse);
     row.onChange((seconds: number) => this.edit.preview(setTimeOffset, { characterId: this.id, seconds }));
     row.onFinishChange(() => this.finish());
     this.rows.push(() => row.showValue(this.character?.timeOffsetSeconds ?? 0));
@@ -144,12 +153,24 @@ export class CharacterFolder {
       (p) => p.turn,
       (p, turn) => ({ ...p, turn }),
     );
-    const scale = new Slider(this.folder, 'Scale', this.placement.scale, { step: 0.01, decimals: 4, suffix: '×' });
+    const scale = new Slider(
+      this.folder,
+      'Scale',
+      this.placement.scale,
+      { step: 0.01, decimals: 4, suffix: '×' },
+      this.refuse,
+    );
+    let typed = this.placement.scale;
     scale.onChange((value: number) => {
+      typed = value;
       // Typing passes through 0 on its way to 0.5.
       if (value > 0) this.place({ ...this.placement, scale: value });
     });
-    scale.onFinishChange(() => this.finish());
+    scale.onFinishChange(() => {
+      if (typed <= 0) this.refuse(`A scale is above 0; ${exact(typed)} was typed.`);
+      this.finish();
+      typed = this.placement.scale;
+    });
     this.rows.push(() => scale.showValue(this.placement.scale));
   }
 
@@ -166,7 +187,7 @@ export class CharacterFolder {
     for (const axis of AXES) {
       const letter = 'xyz'[axis];
       const start = read(this.placement)[axis] * factor;
-      const row = new Slider(this.folder, `${label} ${letter}`, start, { step, decimals, suffix });
+      const row = new Slider(this.folder, `${label} ${letter}`, start, { step, decimals, suffix }, this.refuse);
       row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
       row.$input.setAttribute('aria-label', `${label} ${letter}`);
       line.append(row.domElement);

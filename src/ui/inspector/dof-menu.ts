@@ -2,8 +2,9 @@
 import { clearLimit, setLimit } from '../../edit/commands/limits.ts';
 import { setDofs } from '../../edit/commands/pose.ts';
 import { dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
+import { coupleOf } from '../../model/couples.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, filePose, rootDofCount } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, filePose } from '../../model/dofs.ts';
 import { isUnlimited, type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { openPanel } from '../panels.ts';
@@ -46,6 +47,8 @@ function entries(
   const hasKeys = isDriven(character, index);
   const value = shownValue(wb, character, index);
   const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
+  // A coupled one is what it follows makes of it.
+  const isOwn = coupleOf(character.skeleton, index) === undefined;
   const set = (to: number) =>
     wb.store.apply(setDofs, {
       characterId: id,
@@ -60,11 +63,10 @@ function entries(
     { kind: 'line' },
     item('Show its curve', hasKeys, () => showCurve(wb, character, index)),
     { kind: 'line' },
-    item('Reset to the file’s pose', value !== inFile, () => set(inFile)),
-    item('Reset to zero', value !== 0, () => set(0)),
+    item('Reset to the file’s pose', isOwn && value !== inFile, () => set(inFile)),
+    item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isOwn && value !== dof.rest, () => set(dof.rest)),
   ];
-  // Neither root translation nor morphs have limits.
-  if (dof.joint < 0 || index < rootDofCount(character.skeleton)) return list;
+  if (!dof.takesLimits) return list;
   const { min, max } = holds(dof.limit) ? dof.limit : UNLIMITED;
   const limit = (next: Limit) => wb.store.apply(setLimit, { characterId: id, dof: index, ...next });
   return [

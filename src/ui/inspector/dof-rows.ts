@@ -2,6 +2,7 @@
 import type { GUI } from 'lil-gui';
 import { setDofs } from '../../edit/commands/pose.ts';
 import { isDriven } from '../../evaluate/pose.ts';
+import { coupleOf, type DofCouple } from '../../model/couples.ts';
 import { type Character, findCharacter, shownSkin } from '../../model/document.ts';
 import type { CharacterDof } from '../../model/dofs.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
@@ -13,6 +14,7 @@ import { autoKey } from '../pose-edits.ts';
 import { reachOf } from '../reach.ts';
 import type { Settings } from '../settings.ts';
 import { standStill } from '../stand-still.ts';
+import { channelName, namedChannel, spokenName } from '../timeline/channels.ts';
 import type { Workbench } from '../workbench.ts';
 import { DofMark } from './dof-mark.ts';
 import { openDofMenu } from './dof-menu.ts';
@@ -36,15 +38,29 @@ export function addDofRow(
 ): Slider {
   const { angles } = wb.settings.get();
   const factor = shownPerUnit(dof.unit, angles);
-  const slider = new Slider(folder, dof.name, 0, sliderOptions(dof, character, angles));
+  const spoken = spokenName(namedChannel(character, index));
+  const refuse = (reason: string) => {
+    // Escape gives up what was typed: nobody asks for it any more.
+    if (!edit.cancelled) wb.messages.note(reason, 'warning');
+  };
+  const slider = new Slider(folder, spoken, 0, sliderOptions(dof, character, angles), refuse);
   const { id } = character;
-  const mark = new DofMark(wb, slider.domElement, id, index);
+  const mark = new DofMark(wb, slider.domElement, id, index, spoken);
   const name = element('span', { class: `dof-name ${axisClass(dof)}`, id: uniqueId('dof') }, shortName(dof, character));
   const names = [...(prefix ? [element('span', { class: 'dof-joint', id: uniqueId('dof') }, prefix)] : []), name];
   slider.$name.replaceChildren(mark.element, ...names);
   // Without the mark's own words.
   slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
-  slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${limitText(dof, character, angles)}`;
+  const couple = coupleOf(character.skeleton, index);
+  const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
+  slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;
+  if (couple) {
+    slider.disable();
+    slider.domElement.title = slider.$name.title;
+    slider.$input.setAttribute('aria-description', held);
+    const followed = channelName(namedChannel(character, couple.follows));
+    slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
+  }
   slider.domElement.classList.add('dof');
   slider.domElement.dataset.dof = String(index);
 
@@ -94,15 +110,21 @@ export function sliderOptions(
   const suffix = unitText(dof.unit, angles).trim() === '°' ? '°' : '';
   const resolution = resolutionOf(dof, full, angles);
   if (dof.unit === 'weight') return { span: [0, 1], step: 0.001, decimals: 3 };
-  if (isUnlimited(limit) || limit.min > limit.max) return { span: scale(full, factor), suffix, ...resolution };
+  if (!dof.takesLimits || isUnlimited(limit) || limit.min > limit.max) {
+    return { span: scale(full, factor), suffix, ...resolution };
+  }
   const limits = scale([limit.min, limit.max], factor);
   if (character.clampsToLimits && limit.max > limit.min) {
-    return { span: scale(withOpenEnds(limit, full), factor), bounds: limits, limits, suffix, ...resolution };
+    return { span: scale(withOpenEnds(limit, full), factor), ...held(limits), limits, suffix, ...resolution };
   }
   const [low, high] = withOpenEnds(limit, full);
   const wide = [Math.min(full[0], low), Math.max(full[1], high)] as const;
-  const bounds = character.clampsToLimits ? { bounds: limits } : {};
+  const bounds = character.clampsToLimits ? held(limits) : {};
   return { span: scale(wide, factor), limits, suffix, ...bounds, ...resolution };
+}
+
+function held(limits: readonly [number, number]) {
+  return { bounds: limits, remedy: 'Hold limits, in the Edit menu, keeps it there.' };
 }
 
 /** From limit to limit; where there is none on one side, as far as a slider without any goes. */
@@ -110,8 +132,9 @@ function withOpenEnds({ min, max }: Limit, [low, high]: readonly [number, number
   return [min > UNLIMITED.min ? min : Math.min(low, max + low), max < UNLIMITED.max ? max : Math.max(high, min + high)];
 }
 
-/** Without limits: ±π, or ± the character's reach. */
+/** Without limits: ±π, or ± the character's reach; scales up to twice the size, other factors ±1. */
 function fullSpan(dof: CharacterDof, skeleton: Skeleton | undefined): readonly [number, number] {
+  if (dof.unit === 'factor') return dof.name.startsWith('s') ? [0, 2] : [-1, 1];
   const size = dof.unit === 'length' ? reachOf(skeleton) : Math.PI;
   return [-size, size];
 }
@@ -130,7 +153,7 @@ function scale([low, high]: readonly [number, number], factor: number): readonly
 /** `limits −30° to 45°`, `limits from −30°`, `no limits`. */
 export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsToLimits'>, angles: Settings['angles']) {
   if (dof.unit === 'weight') return '0 to 1, and beyond if typed';
-  if (isUnlimited(dof.limit)) return 'no limits';
+  if (!dof.takesLimits || isUnlimited(dof.limit)) return 'no limits';
   const factor = shownPerUnit(dof.unit, angles);
   const unit = unitText(dof.unit, angles);
   const [low, high] = [dof.limit.min, dof.limit.max].map((value) => `${shown(value * factor, 4)}${unit}`);
@@ -139,6 +162,21 @@ export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsT
   else if (dof.limit.max >= UNLIMITED.max) range = `from ${low}`;
   if (dof.limit.min > dof.limit.max) return `limits ${range} are crossed, and ignored`;
   return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not held`;
+}
+
+/** `follows 0.5 · rx of elbow + 10°`: why a row can't be moved. */
+export function coupleText(
+  { follows, gain, offset }: DofCouple,
+  dof: CharacterDof,
+  character: Character,
+  angles: Settings['angles'],
+): string {
+  const { unit } = namedChannel(character, follows);
+  const from = shownPerUnit(unit, angles);
+  const to = shownPerUnit(dof.unit, angles);
+  const factor = shown((gain / from) * to, 4);
+  const added = offset === 0 ? '' : ` + ${shown(offset * to, 4)}${unitText(dof.unit, angles)}`;
+  return `follows ${factor} · ${spokenName(namedChannel(character, follows))}${added}`;
 }
 
 /** `walker_blink` of the walker is its `blink`; the whole name is in the tooltip. */

@@ -6,7 +6,8 @@ import { LOOP_LABELS } from '../actions/play-actions.ts';
 import { BOX_STYLES, SKIN_STYLES, setDisplay } from '../actions/view-actions.ts';
 import { ANGLES, TIME_DISPLAYS } from '../settings.ts';
 import type { Workbench } from '../workbench.ts';
-import { Slider } from './slider.ts';
+import { addGhostRows } from './ghost-rows.ts';
+import { Slider, type SliderOptions } from './slider.ts';
 
 type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
 
@@ -16,6 +17,7 @@ const SWITCHES: readonly (readonly [Switch, string])[] = [
   ['names', 'Names'],
   ['normals', 'Normals'],
   ['trail', 'Trail of the joint'],
+  ['ghosts', 'Ghosts'],
   ['grid', 'Grid'],
   ['shadow', 'Shadow'],
   ['orthographic', 'Orthographic'],
@@ -36,29 +38,28 @@ export function displayFolder(wb: Workbench, folder: GUI): void {
       .onChange((value: Display[K]) => setDisplay(wb, { [key]: value }));
   option('skin', 'Skin', SKIN_STYLES);
   option('boxes', 'Boxes', BOX_STYLES);
+  let showGhosts: ((display: Display) => void) | undefined;
   for (const [key, label] of SWITCHES) {
     folder
       .add(binding, key)
       .name(label)
       .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
+    if (key === 'ghosts') showGhosts = addGhostRows(wb, folder);
   }
   folder.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
   wb.settings.subscribe((now, before) => {
     if (now.display === before.display) return;
     Object.assign(binding, now.display);
     for (const controller of folder.controllers) controller.updateDisplay();
+    showGhosts?.(now.display);
   });
 }
 
 export function playbackFolder(wb: Workbench, folder: GUI): void {
   const { transport, settings } = wb;
-  const rate = new Slider(folder, 'Rate', transport.get().rate, {
-    span: [-4, 4],
-    bounds: [-4, 4],
-    step: 0.05,
-    decimals: 3,
-    suffix: '×',
-  });
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+  const rates: SliderOptions = { span: [-4, 4], bounds: [-4, 4], step: 0.05, decimals: 3, suffix: '×' };
+  const rate = new Slider(folder, 'Rate', transport.get().rate, rates, refuse);
   rate.onChange((value: number) => transport.update((p) => ({ ...p, rate: value })));
   const binding = {
     loop: transport.get().loop,
@@ -68,11 +69,8 @@ export function playbackFolder(wb: Workbench, folder: GUI): void {
   const loops = Object.fromEntries(LOOP_MODES.map((mode) => [LOOP_LABELS[mode], mode]));
   const loop = folder.add(binding, 'loop', loops).name('Loop');
   loop.onChange((mode: (typeof LOOP_MODES)[number]) => transport.update((p) => ({ ...p, loop: mode })));
-  const fps = new Slider(folder, 'Frames per second', transport.get().framesPerSecond, {
-    bounds: [1, 1000],
-    step: 1,
-    decimals: 3,
-  });
+  const frameRates: SliderOptions = { bounds: [1, 1000], step: 1, decimals: 3 };
+  const fps = new Slider(folder, 'Frames per second', transport.get().framesPerSecond, frameRates, refuse);
   fps.onChange((framesPerSecond: number) => {
     if (framesPerSecond >= 1) transport.update((p) => ({ ...p, framesPerSecond }));
   });

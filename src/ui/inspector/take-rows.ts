@@ -1,8 +1,9 @@
 /** The take that a character shows, in the character's folder: its name, and what of it is played. */
 import type { GUI } from 'lil-gui';
-import { renameClip, setClipRange } from '../../edit/commands/clips.ts';
+import { renameClip, setClipRange, setInterpolation } from '../../edit/commands/clips.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../model/document.ts';
+import type { Interpolation } from '../../model/samples.ts';
 import { withoutNoise } from '../angles.ts';
 import { attempt } from '../attempt.ts';
 import { element } from '../dom.ts';
@@ -10,6 +11,12 @@ import { NumberField } from '../number-field.ts';
 import { shown } from '../number-text.ts';
 import { openPanel } from '../panels.ts';
 import type { Workbench } from '../workbench.ts';
+
+const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
+  'Nearest frame': 'nearest',
+  Linear: 'linear',
+  Cubic: 'cubic',
+};
 
 /** Adds the rows to a folder that was emptied. Gives what fills them with the values of now, and what else to remove. */
 export function addTakeRows(
@@ -27,9 +34,8 @@ export function addTakeRows(
   const name = folder.add(binding, 'name').name('Take');
   name.domElement.classList.add('take-name');
   name.onFinishChange((typed: string) => {
-    if (typed.trim() && now()) {
-      attempt(wb.messages, () => wb.store.apply(renameClip, { characterId: id, name: typed }));
-    }
+    if (!typed.trim()) wb.messages.note('A take needs a name: its file is called so.', 'warning');
+    else if (now()) attempt(wb.messages, () => wb.store.apply(renameClip, { characterId: id, name: typed }));
     update();
   });
 
@@ -44,6 +50,7 @@ export function addTakeRows(
         // The field shows what became of it at once.
         update();
       },
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
     });
   const from = end('Take begins', (value, [, to]) => [value, Math.max(value, to)]);
   const to = end('Take ends', (value, [first]) => [Math.min(value, first), value]);
@@ -59,9 +66,19 @@ export function addTakeRows(
   );
   folder.$children.append(line);
 
+  const between = { interpolation: take.samples?.interpolation ?? 'linear' };
+  const interpolation = take.samples && folder.add(between, 'interpolation', INTERPOLATION_NAMES).name('Interpolation');
+  interpolation?.onChange((chosen: Interpolation) => {
+    if (now()) attempt(wb.messages, () => wb.store.apply(setInterpolation, { characterId: id, interpolation: chosen }));
+  });
+
   const update = () => {
     const clip = now();
     if (!clip) return;
+    if (interpolation && clip.samples) {
+      between.interpolation = clip.samples.interpolation;
+      interpolation.updateDisplay();
+    }
     if (binding.name !== clip.name && !name.domElement.contains(document.activeElement)) {
       binding.name = clip.name;
       name.updateDisplay();

@@ -2,6 +2,7 @@
  * Which channels the timeline lists, and which of them it draws. Both follow from the document, the selection and the
  * timeline's settings alone; nothing is remembered here.
  */
+import { isSampled } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { Morph } from '../../model/morph.ts';
@@ -9,7 +10,7 @@ import type { Selection } from '../../model/session.ts';
 import { type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import type { TimelineView } from './timeline.ts';
 
-/** A DOF in the list, with or without a channel that has keys. */
+/** A DOF in the list, with or without a channel that is animated. */
 export interface ListedChannel {
   readonly channel: number;
   /** Of its joint: `leg_fl`; of a morph or a channel past the DOFs it is empty. */
@@ -17,8 +18,15 @@ export interface ListedChannel {
   /** `rx`, a morph's name, `channel 97`. */
   readonly dof: string;
   readonly unit: DofUnit;
-  /** Without keys it is listed, greyed, so that one sees what could be animated. */
+  /** Without keys or samples it is listed, greyed, so that one sees what could be animated. */
   readonly keyCount: number;
+  /** Frames, where the channel follows the clip's samples; else 0. */
+  readonly sampleCount: number;
+}
+
+/** Whether it moves by keys or by samples: there is a curve to draw. */
+export function isAnimated({ keyCount, sampleCount }: ListedChannel): boolean {
+  return keyCount > 0 || sampleCount > 0;
 }
 
 /** What of the timeline's settings decides the list. */
@@ -66,13 +74,20 @@ export function namedChannel(character: Character, channel: number): ListedChann
   const dofs = dofsFor(character);
   const dof: CharacterDof | undefined = dofs[channel];
   const ofJoint = dof !== undefined && dof.joint >= 0;
+  const clip = shownClip(character);
   return {
     channel,
-    joint: ofJoint ? character.skeleton?.joints[dof.joint]?.name || 'root' : '',
+    joint: ofJoint ? jointName(character, dof.joint) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
-    keyCount: shownClip(character)?.channels[channel]?.times.length ?? 0,
+    keyCount: clip?.channels[channel]?.times.length ?? 0,
+    sampleCount: clip?.samples && isSampled(clip, channel) ? clip.samples.frameCount : 0,
   };
+}
+
+/** What a joint's channels are called by: one without a name goes by its index, but for the root. */
+export function jointName({ skeleton }: Character, joint: number): string {
+  return skeleton?.joints[joint]?.name || (joint === 0 ? 'root' : `#${joint}`);
 }
 
 /** First and end (not included) of a joint's channels; the root has its translation too. */
@@ -87,12 +102,12 @@ function isFound(words: readonly string[], name: string): boolean {
   return words.every((word) => name.includes(word));
 }
 
-/** The channels that are drawn: listed with keys, isolated or not hidden. */
+/** The channels that are drawn: listed with keys or samples, isolated or not hidden. */
 export function drawnChannels(
   listed: readonly ListedChannel[],
   { hidden, isolated }: Pick<TimelineView, 'hidden' | 'isolated'>,
 ): number[] {
-  const keyed = listed.filter((l) => l.keyCount > 0);
+  const keyed = listed.filter(isAnimated);
   const only = isolated && new Set(isolated);
   // What was isolated has left the list with the joint: nothing drawn would look like a fault.
   if (only && keyed.some((l) => only.has(l.channel))) {
@@ -100,6 +115,11 @@ export function drawnChannels(
   }
   const not = new Set(hidden);
   return keyed.filter((l) => !not.has(l.channel)).map((l) => l.channel);
+}
+
+/** `rx of leg_fl`: in a sentence. */
+export function spokenName({ joint, dof }: Pick<ListedChannel, 'joint' | 'dof'>): string {
+  return joint ? `${dof} of ${joint}` : dof;
 }
 
 /** `leg_fl rx`. */

@@ -3,6 +3,7 @@
  * the same window of time. Everything is in CSS pixels: the context is scaled by the caller.
  */
 import { shown } from '../number-text.ts';
+import { drawPlayheadAt } from '../playhead.ts';
 import { rulerTicks } from '../ruler.ts';
 import type { TimeWindow } from '../time-window.ts';
 
@@ -144,19 +145,8 @@ export function drawPlayhead(
 ): void {
   const x = timeX(view, timeSeconds);
   const text = view.inFrames ? shown(timeSeconds * view.framesPerSecond, 1) : timeSeconds.toFixed(2);
-  g.font = colours.font;
-  const half = Math.ceil(g.measureText(text).width / 2) + 5;
-  if (x < -half || x > view.width + half) return;
-  g.fillStyle = colours.playhead;
-  g.fillRect(Math.round(x - 0.5), TIME_RULER_HEIGHT - 3, 1, bottom - TIME_RULER_HEIGHT + 3);
-  const middle = Math.max(half, Math.min(view.width - half, x));
-  g.beginPath();
-  g.roundRect(Math.round(middle - half), 2, 2 * half, TIME_RULER_HEIGHT - 5, 3);
-  g.fill();
-  g.fillStyle = colours.playheadText;
-  g.textAlign = 'center';
-  g.textBaseline = 'middle';
-  g.fillText(text, Math.round(middle), TIME_RULER_HEIGHT / 2);
+  const place = { width: view.width, rulerHeight: TIME_RULER_HEIGHT, inset: 2 };
+  drawPlayheadAt(g, { x, text, lineWidth: 1, bottom }, place, colours);
 }
 
 function timeTicks({ window, width, framesPerSecond, inFrames }: TimeView) {

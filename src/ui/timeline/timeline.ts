@@ -1,13 +1,14 @@
 /**
- * What the timeline below the transport shows, shared by its two tabs: the curve editor and the dope sheet look at the
- * same stretch of time, the same channels and the same selected keys. The document knows nothing of it; the session
+ * What the timeline below the transport shows, shared by its tabs: curve editor, dope sheet and takes look at the
+ * same stretch of time, the first two at the same channels and the same selected keys. The document knows nothing of it; the session
  * that is kept in the browser does, so it is plain data.
  */
 import type { CopiedKeys } from '../../edit/keys/clipboard.ts';
 import { type Observable, observable } from '../observable.ts';
+import { Takes } from '../takes/takes.ts';
 import type { TimeWindow } from '../time-window.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope'] as const;
+export const TIMELINE_TABS = ['curves', 'dope', 'takes'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (its root translation with the root), all, or those pinned. */
@@ -109,6 +110,8 @@ export class Timeline {
   readonly takeRenameAsked: Observable<number> = observable(0);
   /** The next drag in the curve editor scales the selected keys: while its key is held, or once if it was asked for. */
   readonly scaling: Observable<boolean> = observable(false);
+  /** The list of takes, and the two of them that are compared. */
+  readonly takes: Takes = new Takes();
   /** Keys that were copied or cut, until others are. */
   copied: CopiedKeys | undefined;
   /** The tab in view; none while the panel is folded. */

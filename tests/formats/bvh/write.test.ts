@@ -111,6 +111,6 @@ Frame Time: 0.04
     const pieces = [...writeBvhPieces([figure]).pieces];
     expect(pieces.length).toBeGreaterThan(10);
     expect(Math.max(...pieces.map((p) => p.length))).toBeLessThan(1 << 17);
-    expect(pieces.join('')).toBe(writeBvh([figure]).text);
+    expect(new TextDecoder().decode(Buffer.concat(pieces))).toBe(writeBvh([figure]).text);
   });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { channelName, drawnChannels, listedChannels } from '../../../src/ui/timeline/channels.ts';
+import { channelName, drawnChannels, listedChannels, spokenName } from '../../../src/ui/timeline/channels.ts';
 import { channel, character, clip, skeleton } from '../builders.ts';
 
 const keyed = () => channel(0, 1);
@@ -68,4 +68,9 @@ describe('drawn channels', () => {
   it('are all again when what was isolated is not listed any more', () => {
     expect(drawnChannels(list, { hidden: [], isolated: [8] })).toEqual([0, 1, 2, 3, 5]);
   });
+});
+
+it('names a channel as it is spoken', () => {
+  expect(spokenName({ joint: 'leg_fl', dof: 'rx' })).toBe('rx of leg_fl');
+  expect(spokenName({ joint: '', dof: 'blink' })).toBe('blink');
 });

@@ -1,0 +1,288 @@
+/**
+ * Several takes at a time: which of them play, when and where. Each is one step of undo, however many characters it is
+ * about; for a folder of fifty files is fifty characters with a take each.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import { type Character, type Document, type Space, shownClip } from '../../model/document.ts';
+import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { requireCharacter } from '../characters.ts';
+import { extentOf } from '../place-beside.ts';
+import { type Command, CommandError } from '../store.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
+
+/** One take of one character. */
+export interface TakeRef {
+  readonly characterId: string;
+  /** Into the character's takes; -1: the character as it stands, without any. */
+  readonly clip: number;
+}
+
+/** Shows these takes; `alone`: and takes every other character out of the picture. */
+export const showTakes: Command<{ readonly takes: readonly TakeRef[]; readonly alone?: boolean | undefined }> = {
+  id: 'takes.show',
+  label(document, { takes, alone }) {
+    const one = takes.length === 1 ? nameOf(document, takes[0]) : `${takes.length} takes`;
+    if (!alone) return `Show ${one}`;
+    return takes.length === 1 ? `Play ${one} alone` : `Play ${one} together`;
+  },
+  run: (document, { takes, alone }) => shown(document, takesIn(document, takes), alone === true),
+};
+
+function shown(document: Document, takes: ReadonlyMap<string, number>, alone: boolean): Document {
+  return mapCharacters(document, (c) => {
+    const clip = takes.get(c.id);
+    if (clip === undefined) return alone ? hidden(c) : c;
+    const seen = visible(c);
+    return seen.shownClip === clip ? seen : { ...withoutUnkeyed(seen), shownClip: clip };
+  });
+}
+
+/** Has takes begin at the same moment of the transport, the start of its count as a rule. */
+export const alignStarts: Command<{
+  readonly characterIds: readonly string[];
+  readonly atSeconds?: number | undefined;
+}> = {
+  id: 'takes.alignStarts',
+  label: (document, { characterIds }) => `Align starts of ${namesOf(document, characterIds)}`,
+  run(document, { characterIds, atSeconds = 0 }) {
+    finiteNumber(atSeconds, 'The time');
+    return changeThese(document, characterIds, (c) => {
+      const clip = shownClip(c);
+      // The offset is added to the transport's time, so that the clip's first second comes out at this moment.
+      return clip ? offsetBy(c, clip.range[0] - atSeconds + 0) : c;
+    });
+  },
+};
+
+export const setTimeOffsets: Command<{ readonly characterIds: readonly string[]; readonly seconds: number }> = {
+  id: 'takes.setTimeOffsets',
+  label: (document, { characterIds }) => `Offset ${namesOf(document, characterIds)} in time`,
+  run(document, { characterIds, seconds }) {
+    finiteNumber(seconds, 'The time offset');
+    return changeThese(document, characterIds, (c) => offsetBy(c, seconds));
+  },
+};
+
+/**
+ * `grid`: side by side, in rows, where each of them begins. `spot`: all begin on the spot where the first one does.
+ * `space`: all in the first one's coordinates, as they were recorded together.
+ */
+export const ARRANGEMENTS = ['grid', 'spot', 'space'] as const;
+export type Arrangement = (typeof ARRANGEMENTS)[number];
+
+const ARRANGED: Readonly<Record<Arrangement, string>> = {
+  grid: 'side by side',
+  spot: 'on one spot',
+  space: 'in one space',
+};
+
+export const arrange: Command<{ readonly characterIds: readonly string[]; readonly how: Arrangement }> = {
+  id: 'takes.arrange',
+  label: (document, { characterIds, how }) => `Put ${namesOf(document, characterIds)} ${ARRANGED[how] ?? ''}`.trim(),
+  run(document, { characterIds, how }) {
+    if (!ARRANGEMENTS.includes(how)) {
+      throw new CommandError(`Takes can be put ${Object.keys(ARRANGED).join(', ')}; ${how} was asked for.`);
+    }
+    const characters = idsIn(document, characterIds).map((id) => requireCharacter(document, id));
+    const places =
+      how === 'space' ? sameSpace(characters) : how === 'spot' ? onOneSpot(characters) : inGrid(characters);
+    return mapCharacters(document, (c) => {
+      const position = places.get(c.id);
+      return position ? placedAt(c, position) : c;
+    });
+  },
+};
+
+/**
+ * One take laid over another: both are shown, nothing else is, and the second stands where the first does. Two takes of
+ * one character can't both be shown: there the first is, and who looks at it draws the second over it.
+ */
+export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
+  id: 'takes.overlay',
+  label: (document, { first, second }) => `Compare ${nameOf(document, first)} with ${nameOf(document, second)}`,
+  run(document, { first, second }) {
+    if (!first || !second) throw new CommandError('Comparing takes two takes.');
+    if (first.characterId === second.characterId) return shown(document, takesIn(document, [first]), true);
+    const next = shown(document, takesIn(document, [first, second]), true);
+    const { placements, space } = requireCharacter(document, first.characterId);
+    return mapCharacters(next, (c) => {
+      if (c.id !== second.characterId) return c;
+      const placed = samePlacement(c.placements[0], placements[0])
+        ? c
+        : { ...c, placements: [placements[0], ...c.placements.slice(1)] };
+      // Where the ground is was guessed for each by itself, and a guess is no difference between two takes.
+      return space && c.space && !liesAlike(c.space, space) ? { ...placed, space } : placed;
+    });
+  },
+};
+
+/** Whether both are lifted, scaled and turned alike. */
+function liesAlike(a: Space, b: Space): boolean {
+  return a.up === b.up && a.unit === b.unit && a.lift === b.lift && a.metres === b.metres;
+}
+
+/** Takes them away; with its only take goes the character that is nothing else: a file of captured motion. */
+export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
+  id: 'takes.remove',
+  label: (document, { takes }) =>
+    takes.length === 1 ? `Remove ${nameOf(document, takes[0])}` : `Remove ${takes.length} takes`,
+  run(document, { takes }) {
+    const gone = new Map<string, Set<number>>();
+    for (const { characterId, clip } of checkedRefs(document, takes, 0)) {
+      gone.set(characterId, (gone.get(characterId) ?? new Set()).add(clip));
+    }
+    if (!gone.size) return document;
+    const characters: Character[] = [];
+    for (const character of document.characters) {
+      const without = gone.get(character.id);
+      if (!without) characters.push(character);
+      else if (without.size < character.clips.length || !isOnlyTakes(character)) {
+        characters.push(withoutClips(character, without));
+      }
+    }
+    return { ...document, characters };
+  },
+};
+
+/** Whether a character is a skeleton that came with its motion, and nothing that anyone would keep without. */
+function isOnlyTakes({ sources, skins, morphs, skeleton }: Character): boolean {
+  if (!skeleton) return true;
+  return (
+    skins.length === 0 && morphs.length === 0 && sources.length > 0 && sources.every((s) => /\.bvh$/i.test(s.name))
+  );
+}
+
+/** In place of the take that was shown the next one is; the one before it, where it was the last. */
+function withoutClips(character: Character, gone: ReadonlySet<number>): Character {
+  const clips = character.clips.filter((_, i) => !gone.has(i));
+  const before = character.clips.filter((_, i) => i < character.shownClip && !gone.has(i)).length;
+  if (character.shownClip < 0 || !gone.has(character.shownClip)) {
+    return { ...character, clips, shownClip: character.shownClip < 0 ? -1 : before };
+  }
+  return { ...withoutUnkeyed(character), clips, shownClip: Math.min(before, clips.length - 1) };
+}
+
+// Places.
+
+const ROOM = 1.6;
+const LEAST_CELL = 0.5;
+
+/** Where a character's root begins, on the ground of the scene, without its placement; and how wide it is. */
+function startOf(character: Character): { readonly x: number; readonly z: number; readonly width: number } {
+  const { min, max, depth } = extentOf(character);
+  const [{ scale }] = character.placements;
+  return { x: (scale * (min + max)) / 2, z: scale * depth, width: scale * (max - min) };
+}
+
+/** As near to a square as can be; the first one at the back left, the rows towards the viewer. */
+function inGrid(characters: readonly Character[]): Map<string, Vec3> {
+  const starts = characters.map(startOf);
+  const cell = ROOM * starts.reduce((most, s) => Math.max(most, s.width), LEAST_CELL);
+  const columns = Math.ceil(Math.sqrt(characters.length));
+  const rows = Math.ceil(characters.length / columns);
+  return new Map(
+    characters.map((c, i) => {
+      const x = ((i % columns) - (columns - 1) / 2) * cell;
+      const z = (Math.floor(i / columns) - (rows - 1) / 2) * cell;
+      return [c.id, place(x - starts[i].x, c, z - starts[i].z)];
+    }),
+  );
+}
+
+function onOneSpot(characters: readonly Character[]): Map<string, Vec3> {
+  const [first] = characters;
+  const spot = startOf(first);
+  const [{ position }] = first.placements;
+  return new Map(
+    characters.slice(1).map((c) => {
+      const own = startOf(c);
+      return [c.id, place(position[0] + spot.x - own.x, c, position[2] + spot.z - own.z)];
+    }),
+  );
+}
+
+function sameSpace(characters: readonly Character[]): Map<string, Vec3> {
+  const [{ placements }] = characters;
+  return new Map(characters.map((c) => [c.id, placements[0].position]));
+}
+
+/** Millimetres are as exact as anybody puts things down. */
+function place(x: number, { placements }: Character, z: number): Vec3 {
+  return [Number(x.toFixed(3)) + 0, placements[0].position[1], Number(z.toFixed(3)) + 0];
+}
+
+function placedAt(character: Character, position: Vec3): Character {
+  const [first, ...others] = character.placements;
+  if (first.position.every((p, k) => p === position[k])) return character;
+  return { ...character, placements: [{ ...first, position }, ...others] };
+}
+
+function samePlacement(a: Character['placements'][number], b: Character['placements'][number]): boolean {
+  const same = (p: Vec3, q: Vec3) => p.every((v, k) => v === q[k]);
+  return a === b || (same(a.position, b.position) && same(a.turn, b.turn) && a.scale === b.scale);
+}
+
+// Characters.
+
+function offsetBy(character: Character, seconds: number): Character {
+  return character.timeOffsetSeconds === seconds ? character : { ...character, timeOffsetSeconds: seconds };
+}
+
+function visible(character: Character): Character {
+  if (!character.isHidden) return character;
+  const { isHidden: _gone, ...rest } = character;
+  return rest;
+}
+
+function hidden(character: Character): Character {
+  return character.isHidden ? character : { ...character, isHidden: true };
+}
+
+/** The very same document where every character is the same. */
+function mapCharacters(document: Document, change: (c: Character) => Character): Document {
+  const characters = document.characters.map(change);
+  return characters.every((c, i) => c === document.characters[i]) ? document : { ...document, characters };
+}
+
+function changeThese(document: Document, ids: readonly string[], change: (c: Character) => Character): Document {
+  const these = new Set(idsIn(document, ids));
+  return mapCharacters(document, (c) => (these.has(c.id) ? change(c) : c));
+}
+
+function idsIn(document: Document, ids: readonly string[]): string[] {
+  const found = listOf(ids, 'The characters').map((id) => requireCharacter(document, String(id)).id);
+  if (!found.length) throw new CommandError('No character was given.');
+  return found;
+}
+
+/** @param least the smallest index that counts: -1 where no take is one too */
+function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
+  return listOf(takes, 'The takes').map((given) => {
+    // Whatever it is, it is asked for these two fields, and both are checked.
+    const { characterId, clip } = (given ?? {}) as Partial<TakeRef>;
+    const character = requireCharacter(document, String(characterId));
+    return { characterId: character.id, clip: indexIn(clip, least, character.clips.length, 'take') };
+  });
+}
+
+/** The take to be shown of each character. */
+function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<string, number> {
+  const found = new Map<string, number>();
+  for (const { characterId, clip } of checkedRefs(document, takes, -1)) {
+    if (found.has(characterId) && found.get(characterId) !== clip) {
+      const { name } = requireCharacter(document, characterId);
+      throw new CommandError(`${name} shows one take at a time; two of them can be compared.`);
+    }
+    found.set(characterId, clip);
+  }
+  return found;
+}
+
+function nameOf(document: Document, { characterId, clip }: TakeRef): string {
+  const character = requireCharacter(document, characterId);
+  return character.clips[clip]?.name ?? character.name;
+}
+
+function namesOf(document: Document, ids: readonly string[]): string {
+  return ids.length === 1 ? requireCharacter(document, ids[0]).name : `${ids.length} takes`;
+}

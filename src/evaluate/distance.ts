@@ -1,0 +1,251 @@
+/**
+ * How far the joints of two characters are from each other, frame by frame: what comparing two takes of one skeleton
+ * measures.
+ *
+ *     d_j(t) = | A(a_j(t)) − B(b_j(t)) |          a_j, b_j: where joint j is in the scene at time t of the transport
+ *
+ *     aligned    A(p)
+ *     world      p                                as it stands in the picture
+ *     root       p − root                         who stands elsewhere, or walks another way, is not far for it
+ *     turned     R⁻¹ (p − root)                   nor who faces another way: R is how the root is turned
+ *
+ * Positions are the scene's (placement and space of each character included), so a distance is in metres where both
+ * characters say what their unit is. "In place" is a way of looking and has no part in it.
+ *
+ * Frames are those of the take with the finer rate, over the time that both takes have. Comparing whole poses by a
+ * distance after the best rigid alignment (Kovar's) was left out: it answers how alike two poses are, not where.
+ */
+import type { Character } from '../model/document.ts';
+import { type Placement, shownClip } from '../model/document.ts';
+import type { JointMatch } from './joint-match.ts';
+import { compileSkeleton, worldMatrices } from './kinematics.ts';
+import { dofCountOf, poseAt } from './pose.ts';
+import { applySpace } from './space.ts';
+
+export const ALIGNMENTS = ['world', 'root', 'turned'] as const;
+export type Alignment = (typeof ALIGNMENTS)[number];
+
+/** When a distance is measured: frame f is at `startSeconds + f · frameSeconds` of the transport. */
+export interface FrameTimes {
+  readonly startSeconds: number;
+  readonly frameSeconds: number;
+  /** At least 1. */
+  readonly frameCount: number;
+}
+
+export interface Distances extends FrameTimes {
+  /** As they were matched: row k is of `match.first[k]` and `match.second[k]`. */
+  readonly match: JointMatch;
+  /** A row of `frameCount` distances a pair of joints. */
+  readonly values: Float32Array;
+  /** Over all pairs, a frame. */
+  readonly mean: Float32Array;
+  readonly most: Float32Array;
+  /** Over all frames, a pair. */
+  readonly jointMean: Float64Array;
+  readonly jointMost: Float64Array;
+  readonly jointRms: Float64Array;
+  /** The frame at which it is farthest. */
+  readonly jointMostAt: Uint32Array;
+}
+
+/** More distances than this are not kept: 128 MB. Frames are left out evenly instead. */
+const MOST_VALUES = 2 ** 25;
+
+/**
+ * The frames at which two characters' takes are compared; undefined where they have no time in common, or one of them
+ * shows no take.
+ * @param framesPerSecond the rate of a take that has keys only
+ */
+export function commonFrames(
+  a: Character,
+  b: Character,
+  framesPerSecond: number,
+  jointCount: number,
+): FrameTimes | undefined {
+  const [own, other] = [framesOf(a, framesPerSecond), framesOf(b, framesPerSecond)];
+  if (!own || !other) return undefined;
+  const from = Math.max(own.from, other.from);
+  const to = Math.min(own.to, other.to);
+  const finer = other.frameSeconds < own.frameSeconds ? other : own;
+  // Ends that are a frame but for rounding are that frame.
+  const first = Math.ceil((from - finer.startSeconds) / finer.frameSeconds - 1e-6);
+  const last = Math.floor((to - finer.startSeconds) / finer.frameSeconds + 1e-6);
+  if (!(last >= first)) return undefined;
+  const step = Math.max(1, Math.ceil(((last - first + 1) * jointCount) / MOST_VALUES));
+  return {
+    startSeconds: finer.startSeconds + first * finer.frameSeconds,
+    frameSeconds: step * finer.frameSeconds,
+    frameCount: Math.floor((last - first) / step) + 1,
+  };
+}
+
+/** A take's frames and its range, in seconds of the transport. */
+function framesOf(character: Character, framesPerSecond: number) {
+  const clip = shownClip(character);
+  if (!clip) return undefined;
+  const offset = character.timeOffsetSeconds;
+  const { samples, range } = clip;
+  const [from, to] = [range[0] - offset, range[1] - offset];
+  if (!samples) return { from, to, startSeconds: from, frameSeconds: 1 / framesPerSecond };
+  return { from, to, startSeconds: samples.startSeconds - offset, frameSeconds: samples.frameSeconds };
+}
+
+/** Between two looks at how far it is, a few milliseconds at most. */
+const FRAMES_AT_A_TIME = 32;
+
+/**
+ * Measures in pieces: yields how far it is, 0 to 1, every few milliseconds. Both characters need a skeleton.
+ * @throws Error where one has none
+ */
+export function* measureDistances(
+  a: Character,
+  b: Character,
+  match: JointMatch,
+  times: FrameTimes,
+  alignment: Alignment,
+): Generator<number, Distances, void> {
+  const one = new PosedJoints(a, match.first, alignment);
+  const two = new PosedJoints(b, match.second, alignment);
+  const { frameCount, startSeconds, frameSeconds } = times;
+  const joints = match.first.length;
+  const values = new Float32Array(joints * frameCount);
+  const mean = new Float32Array(frameCount);
+  const most = new Float32Array(frameCount);
+  const jointMean = new Float64Array(joints);
+  const jointMost = new Float64Array(joints);
+  const jointRms = new Float64Array(joints);
+  const jointMostAt = new Uint32Array(joints);
+  for (let f = 0; f < frameCount; f++) {
+    if (f % FRAMES_AT_A_TIME === 0) yield f / frameCount;
+    const time = startSeconds + f * frameSeconds;
+    one.pose(time);
+    two.pose(time);
+    let sum = 0;
+    let largest = 0;
+    for (let k = 0; k < joints; k++) {
+      const x = one.positions[3 * k] - two.positions[3 * k];
+      const y = one.positions[3 * k + 1] - two.positions[3 * k + 1];
+      const z = one.positions[3 * k + 2] - two.positions[3 * k + 2];
+      const squared = x * x + y * y + z * z;
+      const distance = Math.sqrt(squared);
+      values[k * frameCount + f] = distance;
+      sum += distance;
+      jointMean[k] += distance;
+      jointRms[k] += squared;
+      if (distance > largest) largest = distance;
+      if (distance > jointMost[k]) {
+        jointMost[k] = distance;
+        jointMostAt[k] = f;
+      }
+    }
+    mean[f] = joints ? sum / joints : 0;
+    most[f] = largest;
+  }
+  for (let k = 0; k < joints; k++) {
+    jointMean[k] /= frameCount;
+    jointRms[k] = Math.sqrt(jointRms[k] / frameCount);
+  }
+  return { ...times, match, values, mean, most, jointMean, jointMost, jointRms, jointMostAt };
+}
+
+/** Where some of a character's joints are, at one time after another. */
+class PosedJoints {
+  /** x y z of each, after the last `pose`. */
+  readonly positions: Float64Array;
+  private readonly dofs: Float64Array;
+  private readonly world: Float64Array;
+  private readonly compiled;
+  private readonly toScene: Float64Array;
+  private readonly root = new Float64Array(16);
+
+  constructor(
+    private readonly character: Character,
+    private readonly joints: readonly number[],
+    private readonly alignment: Alignment,
+  ) {
+    const { skeleton } = character;
+    if (!skeleton) throw new Error(`${character.name} has no skeleton: there is nothing to measure.`);
+    this.compiled = compileSkeleton(skeleton);
+    this.dofs = new Float64Array(dofCountOf(character));
+    this.world = new Float64Array(16 * skeleton.joints.length);
+    this.positions = new Float64Array(3 * joints.length);
+    this.toScene = sceneMatrix(character);
+  }
+
+  /** Fills `positions`; allocates nothing. */
+  pose(timeSeconds: number): void {
+    const { character, compiled, dofs, world, joints, positions, toScene: m, root } = this;
+    poseAt(character, timeSeconds, dofs);
+    worldMatrices(compiled, dofs, world);
+    const fromRoot = this.alignment !== 'world' && world.length > 0;
+    if (fromRoot) rootInScene(m, world, root);
+    for (let k = 0; k < joints.length; k++) {
+      const o = 16 * joints[k] + 12;
+      let x = m[0] * world[o] + m[4] * world[o + 1] + m[8] * world[o + 2] + m[12];
+      let y = m[1] * world[o] + m[5] * world[o + 1] + m[9] * world[o + 2] + m[13];
+      let z = m[2] * world[o] + m[6] * world[o + 1] + m[10] * world[o + 2] + m[14];
+      if (fromRoot) {
+        x -= root[12];
+        y -= root[13];
+        z -= root[14];
+        if (this.alignment === 'turned') {
+          const [dx, dy, dz] = [x, y, z];
+          // The turning's inverse is its transpose, for its columns are of length 1 and upright to each other.
+          x = root[0] * dx + root[1] * dy + root[2] * dz;
+          y = root[4] * dx + root[5] * dy + root[6] * dz;
+          z = root[8] * dx + root[9] * dy + root[10] * dz;
+        }
+      }
+      positions[3 * k] = x;
+      positions[3 * k + 1] = y;
+      positions[3 * k + 2] = z;
+    }
+  }
+}
+
+/** Writes the first joint's matrix in the scene, its axes of length 1. */
+function rootInScene(m: Float64Array, world: Float64Array, out: Float64Array): void {
+  for (let c = 0; c < 4; c++) {
+    const w = c === 3 ? 1 : 0;
+    for (let r = 0; r < 3; r++) {
+      out[4 * c + r] = m[r] * world[4 * c] + m[4 + r] * world[4 * c + 1] + m[8 + r] * world[4 * c + 2] + m[12 + r] * w;
+    }
+    if (c === 3) continue;
+    const length = Math.hypot(out[4 * c], out[4 * c + 1], out[4 * c + 2]) || 1;
+    for (let r = 0; r < 3; r++) out[4 * c + r] /= length;
+  }
+}
+
+/** From a character's own space to where its first placement has it in the scene, column-major. */
+export function sceneMatrix({ space, placements }: Character): Float64Array {
+  const [placement] = placements;
+  const m = new Float64Array(16);
+  const at = new Float64Array(3);
+  const write = (o: number) => {
+    toPlace(placement, at);
+    m.set(at, o);
+  };
+  applySpace(space, 0, 0, 0, at);
+  write(12);
+  for (let axis = 0; axis < 3; axis++) {
+    applySpace(space, axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0, at);
+    write(4 * axis);
+    for (let r = 0; r < 3; r++) m[4 * axis + r] -= m[12 + r];
+  }
+  m[15] = 1;
+  return m;
+}
+
+/** T(position) · Rz·Ry·Rx(turn) · S(scale), of a point, in place. */
+function toPlace({ position, turn, scale }: Placement, p: Float64Array): void {
+  for (let axis = 0; axis < 3; axis++) {
+    const [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
+    const cos = Math.cos(turn[axis]);
+    const sin = Math.sin(turn[axis]);
+    const [u, v] = [p[i], p[j]];
+    p[i] = cos * u - sin * v;
+    p[j] = sin * u + cos * v;
+  }
+  for (let k = 0; k < 3; k++) p[k] = scale * p[k] + position[k];
+}

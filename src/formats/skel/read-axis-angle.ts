@@ -1,0 +1,138 @@
+/**
+ * `.skel`, axis-angle form: a pre-order list of hinges, six numbers each, line ends meaning nothing.
+ *
+ *     file  = joint                                       one tree, and nothing behind it
+ *     joint = length ax ay az angle children { joint }    so many joints as `children` says
+ *
+ *     frame(joint) = tip(parent) · R(axis, angle)         angle in degrees; the root's parent is the identity
+ *     tip(joint)   = frame(joint) · T(0, length, 0)
+ *
+ * In the model a hinge joint at its parent's tip, with the angle as its pose, in radians as everywhere. What stands in
+ * the way of one joint is told and read over; without a count of children nothing can be read on. Trees are as deep as
+ * the file likes: how many children are still to come is kept on a stack, and no count allocates anything.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../model/skeleton.ts';
+import { looksNumeric, type Part } from '../grammar.ts';
+import { ParseError } from '../report.ts';
+import type { Mark, Tokens } from '../tokens.ts';
+import { radiansOf } from './degrees.ts';
+import { jointTypeOf } from './joint-types.ts';
+
+/**
+ * Whether the first token of a file, at hand, begins this form: it is a number, or is meant for one. In a file that is
+ * called `.axskel` anything does that is no joint of the hierarchy form.
+ */
+export function beginsAxisAngle(t: Tokens): boolean {
+  if (t.kind !== 'word') return false;
+  return looksNumeric(t) || (/\.axskel$/i.test(t.fileName) && !jointTypeOf(t.keyword()));
+}
+
+/** A joint whose children have not all come yet. */
+interface Open {
+  readonly index: number;
+  readonly length: number;
+  readonly children: number;
+  missing: number;
+  /** Of its count of children. */
+  readonly place: Mark;
+}
+
+/** The whole file, whose first token is at hand. */
+export function* axisAngleTree(t: Tokens): Part<readonly Joint[]> {
+  const joints: Joint[] = [];
+  const open: Open[] = [];
+  /** The last token of the joint before. */
+  let last: Mark | undefined;
+  t.again();
+  do {
+    const parent = open.at(-1);
+    const index = joints.length;
+    if (parent && last) yield* expectChild(t, parent, last);
+    const length = yield* boneLength(t, index);
+    const axis = yield* axisOf(t, index);
+    const angle = yield* number(t, `the angle of joint #${index}, in degrees`);
+    const children = yield* childCount(t, index);
+    joints.push({
+      name: '',
+      parent: parent?.index ?? -1,
+      offset: [0, parent?.length ?? 0, 0],
+      box: DEFAULT_BOX,
+      motion: { kind: 'hinge', axis },
+      limits: [UNLIMITED],
+      pose: [radiansOf(angle)],
+      length,
+    });
+    if (parent) parent.missing--;
+    last = t.mark();
+    if (children > 0) open.push({ index, length, children, missing: children, place: last });
+    while (open.at(-1)?.missing === 0) open.pop();
+  } while (open.length > 0);
+  if ((yield* t.next()) !== 'end') {
+    const count = joints.length === 1 ? '1 joint' : `${joints.length} joints`;
+    t.error('trailing', `Expected the end of the file after the ${count} of the tree, found ${t.found()}.`);
+  }
+  return joints;
+}
+
+/** Nothing more in the file: said of the joint that is the last, for behind it there is no line to show. */
+function* expectChild(t: Tokens, { index, children, missing, place }: Open, last: Mark): Part<void> {
+  yield* t.next();
+  if (t.kind !== 'end') {
+    t.again();
+    return;
+  }
+  const wanted = `${children} ${children === 1 ? 'child' : 'children'} of joint #${index}`;
+  const found = `found ${children - missing || 'none'} before the end of the file`;
+  const message = `Expected ${wanted}, as line ${t.placeOf(place).line} says, ${found}.`;
+  t.report.error('joint-missing', message, t.placeOf(last, 'error'));
+  throw new ParseError('joint-missing');
+}
+
+function* boneLength(t: Tokens, index: number): Part<number> {
+  const length = yield* number(t, `the length of joint #${index}`);
+  if (length < 0) t.error('length-negative', `Expected a length of 0 or more for joint #${index}, found ${t.found()}.`);
+  return length;
+}
+
+function* axisOf(t: Tokens, index: number): Part<Vec3> {
+  const { errorCount } = t.report;
+  const x = yield* number(t, `the axis of joint #${index}, x`);
+  const place = x === 0 ? t.mark() : undefined;
+  const y = yield* number(t, `the axis of joint #${index}, y`);
+  const z = yield* number(t, `the axis of joint #${index}, z`);
+  if (place && y === 0 && z === 0 && t.report.errorCount === errorCount) {
+    const message = `Expected an axis of any length but zero for joint #${index}, found 0 0 0.`;
+    t.report.error('axis-zero', message, t.placeOf(place, 'error'));
+  }
+  return [x, y, z];
+}
+
+function* childCount(t: Tokens, index: number): Part<number> {
+  const { errorCount } = t.report;
+  const count = yield* number(t, `the number of children of joint #${index}`);
+  const what = `a whole number of children for joint #${index}`;
+  if (t.report.errorCount > errorCount) throw new ParseError('number-expected');
+  if (count % 1 !== 0) {
+    t.error('count-fractional', `Expected ${what}, found ${t.found()}.`);
+    throw new ParseError('count-fractional');
+  }
+  if (count < 0) {
+    t.error('count-negative', `Expected ${what}, 0 or more, found ${t.found()}.`);
+    throw new ParseError('count-negative');
+  }
+  return count;
+}
+
+/** One number. A word that is none is told, and counts as 0; where none can come any more, nothing is read on. */
+function* number(t: Tokens, what: string): Part<number> {
+  yield* t.next();
+  const value = t.value();
+  if (value - value === 0) return value;
+  if (t.kind === 'word') {
+    t.notANumber(what);
+    return 0;
+  }
+  t.error('number-expected', `Expected ${what}, found ${t.found()}.`);
+  throw new ParseError('number-expected');
+}

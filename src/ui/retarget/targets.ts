@@ -1,0 +1,20 @@
+/** Who can be moved by whom. */
+import { possibleSources } from '../../edit/commands/retarget.ts';
+import type { Character, Document } from '../../model/document.ts';
+import { currentCharacter } from '../actions/action.ts';
+import type { Workbench } from '../workbench.ts';
+
+/** Characters that could be moved: with a skeleton, and another one that shows a take. */
+export function possibleTargets(document: Document): readonly Character[] {
+  return document.characters.filter((c) => c.skeleton && possibleSources(document, c).length > 0);
+}
+
+/** The character that is meant: the current one, unless it is a take that another one waits for. */
+export function firstTarget(wb: Workbench): Character | undefined {
+  const { document } = wb.store;
+  const targets = possibleTargets(document);
+  const current = currentCharacter(wb);
+  const skinned = targets.filter((c) => c.skins.length > 0);
+  if (current && targets.includes(current) && (current.skins.length > 0 || skinned.length === 0)) return current;
+  return skinned[0] ?? targets[0];
+}

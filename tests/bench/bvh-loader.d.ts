@@ -1,0 +1,8 @@
+/** The npm package has no types: what the bench calls of it. */
+declare module 'bvh-loader/module/bvh-loader.js' {
+  export class MEBvh {
+    keyframes: number[][] | null;
+    _parse_hierarchy(text: string): void;
+    parse_motion(text: string): void;
+  }
+}

@@ -1,0 +1,76 @@
+/**
+ * The distances of two takes of 3,000 frames and 60 joints, as comparing them measures it: at every frame both posed,
+ * and each joint against its partner. Against posing both and nothing else, which has to be done in any case. To hold:
+ * within 1.5× of that.
+ */
+import { bench, describe } from 'vitest';
+import { commonFrames, measureDistances } from '../../src/evaluate/distance.ts';
+import { matchJoints } from '../../src/evaluate/joint-match.ts';
+import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
+import { runThrough } from '../../src/view/slices.ts';
+import { character, joint } from '../helpers/builders.ts';
+
+const JOINTS = 60;
+const FRAMES = 3000;
+const WIDTH = 3 * JOINTS;
+const FRAME_SECONDS = 1 / 120;
+
+const skeleton = {
+  name: 'hero',
+  joints: Array.from({ length: JOINTS }, (_, j) =>
+    joint(j === 0 ? -1 : Math.floor((j - 1) / 2), {
+      motion: { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' },
+    }),
+  ),
+};
+
+/** Degrees that sway, each DOF at a pace of its own. */
+function sway(phase: number): ChannelClip {
+  const values = Float64Array.from(
+    { length: WIDTH * FRAMES },
+    (_, i) => 30 * Math.sin(phase + (i % WIDTH) + Math.floor(i / WIDTH) / 40),
+  );
+  return {
+    name: 'sway',
+    range: [0, (FRAMES - 1) * FRAME_SECONDS],
+    channels: Array.from({ length: 3 + WIDTH }, () => keylessChannel()),
+    samples: {
+      frameCount: FRAMES,
+      frameSeconds: FRAME_SECONDS,
+      startSeconds: 0,
+      firstChannel: 3,
+      values,
+      scales: new Float64Array(WIDTH).fill(RADIANS_PER_DEGREE),
+      interpolation: 'linear',
+    },
+  };
+}
+
+const [a, b] = [0, 0.3].map((phase, i) =>
+  character({ id: `c${i}`, skeleton, clips: [sway(phase)], shownClip: 0, timeOffsetSeconds: 0.003 * i }),
+);
+const match = matchJoints(skeleton, skeleton);
+const times = commonFrames(a, b, 30, JOINTS);
+if (!times) throw new Error('the takes have no time in common');
+const compiled = compileSkeleton(skeleton);
+const dofs = new Float64Array(dofCountOf(a));
+const world = new Float64Array(16 * JOINTS);
+
+describe('distances of two takes, 3,000 frames of 60 joints', () => {
+  bench('posing both, and nothing else', () => {
+    for (let f = 0; f < times.frameCount; f++) {
+      const time = times.startSeconds + f * times.frameSeconds;
+      for (const one of [a, b]) {
+        poseAt(one, time, dofs);
+        worldMatrices(compiled, dofs, world);
+      }
+    }
+  });
+
+  bench('measuring them', () => {
+    runThrough(measureDistances(a, b, match, times, 'turned'));
+  });
+});

@@ -1,0 +1,51 @@
+/**
+ * A pose put onto another character, live: a take of 60 joints onto the walker's 29. Against what it can't do without:
+ * the source's pose and its world matrices, and those of the target. Limits are what fitting takes its time for: 4.5×
+ * of that within limits, 2.5× without.
+ */
+import { bench, describe } from 'vitest';
+import { worldMatrices } from '../../src/evaluate/kinematics.ts';
+import { planRetarget } from '../../src/evaluate/retarget/make-plan.ts';
+import { automaticPairs } from '../../src/evaluate/retarget/match.ts';
+import { retargetPose } from '../../src/evaluate/retarget/retarget-pose.ts';
+import { sourcePose } from '../../src/evaluate/retarget/source-pose.ts';
+import { jointDofCount } from '../../src/model/dofs.ts';
+import { WALKER_SKELETON } from '../../src/samples/walker/skeleton.ts';
+import { driverOf, PARTS, person, take } from '../evaluate/retarget/people.ts';
+
+const body = person();
+/** With fingers that nothing follows, so that there are 60. */
+const source = {
+  ...body,
+  joints: [
+    ...body.joints,
+    ...Array.from({ length: 60 - PARTS.length }, (_, i) => ({
+      ...body.joints[1],
+      name: '',
+      parent: PARTS.indexOf(i % 2 === 0 ? 'left hand' : 'right hand'),
+    })),
+  ],
+};
+const FRAMES = 240;
+const rows = Array.from({ length: FRAMES }, (_, f) =>
+  Array.from({ length: jointDofCount(source) }, (_, d) => (d === 1 ? 0.9 : d < 3 ? 0 : 0.4 * Math.sin(f / 9 + d))),
+);
+const clip = take(source, rows, 1 / 60);
+const driver = driverOf(source, clip, automaticPairs(source, WALKER_SKELETON));
+const held = planRetarget(driver, WALKER_SKELETON, undefined, true);
+const free = planRetarget(driver, WALKER_SKELETON, undefined, false);
+const dofs = Float64Array.from(held.restDofs);
+
+let frame = 0;
+/** Between frames, where rotations have to be interpolated. */
+const now = () => ((frame++ % FRAMES) + 0.5) / 60;
+
+describe('a take of 60 joints on a character of 29', () => {
+  bench('ours, within limits', () => retargetPose(held, now(), dofs));
+  bench('ours, without limits', () => retargetPose(free, now(), dofs));
+  bench('both poses and their matrices alone', () => {
+    sourcePose(held.played, now(), held.dofs);
+    worldMatrices(held.source, held.dofs, held.sourceWorld);
+    worldMatrices(held.target, dofs, held.targetWorld);
+  });
+});

@@ -1,0 +1,184 @@
+import { describe, expect, it } from 'vitest';
+import {
+  alignStarts,
+  arrange,
+  overlayTakes,
+  removeTakes,
+  setTimeOffsets,
+  showTakes,
+} from '../../src/edit/commands/takes.ts';
+import { CommandError, Store } from '../../src/edit/store.ts';
+import { type Character, DEFAULT_PLACEMENT, type Document, rangeOfClips } from '../../src/model/document.ts';
+import { character, clip, documentOf, skin } from '../helpers/builders.ts';
+
+/** A character with a take, as a file of captured motion is one. */
+function take(id: string, range: readonly [number, number] = [0, 1], more: Partial<Character> = {}): Character {
+  const sources = [{ name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 }];
+  return character({ id, name: id, clips: [clip(id, [0], range)], shownClip: 0, sources, ...more });
+}
+
+const three = documentOf(take('a'), take('b', [0.5, 2]), take('c', [-1, 4]));
+const hidden = (document: Document) => document.characters.map((c) => c.isHidden ?? false);
+const places = (document: Document) => document.characters.map((c) => c.placements[0].position);
+
+describe('takes that are shown', () => {
+  it('alone are all that is seen, and the transport’s range is theirs', () => {
+    const alone = showTakes.run(three, { takes: [{ characterId: 'b', clip: 0 }], alone: true });
+    expect(hidden(alone)).toEqual([true, false, true]);
+    expect(rangeOfClips(alone)).toEqual([0.5, 2]);
+    expect(rangeOfClips(three)).toEqual([-1, 4]);
+  });
+
+  it('keep the time of all takes where every character is hidden', () => {
+    const none = { ...three, characters: three.characters.map((c) => ({ ...c, isHidden: true })) };
+    expect(rangeOfClips(none)).toEqual([-1, 4]);
+  });
+
+  it('beside others hide nothing, and show another take of their character', () => {
+    const document = documentOf(
+      take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])], isHidden: true }),
+      take('b'),
+    );
+    const next = showTakes.run(document, { takes: [{ characterId: 'a', clip: 1 }] });
+    expect(hidden(next)).toEqual([false, false]);
+    expect(next.characters[0].shownClip).toBe(1);
+    expect(next.characters[1]).toBe(document.characters[1]);
+  });
+
+  it('change nothing where they are shown already', () => {
+    expect(showTakes.run(three, { takes: [{ characterId: 'a', clip: 0 }] })).toBe(three);
+  });
+
+  it('are one of a character at a time', () => {
+    const document = documentOf(take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])] }));
+    const both = [0, 1].map((c) => ({ characterId: 'a', clip: c }));
+    expect(() => showTakes.run(document, { takes: both })).toThrow(CommandError);
+    expect(() => showTakes.run(document, { takes: [{ characterId: 'a', clip: 2 }] })).toThrow('no take number 2');
+  });
+
+  it('are one step, whatever they hide, and undone to the very same document', () => {
+    const store = new Store(three);
+    store.apply(showTakes, { takes: [{ characterId: 'b', clip: 0 }], alone: true });
+    expect(store.undoLabel).toBe('Play b alone');
+    store.undo();
+    expect(store.document).toEqual(three);
+    expect(store.undoLabel).toBeUndefined();
+  });
+});
+
+describe('takes in time', () => {
+  it('begin at one moment after their starts are aligned', () => {
+    const next = alignStarts.run(three, { characterIds: ['a', 'b', 'c'] });
+    expect(next.characters.map((c) => c.timeOffsetSeconds)).toEqual([0, 0.5, -1]);
+    expect(next.characters[0]).toBe(three.characters[0]);
+    expect(rangeOfClips(next)).toEqual([0, 5]);
+    const later = alignStarts.run(three, { characterIds: ['b'], atSeconds: 2 });
+    expect(later.characters[1].timeOffsetSeconds).toBe(-1.5);
+  });
+
+  it('get one offset together', () => {
+    const next = setTimeOffsets.run(three, { characterIds: ['a', 'c'], seconds: 0.25 });
+    expect(next.characters.map((c) => c.timeOffsetSeconds)).toEqual([0.25, 0, 0.25]);
+    expect(() => setTimeOffsets.run(three, { characterIds: [], seconds: 1 })).toThrow('No character was given.');
+  });
+});
+
+describe('takes in space', () => {
+  const ids = ['a', 'b', 'c'];
+  /** Begins at x, z in its own coordinates. */
+  const at = (id: string, x: number, z: number) => take(id, [0, 1], { clips: [clip(id, [x, 0, z])] });
+  const spread = documentOf(at('a', 5, 1), at('b', -3, 0), at('c', 0, 0));
+
+  it('stand side by side in rows, no two in one place', () => {
+    const next = arrange.run(spread, { characterIds: ids, how: 'grid' });
+    const roots = next.characters.map((c, i) => {
+      const [x, , z] = c.placements[0].position;
+      return [x + [5, -3, 0][i], z + [1, 0, 0][i]];
+    });
+    expect(roots[0][0]).toBeCloseTo(-roots[1][0], 3);
+    expect(roots[0][1]).toBeCloseTo(roots[1][1], 3);
+    expect(roots[2][1]).toBeGreaterThan(roots[0][1]);
+    expect(roots[1][0] - roots[0][0]).toBeGreaterThan(0.4);
+  });
+
+  it('begin on the spot where the first one does', () => {
+    const next = arrange.run(spread, { characterIds: ids, how: 'spot' });
+    expect(places(next)).toEqual([
+      [0, 0, 0],
+      [8, 0, 1],
+      [5, 0, 1],
+    ]);
+    expect(next.characters[0]).toBe(spread.characters[0]);
+  });
+
+  it('share the first one’s coordinates', () => {
+    const moved = documentOf(
+      take('a', [0, 1], { placements: [{ ...DEFAULT_PLACEMENT, position: [1, 2, 3] }] }),
+      take('b'),
+    );
+    expect(places(arrange.run(moved, { characterIds: ['a', 'b'], how: 'space' }))).toEqual([
+      [1, 2, 3],
+      [1, 2, 3],
+    ]);
+  });
+
+  it('lie over each other when they are compared, and nothing else is seen', () => {
+    const second = { ...DEFAULT_PLACEMENT, position: [4, 0, 0], turn: [0, 1, 0] } as const;
+    const document = documentOf(take('a'), take('b', [0, 1], { placements: [second, second] }), take('c'));
+    const next = overlayTakes.run(document, {
+      first: { characterId: 'a', clip: 0 },
+      second: { characterId: 'b', clip: 0 },
+    });
+    expect(hidden(next)).toEqual([false, false, true]);
+    expect(next.characters[1].placements).toEqual([DEFAULT_PLACEMENT, second]);
+  });
+
+  it('lie on the same ground when they are compared, for that was a guess for each', () => {
+    const on = (lift: number): Partial<Character> => ({ space: { up: 'y', unit: 'centimetres', lift } });
+    const document = documentOf(take('a', [0, 1], on(0.2)), take('b', [0, 1], on(0.3)), take('c', [0, 1], on(0.4)));
+    const next = overlayTakes.run(document, {
+      first: { characterId: 'a', clip: 0 },
+      second: { characterId: 'b', clip: 0 },
+    });
+    expect(next.characters.map((c) => c.space?.lift)).toEqual([0.2, 0.2, 0.4]);
+  });
+
+  it('of one character show the first when they are compared', () => {
+    const document = documentOf(take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])] }), take('b'));
+    const next = overlayTakes.run(document, {
+      first: { characterId: 'a', clip: 1 },
+      second: { characterId: 'a', clip: 0 },
+    });
+    expect(next.characters[0].shownClip).toBe(1);
+    expect(hidden(next)).toEqual([false, true]);
+  });
+});
+
+describe('takes that are removed', () => {
+  const ref = (characterId: string, c: number) => ({ characterId, clip: c });
+
+  it('go with the character that is nothing but its motion', () => {
+    const next = removeTakes.run(three, { takes: [ref('a', 0), ref('c', 0)] });
+    expect(next.characters).toEqual([three.characters[1]]);
+  });
+
+  it('leave a character that is more than its motion', () => {
+    const document = documentOf(take('a', [0, 1], { skins: [skin()] }));
+    const next = removeTakes.run(document, { takes: [ref('a', 0)] });
+    expect(next.characters[0]).toMatchObject({ clips: [], shownClip: -1 });
+  });
+
+  it('leave the take that is shown as it is, or show the one after it', () => {
+    const clips = ['w', 'x', 'y', 'z'].map((name) => clip(name, [0]));
+    const shown = (shownClip: number, ...gone: number[]) => {
+      const document = documentOf(take('a', [0, 1], { clips, shownClip }));
+      const [after] = removeTakes.run(document, { takes: gone.map((c) => ref('a', c)) }).characters;
+      return after.clips[after.shownClip]?.name;
+    };
+    expect(shown(2, 0, 1)).toBe('y');
+    expect(shown(1, 1)).toBe('y');
+    expect(shown(3, 3)).toBe('y');
+    expect(shown(1, 0, 1, 2)).toBe('z');
+    expect(shown(-1, 0)).toBeUndefined();
+  });
+});
