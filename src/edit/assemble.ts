@@ -1,9 +1,11 @@
 /** Putting a character together from the files that belong to it, and telling what among its parts does not fit. */
 import { checkClip, checkMorph, checkSkin } from '../evaluate/binding.ts';
+import { guessSharedSpace } from '../evaluate/space.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, DEFAULT_PLACEMENT, shownClip, shownSkin } from '../model/document.ts';
+import { type Character, DEFAULT_PLACEMENT, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../model/dofs.ts';
 import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
+import { positionsMeant, positionsTaken, withPositions } from '../model/position-channels.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
 
@@ -95,18 +97,48 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
   return next;
 }
 
-/** A figure of a motion capture file: its skeleton, and its clip as the one that is shown. */
-export function withFigure(character: Character, { skeleton, clip }: Figure, before: Character | undefined): Character {
-  const next = withSkeleton(character, skeleton);
+/**
+ * A figure of a file: its skeleton, and its clip as the one that is shown. One of motion capture does not say how its
+ * space lies: it is guessed, and can be changed. A space that it was given is kept when the file comes again.
+ * @param together all figures of the file: they are in one space
+ */
+export function withFigure(
+  character: Character,
+  figure: Figure,
+  before: Character | undefined,
+  together: readonly Figure[] = [figure],
+): Character {
+  const { skeleton, clip } = figure;
+  const fitted = withSkeleton(character, skeleton);
+  const next = !isBvh({ skeleton })
+    ? fitted
+    : { ...fitted, space: before?.space ?? guessSharedSpace(together.map(asMeant)) };
   if (!clip) return next;
   const at = replacedIndex(next.clips, before?.clips, clip.name);
   return { ...next, clips: put(next.clips, at, clip), shownClip: at < 0 ? next.clips.length : at };
+}
+
+/** As its file's writer saw it: of a figure that falls in on itself no size can be told. */
+function asMeant({ skeleton, clip }: Figure): Figure {
+  const meant = withPositions(skeleton, positionsMeant(skeleton, clip));
+  return clip ? { skeleton: meant, clip } : { skeleton: meant };
 }
 
 /** What does not fit among a character's parts; only parts that are new, or whose counterpart is. */
 export function checkParts(before: Character | undefined, after: Character): Diagnostic[] {
   const problems: Diagnostic[] = [];
   const newSkeleton = before?.skeleton !== after.skeleton;
+  if (newSkeleton && after.skeleton && positionsTaken(after.skeleton) === 'replace') {
+    if (positionsMeant(after.skeleton, shownClip(after)) === 'add') {
+      const message =
+        'Position channels stay at 0 where OFFSETs do not, as if they were meant to be added to OFFSET: ' +
+        'if the figure falls in on itself, set "Positions" in the character’s folder to that.';
+      const assumed = 'they replace it';
+      problems.push(
+        withoutPlace('info', 'positions-near-zero', message, fileOf(after, after.skeleton, '.bvh'), assumed),
+      );
+    }
+  }
   for (const skin of after.skins) {
     const isNew = !before?.skins.includes(skin);
     const file = fileOf(after, skin, '.skin');

@@ -3,7 +3,7 @@
  * channel and index, check what a console may have given them, leave every other channel the object it is, and say
  * where their keys are afterwards.
  */
-import type { Channel, ChannelClip } from '../model/clip.ts';
+import { type Channel, type ChannelClip, isSampled } from '../model/clip.ts';
 import { type Document, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { indexIn, listOf } from './arguments.ts';
@@ -101,6 +101,27 @@ function checkIndices(given: unknown, keyCount: number): void {
 export function checkedChannels(clip: ChannelClip, channels: unknown): readonly number[] {
   const list = listOf(channels, '"channels"').map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
   return [...new Set(list)].sort((a, b) => a - b);
+}
+
+/**
+ * Those of the channels that can have keys. One that follows the clip's samples can't: a single key would take the
+ * place of thousands of frames. Refuses, with the way out, where none is left of some.
+ */
+export function keyable(clip: ChannelClip, channels: readonly number[]): readonly number[] {
+  const left = channels.filter((channel) => !isSampled(clip, channel));
+  if (left.length === 0 && channels.length > 0) throw new CommandError(followsSamples(channels.length));
+  return left;
+}
+
+/** Refuses all of them where one follows the samples: what would be done in part would not be what was meant. */
+export function allKeyable(clip: ChannelClip, channels: readonly number[]): void {
+  const count = channels.filter((channel) => isSampled(clip, channel)).length;
+  if (count > 0) throw new CommandError(followsSamples(count));
+}
+
+function followsSamples(count: number): string {
+  const what = count === 1 ? 'This curve follows samples' : `These ${count} curves follow samples`;
+  return `${what}, which a key would replace. Convert to keys first: Keys, Samples.`;
 }
 
 /** "key", "3 keys": for labels. */

@@ -46,6 +46,8 @@ type Sequence = readonly unknown[] | Numbers;
 export function deltaTo(target: unknown, from: unknown): Delta | undefined {
   if (Object.is(target, from)) return undefined;
   if (isNumbers(target) && isNumbers(from) && target.constructor === from.constructor) {
+    // Two views of one memory, as cropping makes: to keep both costs nothing.
+    if (target.buffer === from.buffer) return isSameView(target, from) ? undefined : whole(target);
     return target.length === from.length ? runs(target, from) : stretch(target, from);
   }
   if (Array.isArray(target) && Array.isArray(from)) {
@@ -104,8 +106,31 @@ function items(target: readonly unknown[], from: readonly unknown[]): Delta | un
   return changed.length ? { kind: 'items', changed } : undefined;
 }
 
+/** How many places of long columns are looked at first. */
+const PROBES = 64;
+const LONG = 1 << 16;
+/** Columns as long as that are kept whole: to look for what is another takes longer than a frame of the screen. */
+const HUGE = 1 << 22;
+
+/**
+ * Whether so many numbers of a long column are others that runs hardly pay. Its own array is there and costs nothing to
+ * make; runs would be copies of half of it at least. (The history sees to it that arrays kept whole don't pile up.)
+ */
+function isAnother(target: Numbers, from: Numbers): boolean {
+  const { length } = target;
+  if (length < LONG) return false;
+  if (length >= HUGE) return true;
+  let others = 0;
+  for (let i = 0; i < PROBES; i++) {
+    const at = Math.floor(((i + 0.5) * length) / PROBES);
+    if (!Object.is(target[at], from[at])) others++;
+  }
+  return others > 0.5 * PROBES;
+}
+
 /** Many small runs cost more than the whole. */
 function runs(target: Numbers, from: Numbers): Delta | undefined {
+  if (isAnother(target, from)) return whole(target);
   const found: Run[] = [];
   const { length } = target;
   for (let start = 0; start < length; start++) {
@@ -121,6 +146,7 @@ function runs(target: Numbers, from: Numbers): Delta | undefined {
 }
 
 function stretch(target: Sequence, from: Sequence): Delta | undefined {
+  if (target.length >= HUGE) return whole(target);
   const most = Math.min(target.length, from.length);
   let head = 0;
   while (head < most && Object.is(target[head], from[head])) head++;
@@ -128,6 +154,8 @@ function stretch(target: Sequence, from: Sequence): Delta | undefined {
   let tail = 0;
   while (tail < most - head && Object.is(target[target.length - 1 - tail], from[from.length - 1 - tail])) tail++;
   if (head + tail === 0) return whole(target);
+  // A long one that is mostly another is there already; the middle would be a copy.
+  if (target.length > LONG && head + tail < target.length / 2) return whole(target);
   return { kind: 'stretch', head, middle: target.slice(head, target.length - tail), tail };
 }
 
@@ -151,6 +179,10 @@ function whole(value: unknown): Delta {
   return { kind: 'value', value };
 }
 
+function isSameView(a: Numbers, b: Numbers): boolean {
+  return a.byteOffset === b.byteOffset && a.length === b.length;
+}
+
 function isNumbers(value: unknown): value is Numbers {
   return (
     value instanceof Float64Array ||
@@ -164,4 +196,22 @@ function isNumbers(value: unknown): value is Numbers {
 /** Plain data only: anything else is kept whole. */
 function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
+}
+
+/** Arrays smaller than this count for nothing: steps that keep only such are thousands. */
+const LARGE_BYTES = 1 << 20;
+
+/** The memory that a delta keeps in large pieces, each once. */
+export function largeBuffers(delta: Delta | undefined): ReadonlySet<ArrayBufferLike> {
+  const found = new Set<ArrayBufferLike>();
+  const look = (value: unknown): void => {
+    if (isNumbers(value)) {
+      if (value.buffer.byteLength >= LARGE_BYTES) found.add(value.buffer);
+    } else if (Array.isArray(value)) {
+      // Lists of numbers and names are long and hold nothing.
+      if (typeof value[0] === 'object') value.forEach(look);
+    } else if (isRecord(value)) Object.values(value).forEach(look);
+  };
+  look(delta);
+  return found;
 }

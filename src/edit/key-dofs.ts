@@ -2,11 +2,12 @@
  * Making keys of DOFs: what K, auto-key and a script's call have in common. The take is made, or given the channels it
  * lacks, on the way; what was set by hand and is keyed now is not unkeyed any more.
  */
-import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
+import { FLAT, isSampled, LINEAR, SMOOTH } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { finiteNumber, listOf, oneOf } from './arguments.ts';
 import { putKey } from './keys/put-key.ts';
+import { withNearerSigns } from './keys/quaternion-signs.ts';
 import { CommandError } from './store.ts';
 import { withChannels, withTake } from './takes.ts';
 import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
@@ -35,7 +36,8 @@ export interface Keyed {
 }
 
 /**
- * Keys DOFs at a moment; the same character where all of them were keyed so.
+ * Keys DOFs at a moment; the same character where all of them were keyed so. Those that follow the take's samples are
+ * left: one key would take the place of all their frames.
  *
  * @param values by DOF, as they should be shown
  * @param timeSeconds of the transport
@@ -55,9 +57,11 @@ export function keyDofs(
   const channels = [...clip.channels];
   const keys: ChannelKeys[] = [];
   let changed = false;
-  for (const dof of [...values.keys()].sort((a, b) => a - b)) {
+  const signed = withNearerSigns(character, channels, values, time);
+  const keyable = [...values.keys()].filter((dof) => !isSampled(clip, dof));
+  for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
-    const { channel, index } = putKey(before, time, values.get(dof) ?? 0, kind);
+    const { channel, index } = putKey(before, time, signed.get(dof) ?? 0, kind);
     changed ||= channel !== before;
     channels[dof] = channel;
     keys.push({ channel: dof, indices: [index] });
@@ -65,7 +69,7 @@ export function keyDofs(
   const keyed = changed ? withTake(taking, taking.shownClip, { ...clip, channels }) : taking;
   const byHand = unkeyedAt(keyed, timeSeconds);
   if (byHand.size === 0) return { character: keyed, keys };
-  for (const dof of values.keys()) byHand.delete(dof);
+  for (const dof of keyable) byHand.delete(dof);
   return { character: withUnkeyed(keyed, timeSeconds, byHand), keys };
 }
 

@@ -130,7 +130,12 @@ class Opening {
       if (figure) {
         // What waited was called after its clip or skin.
         const name = next.skeleton ? next.name : (group.name ?? figure.skeleton.name);
-        next = withFigure({ ...next, name }, figure, before);
+        next = withFigure(
+          { ...next, name },
+          figure,
+          before,
+          figures.flatMap((f) => f ?? []),
+        );
       }
       for (const part of own) next = withPart(next, part, before);
       // Of several alternatives that are all new, the first is shown.

@@ -10,6 +10,7 @@ import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
+import { followSources } from './drivers.ts';
 import { History, type State } from './history.ts';
 
 /** A change to the document, by name: menu entry, undo entry and scripted call in one. */
@@ -114,7 +115,8 @@ export class Store {
    */
   replace(label: string, next: State): void {
     this.settle();
-    this.step(label, next);
+    const document = followSources(this.document, next.document);
+    this.step(label, document === next.document ? next : { ...next, document });
   }
 
   /** Ends a gesture that is under way: a drag is committed, what is only being tried is put back. */
@@ -222,7 +224,7 @@ export function documentIn(change: Document | Edit): Document {
 /** A document with what is still selected in it. */
 function stateAfter({ document: before, selection }: State, change: Document | Edit): State {
   const edit = isEdit(change) ? change : undefined;
-  const document = documentIn(change);
+  const document = followSources(before, documentIn(change));
   const { characterId } = selection;
   // Nothing stays selected of a character that is gone.
   if (characterId === undefined) return { document, selection };

@@ -2,7 +2,7 @@
  * Takes: a character's clips as something to write into. What is keyed goes into the take that is shown; where there is
  * none, one is made that changes nothing by itself, for its channels have no keys and stand where the pose stands.
  */
-import { type Channel, type ChannelClip, keylessChannel } from '../model/clip.ts';
+import { type Channel, type ChannelClip, keylessChannel, spanOfChannel } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
@@ -56,7 +56,7 @@ function restingChannels({ pose }: Character, from: number, to: number): Channel
  * again when both are dropped.
  */
 export function newTakeName(character: Character): string {
-  const skel = character.sources.find((s) => /\.skel$/i.test(s.name));
+  const skel = character.sources.find((s) => /\.(ax)?skel$/i.test(s.name));
   const stem = character.skeleton?.name || (skel && stemOf(skel)) || character.name;
   return uniqueTakeName(character, `${stem}_anim`);
 }
@@ -104,14 +104,15 @@ export function standingAt(channel: Channel, value: number): Channel {
   return value === 0 ? others : { ...others, rest: value };
 }
 
-/** First to last key of a clip's channels, in seconds of the clip; undefined without keys. */
-export function rangeOfKeys({ channels }: ChannelClip): readonly [number, number] | undefined {
+/** First to last key or frame of a clip's channels, in seconds of the clip; undefined where nothing is animated. */
+export function rangeOfKeys(clip: ChannelClip): readonly [number, number] | undefined {
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
-  for (const { times } of channels) {
-    if (times.length === 0) continue;
-    first = Math.min(first, times[0]);
-    last = Math.max(last, times[times.length - 1]);
+  for (const c of clip.channels.keys()) {
+    const span = spanOfChannel(clip, c);
+    if (!span) continue;
+    first = Math.min(first, span[0]);
+    last = Math.max(last, span[1]);
   }
   return first <= last ? [first, last] : undefined;
 }

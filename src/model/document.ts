@@ -145,6 +145,11 @@ export function shownClip(character: Character): ChannelClip | undefined {
   return character.clips[character.shownClip];
 }
 
+/** Whether a character is a figure of BVH as it stands: what is kept of it is what its file holds. */
+export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
+  return skeleton?.joints.every(({ motion }) => motion.kind === 'bvh') ?? false;
+}
+
 export function findCharacter(document: Document, id: string | undefined): Character | undefined {
   return document.characters.find((c) => c.id === id);
 }

@@ -17,8 +17,8 @@ import { jointFacts } from './joint-facts.ts';
 import { handleKey } from './keys.ts';
 import type { Workbench } from './workbench.ts';
 
-export function inspector(wb: Workbench): HTMLElement {
-  const panel = element('section', { class: 'panel inspector', 'aria-label': 'Inspector', 'data-panel': 'inspector' });
+/** @param panel empty, in its place (`inspector-panel.ts`) */
+export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
   const empty = element('p', { class: 'empty' }, 'The DOFs, morphs and numbers of a character will stand here.');
   gui.$children.prepend(empty);
@@ -77,7 +77,6 @@ export function inspector(wb: Workbench): HTMLElement {
     if (event.target instanceof Element && event.target.closest('.lil-controller')) handleKey(wb, event);
   };
   panel.addEventListener('keydown', handOn, { capture: true });
-  return panel;
 }
 
 /** What the rows depend on, by identity. */

@@ -11,6 +11,7 @@ import { dofsOf, type Motion, UNLIMITED } from '../model/skeleton.ts';
 import { currentCharacter } from './actions/action.ts';
 import { shownPerUnit, withoutNoise } from './angles.ts';
 import { element } from './dom.ts';
+import { endSiteTables } from './end-site-facts.ts';
 import { FactList, type FactView } from './fact-list.ts';
 import { atMostEvery } from './frame.ts';
 import { movedVertices } from './moved-vertices.ts';
@@ -91,6 +92,7 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
   if (joint.length !== undefined) list.fact('Bone', shown(joint.length, 6));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
 
+  const fillEnds = endSiteTables(joint, index, list);
   const dofs = dofTable(wb, character, index, list);
   const local = list.grid({ label: 'Local matrix', rows: 4, columns: 4 });
   const world = list.grid({ label: 'World matrix', rows: 4, columns: 4 });
@@ -117,6 +119,7 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
     world.grid.setMatrix(worlds, 16 * index);
     world.note(mirrorText(worlds, 16 * index));
     if (length !== undefined) tip?.grid.setRow(0, tipPosition(length, worlds, index));
+    fillEnds(worlds);
   };
   return { element: list.element, fill };
 }
@@ -189,13 +192,20 @@ function motionText(motion: Motion): string {
     case 'compound':
       return motion.dofs.length ? `compoundjoint, ${motion.dofs.join(' ')}` : 'compoundjoint without DOFs';
     case 'bvh':
-      return motion.channels.length ? `BVH joint, channels ${motion.channels.join(' ')}` : 'BVH joint without channels';
+      return bvhText(motion);
   }
 }
 
+function bvhText({ channels, positions }: Extract<Motion, { kind: 'bvh' }>): string {
+  if (channels.length === 0) return 'BVH joint without channels';
+  const moves = channels.some((channel) => channel.startsWith('t'));
+  const meaning = positions === 'add' ? ', added to its offset' : ', in place of its offset';
+  return `BVH joint, channels ${channels.join(' ')}${moves ? meaning : ''}`;
+}
+
 function parentLink(wb: Workbench, character: Character, parent: number): HTMLElement {
-  const name = character.skeleton?.joints[parent]?.name || 'no name';
-  const made = element('button', { type: 'button', class: 'link' }, `${name} (${parent})`);
+  const name = character.skeleton?.joints[parent]?.name;
+  const made = element('button', { type: 'button', class: 'link' }, name ? `${name} (${parent})` : `#${parent}`);
   made.addEventListener('click', () => wb.store.select({ characterId: character.id, joint: parent }));
   return made;
 }

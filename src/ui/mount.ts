@@ -20,7 +20,7 @@ import './styles/takes.css';
 import './styles/dialogs.css';
 import { startDialogs } from './dialogs.ts';
 import { dropTarget } from './drop-target.ts';
-import { inspector } from './inspector.ts';
+import { inspectorPanel } from './inspector-panel.ts';
 import { listenToKeys } from './keys.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
@@ -76,7 +76,7 @@ export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new Ab
       menuBar: menuBar(wb),
       outliner: outliner(wb),
       stage,
-      inspector: inspector(wb),
+      inspector: inspectorPanel(wb),
       transport: transport(wb, scrubber),
       timeline: timelinePanel(wb, loadTab, signal),
     },

@@ -159,7 +159,7 @@ export function outliner(wb: Workbench): HTMLElement {
 }
 
 const EMPTY =
-  'Characters will stand here. Drop .skel, .skin, .morph, .anim or .rig files anywhere on the page, or choose Open.';
+  'Characters will stand here. Drop .bvh, .skel, .skin, .morph, .anim or .rig files anywhere on the page, or choose Open.';
 
 function searchBox() {
   const input = element('input', {
@@ -180,7 +180,8 @@ function drawRow(wb: Workbench, row: OutlineRow): Node[] {
     label.textContent = row.label;
     label.title = row.label;
   }
-  const nodes: Node[] = [label, element('span', { class: 'detail' }, row.detail)];
+  const isTold = row.kind === 'joint' && row.label === '';
+  const nodes: Node[] = [label, element('span', { class: 'detail' }, isTold ? '' : row.detail)];
   if (unsaved) nodes.splice(1, 0, element('span', { class: 'unsaved-dot', title: 'Not saved', role: 'img' }));
   if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));

@@ -147,7 +147,7 @@ function emptyHint(wb: Workbench): HTMLElement {
     'div',
     { class: 'stage-hint' },
     element('p', {}, 'Drop character files here'),
-    element('p', { class: 'faint' }, '.skel .skin .morph .anim .rig, a folder or a zip, or ', open),
+    element('p', { class: 'faint' }, '.bvh .skel .skin .morph .anim .rig, a folder or a zip, or ', open),
   );
   const show = () => {
     hint.hidden = wb.store.document.characters.length > 0;

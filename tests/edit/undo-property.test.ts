@@ -9,7 +9,8 @@ import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import { CommandError, Store, withKeys } from '../../src/edit/store.ts';
 import { type Channel, keylessChannel } from '../../src/model/clip.ts';
 import { type Document, shownClip } from '../../src/model/document.ts';
-import { character, documentOf, joint, morph } from '../helpers/builders.ts';
+import { RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
+import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 import { ABOUT_NO_FILE, anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';
 import { Dice, thrown } from './dice.ts';
 import { channelOf, channels, expectSound } from './keys/channels.ts';
@@ -39,12 +40,24 @@ const NOTHING = 'nothing';
 /** A dense one, of which an edit changes little. */
 const LONG = channelOf(Array.from({ length: 60 }, (_, k) => [k / 8 - 1, Math.sin(k / 3)] as const));
 
+/** Under the last of the channels, and others that lose their keys. */
+const SAMPLES: Samples = {
+  frameCount: 17,
+  frameSeconds: 1 / 8,
+  startSeconds: 0,
+  firstChannel: 4,
+  values: Float64Array.from({ length: 17 * (DOFS - 4) }, (_, i) => 40 * Math.sin(i / 9)),
+  scales: new Float64Array(DOFS - 4).fill(RADIANS_PER_DEGREE),
+  interpolation: 'linear',
+};
+
 function wasp(animated: readonly Channel[] | undefined): Document {
   const clips = animated && [
     {
       name: 'wasp_walk',
       range: [0, 2] as const,
       channels: [...animated, LONG, ...Array<Channel>(DOFS).fill(keylessChannel(0.5))].slice(0, DOFS),
+      samples: SAMPLES,
     },
   ];
   const made = character({
@@ -54,16 +67,19 @@ function wasp(animated: readonly Channel[] | undefined): Document {
     morphs: [morph('sting')],
     ...(clips && { clips, shownClip: 0 }),
   });
-  return documentOf(made);
+  const bee = character({ id: 'b1', name: 'bee', clips: [clip('bee_walk', Array(9).fill(0.3))], shownClip: 0 });
+  return documentOf(made, bee);
 }
 
 /** All that undo has to bring back, as text. */
 function snapshot({ document, selection }: Store): string {
   const files = document.characters.flatMap((c) => [c.name, ...saveCharacter(c, 'anim'), ...saveCharacter(c, 'skel')]);
   const unkeyed = document.characters.map((c) => c.unkeyed);
+  const samples = document.characters.map((c) => c.clips.map((clip) => clip.samples));
   return [
     ...files.map((f) => (typeof f === 'string' ? f : `${f.name}\n${f.text}`)),
     JSON.stringify(unkeyed),
+    JSON.stringify(samples),
     JSON.stringify(selection),
   ].join('\n');
 }

@@ -1,5 +1,7 @@
 /** Which of a character's channels turn one joint together, and the Euler filter over all of them. */
+import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
 import type { Channel } from '../../model/clip.ts';
+import { couplesOf } from '../../model/couples.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
 import { filterRotations, keyedTogether, keysChanged, unrollAngle } from './euler-filter.ts';
@@ -20,6 +22,9 @@ export function filterCharacter(
 ): Filtered {
   const dofs = characterDofs(skeleton, morphs);
   const starts = skeleton ? firstDofs(skeleton) : [];
+  const couples = skeleton ? couplesOf(skeleton).ordered : [];
+  const followed = new Set(couples.map((couple) => couple.follows));
+  const following = new Set(couples.map((couple) => couple.dof));
   const filtered = [...channels];
   const notes: string[] = [];
   const done = new Set<number>();
@@ -28,22 +33,30 @@ export function filterCharacter(
   for (const index of given) {
     const dof = dofs[index];
     if (done.has(index)) continue;
-    if (dof?.unit !== 'angle') {
+    const joint = dof && skeleton?.joints[dof.joint];
+    if (dof?.unit !== 'angle' || !joint) {
       notes.push(`${dof ? `${dof.name} is` : `Channel ${index} drives`} no angle${dof ? '' : ' here'}: it is left.`);
       continue;
     }
-    const joint = skeleton?.joints[dof.joint];
-    if (joint?.motion.kind === 'ball') {
-      const first = starts[dof.joint];
-      const together = [first, first + 1, first + 2];
+    const first = starts[dof.joint];
+    if (followed.has(index) || !turningDofs(joint.motion)[index - first]) {
+      const why = followed.has(index) ? 'another DOF follows it' : 'a turn of it leads elsewhere';
+      notes.push(`${dof.name} of ${joint.name || `joint ${dof.joint}`}: ${why}, so it is left.`);
+      done.add(index);
+      continue;
+    }
+    const angles = eulerDofs(joint.motion);
+    if (angles) {
+      const together = [first + angles.x, first + angles.y, first + angles.z];
       const limits = together.map((i) => dofs[i].limit);
-      const why = hindrance(channels, given, together);
+      const isCoupled = together.some((i) => followed.has(i) || following.has(i));
+      const why = isCoupled ? 'couples tie its angles' : hindrance(channels, given, together);
       if (!why) {
-        const [x, y, z] = [filtered[first], filtered[first + 1], filtered[first + 2]];
-        const made = filterRotations([x, y, z], joint.motion.order, clampsToLimits ? limits : []);
+        const [x, y, z] = together.map((i) => filtered[i]);
+        const made = filterRotations([x, y, z], angles.order, clampsToLimits ? limits : []);
         made.forEach((channel, i) => {
-          filtered[first + i] = channel;
-          done.add(first + i);
+          filtered[together[i]] = channel;
+          done.add(together[i]);
         });
         continue;
       }

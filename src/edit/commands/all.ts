@@ -12,13 +12,25 @@ import {
   showClip,
   showSkin,
 } from './characters.ts';
-import { createClip, duplicateClip, removeClip, renameClip, setClipRange } from './clips.ts';
+import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
 import { setExtrapolation } from './extrapolation.ts';
 import { keyPose } from './keying.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { clearLimit, setLimit } from './limits.ts';
 import { pasteKeys } from './paste.ts';
 import { dropUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
+import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from './retarget.ts';
+import {
+  convertToKeys,
+  cropSamples,
+  resampleSamples,
+  reverseSamples,
+  smoothSamples,
+  splitSamples,
+  trimSamples,
+} from './samples.ts';
+import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
+import { alignStarts, arrange, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
 /** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */
@@ -33,6 +45,10 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   duplicateClip,
   removeClip,
   setClipRange,
+  setInterpolation,
+  setSpace,
+  setPositionChannels,
+  setHidden,
   setLimit,
   clearLimit,
   insertKeys,
@@ -54,6 +70,13 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   eulerFilter,
   bakeExtrapolation,
   makeLoop,
+  cropSamples,
+  trimSamples,
+  splitSamples,
+  resampleSamples,
+  reverseSamples,
+  smoothSamples,
+  convertToKeys,
   removeCharacter,
   renameCharacter,
   showSkin,
@@ -62,6 +85,16 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   placeCharacter,
   addCopy,
   removeCopy,
+  showTakes,
+  alignStarts,
+  setTimeOffsets,
+  arrange,
+  overlayTakes,
+  removeTakes,
+  setRetarget,
+  changeRetarget,
+  clearRetarget,
+  bakeRetarget,
 ];
 
 export const COMMANDS_BY_ID: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(

@@ -2,6 +2,7 @@
 import type { Character, Document, Placement } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { withoutDriver } from '../drivers.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
@@ -45,7 +46,8 @@ export const showClip: Command<OfCharacter & { readonly clip: number }> = {
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
       indexIn(clip, -1, c.clips.length, 'take');
-      return c.shownClip === clip ? c : { ...withoutUnkeyed(c), shownClip: clip };
+      // A take of its own is shown in place of another's that moves it.
+      return c.shownClip === clip ? withoutDriver(c) : { ...withoutDriver(withoutUnkeyed(c)), shownClip: clip };
     }),
 };
 

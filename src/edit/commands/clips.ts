@@ -5,7 +5,8 @@
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { sameName } from '../../model/files.ts';
-import { indexIn, text } from '../arguments.ts';
+import { INTERPOLATIONS, type Interpolation } from '../../model/samples.ts';
+import { indexIn, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { rangeFrom } from '../key-dofs.ts';
 import { type Command, CommandError } from '../store.ts';
@@ -35,6 +36,21 @@ export const setClipRange: Command<SetRange> = {
       return same ? c : withTake(c, index, { ...take, range: next });
     });
   },
+};
+
+/** What a take's samples play between two frames. */
+export const setInterpolation: Command<OfTake & { readonly interpolation: Interpolation }> = {
+  id: 'clip.setInterpolation',
+  label: (document, args) => `Set interpolation of ${nameOf(document, args)}`,
+  run: (document, { characterId, clip, interpolation }) =>
+    changeCharacter(document, characterId, (c) => {
+      const index = takeIndex(c, clip);
+      const take = c.clips[index];
+      oneOf(interpolation, INTERPOLATIONS, 'The interpolation');
+      if (!take.samples) throw new CommandError(`${take.name} has keys only: what is between them is theirs to say.`);
+      if (take.samples.interpolation === interpolation) return c;
+      return withTake(c, index, { ...take, samples: { ...take.samples, interpolation } });
+    }),
 };
 
 export interface CreateClip {

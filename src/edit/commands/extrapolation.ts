@@ -1,7 +1,7 @@
 /** What channels do before their first key and after their last. */
 import { EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
 import { oneOf } from '../arguments.ts';
-import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
+import { checkedChannels, clipOf, keyable, type OfChannels, withClipChannels } from '../channel-edits.ts';
 import { SIDES, type Side } from '../keys/tangents.ts';
 import type { Command } from '../store.ts';
 
@@ -20,7 +20,7 @@ export interface SetExtrapolation extends OfChannels {
   readonly extrapolation: Extrapolation;
 }
 
-/** Keys stay what they are, and those that are selected stay selected. */
+/** Keys stay what they are, and those that are selected stay selected. Samples hold their ends: they are left. */
 export const setExtrapolation: Command<SetExtrapolation> = {
   id: 'channels.setExtrapolation',
   label: (_document, { side, extrapolation }) => `${EXTRAPOLATION_NAMES[extrapolation]} ${WHERE[side]}`,
@@ -29,7 +29,7 @@ export const setExtrapolation: Command<SetExtrapolation> = {
     oneOf(extrapolation, EXTRAPOLATIONS, '"extrapolation"');
     const clip = clipOf(document, characterId);
     const changed = [...clip.channels];
-    for (const index of checkedChannels(clip, channels)) {
+    for (const index of keyable(clip, checkedChannels(clip, channels))) {
       const channel = changed[index];
       const extrapolateIn = side === 'out' ? channel.extrapolateIn : extrapolation;
       const extrapolateOut = side === 'in' ? channel.extrapolateOut : extrapolation;

@@ -1,8 +1,9 @@
 /** From poses to keys. */
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import type { Character } from '../../model/document.ts';
+import { type Character, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
+import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import type { Command, Edit } from '../store.ts';
@@ -19,6 +20,7 @@ export interface KeyPose extends KeyOptions {
 /**
  * Keys the pose as it is shown at that time: the take, what was set by hand over it, within the limits. Nothing moves
  * at that moment. A character without a take gets one, in which every DOF that is not keyed stands where it stands.
+ * Of a take with samples, what follows them is left; refused where that is all that was meant.
  */
 export const keyPose: Command<KeyPose, Edit> = {
   id: 'pose.key',
@@ -35,6 +37,8 @@ export const keyPose: Command<KeyPose, Edit> = {
         const index = indexIn(dof, 0, shown.length, 'DOF');
         values.set(index, shown[index]);
       }
+    const clip = shownClip(character);
+    if (clip) keyable(clip, [...values.keys()]);
     const { character: keyed, keys } = keyDofs(character, values, timeSeconds, { tangents, playedRange });
     return { document: changeCharacter(document, characterId, () => keyed), keys };
   },

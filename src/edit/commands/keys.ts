@@ -5,10 +5,12 @@ import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import {
+  allKeyable,
   changeKeys,
   checkedChannels,
   checkKeys,
   clipOf,
+  keyable,
   keyCount,
   type OfChannels,
   type OfKeys,
@@ -29,7 +31,10 @@ export interface AtTime {
   readonly timeSeconds: number;
 }
 
-/** Keys on the curves, whose shape stays (`keys/insert.ts`). Selects them, or the keys that were there already. */
+/**
+ * Keys on the curves, whose shape stays (`keys/insert.ts`). Selects them, or the keys that were there already. Channels
+ * that follow samples get none; refused where all of them do.
+ */
 export const insertKeys: Command<OfChannels & AtTime, Edit> = {
   id: 'keys.insert',
   label: (_document, { channels }) => (channels.length === 1 ? 'Insert key' : `Insert ${channels.length} keys`),
@@ -37,7 +42,7 @@ export const insertKeys: Command<OfChannels & AtTime, Edit> = {
     const clip = clipOf(document, characterId);
     const time = finiteNumber(timeSeconds, '"timeSeconds"');
     const changed = [...clip.channels];
-    const keys = checkedChannels(clip, channels).map((index): ChannelKeys => {
+    const keys = keyable(clip, checkedChannels(clip, channels)).map((index): ChannelKeys => {
       const inserted = insertKey(changed[index], time);
       changed[index] = inserted.channel;
       return { channel: index, indices: [inserted.index] };
@@ -54,13 +59,14 @@ export interface AddKey extends AtTime {
   readonly tangents?: TangentKind;
 }
 
-/** A key beside the curve, which goes through it from then on. A key that is at that time takes the value. */
+/** A key beside the curve, which goes through it from then on. A key that is at that time takes the value. Refused over samples. */
 export const addKey: Command<AddKey, Edit> = {
   id: 'keys.add',
   label: () => 'Add key',
   run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth' }) {
     const clip = clipOf(document, characterId);
     indexIn(index, 0, clip.channels.length, 'channel');
+    allKeyable(clip, [index]);
     const put = putKey(
       clip.channels[index],
       finiteNumber(timeSeconds, '"timeSeconds"'),
@@ -174,7 +180,10 @@ export const snapKeys: Command<SnapKeys, Edit> = {
   },
 };
 
-/** Channels that lose all their keys stand at the value they had at the given time. Nothing is selected after it. */
+/**
+ * Channels that lose all their keys stand at the value they had at the given time; those that have samples beneath,
+ * because they were converted from them, follow these again. Nothing is selected after it.
+ */
 export const removeKeys: Command<OfKeys & AtTime, Edit> = {
   id: 'keys.remove',
   label: (_document, { keys }) => `Delete ${keyCount(keys)}`,

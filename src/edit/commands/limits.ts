@@ -3,7 +3,7 @@
  * are, and are clamped when shown.
  */
 import type { Document } from '../../model/document.ts';
-import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
+import { characterDofs, firstDofs } from '../../model/dofs.ts';
 import { dofsOf, type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -12,7 +12,7 @@ import { dofName } from './pose.ts';
 
 interface OfDof {
   readonly characterId: string;
-  /** Into the character's DOFs (`model/dofs.ts`): one of a joint, for root translation and morphs have no limits. */
+  /** Into the character's DOFs (`model/dofs.ts`): one that takes limits. */
   readonly dof: number;
 }
 
@@ -40,9 +40,11 @@ function withLimit(document: Document, characterId: string, dof: number, limit: 
     const { skeleton, morphs } = character;
     const all = characterDofs(skeleton, morphs);
     indexIn(dof, 0, all.length, 'DOF');
-    const { joint } = all[dof];
-    if (!skeleton || joint < 0 || dof < rootDofCount(skeleton)) {
-      throw new CommandError(`${dofName(character, dof)} has no limits; only the DOFs of joints have.`);
+    const { joint, takesLimits } = all[dof];
+    if (!skeleton || !takesLimits) {
+      throw new CommandError(
+        `${dofName(character, dof)} has no limits; only the DOFs of joints have, but quaternions.`,
+      );
     }
     const { motion, limits } = skeleton.joints[joint];
     const own = dof - firstDofs(skeleton)[joint];

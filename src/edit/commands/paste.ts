@@ -1,6 +1,6 @@
-/** Pasting copied keys (`keys/clipboard.ts`). Selects them. */
+/** Pasting copied keys (`keys/clipboard.ts`). Selects them. Refused where one would go into samples. */
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
-import { clipOf, withClipChannels } from '../channel-edits.ts';
+import { allKeyable, clipOf, withClipChannels } from '../channel-edits.ts';
 import { type CopiedKeys, PASTE_MODES, type Paste, pasteKeys as paste } from '../keys/clipboard.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
@@ -22,6 +22,10 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
     oneOf(mode, PASTE_MODES, '"mode"');
     if (into !== undefined) listOf(into, '"into"');
     const { channels, keys } = paste(clip, copied, { timeSeconds, into, mode });
+    allKeyable(
+      clip,
+      keys.map((k) => k.channel),
+    );
     return { document: withClipChannels(document, characterId, channels), keys };
   },
 };

@@ -5,16 +5,20 @@
  *     no channel            the pose
  *     a channel, no keys    the value that it stands at: the take's own, as everything that is seen through a take is
  *     a channel with keys   *unkeyed*: shown until time moves
- *     auto-key              a key at that moment, whatever there was
+ *     one of samples        unkeyed too: no key can stand among frames
+ *     another's take        unkeyed, where it moves the joint; else the pose
+ *     auto-key              a key at that moment, whatever there was but samples
  *
  * The pose keeps what lies beneath a take: it shows again when the take is taken off, and it is what a `.skel` is saved
  * with. Writing to both would change one take by posing another.
  */
 import { channelOf } from '../../evaluate/pose.ts';
+import { isSampled } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { movedDofs } from '../drivers.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { standingAt, withTake } from '../takes.ts';
@@ -116,7 +120,10 @@ function set(
   const values = valuesFor(character);
   finiteNumber(timeSeconds, '"timeSeconds"');
   if (!key) return changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
-  const keyed = keyDofs(character, values, timeSeconds, key);
+  const clip = shownClip(character);
+  const overSamples = new Map([...values].filter(([dof]) => clip && isSampled(clip, dof)));
+  const posed = overSamples.size ? pose(character, overSamples, timeSeconds) : character;
+  const keyed = keyDofs(posed, values, timeSeconds, key);
   return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys };
 }
 
@@ -129,9 +136,13 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   let poseChanged = false;
   let clipChanged = false;
   let handChanged = false;
+  const moved = movedDofs(character);
+  const morphs = characterDofs(character.skeleton, []).length;
   for (const [dof, value] of values) {
-    const channel = channelOf(character, dof);
-    if (channel && channel.times.length > 0) {
+    // While another's take moves it, its own has the say over morphs only.
+    const channel = moved && dof < morphs ? undefined : channelOf(character, dof);
+    const hasKeys = channel && clip && (channel.times.length > 0 || isSampled(clip, dof));
+    if (hasKeys || moved?.has(dof)) {
       byHand.set(dof, value);
       handChanged = true;
       continue;

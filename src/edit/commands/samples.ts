@@ -10,10 +10,11 @@ import { checkedChannels, clipOf } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
 import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';
-import { resampled } from '../samples/resample.ts';
-import { reversed } from '../samples/reverse.ts';
+import { resampling } from '../samples/resample.ts';
+import { reversing } from '../samples/reverse.ts';
 import { jointRotations } from '../samples/rotations.ts';
-import { smoothed } from '../samples/smooth.ts';
+import { smoothing } from '../samples/smooth.ts';
+import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { uniqueTakeName, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -82,20 +83,28 @@ export interface ResampleSamples extends OfSamples {
 export const resampleSamples: Command<ResampleSamples> = {
   id: 'samples.resample',
   label: (document, args) => `Resample ${nameOf(document, args)}`,
-  run(document, args) {
-    const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
-    if (!(rate > 0)) throw new CommandError(`A frame rate is more than 0; ${rate} was given.`);
-    const character = requireCharacter(document, args.characterId);
-    return changed(document, args, (clip) => resampled(character, clip, rate));
-  },
+  run: (document, args) => finished(resampleSteps(document, args)),
 };
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* resampleSteps(document: Document, args: ResampleSamples): Steps<Document> {
+  const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
+  if (!(rate > 0)) throw new CommandError(`A frame rate is more than 0; ${rate} was given.`);
+  const character = requireCharacter(document, args.characterId);
+  return withClip(document, args, yield* resampling(character, clipOf(document, args.characterId), rate));
+}
 
 /** Backwards, keys too. */
 export const reverseSamples: Command<OfSamples> = {
   id: 'samples.reverse',
   label: (document, args) => `Reverse ${nameOf(document, args)}`,
-  run: (document, args) => changed(document, args, reversed),
+  run: (document, args) => finished(reverseSteps(document, args)),
 };
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* reverseSteps(document: Document, args: OfSamples): Steps<Document> {
+  return withClip(document, args, yield* reversing(clipOf(document, args.characterId)));
+}
 
 export interface SmoothSamples extends OfSamples {
   /** All that follow the samples, where absent. */
@@ -107,21 +116,20 @@ export interface SmoothSamples extends OfSamples {
 export const smoothSamples: Command<SmoothSamples> = {
   id: 'samples.smooth',
   label: (document, args) => `Smooth ${nameOf(document, args)}`,
-  run(document, args) {
-    const sigma = finiteNumber(args.sigmaSeconds, '"sigmaSeconds"');
-    if (!(sigma > 0)) throw new CommandError(`The width of a filter is more than 0; ${sigma} was given.`);
-    const { skeleton, morphs } = requireCharacter(document, args.characterId);
-    return changed(document, args, (clip) =>
-      smoothed(
-        clip,
-        characterDofs(skeleton, morphs),
-        skeleton ? jointRotations(skeleton) : [],
-        sampledChannels(clip, args.channels),
-        sigma,
-      ),
-    );
-  },
+  run: (document, args) => finished(smoothSteps(document, args)),
 };
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Document> {
+  const sigma = finiteNumber(args.sigmaSeconds, '"sigmaSeconds"');
+  if (!(sigma > 0)) throw new CommandError(`The width of a filter is more than 0; ${sigma} was given.`);
+  const { skeleton, morphs } = requireCharacter(document, args.characterId);
+  const clip = clipOf(document, args.characterId);
+  const rotations = skeleton ? jointRotations(skeleton) : [];
+  const channels = sampledChannels(clip, args.channels);
+  const smooth = yield* smoothing(clip, characterDofs(skeleton, morphs), rotations, channels, sigma);
+  return withClip(document, args, smooth);
+}
 
 export interface ConvertToKeys extends OfSamples {
   /** All that follow the samples, where absent; those that don't are passed over. */
@@ -133,12 +141,7 @@ export interface ConvertToKeys extends OfSamples {
 export const convertToKeys: Command<ConvertToKeys, Edit> = {
   id: 'samples.convertToKeys',
   label: (document, args) => `Convert ${nameOf(document, args)} to keys`,
-  run(document, args) {
-    const steps = convertSteps(document, args);
-    let step = steps.next();
-    while (!step.done) step = steps.next();
-    return step.value.edit;
-  },
+  run: (document, args) => finished(convertSteps(document, args)).edit,
 };
 
 /** What the conversion came to, with the document as it is after it. */
@@ -148,7 +151,7 @@ export interface Conversion {
 }
 
 /** The same, pausing every few milliseconds with the part that is done. */
-export function* convertSteps(document: Document, args: ConvertToKeys): Generator<number, Conversion> {
+export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Conversion> {
   const { characterId, tolerance } = args;
   const character = requireCharacter(document, characterId);
   const clip = clipOf(document, characterId);
@@ -161,7 +164,7 @@ export function* convertSteps(document: Document, args: ConvertToKeys): Generato
   }
   requireSamples(clip);
   const report = yield* converting(character, clip, sampledChannels(clip, args.channels), { position, angle });
-  return { edit: { document: changed(document, args, () => report.clip), keys: [] }, report };
+  return { edit: { document: withClip(document, args, report.clip), keys: [] }, report };
 }
 
 /** Those of the given channels that follow the samples, or all that do. */
@@ -172,8 +175,11 @@ function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefi
   throw new CommandError(`${channels ? 'None of these curves' : 'Nothing in this take'} follows samples.`);
 }
 
-function changed(document: Document, { characterId }: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {
-  const clip = change(clipOf(document, characterId));
+function changed(document: Document, args: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {
+  return withClip(document, args, change(clipOf(document, args.characterId)));
+}
+
+function withClip(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
   return changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, clip));
 }
 

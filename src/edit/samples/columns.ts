@@ -1,24 +1,53 @@
-/** Columns of samples on their own, in model units, and samples with some of them replaced. */
+/**
+ * Columns of samples on their own, in model units, and samples with some of them replaced. Both go a few rows at a time,
+ * with all of their columns: column by column would go through the memory of all rows again for each.
+ */
 import type { Samples } from '../../model/samples.ts';
+import { STEP_VALUES, type Steps } from './steps.ts';
 
-/** One column, an entry a frame. */
-export function columnValues({ values, scales, frameCount }: Samples, column: number): Float64Array {
-  const width = scales.length;
-  const scale = scales[column];
-  const out = new Float64Array(frameCount);
-  for (let f = 0, at = column; f < frameCount; f++, at += width) out[f] = values[at] * scale;
+/** Columns by their numbers, an entry a frame. */
+export function* takingColumns(samples: Samples, columns: readonly number[]): Steps<Map<number, Float64Array>> {
+  const { scales, frameCount } = samples;
+  const out = new Map(columns.map((column) => [column, new Float64Array(frameCount)]));
+  const rows = Math.max(1, Math.floor(STEP_VALUES / Math.max(1, scales.length)));
+  for (let from = 0; from < frameCount; from += rows) {
+    const to = Math.min(frameCount, from + rows);
+    for (const [column, own] of out) takeColumn(samples, column, own, from, to);
+    yield to / frameCount;
+  }
   return out;
 }
 
+function takeColumn({ values, scales }: Samples, column: number, own: Float64Array, from: number, to: number): void {
+  const width = scales.length;
+  const scale = scales[column];
+  for (let f = from, at = from * width + column; f < to; f++, at += width) own[f] = values[at] * scale;
+}
+
 /** Samples with other values in these columns, given in model units, an entry a frame. */
-export function withColumns(samples: Samples, columns: ReadonlyMap<number, Float64Array>): Samples {
+export function* replacingColumns(samples: Samples, columns: ReadonlyMap<number, Float64Array>): Steps<Samples> {
   if (columns.size === 0) return samples;
   const { scales, frameCount } = samples;
   const width = scales.length;
-  const values = samples.values.slice();
-  for (const [column, own] of columns) {
-    const scale = scales[column];
-    for (let f = 0, at = column; f < frameCount; f++, at += width) values[at] = own[f] / scale;
+  const values = new Float64Array(samples.values.length);
+  const rows = Math.max(1, Math.floor(STEP_VALUES / Math.max(1, width)));
+  for (let from = 0; from < frameCount; from += rows) {
+    const to = Math.min(frameCount, from + rows);
+    values.set(samples.values.subarray(from * width, to * width), from * width);
+    for (const [column, own] of columns) putColumn(values, width, column, scales[column], own, from, to);
+    yield to / frameCount;
   }
   return { ...samples, values };
+}
+
+function putColumn(
+  values: Float64Array,
+  width: number,
+  column: number,
+  scale: number,
+  own: Float64Array,
+  from: number,
+  to: number,
+): void {
+  for (let f = from, at = from * width + column; f < to; f++, at += width) values[at] = own[f] / scale;
 }

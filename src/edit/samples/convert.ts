@@ -26,11 +26,12 @@ import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { CommandError } from '../store.ts';
-import { columnValues } from './columns.ts';
+import { takingColumns } from './columns.ts';
 import { fittingFrames } from './fit-frames.ts';
 import { requireSamples } from './frames.ts';
 import { measuringPoses, type PoseErrors } from './pose-error.ts';
 import { jointRotations, unroll, unrollTriples } from './rotations.ts';
+import { type Steps, within } from './steps.ts';
 
 export interface Tolerance {
   /** How far a joint or End Site may be from where it was, in the file's lengths; above 0. */
@@ -61,6 +62,10 @@ export interface Converted {
 
 /** Of morph weights, and of scales and the like: they are no lengths of the skeleton. */
 const PLAIN_TOLERANCE = 0.005;
+/** What part of the work comes before the first fit. */
+const PREPARING = 0.05;
+/** Frames from one pause to the next where a frame costs little. */
+const STEP_FRAMES = 1 << 15;
 /** What of the allowance a channel gets at first. */
 const FIRST_SHARE = 0.5;
 /** After so many rounds it goes faster, and after so many it is plain that doubles are not as fine as what is asked. */
@@ -86,7 +91,7 @@ export function* converting(
   clip: ChannelClip,
   given: readonly number[],
   allowed: Tolerance,
-): Generator<number, Converted> {
+): Steps<Converted> {
   const samples = requireSamples(clip);
   const { skeleton, morphs } = character;
   const channels = given.filter((channel) => isSampled(clip, channel));
@@ -94,7 +99,8 @@ export function* converting(
     throw new CommandError('None of these curves follows samples: there is nothing to convert.');
   const dofs = characterDofs(skeleton, morphs);
   const reach = skeleton ? reachOf(skeleton) : [];
-  const fittings = preparedValues(samples, skeleton, dofs, channels).map(
+  const prepared = yield* within(preparing(samples, skeleton, dofs, channels), 0, PREPARING);
+  const fittings = prepared.map(
     ({ channel, values }): Fitting => ({
       channel,
       joint: dofs[channel]?.joint ?? -1,
@@ -109,7 +115,7 @@ export function* converting(
   );
   for (let round = 0; ; round++) {
     // Nobody knows how many rounds there will be; each takes about half of what is left.
-    const progress = (part: number) => 1 - 0.5 ** round * (1 - part / 2);
+    const progress = (part: number) => PREPARING + (1 - PREPARING) * (1 - 0.5 ** round * (1 - part / 2));
     const todo = fittings.filter((f) => !f.made);
     for (const [done, fitting] of todo.entries()) {
       const fit = fittingFrames(times, fitting.values, fitting.tolerance);
@@ -127,21 +133,31 @@ export function* converting(
 }
 
 /** Their values in model units, an entry a frame, with angles that don't jump. */
-function preparedValues(
+function* preparing(
   samples: Samples,
   skeleton: Skeleton | undefined,
   dofs: readonly CharacterDof[],
   channels: readonly number[],
-) {
-  const values = new Map(channels.map((channel) => [channel, columnValues(samples, columnOf(samples, channel))]));
+): Steps<readonly { readonly channel: number; readonly values: Float64Array }[]> {
+  const columns = channels.map((channel) => columnOf(samples, channel));
+  const taken = yield* within(takingColumns(samples, columns), 0, 0.5);
+  const values = new Map(channels.map((channel, n) => [channel, taken.get(columns[n]) ?? new Float64Array(0)]));
+  const progress = () => 0.5 + (0.5 * done.size) / channels.length;
   const done = new Set<number>();
   for (const { channels: triple } of skeleton ? jointRotations(skeleton) : []) {
     const [a, b, c] = triple.map((channel) => values.get(channel));
     if (!a || !b || !c) continue;
-    unrollTriples([a, b, c]);
+    for (let from = 0; from < a.length; from += STEP_FRAMES) {
+      unrollTriples([a, b, c], from, Math.min(a.length, from + STEP_FRAMES));
+      yield progress();
+    }
     for (const channel of triple) done.add(channel);
   }
-  for (const [channel, own] of values) if (!done.has(channel) && dofs[channel]?.unit === 'angle') unroll(own);
+  for (const [channel, own] of values) {
+    if (done.has(channel) || dofs[channel]?.unit !== 'angle') continue;
+    unroll(own);
+    yield progress();
+  }
   return channels.map((channel) => ({ channel, values: values.get(channel) ?? new Float64Array(0) }));
 }
 

@@ -1,11 +1,16 @@
 /**
  * Which frames of a take lie where in time, and takes of some of them: what trimming, cropping and splitting have in
- * common. Frames keep their times. The rows that stay are copied, for a view of them would hold on to those that went.
+ * common. Frames keep their times.
+ *
+ * Many rows that stay are a view of those that were there: copying 100 MB takes longer than a frame of the screen, and
+ * the history holds on to what went anyway. Few are copied, or a second of an hour would hold all of it for good.
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { CommandError } from '../store.ts';
 
+/** Up to so many values are copied: 8 MB. */
+const COPIED_VALUES = 1 << 20;
 /** Nearer to a frame than this part of one is that frame. */
 const SAME_FRAME = 1e-4;
 
@@ -23,13 +28,14 @@ export function firstFrameFrom({ startSeconds, frameSeconds, frameCount }: Sampl
 
 /** Frames `first` up to (not including) `end`; the very same samples where that is all of them. */
 export function framesBetween(samples: Samples, first: number, end: number): Samples {
-  const { frameCount, frameSeconds, startSeconds, values, scales } = samples;
+  const { frameCount, frameSeconds, startSeconds, scales } = samples;
   if (first === 0 && end === frameCount) return samples;
+  const values = samples.values.subarray(first * scales.length, end * scales.length);
   return {
     ...samples,
     frameCount: end - first,
     startSeconds: startSeconds + first * frameSeconds,
-    values: values.slice(first * scales.length, end * scales.length),
+    values: values.length > COPIED_VALUES ? values : values.slice(),
   };
 }
 

@@ -8,14 +8,17 @@ import type { Character } from '../../model/document.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { CommandError } from '../store.ts';
 import { requireSamples } from './frames.ts';
+import type { Steps } from './steps.ts';
 import { takeAlone } from './take-alone.ts';
 
 const MOST_FRAMES = 1_000_000;
+/** Frames from one pause to the next. */
+const STEP_FRAMES = 64;
 /** A last frame that is missed by less than this part of one is there. */
 const SAME_FRAME = 1e-4;
 
 /** The clip with samples at this rate, from its first frame on; the very same where they have it. */
-export function resampled(character: Character, clip: ChannelClip, framesPerSecond: number): ChannelClip {
+export function* resampling(character: Character, clip: ChannelClip, framesPerSecond: number): Steps<ChannelClip> {
   const samples = requireSamples(clip);
   const frameSeconds = 1 / framesPerSecond;
   if (Math.abs(frameSeconds - samples.frameSeconds) <= 1e-12 * frameSeconds) return clip;
@@ -35,6 +38,7 @@ export function resampled(character: Character, clip: ChannelClip, framesPerSeco
       const value = driven[column] ? pose[firstChannel + column] / scales[column] : undriven(samples, column, time);
       values[f * width + column] = value;
     }
+    if (f % STEP_FRAMES === STEP_FRAMES - 1) yield f / frameCount;
   }
   return { ...clip, samples: { ...samples, frameCount, frameSeconds, values } };
 }

@@ -7,14 +7,22 @@ import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
 import { scaleKeys } from '../keys/scale.ts';
 import { requireSamples } from './frames.ts';
+import { STEP_VALUES, type Steps } from './steps.ts';
 
-export function reversed(clip: ChannelClip): ChannelClip {
+export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
   const samples = requireSamples(clip);
   const { values, scales, frameCount } = samples;
   const width = scales.length;
   const backwards = new Float64Array(values.length);
-  for (let f = 0; f < frameCount; f++) {
-    backwards.set(values.subarray(f * width, (f + 1) * width), (frameCount - 1 - f) * width);
+  const rows = Math.max(1, Math.floor(STEP_VALUES / Math.max(1, width)));
+  for (let from = 0; from < frameCount; from += rows) {
+    const to = Math.min(frameCount, from + rows);
+    for (let f = from; f < to; f++) {
+      const source = f * width;
+      const target = (frameCount - 1 - f) * width;
+      for (let c = 0; c < width; c++) backwards[target + c] = values[source + c];
+    }
+    yield to / frameCount;
   }
   const [start, stop] = rangeOfSamples(samples);
   const mirror = (seconds: number) => start + stop - seconds;

@@ -57,9 +57,16 @@ export function unroll(angles: Float64Array): void {
   for (let f = 1; f < angles.length; f++) angles[f] = near(angles[f], angles[f - 1]);
 }
 
-/** Each triple the form of its rotation that is nearest to the one before it, in place. */
-export function unrollTriples([a, b, c]: readonly [Float64Array, Float64Array, Float64Array]): void {
-  for (let f = 1; f < a.length; f++) {
+/**
+ * Each triple the form of its rotation that is nearest to the one before it, in place.
+ * @param from the first frame that is looked at, with those before it done; up to, not including, `to`
+ */
+export function unrollTriples(
+  [a, b, c]: readonly [Float64Array, Float64Array, Float64Array],
+  from = 0,
+  to: number = a.length,
+): void {
+  for (let f = Math.max(1, from); f < to; f++) {
     nearestForm(a[f], b[f], c[f], a[f - 1], b[f - 1], c[f - 1]);
     a[f] = form[0];
     b[f] = form[1];
@@ -87,14 +94,20 @@ function near(angle: number, target: number): number {
   return turns === 0 ? angle : angle + TURN * turns;
 }
 
-/** The rotations as quaternions x y z w, four a frame, each on the side of the one before it: none jumps to its opposite. */
-export function quaternionsOf(
+/**
+ * The rotations of frames `from` up to (not including) `to` as quaternions x y z w, four a frame, each on the side of the
+ * one before it: none jumps to its opposite.
+ * @param out of all frames, those before `from` filled in already
+ */
+export function putQuaternions(
   [a, b, c]: readonly [Float64Array, Float64Array, Float64Array],
   axes: JointRotation['axes'],
-): Float64Array {
-  const out = new Float64Array(4 * a.length);
+  out: Float64Array,
+  from: number,
+  to: number,
+): void {
   const q = new Float64Array(4);
-  for (let f = 0; f < a.length; f++) {
+  for (let f = from; f < to; f++) {
     q.fill(0);
     q[3] = 1;
     turnBy(q, axes[0], a[f]);
@@ -104,7 +117,6 @@ export function quaternionsOf(
     const dot = f === 0 ? 1 : q[0] * out[o - 4] + q[1] * out[o - 3] + q[2] * out[o - 2] + q[3] * out[o - 1];
     for (let n = 0; n < 4; n++) out[o + n] = dot < 0 ? -q[n] : q[n];
   }
-  return out;
 }
 
 /** q ← q · (axis, angle) */

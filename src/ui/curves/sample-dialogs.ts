@@ -1,25 +1,28 @@
-/** What each of the tools for samples asks, and the tools that need nothing asked. */
+/** What each of the tools for samples asks; those that need nothing asked are in `timeline/sample-tools.ts`. */
 import {
   type ConvertToKeys,
   convertSteps,
   convertToKeys,
-  cropSamples,
+  type ResampleSamples,
   resampleSamples,
-  reverseSamples,
+  resampleSteps,
+  reverseSteps,
+  type SmoothSamples,
   smoothSamples,
-  splitSamples,
-  trimSamples,
+  smoothSteps,
 } from '../../edit/commands/samples.ts';
 import type { Converted } from '../../edit/samples/convert.ts';
 import { isSampled } from '../../model/clip.ts';
-import { findCharacter, shownClip } from '../../model/document.ts';
+import { type Document, findCharacter, shownClip } from '../../model/document.ts';
 import type { Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText } from '../angles.ts';
 import type { DialogContent } from '../dialog.ts';
 import { element } from '../dom.ts';
+import { inSlices } from '../in-slices.ts';
 import { count, plural, seconds, shown } from '../number-text.ts';
-import { channelsInHand, clipTime, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { channelsInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { Trial } from '../trial.ts';
 import type { Workbench } from '../workbench.ts';
 import { type Asked, toolDialog } from './tool-dialog.ts';
 
@@ -76,7 +79,7 @@ export function convertDialog(wb: Workbench, close: () => void): DialogContent {
 export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
   return withSamples(wb, ({ character, clip }, samples, channels) => {
     const all = clip.channels.reduce((sum, _, c) => sum + (isSampled(clip, c) ? 1 : 0), 0);
-    return toolDialog(wb, close, {
+    return toolDialog<SmoothSamples>(wb, close, {
       name: 'smoothSamples',
       title: 'Smooth samples',
       about:
@@ -92,18 +95,17 @@ export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
         channels: answers.choice('channels') === 'view' ? channels : undefined,
         sigmaSeconds: answers.number('sigma'),
       }),
-      result({ sigmaSeconds }) {
-        const frames = sigmaSeconds / samples.frameSeconds;
-        const halved = (Math.PI * sigmaSeconds) / Math.sqrt(Math.LN2 / 2);
-        return `σ is ${shown(frames, 1)} frames: of what goes to and fro ${shown(1 / halved, 1)} times a second half is left.`;
+      *steps(document, args) {
+        return { change: yield* smoothSteps(document, args), text: smoothedText(args.sigmaSeconds, samples) };
       },
+      result: ({ sigmaSeconds }) => smoothedText(sigmaSeconds, samples),
     });
   });
 }
 
 export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogContent {
   return withSamples(wb, ({ character }, samples) =>
-    toolDialog(wb, close, {
+    toolDialog<ResampleSamples>(wb, close, {
       name: 'resampleSamples',
       title: 'Resample samples',
       about: 'The same motion at another frame rate; joints turn along their way from rotation to rotation.',
@@ -117,13 +119,25 @@ export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogC
       ],
       command: resampleSamples,
       args: (answers) => ({ characterId: character.id, framesPerSecond: answers.number('rate') }),
-      result(_args, after) {
-        const changed = findCharacter(after, character.id);
-        const now = changed && shownClip(changed)?.samples;
-        return `${count(samples.frameCount)} → ${plural(now?.frameCount ?? 0, 'frame')}.`;
+      *steps(document, args) {
+        const change = yield* resampleSteps(document, args);
+        return { change, text: resampledText(samples, change, character.id) };
       },
+      result: (_args, after) => resampledText(samples, after, character.id),
     }),
   );
+}
+
+function smoothedText(sigmaSeconds: number, { frameSeconds }: Samples): string {
+  const frames = sigmaSeconds / frameSeconds;
+  const halved = (Math.PI * sigmaSeconds) / Math.sqrt(Math.LN2 / 2);
+  return `σ is ${shown(frames, 1)} frames: of what goes to and fro ${shown(1 / halved, 1)} times a second half is left.`;
+}
+
+function resampledText({ frameCount }: Samples, after: Document, characterId: string): string {
+  const changed = findCharacter(after, characterId);
+  const now = changed && shownClip(changed)?.samples;
+  return `${count(frameCount)} → ${plural(now?.frameCount ?? 0, 'frame')}.`;
 }
 
 /** Whether the tool's channels are those in hand or all, where that is not the same. */
@@ -185,29 +199,4 @@ function withSamples(
   }
   const body = element('p', { class: 'empty' }, 'This take has no samples.');
   return { title: 'Samples', body, kind: 'tool-dialog' };
-}
-
-/** Whether the take in hand has samples: what the tools are for. */
-export function hasSamples(wb: Workbench): boolean {
-  return takeInHand(wb)?.clip.samples !== undefined;
-}
-
-export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
-
-/** At the playhead, or to what is played. */
-export function runSampleTool(wb: Workbench, tool: SampleTool): void {
-  const take = takeInHand(wb);
-  if (!take) return;
-  const { character } = take;
-  const characterId = character.id;
-  const timeSeconds = clipTime(wb, character);
-  if (tool === 'crop') {
-    const [from, to] = wb.transport.get().range;
-    const offset = character.timeOffsetSeconds;
-    wb.store.apply(cropSamples, { characterId, from: from + offset, to: to + offset });
-  } else if (tool === 'split') wb.store.apply(splitSamples, { characterId, timeSeconds });
-  else if (tool === 'reverse') wb.store.apply(reverseSamples, { characterId });
-  else wb.store.apply(trimSamples, { characterId, side: tool === 'trimStart' ? 'start' : 'end', timeSeconds });
-  const now = takeInHand(wb)?.clip.samples;
-  if (now && tool !== 'reverse') wb.messages.note(`${plural(now.frameCount, 'frame')} in this take.`);
 }

@@ -7,6 +7,7 @@ import type { Document } from '../../model/document.ts';
 import type { DialogContent } from '../dialog.ts';
 import { element, setText } from '../dom.ts';
 import { atMostEvery } from '../frame.ts';
+import { inSlices } from '../in-slices.ts';
 import { parseNumber } from '../number-text.ts';
 import { aboutKeysInHand } from '../timeline/in-hand.ts';
 import { Trial } from '../trial.ts';
@@ -60,8 +61,6 @@ export interface Stepped {
   readonly text: string;
 }
 
-/** What steps may take of a frame. */
-const SLICE_MS = 12;
 /** Typing is answered at most so often. */
 const PREVIEW_MS = 120;
 
@@ -101,24 +100,17 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     result.classList.add('wrong');
     apply.disabled = true;
   };
-  const goOn = (steps: Generator<number, Stepped>, mine: number) => {
-    if (trial.over || mine !== asked) return;
-    const until = performance.now() + SLICE_MS;
-    try {
-      let step = steps.next();
-      while (!step.done && performance.now() < until) step = steps.next();
-      if (!step.done) {
-        setText(result, `Working … ${Math.floor(100 * step.value)} %`);
-        setTimeout(() => goOn(steps, mine));
-        return;
-      }
-      trial.show(step.value.change);
-      setText(result, step.value.text);
-      apply.disabled = store.document === base;
-    } catch (error) {
-      refuse(error);
-    }
-  };
+  const goOn = (steps: Generator<number, Stepped>, mine: number) =>
+    inSlices(steps, {
+      isOver: () => trial.over || mine !== asked,
+      progress: (part) => setText(result, `Working … ${Math.floor(100 * part)} %`),
+      done({ change, text }) {
+        trial.show(change);
+        setText(result, text);
+        apply.disabled = store.document === base;
+      },
+      failed: refuse,
+    });
   const preview = () => {
     if (trial.over) return;
     try {

@@ -5,6 +5,7 @@
 import { button, element, keepsFocusElsewhere } from '../dom.ts';
 import { focusPanel } from '../focus.ts';
 import { icon } from '../icons.ts';
+import { onDemand, whenIdle } from '../on-demand.ts';
 import { isPanelOpen, NARROW } from '../panels.ts';
 import { splitter } from '../splitter.ts';
 import type { Workbench } from '../workbench.ts';
@@ -46,26 +47,18 @@ export function timelinePanel(
   const built = new Map<TimelineTabName, TimelineTab>();
   const build = async (name: TimelineTabName) => {
     const place = places.find((p) => p.name === name);
-    try {
-      const tab = await load(name);
-      if (signal.aborted) return;
-      built.set(name, tab);
-      if (tab.tools) place?.tools.append(tab.tools);
-      place?.body.replaceChildren(tab.element);
-      show();
-    } catch (error) {
-      const why = error instanceof Error ? error.message : String(error);
-      wb.messages.note(
-        `The ${LABELS[name].toLowerCase()} could not be loaded; a reload of the page may help. ${why}`,
-        'error',
-      );
-    }
+    const tab = await onDemand(wb.messages, `The ${LABELS[name].toLowerCase()}`, () => load(name));
+    if (!tab || signal.aborted) return;
+    built.set(name, tab);
+    if (tab.tools) place?.tools.append(tab.tools);
+    place?.body.replaceChildren(tab.element);
+    show();
   };
   const asked = new Set<TimelineTabName>();
   const need = (name: TimelineTabName) => {
     if (asked.has(name)) return;
     asked.add(name);
-    whenIdle(() => build(name));
+    whenIdle(wb, () => void build(name));
   };
   const list = element('div', { role: 'tablist', class: 'timeline-tabs', 'aria-label': 'Timeline' });
   list.append(...places.map((p) => p.title));
@@ -121,13 +114,4 @@ export function timelinePanel(
   window.matchMedia(NARROW).addEventListener('change', show, { signal });
   show();
   return panel;
-}
-
-/** Longest that a busy page makes it wait. */
-const PATIENCE_MS = 2000;
-
-function whenIdle(run: () => void): void {
-  // Safari has no such callback.
-  if ('requestIdleCallback' in window) window.requestIdleCallback(run, { timeout: PATIENCE_MS });
-  else setTimeout(run);
 }

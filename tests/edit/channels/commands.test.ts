@@ -13,7 +13,8 @@ import {
 import { CommandError, Store } from '../../../src/edit/store.ts';
 import { type Channel, keylessChannel } from '../../../src/model/clip.ts';
 import { shownClip } from '../../../src/model/document.ts';
-import { character, documentOf, skeleton } from '../../helpers/builders.ts';
+import { character, documentOf, joint, skeleton } from '../../helpers/builders.ts';
+import { expectClose } from '../../helpers/close.ts';
 import { channelOf } from '../keys/channels.ts';
 
 const wave = (height: number) =>
@@ -130,6 +131,40 @@ describe('the Euler filter over a character', () => {
     expect(after[8]).toBe(channelsOf(before)[8]);
     expect(keys.map((k) => k.channel)).toEqual([3, 7]);
     expect(eulerFilterPreview(before, rotations)).toMatchObject({ keysChanged: 2, notes: [] });
+  });
+
+  it('finds the angles of any joint that has three, and leaves those of which a turn is more', () => {
+    const order = 'yxz';
+    const free = joint(-1, { motion: { kind: 'free', order } });
+    const screw = joint(0, { motion: { kind: 'screw', axis: [1, 0, 0], pitch: 2 } });
+    const hinge = joint(0, { motion: { kind: 'hinge', axis: [1, 0, 0] }, name: 'elbow' });
+    const couples = [{ dof: 'r', joint: 2, follows: 'r', gain: 0.5, offset: 0 }];
+    const follower = joint(2, { motion: hinge.motion, couples });
+    const flipped = { x: [Math.PI - 0.1], y: [Math.PI], z: [Math.PI] };
+    const turn = (to: readonly number[]) => channelOf([[0, 0], ...to.map((value) => [1, value] as const)]);
+    const before = documentOf(
+      character({
+        skeleton: { name: 'hero', joints: [free, screw, hinge, follower] },
+        clips: [
+          {
+            name: 'turns',
+            range: [0, 1],
+            channels: [none, none, none, turn(flipped.x), turn(flipped.y), turn(flipped.z), jumping, jumping, jumping],
+          },
+        ],
+        shownClip: 0,
+      }),
+    );
+    const { channels, notes } = eulerFilterPreview(before, { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] });
+    expectClose(
+      [3, 4, 5].map((c) => channels[c].values[1]),
+      [0.1, 0, 0],
+      1e-12,
+    );
+    expect(notes).toEqual([
+      'r of joint1: a turn of it leads elsewhere, so it is left.',
+      'r of elbow: another DOF follows it, so it is left.',
+    ]);
   });
 
   it('unrolls by whole turns what is not keyed or chosen together, and says why', () => {

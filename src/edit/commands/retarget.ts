@@ -1,0 +1,200 @@
+/**
+ * Takes put onto other characters: live, as long as it is wanted, or baked into a take of the character's own.
+ *
+ * Live, nothing is copied but the way from one skeleton to the other: the other character's take can still be edited,
+ * and what it moves follows. Baking samples what is seen.
+ */
+import { bakeClip, framesOf } from '../../evaluate/bake.ts';
+import { automaticPairs } from '../../evaluate/retarget/match.ts';
+import { keylessChannel } from '../../model/clip.ts';
+import type { Character, Document, Driver } from '../../model/document.ts';
+import { restPose } from '../../model/dofs.ts';
+import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/retarget.ts';
+import type { Samples } from '../../model/samples.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { driverSource, withoutDriver } from '../drivers.ts';
+import { jointRotations, unrollTriples } from '../samples/rotations.ts';
+import { type Command, CommandError } from '../store.ts';
+import { uniqueTakeName } from '../takes.ts';
+import { withoutUnkeyed } from '../unkeyed.ts';
+
+interface OfDriven {
+  /** The character that is moved. */
+  readonly characterId: string;
+}
+
+export interface SetRetarget extends OfDriven {
+  /** The character whose shown take moves it. */
+  readonly sourceId: string;
+  /** Matched by name and shape, where absent. */
+  readonly pairs?: readonly JointPair[] | undefined;
+  readonly options?: Partial<RetargetOptions> | undefined;
+}
+
+export const setRetarget: Command<SetRetarget> = {
+  id: 'retarget.set',
+  label: (document, { characterId, sourceId }) => {
+    const source = requireCharacter(document, sourceId);
+    return `Put ${driverSource(source)?.clip.name ?? 'take'} onto ${requireCharacter(document, characterId).name}`;
+  },
+  run: (document, { characterId, sourceId, pairs, options }) => {
+    const from = requireCharacter(document, text(sourceId, '"sourceId"'));
+    return changeCharacter(document, characterId, (c) => {
+      const skeleton = requireSkeleton(c);
+      if (from === c) throw new CommandError(`${c.name} can’t be moved by itself.`);
+      if (from.driver)
+        throw new CommandError(`${from.name} is moved by ${from.driver.source.name} itself: bake it first.`);
+      const source = driverSource(from);
+      if (!source) throw new CommandError(`${from.name} has no skeleton with a take that could move another one.`);
+      const matched = pairs
+        ? checkedPairs(pairs, skeleton, source.skeleton)
+        : automaticPairs(source.skeleton, skeleton, source.space, c.space).map(({ target, source }) => ({
+            target,
+            source,
+          }));
+      const driver: Driver = {
+        sourceId,
+        source,
+        pairs: matched,
+        options: checkedOptions({ ...DEFAULT_RETARGET, ...options }),
+      };
+      return { ...withoutUnkeyed(c), driver };
+    });
+  },
+};
+
+export interface ChangeRetarget extends OfDriven {
+  readonly pairs?: readonly JointPair[] | undefined;
+  readonly options?: Partial<RetargetOptions> | undefined;
+}
+
+/** Other pairs, or other options; what is not given stays. */
+export const changeRetarget: Command<ChangeRetarget> = {
+  id: 'retarget.change',
+  label: (document, { characterId }) => `Change what moves ${requireCharacter(document, characterId).name}`,
+  run: (document, { characterId, pairs, options }) =>
+    changeCharacter(document, characterId, (c) => {
+      const driver = requireDriver(c);
+      if (!pairs && !options) throw new CommandError('Give "pairs" or "options" to change.');
+      return {
+        ...c,
+        driver: {
+          ...driver,
+          pairs: pairs ? checkedPairs(pairs, requireSkeleton(c), driver.source.skeleton) : driver.pairs,
+          options: checkedOptions({ ...driver.options, ...options }),
+        },
+      };
+    }),
+};
+
+/** The character's own take and pose again. */
+export const clearRetarget: Command<OfDriven> = {
+  id: 'retarget.clear',
+  label: (document, { characterId }) => {
+    const { driver, name } = requireCharacter(document, characterId);
+    return `Take ${driver?.source.clip.name ?? 'take'} off ${name}`;
+  },
+  run: (document, { characterId }) =>
+    changeCharacter(document, characterId, (c) => {
+      requireDriver(c);
+      return withoutDriver(c);
+    }),
+};
+
+export interface BakeRetarget extends OfDriven {
+  /** As many as the source's take has, where absent; 30 for keys. */
+  readonly framesPerSecond?: number | undefined;
+  /** After the source's take, where absent. A name that is taken gets a number. */
+  readonly name?: string | undefined;
+}
+
+/** A take of the character's own that is what is seen; it is shown, and nothing else moves the character. */
+export const bakeRetarget: Command<BakeRetarget> = {
+  id: 'retarget.bake',
+  label: (document, { characterId }) => {
+    const { driver, name } = requireCharacter(document, characterId);
+    return `Bake ${driver?.source.clip.name ?? 'take'} into ${name}`;
+  },
+  run: (document, { characterId, framesPerSecond, name }) =>
+    changeCharacter(document, characterId, (c) => {
+      const skeleton = requireSkeleton(c);
+      const { clip, timeOffsetSeconds } = requireDriver(c).source;
+      const own = clip.samples ? 1 / clip.samples.frameSeconds : 30;
+      const rate = framesPerSecond === undefined ? own : finiteNumber(framesPerSecond, '"framesPerSecond"');
+      if (!(rate > 0)) throw new CommandError(`Frames per second have to be above 0; ${rate} was given.`);
+      const range = [clip.range[0] - timeOffsetSeconds, clip.range[1] - timeOffsetSeconds] as const;
+      const frames = framesOf(range, rate);
+      if (frames.frameCount > MOST_FRAMES) {
+        throw new CommandError(
+          `${frames.frameCount.toLocaleString('en')} frames are too many to bake; up to ${MOST_FRAMES.toLocaleString('en')} are possible.`,
+        );
+      }
+      const samples = bakeClip(c, frames);
+      unrollRotations(skeleton, samples);
+      const called = uniqueTakeName(c, name === undefined ? clip.name : text(name, 'The name').trim());
+      const channels = restPose(skeleton, c.morphs.length).map((rest) => keylessChannel(rest));
+      const plain = withoutDriver(withoutUnkeyed(c));
+      return {
+        ...plain,
+        clips: [...plain.clips, { name: called, range, channels, samples }],
+        shownClip: plain.clips.length,
+      };
+    }),
+};
+
+const MOST_FRAMES = 1_000_000;
+
+/** Angles that don't jump from one form of a rotation to another: for whoever looks at their curves. */
+function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Samples): void {
+  const width = scales.length;
+  for (const { channels } of jointRotations(skeleton)) {
+    const column = (c: number) => Float64Array.from({ length: frameCount }, (_, f) => values[f * width + c]);
+    const triple = [column(channels[0]), column(channels[1]), column(channels[2])] as const;
+    unrollTriples(triple);
+    triple.forEach((angles, i) => {
+      for (let f = 0; f < frameCount; f++) values[f * width + channels[i]] = angles[f];
+    });
+  }
+}
+
+function requireSkeleton({ name, skeleton }: Character): Skeleton {
+  if (!skeleton) throw new CommandError(`${name} has no skeleton that a take could move.`);
+  return skeleton;
+}
+
+function requireDriver({ name, driver }: Character): Driver {
+  if (!driver) throw new CommandError(`No other character’s take moves ${name}.`);
+  return driver;
+}
+
+function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Skeleton): readonly JointPair[] {
+  const checked = (listOf(pairs, '"pairs"') as readonly (Partial<JointPair> | undefined)[]).map((pair) => ({
+    target: indexIn(pair?.target, 0, target.joints.length, `joint of ${target.name}`),
+    source: indexIn(pair?.source, 0, source.joints.length, `joint of ${source.name}`),
+  }));
+  checked.sort((a, b) => a.target - b.target);
+  const twice = checked.find((pair, i) => pair.target === checked[i + 1]?.target);
+  if (twice) throw new CommandError(`${target.joints[twice.target].name} can follow one joint only.`);
+  return checked;
+}
+
+function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): RetargetOptions {
+  if (scale !== undefined && !(finiteNumber(scale, 'The scale') > 0)) {
+    throw new CommandError(`The scale has to be above 0; ${scale} was given.`);
+  }
+  return {
+    ...(scale !== undefined && { scale }),
+    reference:
+      typeof reference === 'number'
+        ? finiteNumber(reference, 'The moment of the reference pose')
+        : oneOf(reference, ['automatic', 'rest'] as const, '"reference"'),
+    plantsFeet: oneOf(plantsFeet, [true, false], '"plantsFeet"'),
+  };
+}
+
+/** Characters whose take can be put onto another one. */
+export function possibleSources(document: Document, target: Character): readonly Character[] {
+  return document.characters.filter((c) => c.id !== target.id && !c.driver && driverSource(c) !== undefined);
+}

@@ -1,0 +1,51 @@
+/**
+ * q and −q turn alike, but the way from one key to the next is the short one only where they point the same way: a key
+ * of a quaternion joint takes the sign that is nearer to the key before it.
+ */
+import type { Channel } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { firstDofs } from '../../model/dofs.ts';
+import { sameTime } from './same-time.ts';
+
+/**
+ * The values with the signs that keys at that time should have; the same map where none changes. A quaternion of which
+ * not all four parts are to be keyed is left: a part by itself has no other sign.
+ *
+ * @param values by DOF
+ * @param time seconds of the clip
+ */
+export function withNearerSigns(
+  { skeleton }: Pick<Character, 'skeleton'>,
+  channels: readonly Channel[],
+  values: ReadonlyMap<number, number>,
+  time: number,
+): ReadonlyMap<number, number> {
+  if (!skeleton?.joints.some(({ motion }) => motion.kind === 'quaternion')) return values;
+  const first = firstDofs(skeleton);
+  const signed = new Map(values);
+  let changed = false;
+  skeleton.joints.forEach(({ motion }, joint) => {
+    if (motion.kind !== 'quaternion') return;
+    const parts = [0, 1, 2, 3].map((i) => first[joint] + i);
+    if (!parts.every((dof) => values.has(dof))) return;
+    if (!parts.some((dof) => keyBefore(channels[dof], time) >= 0)) return;
+    const along = parts.reduce((sum, dof) => sum + (values.get(dof) ?? 0) * valueBefore(channels[dof], time), 0);
+    if (!(along < 0)) return;
+    changed = true;
+    for (const dof of parts) signed.set(dof, 0 - (values.get(dof) ?? 0));
+  });
+  return changed ? signed : values;
+}
+
+/** Index of the last key before a time; a key at that time is the one that is about to be put. */
+function keyBefore({ times }: Channel, time: number): number {
+  let k = times.length - 1;
+  while (k >= 0 && (times[k] > time || sameTime(times[k], time))) k--;
+  return k;
+}
+
+/** Its value; of a channel without keys, what it stands at. */
+function valueBefore(channel: Channel, time: number): number {
+  const k = keyBefore(channel, time);
+  return k >= 0 ? channel.values[k] : (channel.values[0] ?? channel.rest ?? 0);
+}

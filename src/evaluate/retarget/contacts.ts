@@ -1,0 +1,218 @@
+/**
+ * When the source's feet stand on the ground, and where the target's then belong.
+ *
+ * A foot stands while its ball (the toe joint, or the ankle where no toe is paired) is slow and low:
+ *
+ *     speed  < 0.35 leg lengths a second        height above where it mostly is at its lowest  < 0.08 leg lengths
+ *
+ * for 0.08 s at least. The target's ball then goes where the source's is, in proportion, and an offset that is constant
+ * as long as the foot stands, so that it slides no more than the source's does. The offset is what rotations alone would
+ * put between the two, in the middle of the contact: feet stay as far apart as suits the hips that they hang from. From
+ * one contact to the next it changes smoothly, while the foot is in the air.
+ */
+
+import { worldMatrices } from '../kinematics.ts';
+import { type Bodies, driven } from './align.ts';
+import type { Figure } from './figure.ts';
+import { legLength } from './leg-length.ts';
+import { smooth } from './limbs.ts';
+import type { FootTrack, RetargetPlan } from './plan.ts';
+import { solveFreely } from './solve.ts';
+import { sourcePose } from './source-pose.ts';
+import { toScene } from './travel.ts';
+
+const SLOW = 0.35;
+const LOW = 0.08;
+const SHORTEST = 0.08;
+/** Gaps shorter than this are noise within a contact. */
+const SHORTEST_GAP = 0.05;
+/** Samples of the source a second, and at most in all. */
+const RATE = 60;
+const MOST_SAMPLES = 20000;
+/** Of all heights: who stands is near the lowest. */
+const STANDING = 0.12;
+/** Moments of a contact at which the offset is measured. */
+const MEASURED = 5;
+
+/** The plan with the heights of ankles, and when which foot stands. */
+export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Figure): RetargetPlan {
+  const legs = plain.limbs.filter(({ part }) => part === 'leg');
+  const length = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
+  if (!legs.length || !(length > 0)) return { ...plain, ground: groundOfHips(plain, bodies, reference) };
+  const balls = legs.map((limb) => {
+    const toe = driven(bodies, `${limb.side} toe`);
+    return toe >= 0 ? toe : limb.end;
+  });
+  const joints = [...legs.map(({ end }) => bodies.sourceOf[end]), ...balls.map((b) => bodies.sourceOf[b])];
+  const ways = sampleWays(plain, joints);
+  const heightOf = (columns: readonly number[]) =>
+    percentile(
+      columns.flatMap((c) =>
+        Array.from({ length: ways.count }, (_, f) => ways.points[(f * joints.length + c) * 3 + 1]),
+      ),
+      STANDING,
+    );
+  const count = legs.length;
+  const columns = [...legs.keys()];
+  const plan: RetargetPlan = {
+    ...plain,
+    ground: {
+      carried: plain.ground.carried,
+      ownHeight: standingHeight(
+        bodies,
+        legs.map(({ end }) => end),
+      ),
+      sourceHeight: heightOf(columns),
+    },
+  };
+  const ownHeight = standingHeight(bodies, balls);
+  const tracks = legs.map((limb, i): FootTrack => {
+    const sourceHeight = heightOf([count + i]);
+    const contacts = contactsOf(ways, count + i, joints.length, sourceHeight, length);
+    const track = { limb, ball: balls[i], sourceBall: bodies.sourceOf[balls[i]], ownHeight, sourceHeight, contacts };
+    return { ...track, offsets: offsetsOf(plan, track) };
+  });
+  return { ...plan, feet: tracks };
+}
+
+/** Where joints are over the clip. */
+interface Ways {
+  readonly count: number;
+  readonly start: number;
+  readonly step: number;
+  /** x y z a joint and sample; metres. */
+  readonly points: Float64Array;
+}
+
+function sampleWays(plan: RetargetPlan, joints: readonly number[]): Ways {
+  const [start, end] = plan.range;
+  const count = Math.max(2, Math.min(MOST_SAMPLES, Math.ceil((end - start) * RATE) + 1));
+  const step = (end - start) / (count - 1);
+  const points = new Float64Array(3 * joints.length * count);
+  const p = new Float64Array(3);
+  for (let f = 0; f < count; f++) {
+    sourcePose(plan.played, start + f * step, plan.dofs);
+    worldMatrices(plan.source, plan.dofs, plan.sourceWorld);
+    joints.forEach((j, i) => {
+      for (let k = 0; k < 3; k++) p[k] = plan.sourceWorld[16 * j + 12 + k];
+      toScene(plan.sourceSpace, p);
+      points.set(p, 3 * (f * joints.length + i));
+    });
+  }
+  return { count, start, step, points };
+}
+
+function contactsOf(ways: Ways, column: number, width: number, height: number, leg: number): Float64Array {
+  const { count, start, step, points } = ways;
+  if (!(step > 0)) return new Float64Array(0);
+  const at = (f: number, k: number) => points[3 * (f * width + column) + k];
+  const spans: [number, number][] = [];
+  for (let f = 0; f < count; f++) {
+    const [a, b] = [Math.max(0, f - 1), Math.min(count - 1, f + 1)];
+    const way = Math.hypot(at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2));
+    const stands = way < SLOW * leg * step * (b - a) && at(f, 1) < height + LOW * leg;
+    if (!stands) continue;
+    const seconds = start + f * step;
+    const last = spans.at(-1);
+    if (last && seconds - last[1] <= Math.max(SHORTEST_GAP, 1.5 * step)) last[1] = seconds;
+    else spans.push([seconds, seconds]);
+  }
+  return Float64Array.from(spans.filter(([from, to]) => to - from >= SHORTEST).flat());
+}
+
+/** What rotations alone would put between the target's ball and the source's in proportion. */
+function offsetsOf(plan: RetargetPlan, { ball, sourceBall, contacts }: Omit<FootTrack, 'offsets'>): Float64Array {
+  const count = Math.max(1, contacts.length / 2);
+  const out = new Float64Array(2 * count);
+  const dofs = Float64Array.from(plan.restDofs);
+  const p = new Float64Array(3);
+  for (let c = 0; c < count; c++) {
+    const from = contacts.length ? contacts[2 * c] : plan.range[0];
+    const to = contacts.length ? contacts[2 * c + 1] : plan.range[1];
+    for (let i = 0; i < MEASURED; i++) {
+      solveFreely(plan, from + ((to - from) * (i + 0.5)) / MEASURED, dofs);
+      const { up, metres } = plan.targetSpace;
+      const w = plan.targetWorld.subarray(16 * ball + 12, 16 * ball + 15);
+      for (let k = 0; k < 3; k++) p[k] = plan.sourceWorld[16 * sourceBall + 12 + k];
+      toScene(plan.sourceSpace, p);
+      for (const [slot, k] of [
+        [0, 0],
+        [1, 2],
+      ]) {
+        const own = metres * (up[k] * w[0] + up[3 + k] * w[1] + up[6 + k] * w[2]);
+        out[2 * c + slot] += (own - plan.scale * p[k]) / MEASURED;
+      }
+    }
+  }
+  return out;
+}
+
+/** Writes x z of the offset at a time to `out[0]` and `out[1]`. */
+export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out: Float64Array): void {
+  const count = contacts.length / 2;
+  let next = 0;
+  let high = count;
+  // The first contact that begins after that time.
+  while (next < high) {
+    const mid = (next + high) >> 1;
+    if (contacts[2 * mid] <= seconds) next = mid + 1;
+    else high = mid;
+  }
+  const before = Math.max(0, next - 1);
+  const after = Math.min(next, Math.max(0, count - 1));
+  const t = before === after ? 0 : smooth(contacts[2 * before + 1], contacts[2 * after], seconds);
+  for (let k = 0; k < 2; k++) out[k] = offsets[2 * before + k] + t * (offsets[2 * after + k] - offsets[2 * before + k]);
+}
+
+const FADE = 0.12;
+
+/** 1 while the foot stands, and less within 0.12 s of that; 0 in the air. */
+export function standing({ contacts }: FootTrack, seconds: number): number {
+  let nearest = FADE;
+  for (let low = 0, high = contacts.length / 2; low < high; ) {
+    const mid = (low + high) >> 1;
+    const from = contacts[2 * mid];
+    const to = contacts[2 * mid + 1];
+    if (seconds >= from && seconds <= to) return 1;
+    nearest = Math.min(nearest, seconds < from ? from - seconds : seconds - to);
+    if (seconds < from) high = mid;
+    else low = mid + 1;
+  }
+  return 1 - smooth(0, FADE, nearest);
+}
+
+/** Joints of the target above the ground on which it stands: the scene's, or where its feet end. */
+function standingHeight({ rest, target }: Bodies, joints: readonly number[]): number {
+  const y = (j: number) => rest.points[3 * j + 1];
+  const height = Math.min(...joints.map(y));
+  let low = Infinity;
+  let high = -Infinity;
+  target.joints.forEach(({ endSites }, j) => {
+    low = Math.min(low, y(j));
+    high = Math.max(high, y(j));
+    for (const end of endSites ?? []) {
+      const o = 9 * j;
+      const { rotations: r } = rest;
+      low = Math.min(low, y(j) + r[o + 1] * end[0] + r[o + 4] * end[1] + r[o + 7] * end[2]);
+    }
+  });
+  // Of a figure whose file pose stands on the scene's ground that is the ground, under soles that have no joint.
+  return low > -0.01 * (high - low) && low < 0.1 * (high - low) ? height : height - low;
+}
+
+/** Without legs: the hips, from where they are in the reference to where they are at rest. */
+function groundOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: Figure) {
+  const [joint] = plan.ground.carried;
+  if (joint === undefined) return plan.ground;
+  return {
+    carried: plan.ground.carried,
+    ownHeight: rest.points[3 * joint + 1],
+    sourceHeight: reference.points[3 * sourceOf[joint] + 1],
+  };
+}
+
+/** Of finite numbers, at least one. */
+function percentile(values: readonly number[], part: number): number {
+  const sorted = values.filter(Number.isFinite).sort((a, b) => a - b);
+  return sorted[Math.round(part * (sorted.length - 1))] ?? 0;
+}

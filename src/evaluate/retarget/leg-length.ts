@@ -1,0 +1,24 @@
+/** How long legs are, which is what ways are scaled by. */
+import { type Bodies, driven } from './align.ts';
+import { distance, type Figure } from './figure.ts';
+import { SIDES } from './roles.ts';
+
+/** Length of the legs, hip joint to ankle, or of hips to head where there are none; metres. 0 where neither is known. */
+export function legLength(bodies: Bodies, figure: Figure, at: (target: number) => number): number {
+  const lengths = SIDES.flatMap((side) => {
+    const chain = (['thigh', 'shin', 'foot'] as const).map((part) => driven(bodies, `${side} ${part}`));
+    if (chain.some((j) => j < 0)) return [];
+    const [thigh, shin, foot] = chain.map(at);
+    return [distance(figure, thigh, shin) + distance(figure, shin, foot)];
+  });
+  if (lengths.length) return lengths.reduce((a, b) => a + b) / lengths.length;
+  const [hips, head] = [driven(bodies, 'hips'), driven(bodies, 'head')];
+  return hips >= 0 && head >= 0 ? distance(figure, at(hips), at(head)) : 0;
+}
+
+/** What a way is multiplied by where nobody says: target's legs to source's. Both in metres. */
+export function automaticScale(bodies: Bodies, reference: Figure): number {
+  const own = legLength(bodies, bodies.rest, (t) => t);
+  const other = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
+  return own > 0 && other > 0 ? own / other : 1;
+}

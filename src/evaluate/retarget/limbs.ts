@@ -1,0 +1,136 @@
+/**
+ * Arms and legs, whose lower bone may bend about one axis only: a knee that is a hinge. The direction of the shin is
+ * then right only if the thigh is turned about itself so that the hinge stands across the plane in which the leg bends:
+ *
+ *     n = d_thigh × d_shin        roll: about d_thigh, from where the hinge's axis is to ±n
+ *
+ * Straight limbs lie in no plane: the roll fades out as they straighten, and no knee spins.
+ */
+import type { CompiledSkeleton } from '../kinematics.ts';
+import { aims, type Bodies, driven } from './align.ts';
+import { type BodySide, SIDES } from './roles.ts';
+import { multiply3, turnAbout, turnVector } from './rotations.ts';
+
+export interface Limb {
+  readonly side: BodySide;
+  readonly part: 'arm' | 'leg';
+  /** Joints of the target. */
+  readonly upper: number;
+  readonly lower: number;
+  readonly end: number;
+  /** The one axis about which the lower bone bends, in the upper joint's space; absent where it can bend anyhow. */
+  readonly hinge?: Float64Array;
+  /** 1 and -1: which way the hinge bends; 0 where both. */
+  readonly bends: number;
+}
+
+/** A DOF with less of a range than this doesn't move; radians. */
+const STIFF = 0.02;
+/** An axis so near to the bone (cosine) twists it, and doesn't bend. */
+const ALONG = 0.8;
+
+export function limbsOf(bodies: Bodies, target: CompiledSkeleton, rest: Float64Array, clamps: boolean): Limb[] {
+  const aimed = aims(bodies);
+  return SIDES.flatMap((side) =>
+    (
+      [
+        ['arm', 'arm', 'forearm', 'hand'],
+        ['leg', 'thigh', 'shin', 'foot'],
+      ] as const
+    ).flatMap(([part, upperPart, lowerPart, endPart]): Limb[] => {
+      const upper = driven(bodies, `${side} ${upperPart}`);
+      const lower = driven(bodies, `${side} ${lowerPart}`);
+      const end = driven(bodies, `${side} ${endPart}`);
+      if (upper < 0 || lower < 0 || end < 0 || aimed.length === 0) return [];
+      const limb: Limb = { side, part, upper, lower, end, bends: 0 };
+      const bend =
+        bodies.target.joints[lower].parent === upper ? bendOf(bodies, target, limb, rest, clamps) : undefined;
+      return [{ ...limb, ...bend }];
+    }),
+  );
+}
+
+function bendOf(bodies: Bodies, target: CompiledSkeleton, limb: Limb, rest: Float64Array, clamps: boolean) {
+  const { lower, end } = limb;
+  const { points, rotations } = bodies.rest;
+  const first = target.firstDof[lower];
+  const count = target.firstDof[lower + 1] - first;
+  const bone = Float64Array.from([0, 1, 2], (k) => points[3 * end + k] - points[3 * lower + k]);
+  const length = Math.hypot(...bone);
+  const upper = rotations.subarray(9 * limb.upper, 9 * limb.upper + 9);
+  const j = new Float64Array(16);
+  const d = new Float64Array(16);
+  target.motions[lower].write(rest, first, j, 0);
+  const found: { axis: Float64Array; low: number; high: number }[] = [];
+  for (let dof = 0; dof < count; dof++) {
+    target.motions[lower].writeDerivative(rest, first, dof, d, 0);
+    // ∂J·J⁻¹ of a rotation is [a]×.
+    const at = (r: number, c: number) => d[r] * j[c] + d[4 + r] * j[4 + c] + d[8 + r] * j[8 + c];
+    const axis = Float64Array.of(at(2, 1), at(0, 2), at(1, 0));
+    if (Math.abs(Math.hypot(...axis) - 1) > 1e-6) continue;
+    const own = first - target.firstDof[0] + dof;
+    const low = clamps ? target.lower[own] : -Infinity;
+    const high = clamps ? target.upper[own] : Infinity;
+    if (high - low < STIFF) continue;
+    const turned = new Float64Array(3);
+    turnVector(upper, 0, axis, 0, turned, 0);
+    const along = Math.abs(turned[0] * bone[0] + turned[1] * bone[1] + turned[2] * bone[2]) / (length || 1);
+    if (along < ALONG) found.push({ axis, low, high });
+  }
+  if (found.length !== 1) return undefined;
+  const [{ axis, low, high }] = found;
+  const bends = low > -0.5 && high > 0.5 ? 1 : high < 0.5 && low < -0.5 ? -1 : 0;
+  return { hinge: axis, bends };
+}
+
+/** Limbs bent less than 3° are straight; from 15° on the plane is what counts. Sines. */
+const STRAIGHT = 0.05;
+const BENT = 0.26;
+
+/** Scratch, never escapes. */
+const d1 = new Float64Array(3);
+const d2 = new Float64Array(3);
+const axis = new Float64Array(3);
+const turn = new Float64Array(9);
+const before = new Float64Array(9);
+
+/**
+ * Rolls the wanted rotation of the limb's upper joint.
+ * @param bones unit vectors in each joint's space
+ */
+export function rollLimb(limb: Limb, bones: Float64Array, wanted: Float64Array): void {
+  const { upper, lower, hinge, bends } = limb;
+  if (!hinge) return;
+  turnVector(wanted, 9 * upper, bones, 3 * upper, d1, 0);
+  turnVector(wanted, 9 * lower, bones, 3 * lower, d2, 0);
+  let nx = d1[1] * d2[2] - d1[2] * d2[1];
+  let ny = d1[2] * d2[0] - d1[0] * d2[2];
+  let nz = d1[0] * d2[1] - d1[1] * d2[0];
+  const sine = Math.sqrt(nx * nx + ny * ny + nz * nz);
+  if (!(sine > STRAIGHT)) return;
+  turnVector(wanted, 9 * upper, hinge, 0, axis, 0);
+  const along = axis[0] * d1[0] + axis[1] * d1[1] + axis[2] * d1[2];
+  for (let k = 0; k < 3; k++) axis[k] -= along * d1[k];
+  let cos = (axis[0] * nx + axis[1] * ny + axis[2] * nz) / sine;
+  const sign = bends !== 0 ? bends : cos < 0 ? -1 : 1;
+  nx *= sign / sine;
+  ny *= sign / sine;
+  nz *= sign / sine;
+  cos *= sign;
+  const sin =
+    d1[0] * (axis[1] * nz - axis[2] * ny) +
+    d1[1] * (axis[2] * nx - axis[0] * nz) +
+    d1[2] * (axis[0] * ny - axis[1] * nx);
+  // A limb that bends against its hinge, as noise at a straight knee does, is not turned round for it.
+  const share = smooth(STRAIGHT, BENT, sine) * smooth(-0.7, 0, cos);
+  if (share === 0) return;
+  const angle = share * Math.atan2(sin, cos);
+  turnAbout(d1[0], d1[1], d1[2], Math.cos(angle), Math.sin(angle), turn, 0);
+  for (let k = 0; k < 9; k++) before[k] = wanted[9 * upper + k];
+  multiply3(turn, 0, before, 0, wanted, 9 * upper);
+}
+
+export function smooth(from: number, to: number, x: number): number {
+  const t = Math.min(1, Math.max(0, (x - from) / (to - from)));
+  return t * t * (3 - 2 * t);
+}

@@ -1,0 +1,90 @@
+/**
+ * Which joint of one skeleton moves which joint of another: the same part of the body, told by name or by shape
+ * (`roles.ts`); a trunk of n joints and one of m in proportion; beyond those, joints that are called the same.
+ */
+import type { Space } from '../../model/document.ts';
+import type { JointPair } from '../../model/retarget.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import type { NameParts } from './names.ts';
+import { type Roles, rolesOf } from './roles.ts';
+
+export interface JointMatch extends JointPair {
+  /** 1 for joints called the same, down to 0.5 where only the shape speaks for it. */
+  readonly confidence: number;
+  /** `left thigh, by name` */
+  readonly reason: string;
+}
+
+const SAME_NAME = 1;
+const BY_NAME = 0.9;
+const IN_PROPORTION = 0.75;
+const BY_SHAPE = 0.5;
+
+const FINGERS = new Set(['thumb', 'index', 'middle', 'ring', 'pinky']);
+
+/** In the order of the target's joints; each of them at most once. Those that are in no pair stay at rest. */
+export function automaticPairs(
+  source: Skeleton,
+  target: Skeleton,
+  sourceSpace?: Space,
+  targetSpace?: Space,
+): readonly JointMatch[] {
+  const from = rolesOf(source, sourceSpace);
+  const onto = rolesOf(target, targetSpace);
+  const matches = new Map<number, JointMatch>();
+  const add = (t: number, s: number, confidence: number, reason: string) => {
+    if (!matches.has(t)) matches.set(t, { target: t, source: s, confidence, reason });
+  };
+  const isShape = (t: number, s: number) => onto.byShape.has(t) || from.byShape.has(s);
+  for (const [role, t] of onto.single) {
+    const s = from.single.get(role);
+    if (s === undefined) continue;
+    if (isShape(t, s)) add(t, s, BY_SHAPE, `${role}, by shape`);
+    else if (sameWords(onto.names[t], from.names[s])) add(t, s, SAME_NAME, `${role}, same name`);
+    else add(t, s, BY_NAME, `${role}, by name`);
+  }
+  inProportion(onto.spine, from.spine, 'spine');
+  inProportion(onto.neck, from.neck, 'neck');
+  // A neck that the other one has not: nothing stands in for it.
+  const used = new Set([...matches.values()].map((m) => m.source));
+  onto.names.forEach((name, t) => {
+    if (matches.has(t) || !name.word || !FINGERS.has(name.word)) return;
+    const s = from.names.findIndex(
+      (n, j) => !used.has(j) && n.word === name.word && n.side === name.side && n.number === name.number,
+    );
+    if (s < 0) return;
+    used.add(s);
+    add(t, s, BY_NAME, `${name.side} ${name.word} ${name.number || ''}`.trim());
+  });
+  const taken = roleJoints(onto);
+  onto.names.forEach((name, t) => {
+    if (matches.has(t) || taken.has(t) || name.plain.split(' ').length < 2 || !/[a-z]{2}/.test(name.plain)) return;
+    const s = from.names.findIndex((n, j) => !used.has(j) && n.plain === name.plain);
+    // What is called `root` and carries everything stays: the hips do its work.
+    if (s < 0 || name.word === 'hips') return;
+    used.add(s);
+    add(t, s, SAME_NAME, 'same name');
+  });
+  return [...matches.values()].sort((a, b) => a.target - b.target);
+
+  function inProportion(targets: readonly number[], sources: readonly number[], part: string): void {
+    if (!sources.length) return;
+    targets.forEach((t, k) => {
+      // The last one carries what comes after it: it follows the last.
+      const at = targets.length > 1 ? k / (targets.length - 1) : 1;
+      const s = sources[Math.round(at * (sources.length - 1))];
+      const count = `${k + 1} of ${targets.length}`;
+      if (isShape(t, s)) add(t, s, BY_SHAPE, `${part} ${count}, by shape`);
+      else if (targets.length === sources.length) add(t, s, BY_NAME, `${part} ${count}, by name`);
+      else add(t, s, IN_PROPORTION, `${part} ${count}, in proportion`);
+    });
+  }
+}
+
+function sameWords(a: NameParts, b: NameParts): boolean {
+  return a.plain === b.plain;
+}
+
+function roleJoints(roles: Roles): ReadonlySet<number> {
+  return new Set([...roles.single.values(), ...roles.spine, ...roles.neck]);
+}

@@ -1,0 +1,132 @@
+/**
+ * What a joint's name says: a side, a part of the body, a number.
+ *
+ *     mixamorig:LeftUpLeg  →  left thigh        lShldr  →  left arm         chest          →  spine
+ *     upper_arm_l          →  left arm          lfemur  →  left thigh       RIGHT_KNEE     →  right shin
+ *     upperleg01.R         →  right thigh 1     LeftHandThumb2  →  left thumb 2
+ *
+ * Some words say two things: a `shoulder` is a collar bone where there is an arm below, else the arm; a `leg` is the
+ * lower one where there is a thigh. `roles.ts` decides those, from what else there is.
+ */
+
+export type Side = 'left' | 'right' | 'middle';
+
+/** What one word means. `shoulder`, `sidedHip` and `leg` mean one thing or another. */
+export type Word =
+  | 'hips'
+  | 'spine'
+  | 'neck'
+  | 'head'
+  | 'collar'
+  | 'shoulder'
+  | 'arm'
+  | 'forearm'
+  | 'hand'
+  | 'sidedHip'
+  | 'thigh'
+  | 'leg'
+  | 'shin'
+  | 'foot'
+  | 'toe'
+  | 'thumb'
+  | 'index'
+  | 'middle'
+  | 'ring'
+  | 'pinky';
+
+export interface NameParts {
+  readonly side: Side;
+  readonly word: Word | undefined;
+  /** 0 where there is none. */
+  readonly number: number;
+  /** All that is left without prefixes, sides and what stands between: for joints that are called the same. */
+  readonly plain: string;
+}
+
+const WORDS: Readonly<Record<Word, string>> = {
+  hips: 'hips hip pelvis root',
+  spine:
+    'spine chest torso abdomen ab abs belly waist back lowerback upperback lowerspine upperspine upperchest midspine ' +
+    'thorax lowertorso uppertorso stomach',
+  neck: 'neck lowerneck upperneck neckdummy cervical',
+  head: 'head skull',
+  collar: 'collar clavicle collarbone scapula',
+  shoulder: 'shoulder',
+  arm: 'arm upperarm uparm shldr humerus bicep',
+  forearm: 'forearm lowerarm lowarm elbow radius ulna',
+  hand: 'hand wrist palm',
+  sidedHip: '',
+  thigh: 'thigh upleg upperleg femur uplegs',
+  leg: 'leg',
+  shin: 'shin lowleg lowerleg calf knee tibia',
+  foot: 'foot ankle feet',
+  toe: 'toe toes toebase ball metatarsal',
+  thumb: 'thumb',
+  index: 'index indexfinger',
+  middle: 'mid middle middlefinger',
+  ring: 'ring ringfinger',
+  pinky: 'pinky little pinkyfinger littlefinger',
+};
+
+const MEANING: ReadonlyMap<string, Word> = new Map(
+  // The keys of a record of words are words.
+  (Object.entries(WORDS) as [Word, string][]).flatMap(([word, list]) =>
+    list
+      .split(' ')
+      .filter(Boolean)
+      .map((spelling) => [spelling, word] as const),
+  ),
+);
+
+/** Says nothing of its own: what programs put around names. */
+const NOISE = new Set(['joint', 'jnt', 'bone', 'bip', 'bip01', 'b', 'def', 'character', 'ctrl', 'skel', 'mixamorig']);
+/** Ends of bones, and what hangs on a body without being of it. */
+const NOT_A_PART = /end$|nub|site|eye|jaw|hair|buttock|twist|tongue|^finger/;
+const FINGER = /thumb|index|mid(?:dle)?|ring|pinky|little/;
+
+export function readName(name: string): NameParts {
+  const own = name.slice(name.lastIndexOf(':') + 1).replace(/#.*$/, '');
+  const tokens = tokensOf(own);
+  let side: Side = 'middle';
+  let number = 0;
+  const words: string[] = [];
+  tokens.forEach((token) => {
+    if (/^\d+$/.test(token)) number = number * 10 + Number(token.slice(0, 4));
+    else if (token === 'left' || token === 'l') side = 'left';
+    else if (token === 'right' || token === 'r') side = 'right';
+    else if (!NOISE.has(token)) words.push(token);
+  });
+  let key = words.join('');
+  if (side === 'middle') {
+    const glued = /^(left|right|l|r)(.+)$/.exec(key);
+    if (glued && MEANING.has(glued[2])) {
+      side = glued[1].startsWith('l') ? 'left' : 'right';
+      key = glued[2];
+    }
+  }
+  const plain = `${side} ${key} ${number || ''}`.trim();
+  // `LHipJoint` is a stub above the thigh; with nothing else it is the thigh.
+  return { side, word: wordOf(key, side), number, plain };
+}
+
+function wordOf(key: string, side: Side): Word | undefined {
+  if (NOT_A_PART.test(key)) return undefined;
+  // `RightHandIndex2`, `LeftInHandRing`
+  const finger = side === 'middle' ? undefined : FINGER.exec(key);
+  if (finger) return MEANING.get(finger[0]);
+  const word = MEANING.get(key);
+  if (word !== 'hips' || side === 'middle') return word;
+  return key === 'hip' ? 'sidedHip' : undefined;
+}
+
+/** `LHipJoint` → l hip joint; `upper_arm_l` → upper arm l; `toe1-1.R` → toe 1 1 r. */
+function tokensOf(name: string): string[] {
+  return name
+    .replace(/([a-z\d])([A-Z])/g, '$1 $2')
+    .replace(/([A-Z]+)([A-Z][a-z])/g, '$1 $2')
+    .replace(/([A-Za-z])(\d)/g, '$1 $2')
+    .replace(/(\d)([A-Za-z])/g, '$1 $2')
+    .toLowerCase()
+    .split(/[^a-z\d]+/)
+    .filter(Boolean);
+}

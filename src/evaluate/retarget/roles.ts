@@ -1,0 +1,127 @@
+/**
+ * Which joint of a skeleton is which part of a body: by its name as far as names go, by its shape for the rest.
+ *
+ *     hips ─┬─ spine … ─┬─ neck … ─ head
+ *           │           └─ collar ─ arm ─ forearm ─ hand      (left and right)
+ *           └─ thigh ─ shin ─ foot ─ toe                      (left and right)
+ */
+import type { Space } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { type Figure, figureOf } from './figure.ts';
+import { type NameParts, readName, type Word } from './names.ts';
+import { rolesByShape } from './shape.ts';
+
+/** Of which there is one, or one a side. */
+export const LIMB_PARTS = ['collar', 'arm', 'forearm', 'hand', 'thigh', 'shin', 'foot', 'toe'] as const;
+export type LimbPart = (typeof LIMB_PARTS)[number];
+export const SIDES = ['left', 'right'] as const;
+export type BodySide = (typeof SIDES)[number];
+
+/** `left thigh`, or `hips`. */
+export type Role = `${BodySide} ${LimbPart}` | 'hips' | 'head';
+
+export interface Roles {
+  readonly single: ReadonlyMap<Role, number>;
+  /** From below. */
+  readonly spine: readonly number[];
+  readonly neck: readonly number[];
+  /** Joints that were told by their shape. */
+  readonly byShape: ReadonlySet<number>;
+  readonly names: readonly NameParts[];
+  readonly rest: Figure;
+}
+
+export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
+  const { joints } = skeleton;
+  const names = joints.map(({ name }) => readName(name));
+  const rest = figureOf(skeleton, space);
+  const single = new Map<Role, number>();
+  const byShape = new Set<number>();
+  const chainTo = (joint: number) => {
+    const chain: number[] = [];
+    for (let j = joint; j >= 0; j = joints[j].parent) chain.unshift(j);
+    return chain;
+  };
+  const first = (word: Word, side: string) => names.findIndex((n) => n.word === word && n.side === side);
+  const take = (role: Role, ...candidates: readonly number[]) => {
+    const found = candidates.find((j) => j >= 0);
+    if (found !== undefined && !single.has(role)) single.set(role, found);
+  };
+  for (const side of SIDES) {
+    const [shoulder, arm] = [first('shoulder', side), first('arm', side)];
+    take(`${side} collar`, first('collar', side), arm >= 0 ? shoulder : -1);
+    take(`${side} arm`, arm, shoulder);
+    take(`${side} forearm`, first('forearm', side));
+    take(`${side} hand`, first('hand', side));
+    const [leg, shin, above] = [first('leg', side), first('shin', side), first('thigh', side)];
+    const thigh = above >= 0 ? above : first('sidedHip', side);
+    take(`${side} thigh`, thigh, shin >= 0 ? leg : -1);
+    take(`${side} shin`, shin, thigh >= 0 ? leg : -1);
+    take(`${side} foot`, first('foot', side));
+    take(`${side} toe`, first('toe', side));
+  }
+  // The hips carry both legs, whatever they are called.
+  const thighs = SIDES.map((side) => single.get(`${side} thigh`));
+  const named = names.findIndex((n) => n.word === 'hips' && n.side === 'middle' && /hip|pelvis/i.test(n.plain));
+  if (thighs[0] !== undefined && thighs[1] !== undefined) {
+    const [left, right] = [chainTo(thighs[0]), chainTo(thighs[1])];
+    const common = left.filter((j) => right.includes(j)).at(-1) ?? 0;
+    // A pelvis on the way there is the one that is meant; one beside it turns no legs.
+    single.set('hips', named >= 0 && left.includes(named) && right.includes(named) ? named : common);
+  } else take('hips', named, first('hips', 'middle'));
+  take('head', first('head', 'middle'));
+
+  const shape = hasLimbs(single) ? undefined : rolesByShape(skeleton, rest);
+  if (shape) {
+    const guess = (role: Role, joint: number | undefined) => {
+      if (joint === undefined || joint < 0 || single.has(role)) return;
+      if ([...single.values()].includes(joint)) return;
+      single.set(role, joint);
+      byShape.add(joint);
+    };
+    for (const side of SIDES) {
+      const leg = shape.legs?.[side] ?? [];
+      (['thigh', 'shin', 'foot', 'toe'] as const).forEach((part, i) => {
+        guess(`${side} ${part}`, leg[i]);
+      });
+      const arm = shape.arms?.[side];
+      guess(`${side} collar`, arm?.collar);
+      (['arm', 'forearm', 'hand'] as const).forEach((part, i) => {
+        guess(`${side} ${part}`, arm?.chain[i]);
+      });
+    }
+    guess('hips', shape.hips);
+    guess('head', shape.head);
+  }
+  const taken = new Set(single.values());
+  const hips = single.get('hips') ?? -1;
+  const end = single.get('head') ?? last(names, 'neck') ?? last(names, 'spine') ?? -1;
+  const trunk = end >= 0 ? chainTo(end).filter((j) => j > hips && !taken.has(j)) : [];
+  const spine = trunk.filter((j) => names[j].word === 'spine');
+  const neck = trunk.filter((j) => names[j].word === 'neck');
+  if (!spine.length && shape) {
+    spine.push(...shape.spine.filter((j) => !taken.has(j)));
+    for (const j of spine) byShape.add(j);
+  }
+  if (!neck.length && shape) {
+    neck.push(...shape.neck.filter((j) => !taken.has(j)));
+    for (const j of neck) byShape.add(j);
+  }
+  // `LowerNeck`, `Neck` and nothing after them: the last one carries the head.
+  if (!single.has('head') && neck.length > 1) {
+    const top = neck.pop();
+    if (top !== undefined) single.set('head', top);
+  }
+  return { single, spine, neck, byShape, names, rest };
+}
+
+function last(names: readonly NameParts[], word: Word): number | undefined {
+  const found = names.findLastIndex((n) => n.word === word && n.side === 'middle');
+  return found >= 0 ? found : undefined;
+}
+
+function hasLimbs(single: ReadonlyMap<Role, number>): boolean {
+  return SIDES.every((side) =>
+    (['arm', 'forearm', 'thigh', 'shin', 'foot'] as const).every((part) => single.has(`${side} ${part}`)),
+  );
+}

@@ -1,0 +1,46 @@
+/**
+ * The pose of a source at a time of its clip: as `pose.ts` has it, but for what a source has not (morphs, a pose set by
+ * hand over the clip, another one that drives it).
+ */
+import type { DriverSource } from '../../model/document.ts';
+import { type CompiledClip, compileClip } from '../compiled-clip.ts';
+import { evaluateClip } from '../curves.ts';
+import { type CompiledSkeleton, compileSkeleton, settleDofs } from '../kinematics.ts';
+import { type SampledJoints, sampledJoints } from '../sampled-joints.ts';
+import { samplePose } from '../sampled-pose.ts';
+
+export interface PlayedSource {
+  readonly skeleton: CompiledSkeleton;
+  readonly pose: readonly number[];
+  readonly clampsToLimits: boolean;
+  readonly curves: CompiledClip;
+  readonly joints: SampledJoints;
+  /** Of root and joints. */
+  readonly dofCount: number;
+  /** Of them, those that have a channel: the first so many. */
+  readonly driven: number;
+}
+
+export function playedSource({ skeleton, clip, pose, clampsToLimits }: DriverSource): PlayedSource {
+  const compiled = compileSkeleton(skeleton);
+  const curves = compileClip(clip);
+  const dofCount = compiled.firstDof[compiled.jointCount];
+  return {
+    skeleton: compiled,
+    pose,
+    clampsToLimits,
+    curves,
+    joints: sampledJoints(curves, skeleton),
+    dofCount,
+    driven: Math.min(clip.channels.length, dofCount),
+  };
+}
+
+/** Writes `dofCount` values to `out`. */
+export function sourcePose(source: PlayedSource, clipSeconds: number, out: Float64Array): void {
+  const { pose, curves, joints, dofCount, driven } = source;
+  for (let d = 0; d < dofCount; d++) out[d] = pose[d] ?? 0;
+  evaluateClip(curves, clipSeconds, out, driven);
+  if (curves.samples) samplePose(curves.samples, curves, joints, clipSeconds, out, driven);
+  settleDofs(source.skeleton, out, source.clampsToLimits);
+}

@@ -1,0 +1,34 @@
+/**
+ * Work in steps (`edit/samples/steps.ts`), done a slice at a time between the page's frames: what is short is done at
+ * once, and what is long keeps nobody from looking on, or from stopping it.
+ */
+
+/** What a slice may take of a frame. */
+const SLICE_MS = 12;
+
+export interface Slices<T> {
+  /** Whether nobody wants it any more; asked before each slice. */
+  isOver(): boolean;
+  /** After each slice but the last, with the part that is done. */
+  progress(part: number): void;
+  done(value: T): void;
+  /** What the work threw, or `done`. */
+  failed(error: unknown): void;
+}
+
+/** Does the first slice now. */
+export function inSlices<T>(steps: Generator<number, T>, slices: Slices<T>): void {
+  if (slices.isOver()) return;
+  const until = performance.now() + SLICE_MS;
+  try {
+    let step = steps.next();
+    while (!step.done && performance.now() < until) step = steps.next();
+    if (step.done) slices.done(step.value);
+    else {
+      slices.progress(step.value);
+      setTimeout(() => inSlices(steps, slices));
+    }
+  } catch (error) {
+    slices.failed(error);
+  }
+}
