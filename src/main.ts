@@ -1,6 +1,6 @@
 /** The page, put together: nothing but wiring. */
+import { beginAutosave } from './app/autosave/begin.ts';
 import { savingMarks } from './app/autosave/saving-marks.ts';
-import { startAutosave } from './app/autosave/start.ts';
 import { DiskHandles } from './app/disk-handles.ts';
 import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
@@ -14,8 +14,6 @@ import { Store } from './edit/store.ts';
 import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
-import { sessionLocks } from './io/session-locks.ts';
-import { sessionStore } from './io/session-store.ts';
 import type { KeptOffer } from './ui/kept-offer.ts';
 import { Messages } from './ui/messages.ts';
 import { mountWorkbench } from './ui/mount.ts';
@@ -74,6 +72,7 @@ opener.subscribe(({ given, files }) => {
 });
 markUnsaved(workbench.files, window);
 mountWorkbench(root, workbench);
+viewport.setFramesPerSecond(transport.get().framesPerSecond);
 transport.subscribe((now) => {
   viewport.setPlayedRange(now.range);
   viewport.setFramesPerSecond(now.framesPerSecond);
@@ -86,17 +85,9 @@ window.addEventListener('unhandledrejection', ({ reason }) =>
   messages.note(`Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`, 'error'),
 );
 
-const autosave = startAutosave({
-  ...workbench,
-  opener,
-  worker,
-  saving: savingMarks(store, unsaved, handles),
-  sessions: sessionStore(),
-  locks: sessionLocks(),
-});
 const named = filesInQuery(location.search);
-autosave.startsWith(named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample());
-void autosave.offer();
+const opening = named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample();
+void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(store, unsaved, handles) }, opening);
 
 /** A character that walks, so that there is something to look at. */
 function openSample() {

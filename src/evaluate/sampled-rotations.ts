@@ -132,7 +132,7 @@ export function betweenQuaternions(
           row + 2 < samples.frameCount && readQuaternion(samples, quaternionColumns, k, row + 2, after) > 0;
         spline(hasBefore, hasAfter, part);
       } else slerp(part);
-      length /= Math.hypot(turned[0], turned[1], turned[2], turned[3]);
+      length /= lengthOf(turned);
       if (isTurned && part >= 0.5) length = -length;
     }
     for (let i = 0; i < 4; i++) out[quaternionDofs[k + i]] = turned[i] * length;
@@ -143,9 +143,14 @@ export function betweenQuaternions(
 function readQuaternion({ values, scales }: Samples, columns: Int32Array, k: number, row: number, out: Float64Array) {
   const at = row * scales.length;
   for (let i = 0; i < 4; i++) out[i] = values[at + columns[k + i]] * scales[columns[k + i]];
-  const length = Math.hypot(out[0], out[1], out[2], out[3]);
+  const length = lengthOf(out);
   if (length > 0) for (let i = 0; i < 4; i++) out[i] /= length;
   return length;
+}
+
+/** `Math.hypot` would allocate. */
+function lengthOf(q: Float64Array): number {
+  return Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
 }
 
 /** `turned` on the arc from `here` to `next` or −`next`. */

@@ -12,7 +12,7 @@ import { DEFAULT_SPACE, type Space } from '../model/document.ts';
 import type { Figure } from '../model/files.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { forFrames } from './figure-frames.ts';
-import { type CompiledSkeleton, compileSkeleton, worldMatrices } from './kinematics.ts';
+import { compileSkeleton, worldMatrices } from './kinematics.ts';
 import { METRES, metresPerUnit } from './metres.ts';
 
 /** The axis that points up in the character's own space: 1 for y, 2 for z. */
@@ -27,17 +27,6 @@ export function applySpace(space: Space | undefined, x: number, y: number, z: nu
   out[0] = m * x;
   out[1] = m * (up === 'z' ? z : y) + lift;
   out[2] = m * (up === 'z' ? -y : z);
-}
-
-/** Writes how far the character's DOFs carry it over the ground, x y z in its own space; 0 along its up axis. */
-export function groundTravel(
-  { travel }: CompiledSkeleton,
-  space: Space | undefined,
-  dofs: Float64Array,
-  out: Float64Array,
-): void {
-  const up = upAxis(space);
-  for (let k = 0; k < 3; k++) out[k] = k === up || travel[k] < 0 ? 0 : dofs[travel[k]];
 }
 
 /** What a person is taken to measure, metres; the units that come nearest to it are how tall figures are guessed. */

@@ -21,6 +21,7 @@ import {
   outlineRows,
   sameOutline,
 } from './outline-rows.ts';
+import { movedEntries } from './retarget/moved.ts';
 import { splitter } from './splitter.ts';
 import { Tree } from './tree.ts';
 import type { PartKind, Workbench } from './workbench.ts';
@@ -181,7 +182,8 @@ function drawRow(wb: Workbench, row: OutlineRow): Node[] {
     label.title = row.label;
   }
   const isTold = row.kind === 'joint' && row.label === '';
-  const nodes: Node[] = [label, element('span', { class: 'detail' }, isTold ? '' : row.detail)];
+  const detail = isTold ? '' : row.detail;
+  const nodes: Node[] = [label, element('span', { class: 'detail', title: detail }, detail)];
   if (unsaved) nodes.splice(1, 0, element('span', { class: 'unsaved-dot', title: 'Not saved', role: 'img' }));
   if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
@@ -266,6 +268,7 @@ function rowMenu(
   openMenu(
     at,
     [
+      ...movedEntries(wb, character),
       { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
       ...entries,
       { kind: 'item', label: 'Remove last copy', enabled: last > 0, run: removeLast },

@@ -9,10 +9,35 @@
 import { Bone, type Matrix4 } from 'three';
 import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
 import { multiplyAffine, setIdentity } from '../math/mat4.ts';
+import type { Vec3 } from '../math/vec3.ts';
 import { hasBox } from '../model/boxes.ts';
-import type { Box, Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton.ts';
 
-const NO_BOX: Box = { min: [0, 0, 0], max: [0, 0, 0] };
+/** What reaches out from joints: boxes, and as boxes of no size the ends of bones. Around a centre in the joint's space. */
+interface Reaches {
+  readonly joints: Int32Array;
+  /** x y z each. */
+  readonly centres: Float64Array;
+  /** Half of each side. */
+  readonly halves: Float64Array;
+}
+
+function reachesOf({ joints }: Skeleton): Reaches {
+  const all: { joint: number; min: Vec3; max: Vec3 }[] = [];
+  joints.forEach((joint, j) => {
+    const { box, endSites = [], length } = joint;
+    if (hasBox(joint)) all.push({ joint: j, ...box });
+    for (const end of endSites) all.push({ joint: j, min: end, max: end });
+    const tip: Vec3 = [0, length ?? 0, 0];
+    if (length !== undefined) all.push({ joint: j, min: tip, max: tip });
+  });
+  return {
+    joints: Int32Array.from(all, ({ joint }) => joint),
+    centres: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => (least + max[k]) / 2))),
+    // Boxes with min > max are drawn all the same.
+    halves: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => Math.abs(max[k] - least) / 2))),
+  };
+}
 
 /** A bone that is given both of its matrices. */
 class PosedBone extends Bone {
@@ -32,7 +57,10 @@ export class Bones {
   /** In the character's space. */
   readonly world: Float64Array;
 
-  constructor(private readonly skeleton: Skeleton) {
+  private readonly reaches: Reaches;
+
+  constructor(skeleton: Skeleton) {
+    this.reaches = reachesOf(skeleton);
     const compiled = compileSkeleton(skeleton);
     this.compiled = compiled;
     this.local = new Float64Array(16 * compiled.jointCount);
@@ -55,38 +83,44 @@ export class Bones {
     return this.bones[0];
   }
 
-  /** The box around all joints, their boxes and End Sites, as posed: least x y z and greatest x y z, in the character's space. */
+  /** The box around all joints, their boxes and ends, as posed: least x y z and greatest x y z, in the character's space. */
   bounds(out: Float64Array): void {
-    const { joints } = this.skeleton;
-    const { world } = this;
-    out.fill(Infinity, 0, 3);
-    out.fill(-Infinity, 3, 6);
-    for (let j = 0; j < joints.length; j++) {
-      const joint = joints[j];
-      const { min, max } = hasBox(joint) ? joint.box : NO_BOX;
+    const { world, reaches } = this;
+    const { joints, centres, halves } = reaches;
+    let x0 = Infinity;
+    let y0 = Infinity;
+    let z0 = Infinity;
+    let x1 = -Infinity;
+    let y1 = -Infinity;
+    let z1 = -Infinity;
+    for (let o = 12; o < world.length; o += 16) {
+      const x = world[o];
+      const y = world[o + 1];
+      const z = world[o + 2];
+      if (x < x0) x0 = x;
+      if (x > x1) x1 = x;
+      if (y < y0) y0 = y;
+      if (y > y1) y1 = y;
+      if (z < z0) z0 = z;
+      if (z > z1) z1 = z;
+    }
+    out[0] = x0;
+    out[1] = y0;
+    out[2] = z0;
+    out[3] = x1;
+    out[4] = y1;
+    out[5] = z1;
+    for (let i = 0; i < joints.length; i++) {
       for (let r = 0; r < 3; r++) {
-        const m = 16 * j + r;
-        const origin = world[m + 12];
-        let centre = origin;
+        const m = 16 * joints[i] + r;
+        let centre = world[m + 12];
         let half = 0;
         for (let c = 0; c < 3; c++) {
-          centre += (world[m + 4 * c] * (min[c] + max[c])) / 2;
-          // Boxes with min > max are drawn all the same.
-          half += Math.abs((world[m + 4 * c] * (max[c] - min[c])) / 2);
+          centre += world[m + 4 * c] * centres[3 * i + c];
+          half += Math.abs(world[m + 4 * c] * halves[3 * i + c]);
         }
-        out[r] = Math.min(out[r], origin, centre - half);
-        out[r + 3] = Math.max(out[r + 3], origin, centre + half);
-      }
-      const { endSites } = joint;
-      if (!endSites) continue;
-      for (let e = 0; e < endSites.length; e++) {
-        const end = endSites[e];
-        for (let r = 0; r < 3; r++) {
-          const m = 16 * j + r;
-          const at = world[m] * end[0] + world[m + 4] * end[1] + world[m + 8] * end[2] + world[m + 12];
-          out[r] = Math.min(out[r], at);
-          out[r + 3] = Math.max(out[r + 3], at);
-        }
+        if (centre - half < out[r]) out[r] = centre - half;
+        if (centre + half > out[r + 3]) out[r + 3] = centre + half;
       }
     }
   }

@@ -22,7 +22,8 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { posedBounds } from '../evaluate/bounds.ts';
-import { groundTravel, upAxis } from '../evaluate/space.ts';
+import { upAxis } from '../evaluate/space.ts';
+import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownSkin } from '../model/document.ts';
 import { baseName, type Texture as Picture, sameName } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
@@ -177,14 +178,15 @@ export class CharacterView {
   }
 
   /**
-   * How far the root has been carried over the ground, x y z in the character's own space: what is cancelled in place.
+   * How far the character has been carried over the ground, x y z in the character's own space: what is cancelled in place.
    * Scratch: read it before the next call. Zero where `inPlace` is false.
    */
   travel(inPlace: boolean): Float64Array {
     const { boneSet, shown, dofs } = this;
     if (!inPlace) return NO_TRAVEL;
-    if (boneSet) groundTravel(boneSet.compiled, shown?.space, dofs, travelled);
-    else {
+    if (boneSet && shown) {
+      groundTravel(boneSet.compiled, shown.space, carrierOf(shown), dofs, boneSet.world, travelled);
+    } else {
       // Nothing but a root translation, and a skin that stands at it.
       travelled.set(dofs.subarray(0, 3));
       travelled[upAxis(shown?.space)] = 0;

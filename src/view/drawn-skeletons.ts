@@ -1,11 +1,12 @@
 /**
  * Which joint of which character an instance of the skeleton drawing is. A skeleton's nodes are its joints and, after
- * them, its End Sites; all kinds of shapes have an instance for each node:
+ * them, its End Sites and those tips of bones where no joint stands (`model/bone-ends.ts`), both called End Sites here; all kinds of shapes have an instance for each node:
  *
  *     character 0: placement 0: node 0 1 2 … placement 1: node 0 1 2 …   character 1: …
  *
  * An End Site stands for the joint that it ends: picked or hovered, it is that joint.
  */
+import { boneEnds } from '../model/bone-ends.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { type JointSizes, jointSizes } from './joint-shapes.ts';
 import type { Tint } from './theme.ts';
@@ -38,7 +39,7 @@ export interface JointRef {
   readonly joint: number;
 }
 
-/** Joints first, then the End Sites that are not where their joint is. */
+/** Joints first, then the ends of bones that no joint continues: End Sites, and tips. */
 export interface Nodes {
   readonly count: number;
   readonly jointCount: number;
@@ -48,21 +49,14 @@ export interface Nodes {
   readonly ends: Float64Array;
 }
 
-function nodesOf({ joints }: Skeleton): Nodes {
-  const owners: number[] = [];
-  const ends: number[] = [];
-  joints.forEach(({ endSites }, j) => {
-    for (const at of endSites ?? []) {
-      if (!(Math.hypot(...at) > 0)) continue;
-      owners.push(j);
-      ends.push(...at);
-    }
-  });
+function nodesOf(skeleton: Skeleton): Nodes {
+  const jointCount = skeleton.joints.length;
+  const ends = boneEnds(skeleton);
   return {
-    count: joints.length + owners.length,
-    jointCount: joints.length,
-    owners: Int32Array.from(owners),
-    ends: Float64Array.from(ends),
+    count: jointCount + ends.length,
+    jointCount,
+    owners: Int32Array.from(ends, ({ joint }) => joint),
+    ends: Float64Array.from(ends.flatMap(({ at }) => at)),
   };
 }
 

@@ -20,7 +20,7 @@ import {
 } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
-import { groundTravel } from '../evaluate/space.ts';
+import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { Display } from '../model/session.ts';
 import { nodesFor, sizesFor } from './drawn-skeletons.ts';
@@ -112,12 +112,13 @@ export class Ghosts {
     const sizes = sizesFor(skeleton);
     this.makeRoom(nodes.count * placements.length * steps.length, nodes.count, dofCountOf(character));
     const { dofs, world, placed, tint } = this;
+    const carrier = carrierOf(character);
     let first = 0;
     for (const step of steps) {
       // A hand-set pose stands at its own moment only, and is no part of the motion.
       poseAt(character, timeSeconds + step * stepSeconds, dofs);
       worldMatrices(compiled, dofs, world);
-      if (display.inPlace) groundTravel(compiled, character.space, dofs, travel);
+      if (display.inPlace) groundTravel(compiled, character.space, carrier, dofs, world, travel);
       const color = step < 0 ? this.before : this.after;
       const opacity = opacityOf(step, step < 0 ? display.ghostsBefore : display.ghostsAfter);
       for (const place of placements) {

@@ -31,6 +31,7 @@ export class InstancedKind {
     private readonly tinted: boolean,
     parent: Group,
     private readonly coveredMaterial?: Material,
+    private readonly lighter?: BufferGeometry,
   ) {
     this.mesh = this.create(1);
     parent.add(this.mesh);
@@ -40,16 +41,23 @@ export class InstancedKind {
   /** Room for `count` instances. */
   resize(count: number): void {
     if (count > this.mesh.instanceMatrix.count) {
-      const { parent, visible, castShadow, renderOrder } = this.mesh;
+      const { parent, visible, castShadow, renderOrder, geometry } = this.mesh;
       this.mesh.removeFromParent();
       this.mesh.dispose();
       this.mesh = this.create(count);
-      Object.assign(this.mesh, { visible, castShadow, renderOrder });
+      Object.assign(this.mesh, { visible, castShadow, renderOrder, geometry });
       parent?.add(this.mesh);
       this.cover();
     }
     this.mesh.count = count;
     if (this.covered) this.covered.count = count;
+  }
+
+  /** Draws with fewer triangles, where there is a lighter shape. */
+  setLight(isLight: boolean): void {
+    const shape = (isLight && this.lighter) || this.geometry;
+    this.mesh.geometry = shape;
+    if (this.covered) this.covered.geometry = shape;
   }
 
   /** Colour of one instance, sRGB for tinted lines. */
@@ -73,6 +81,7 @@ export class InstancedKind {
     this.mesh.removeFromParent();
     this.mesh.dispose();
     this.geometry.dispose();
+    this.lighter?.dispose();
     this.material.dispose();
     this.idMaterial?.dispose();
     this.covered?.removeFromParent();
@@ -86,7 +95,7 @@ export class InstancedKind {
     const before = this.covered;
     before?.removeFromParent();
     before?.dispose();
-    const covered = new InstancedMesh(this.geometry, this.coveredMaterial, 0);
+    const covered = new InstancedMesh(this.mesh.geometry, this.coveredMaterial, 0);
     covered.instanceMatrix = this.mesh.instanceMatrix;
     covered.frustumCulled = false;
     covered.matrixAutoUpdate = false;

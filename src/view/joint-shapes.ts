@@ -1,6 +1,8 @@
 /**
  * The shapes drawn for joints, as matrices of instances: what turns a unit shape into the box, sphere or bone of one
- * joint. All take and give column-major matrices, read doubles and write floats, and allocate nothing.
+ * joint. All take and give column-major matrices, read doubles and write floats, and allocate nothing. (`Math.hypot`
+ * does: numbers that it is given and gives are boxed, which was most of the garbage of a frame. It is for what is done
+ * once.)
  *
  *     box      unit cube −½…½          J · T((min + max) / 2) · S(|max − min|)
  *     sphere   radius 1 at the origin  T(joint) · S(radius)
@@ -9,13 +11,14 @@
  *
  * Only a box takes the joint's matrix as it is, shear, mirroring and all: the others show where joints are.
  */
+import { boneEnds } from '../model/bone-ends.ts';
 import type { Box, Joint, Skeleton } from '../model/skeleton.ts';
 
 /** Sizes that suit a skeleton, from its rest offsets: as small as a finger's bone wants, and never a speck. */
 export interface JointSizes {
   /** Radius of each joint's sphere, in the skeleton's units. */
   readonly radii: Float32Array;
-  /** Of each End Site's that is not where its joint is, in their order. */
+  /** Of the ball at each end of a bone that no joint continues, in the order of `boneEnds`. */
   readonly endRadii: Float32Array;
   /** Length of drawn axes. */
   readonly axis: number;
@@ -26,12 +29,10 @@ export interface JointSizes {
 export function jointSizes(skeleton: Skeleton): JointSizes {
   const joints = skeleton.joints;
   const lengths = joints.map((j) => (j.parent < 0 ? 0 : Math.hypot(...j.offset)));
-  const ends = joints.flatMap(({ endSites }, joint) =>
-    (endSites ?? []).map((at) => ({ joint, length: Math.hypot(...at) })).filter(({ length }) => length > 0),
-  );
+  const ends = boneEnds(skeleton).map(({ joint, at }) => ({ joint, length: Math.hypot(...at) }));
   const sorted = [...lengths, ...ends.map((e) => e.length)].filter((l) => l > 0).sort((a, b) => a - b);
   const median = sorted[sorted.length >> 1] ?? 0;
-  const extent = restExtent(joints) || largestBox(joints) || 1;
+  const extent = restExtent(skeleton) || largestBox(joints) || 1;
   // By the long bones: most of a figure's joints may be those of its fingers, which are made smaller below.
   const long = sorted[Math.floor(0.93 * sorted.length)] ?? 0;
   const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : 0.03 * extent;
@@ -47,8 +48,9 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   return { radii, endRadii, axis: Math.min(0.35 * (median || 0.3 * extent), 0.08 * extent), extent };
 }
 
-/** Diagonal of the box around all joints and End Sites in the pose of offsets alone. */
-function restExtent(joints: readonly Joint[]): number {
+/** Diagonal of the box around all joints and ends of bones in the pose of offsets alone. */
+function restExtent(skeleton: Skeleton): number {
+  const { joints } = skeleton;
   const at = new Float64Array(3 * joints.length);
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
@@ -57,12 +59,14 @@ function restExtent(joints: readonly Joint[]): number {
       at[3 * j + k] = joint.offset[k] + (joint.parent < 0 ? 0 : at[3 * joint.parent + k]);
       min[k] = Math.min(min[k], at[3 * j + k]);
       max[k] = Math.max(max[k], at[3 * j + k]);
-      for (const end of joint.endSites ?? []) {
-        min[k] = Math.min(min[k], at[3 * j + k] + end[k]);
-        max[k] = Math.max(max[k], at[3 * j + k] + end[k]);
-      }
     }
   });
+  for (const end of boneEnds(skeleton)) {
+    for (let k = 0; k < 3; k++) {
+      min[k] = Math.min(min[k], at[3 * end.joint + k] + end.at[k]);
+      max[k] = Math.max(max[k], at[3 * end.joint + k] + end.at[k]);
+    }
+  }
   return Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]);
 }
 
@@ -96,8 +100,10 @@ export function boxMatrix(j: Float64Array, o: number, box: Box, least: number, o
 
 /** A ball of this radius at (x, y, z); radius 0 draws nothing. */
 export function sphereMatrix(x: number, y: number, z: number, radius: number, out: Float32Array, to: number): void {
-  out.fill(0, to, to + 16);
+  // One by one: for so few numbers, calling `fill` takes longer.
   out[to] = out[to + 5] = out[to + 10] = radius;
+  out[to + 1] = out[to + 2] = out[to + 3] = out[to + 4] = 0;
+  out[to + 6] = out[to + 7] = out[to + 8] = out[to + 9] = out[to + 11] = 0;
   out[to + 12] = x;
   out[to + 13] = y;
   out[to + 14] = z;
@@ -116,13 +122,16 @@ export function boneMatrix(
   const x = world[j + 12] - world[p + 12];
   const y = world[j + 13] - world[p + 13];
   const z = world[j + 14] - world[p + 14];
-  const length = Math.hypot(x, y, z);
-  out.fill(0, to, to + 16);
+  const length = Math.sqrt(x * x + y * y + z * z);
+  out[to + 3] = out[to + 7] = out[to + 11] = 0;
   out[to + 12] = world[p + 12];
   out[to + 13] = world[p + 13];
   out[to + 14] = world[p + 14];
   out[to + 15] = 1;
-  if (!(length > 0)) return;
+  if (!(length > 0)) {
+    out.fill(0, to, to + 12);
+    return;
+  }
   const dx = x / length;
   const dy = y / length;
   const dz = z / length;
@@ -144,7 +153,7 @@ export function boneMatrix(
 /** The joint's axes, all of one length; an axis that its matrix flattens away has none. */
 export function axesMatrix(j: Float64Array, o: number, length: number, out: Float32Array, to: number): void {
   for (let c = 0; c < 12; c += 4) {
-    const size = Math.hypot(j[o + c], j[o + c + 1], j[o + c + 2]);
+    const size = Math.sqrt(j[o + c] ** 2 + j[o + c + 1] ** 2 + j[o + c + 2] ** 2);
     const s = size > 0 ? length / size : 0;
     out[to + c] = j[o + c] * s;
     out[to + c + 1] = j[o + c + 1] * s;

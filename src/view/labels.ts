@@ -72,7 +72,11 @@ export class Labels {
     this.pen.font = FONT;
     this.names = [];
     if (display.names || hovered) {
-      for (const { skeleton } of drawn) for (const joint of skeleton.joints) this.names.push(this.measure(joint.name));
+      for (const { skeleton } of drawn) {
+        skeleton.joints.forEach(({ name }, j) => {
+          this.names.push(this.measure(name || `#${j}`));
+        });
+      }
     }
     this.selected = display.names ? instanceOf(drawn, selection.characterId, 0, selection.joint) : -1;
     const under = hovered ? instanceOf(drawn, hovered.characterId, hovered.placement, hovered.joint) : -1;

@@ -34,7 +34,10 @@ export function placeNodes(
 
 /** A placement's scale, which balls and thicknesses take part in: the length of its x column. */
 export function scaleOf(placements: Float64Array, p: number): number {
-  return Math.hypot(placements[p], placements[p + 1], placements[p + 2]);
+  const x = placements[p];
+  const y = placements[p + 1];
+  const z = placements[p + 2];
+  return Math.sqrt(x * x + y * y + z * z);
 }
 
 /**

@@ -4,7 +4,7 @@
  *     P = T(position) · Rz·Ry·Rx(turn) · S(scale) · [ T(0, lift, 0) · S(metres per unit) · Up ] · T(−travel)
  *
  * In brackets: the character's space (`evaluate/space.ts`), left out where it has none. The last factor is there only
- * "in place": it takes the root's travel over the ground out of the picture, and leaves pose and document alone.
+ * "in place": it takes the travel over the ground out of the picture (`evaluate/travel.ts`), and leaves pose and document alone.
  */
 import { metresPerUnit } from '../evaluate/metres.ts';
 import { DEFAULT_SPACE, type Placement, type Space } from '../model/document.ts';

@@ -21,7 +21,7 @@ export interface Shown {
 
 /** Of the played range, looked at when everything is framed. */
 const FRAMED_MOMENTS = 16;
-/** Framing leaves at most so much more room than everything takes now. */
+/** Framing leaves a character's motion at most so much more room than it takes now. */
 const MOST_ROOM = 3;
 
 export class ShownCharacters {
@@ -34,6 +34,8 @@ export class ShownCharacters {
   readonly content = new Box3();
   private readonly room = new Box3();
   private readonly box = new Box3();
+  private readonly own = new Box3();
+  private readonly moment = new Box3();
   private readonly size = new Vector3();
 
   /**
@@ -120,22 +122,25 @@ export class ShownCharacters {
 
   /**
    * Around everything at all moments played, as far as a few of them tell: who walks about is not framed out of the
-   * picture. Who walks far away would be a dot in it, and is framed where it stands.
+   * picture. Who walks far away would make dots of all, and counts where it stands.
    */
   roomOfMotion([start, end]: readonly [number, number], timeSeconds: number): Box3 {
-    const { content, room, box, size } = this;
-    room.copy(content);
-    if (end > start) {
-      for (const { view } of this.visible) {
+    const { room, box, own, size } = this;
+    room.makeEmpty();
+    for (const { view } of this.visible) {
+      view.bounds(box);
+      own.copy(box);
+      if (end > start) {
         for (let i = 0; i <= FRAMED_MOMENTS; i++) {
           view.seek(start + ((end - start) * i) / FRAMED_MOMENTS);
-          room.union(view.bounds(box));
+          own.union(view.bounds(this.moment));
         }
         view.seek(timeSeconds);
       }
+      const isFar = own.getSize(size).length() > MOST_ROOM * box.getSize(size).length();
+      room.union(isFar ? box : own);
     }
-    const far = room.getSize(size).length() > MOST_ROOM * content.getSize(size).length();
-    return far ? content : room;
+    return room;
   }
 
   dispose(): void {

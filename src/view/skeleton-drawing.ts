@@ -17,7 +17,7 @@ import {
   type Vector3,
 } from 'three';
 import { compileSkeleton } from '../evaluate/kinematics.ts';
-import { hasBox, hasBoxes } from '../model/boxes.ts';
+import { hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
 import {
   boneOwner,
@@ -56,14 +56,16 @@ function boxEdges(): number[] {
   return points;
 }
 
-/** From y = 0, radius 1, to y = 1, tapering. */
-export function boneGeometry(): BufferGeometry {
-  return new CylinderGeometry(0.45, 1, 1, 12, 1).translate(0, 0.5, 0);
+/** From y = 0, radius 1, to y = 1, tapering; open, for its ends are in the balls. */
+function boneGeometry(sides: number): BufferGeometry {
+  return new CylinderGeometry(0.45, 1, 1, sides, 1, true).translate(0, 0.5, 0);
 }
 
-export function ballGeometry(): BufferGeometry {
-  return new SphereGeometry(1, 16, 10);
-}
+/**
+ * From so many joints and End Sites on, balls and bones are drawn with a third of the triangles: so many are seen small
+ * or a few at a time, and seventeen takes would be half a million triangles.
+ */
+const MANY_BALLS = 400;
 
 /** How solid bones and axes that are shown under a skin show through. */
 const COVERED_OPACITY = 0.55;
@@ -99,11 +101,12 @@ export class SkeletonDrawing {
     const axisLines = { width: 1.75, segmentColors: true };
     const axesThrough = lineMaterial({ ...axisLines, opacity: COVERED_OPACITY }, behind);
     const ids = meshIdMaterial;
+    const ball = new SphereGeometry(1, 16, 10);
     this.kinds = {
       edges: new InstancedKind(edges, edgeLines, lineIdMaterial(5, 2e-5), true, object),
       faces: new InstancedKind(new BoxGeometry(1, 1, 1), flat, ids(), false, object),
-      balls: new InstancedKind(ballGeometry(), lit(), ids(), false, object, through()),
-      bones: new InstancedKind(boneGeometry(), lit(), ids(), false, object, through()),
+      balls: new InstancedKind(ball, lit(), ids(), false, object, through(), new SphereGeometry(1, 10, 6)),
+      bones: new InstancedKind(boneGeometry(12), lit(), ids(), false, object, through(), boneGeometry(8)),
       axes: new InstancedKind(axes, lineMaterial(axisLines), undefined, false, object, axesThrough),
     };
     this.markers = new JointMarkers(object, segmentsGeometry(boxEdges()), axes);
@@ -125,11 +128,14 @@ export class SkeletonDrawing {
     faces.mesh.visible = edges.mesh.visible && display.boxes !== 'wire';
     balls.mesh.visible = bones.mesh.visible = this.drawn.some((drawn) => this.drawsBones(drawn));
     axes.mesh.visible = display.axes;
+    const isLight = this.instanceCount >= MANY_BALLS;
+    for (const kind of [balls, bones]) kind.setLight(isLight);
     for (const kind of Object.values(this.kinds)) {
       if (kind.mesh.visible) kind.resize(this.instanceCount);
       if (kind.covered) kind.covered.visible = kind.mesh.visible && this.isCovered;
-      kind.mesh.castShadow = display.shadow && kind.mesh.material instanceof MeshStandardMaterial;
-      kind.mesh.receiveShadow = kind.mesh.castShadow;
+      kind.mesh.receiveShadow = display.shadow && kind.mesh.material instanceof MeshStandardMaterial;
+      // On the ground nobody misses the balls' part of the shadow.
+      kind.mesh.castShadow = kind.mesh.receiveShadow && !(isLight && kind === balls);
     }
     this.markers.show(this.selected?.placementCount ?? 0, display.boxes !== 'hidden');
     this.paint();
@@ -273,9 +279,9 @@ export class SkeletonDrawing {
     return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton);
   }
 
-  /** A skeleton without boxes is drawn as bones where its boxes would be. */
+  /** A skeleton of which a joint has no box is drawn as bones where its boxes would be. */
   private drawsBones(drawn: PosedSkeleton): boolean {
-    return this.display.bones || (this.asksForBoxes(drawn) && !hasBoxes(drawn.skeleton));
+    return this.display.bones || (this.asksForBoxes(drawn) && !hasAllBoxes(drawn.skeleton));
   }
 
   /** Whether a skin hides joints. */

@@ -105,11 +105,11 @@ export class SkinMaterials {
 
   private paint(name: string, material: Material): void {
     const { theme, tint } = this;
-    if (material instanceof MeshStandardMaterial && name === 'solid') material.color.set(tint ?? theme.clay);
+    if (material instanceof MeshStandardMaterial && name === 'solid') dye(material.color, theme.clay, tint);
     if (material instanceof MeshStandardMaterial && name === 'textured') {
       const had = material.map !== null;
       material.map = this.texture ?? null;
-      material.color.set(tint ?? '#ffffff');
+      dye(material.color, '#ffffff', tint);
       if (had !== (material.map !== null)) material.needsUpdate = true;
     }
     if (material instanceof LineBasicMaterial) {
@@ -123,6 +123,15 @@ export class SkinMaterials {
     }
     if (material instanceof ShaderMaterial && name === 'normals') material.uniforms.colour.value.set(theme.normals);
   }
+}
+
+/** How much of a skin's colour is its tint: shape and picture are to be seen all the same. */
+const TINT_PART = 0.6;
+const scratch = new Color();
+
+function dye(colour: Color, own: string, tint: string | undefined): void {
+  colour.set(own);
+  if (tint) colour.lerp(scratch.set(tint), TINT_PART);
 }
 
 /** Matt, with just enough gloss to tell a ridge from a stripe. */

@@ -5,7 +5,7 @@
 import { BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, type ShaderMaterial } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
-import { groundTravel } from '../evaluate/space.ts';
+import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import { NO_TRAVEL, placementMatrix } from './placements.ts';
@@ -33,10 +33,11 @@ export function samplePath(
   const dofs = new Float64Array(dofCountOf(character));
   const world = new Float64Array(16 * skeleton.jointCount);
   const travel = new Float64Array(3);
+  const carrier = carrierOf(character);
   for (let i = 0; i < count; i++) {
     poseAt(character, start + ((end - start) * i) / Math.max(1, count - 1), dofs);
     worldMatrices(skeleton, dofs, world);
-    if (inPlace) groundTravel(skeleton, character.space, dofs, travel);
+    if (inPlace) groundTravel(skeleton, character.space, carrier, dofs, world, travel);
     for (let k = 0; k < 3; k++) path[3 * i + k] = world[16 * joint + 12 + k] - travel[k];
   }
   return path;

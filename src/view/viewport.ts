@@ -215,7 +215,10 @@ export class Viewport {
     } else this.rig.frame(this.box, true);
   }
 
-  /** Frames a character with the next picture, unless it is in the picture anyway, and not as a dot. */
+  /**
+   * Frames what there is with the next picture, with room for its motion, unless this character is in the picture
+   * anyway, and not as a dot.
+   */
   reveal(characterId: string): void {
     this.revealing = characterId;
     this.requestRender();
@@ -440,7 +443,9 @@ export class Viewport {
       .addScaledVector(camera.up, box.max.y - box.min.y)
       .project(camera);
     // A hand at the picture's edge is as good as nothing, and so is a dot in the distance.
-    if (!isSeen || Math.abs(above - y) < LEAST_SEEN) rig.frame(box, true);
+    if (!isSeen || Math.abs(above - y) < LEAST_SEEN) {
+      rig.frame(this.characters.roomOfMotion(this.playedRange, this.timeSeconds), true);
+    }
   }
 
   /** Of a sphere around a joint that shows it with its neighbours, in the world. */
@@ -452,6 +457,7 @@ export class Viewport {
     const { min, max } = own.box;
     if (hasBox(own)) reach = Math.max(reach, 0.6 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
     for (const end of own.endSites ?? []) reach = Math.max(reach, Math.hypot(...end));
+    reach = Math.max(reach, own.length ?? 0);
     for (const { parent, offset } of skeleton.joints)
       if (parent === joint) reach = Math.max(reach, Math.hypot(...offset));
     return 1.8 * reach * Math.hypot(placements[0], placements[1], placements[2]);

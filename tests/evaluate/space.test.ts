@@ -1,8 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileSkeleton } from '../../src/evaluate/kinematics.ts';
 import { metresPerUnit } from '../../src/evaluate/metres.ts';
-import { applySpace, groundTravel, guessSpace, liftOntoGround, metresForPerson } from '../../src/evaluate/space.ts';
+import { applySpace, guessSpace, liftOntoGround, metresForPerson } from '../../src/evaluate/space.ts';
 import type { LengthUnit } from '../../src/model/document.ts';
 import { type FigureOptions, figure, take } from '../helpers/mocap.ts';
 
@@ -115,15 +114,5 @@ describe('a space', () => {
     const out = new Float64Array(3);
     applySpace(undefined, 1, 2, 3, out);
     expect([...out]).toEqual([1, 2, 3]);
-  });
-
-  it.each([
-    ['y', [7, 0, 9]],
-    ['z', [7, 8, 0]],
-  ] as const)('says which of the root’s travel goes over the ground: %s up', (up, expected) => {
-    const out = new Float64Array(3);
-    const compiled = compileSkeleton(figure());
-    groundTravel(compiled, { up, unit: 'metres', lift: 0 }, Float64Array.of(7, 8, 9, 1, 2, 3), out);
-    expect([...out]).toEqual(expected);
   });
 });

@@ -37,6 +37,13 @@ function calls({ object }: SkeletonDrawing): InstancedMesh[] {
   );
 }
 
+/** Of one instance of each mesh that is drawn. */
+function triangles(drawing: SkeletonDrawing): number[] {
+  return calls(drawing)
+    .map(({ geometry }) => (geometry.index?.count ?? 0) / 3)
+    .sort((a, b) => b - a);
+}
+
 /** Instances of a mesh that have any size. */
 function seen(mesh: InstancedMesh): number[] {
   const matrix = new Matrix4();
@@ -64,6 +71,26 @@ describe('a skeleton without boxes', () => {
     const drawing = drawn(fifty);
     expect(calls(drawing)).toHaveLength(2);
     expect(drawing.instanceCount).toBe(50 * (70 + 64 + 3));
+  });
+
+  it('is drawn with a third of the triangles among many, under a skin too, and as before once they are gone', () => {
+    const drawing = drawn([figure()]);
+    const alone = triangles(drawing);
+    const show = (count: number, display: Partial<Display>) => {
+      const all = Array.from({ length: count }, (_, i) => ({ ...posed(`c${i}`, figure()), hasSkin: true }));
+      drawing.show(all, { ...DEFAULT_DISPLAY, bones: true, ...display }, {}, STAGE_THEMES.dark);
+    };
+    show(60, { skin: 'hidden' });
+    const many = triangles(drawing);
+    expect(many).toHaveLength(2);
+    many.forEach((count, i) => {
+      expect(count).toBeLessThan(0.7 * alone[i]);
+    });
+    expect(many[0] + many[1]).toBeLessThan(0.4 * (alone[0] + alone[1]));
+    show(60, { skin: 'solid' });
+    expect(triangles(drawing)).toEqual([many[0], many[0], many[1], many[1]]);
+    show(1, { skin: 'solid' });
+    expect(triangles(drawing)).toEqual([alone[0], alone[0], alone[1], alone[1]]);
   });
 
   it('leaves boxes to those that have them, side by side', () => {
@@ -98,5 +125,31 @@ describe('the bone to an End Site', () => {
     const { positions } = drawn([{ name: 'turned', joints: [turned] }]);
     expect(positions[3]).toBeCloseTo(-2, 12);
     expect(positions[4]).toBeCloseTo(0, 12);
+  });
+});
+
+describe('a joint with a bone of its own', () => {
+  const hinge = { kind: 'hinge', axis: [0, 0, 1] } as const;
+  const upper = joint(-1, { motion: hinge, pose: [Math.PI / 2], offset: [0, 0, 0], length: 2 });
+  const lower = joint(0, { motion: hinge, pose: [0], offset: [0, 2, 0], length: 1 });
+  const arm: Skeleton = { name: 'arm', joints: [upper, lower] };
+
+  it('is drawn as bones to its tip, and picked there', () => {
+    const drawing = drawn([arm]);
+    const [balls, bones] = calls(drawing);
+    expect([seen(balls), seen(bones)]).toEqual([
+      [0, 1, 2],
+      [1, 2],
+    ]);
+    expect([...drawing.positions.subarray(6, 9)].map((v) => Math.round(v * 1e9) / 1e9)).toEqual([-3, 0, 0]);
+    expect(drawing.jointAt(2)).toEqual({ characterId: 'c0', placement: 0, joint: 1 });
+    expect(drawing.boneOwner(2)).toEqual({ characterId: 'c0', placement: 0, joint: 1 });
+  });
+
+  it('has its box drawn where one is set', () => {
+    const boxed = { ...lower, box: { min: [0, 0, 0], max: [0.5, 1, 0.5] } as const };
+    const [edges, faces, balls] = calls(drawn([{ name: 'arm', joints: [upper, boxed] }]));
+    expect([seen(edges), seen(faces)]).toEqual([[1], [1]]);
+    expect(seen(balls)).toEqual([0, 1, 2]);
   });
 });

@@ -40,14 +40,7 @@ export function screwMotion(axis: Vec3, perTurn: number): JointMotion {
       out[o + 13] = advance * y;
       out[o + 14] = advance * z;
     },
-    writeTwists(_dofs, _first, _j, _jo, out) {
-      out[0] = x;
-      out[1] = y;
-      out[2] = z;
-      out[3] = advance * x;
-      out[4] = advance * y;
-      out[5] = advance * z;
-    },
+    screws: [{ axis: [x, y, z], turn: 1, slide: advance, dof: 0 }],
   };
   return screw;
 }
@@ -67,12 +60,7 @@ export function prismaticMotion(axis: Vec3): JointMotion {
       out[o] = out[o + 5] = out[o + 10] = out[o + 15] = 1;
     },
     writeDerivative: (_dofs, _first, _dof, out, o) => along(out, o, 1),
-    writeTwists(_dofs, _first, _j, _jo, out) {
-      out[0] = out[1] = out[2] = 0;
-      out[3] = x;
-      out[4] = y;
-      out[5] = z;
-    },
+    screws: [{ axis: [x, y, z], turn: 0, slide: 1, dof: 0 }],
   };
 }
 

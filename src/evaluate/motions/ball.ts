@@ -1,6 +1,8 @@
 /** Three angles about x, y and z, multiplied in any order: balljoints, and the rotation of what has one within it. */
 import type { EulerOrder } from '../../model/skeleton.ts';
-import type { JointMotion } from './motion.ts';
+import { type JointMotion, turnAbout } from './motion.ts';
+
+type BallMotion = JointMotion & Required<Pick<JointMotion, 'screws'>>;
 
 /**
  * `xyz`: Rz·Ry·Rx. With s and c the sine and cosine of each angle:
@@ -9,7 +11,7 @@ import type { JointMotion } from './motion.ts';
  *     │ cy·sz   sx·sy·sz + cx·cz   cx·sy·sz − sx·cz │
  *     │  −sy         sx·cy              cx·cy       │
  */
-const PLAIN_BALL: JointMotion = {
+const PLAIN_BALL: BallMotion = {
   write(dofs, first, out, o) {
     const sx = Math.sin(dofs[first]);
     const cx = Math.cos(dofs[first]);
@@ -35,6 +37,7 @@ const PLAIN_BALL: JointMotion = {
     PLAIN_BALL.write(dofs, first, out, o);
     turnAsOrdered(out, o, dof, 0, 1, 2, 1, dofs[first + 2]);
   },
+  screws: [turnAbout(2, 2), turnAbout(1, 1), turnAbout(0, 0)],
 };
 
 /**
@@ -45,12 +48,12 @@ const PLAIN_BALL: JointMotion = {
  *
  *     R_k(φk)·R_j(φj)·R_i(φi) [row p(r)] [column p(c)]  =  Rz(±φk)·Ry(±φj)·Rx(±φi) [r] [c]      p = i, j, k
  */
-function orderedBall(order: EulerOrder): JointMotion {
+function orderedBall(order: EulerOrder): BallMotion {
   const i = 'xyz'.indexOf(order[0]);
   const j = 'xyz'.indexOf(order[1]);
   const k = 'xyz'.indexOf(order[2]);
   const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
-  const ball: JointMotion = {
+  const ball: BallMotion = {
     write(dofs, first, out, o) {
       const sx = sign * Math.sin(dofs[first + i]);
       const cx = Math.cos(dofs[first + i]);
@@ -77,13 +80,13 @@ function orderedBall(order: EulerOrder): JointMotion {
       ball.write(dofs, first, out, o);
       turnAsOrdered(out, o, dof, i, j, k, sign, dofs[first + k]);
     },
-    writeTwists: (dofs, first, m, mo, out) => writeBallTwists(out, m, mo, i, j, k, sign, dofs[first + k]),
+    screws: [turnAbout(k, k), turnAbout(j, j), turnAbout(i, i)],
   };
   return ball;
 }
 
 /** By order. */
-export const BALLS: Readonly<Record<EulerOrder, JointMotion>> = {
+export const BALLS: Readonly<Record<EulerOrder, BallMotion>> = {
   xyz: PLAIN_BALL,
   xzy: orderedBall('xzy'),
   yxz: orderedBall('yxz'),
@@ -114,26 +117,6 @@ function turnAsOrdered(
     axis[i] = -sign * Math.sin(angleK);
     crossColumns(m, o, axis[0], axis[1], axis[2]);
   } else crossColumns(m, o, k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0);
-}
-
-/** The three axes, of x, y and z: what `turnAsOrdered` turns about. `m` is J. */
-function writeBallTwists(
-  out: Float64Array,
-  m: Float64Array,
-  o: number,
-  i: number,
-  j: number,
-  k: number,
-  sign: number,
-  angleK: number,
-): void {
-  for (let n = 0; n < 18; n++) out[n] = 0;
-  out[6 * k + k] = 1;
-  out[6 * j + j] = Math.cos(angleK);
-  out[6 * j + i] = -sign * Math.sin(angleK);
-  out[6 * i] = m[o + 4 * i];
-  out[6 * i + 1] = m[o + 4 * i + 1];
-  out[6 * i + 2] = m[o + 4 * i + 2];
 }
 
 /** Scratch, never escapes. */

@@ -1,3 +1,5 @@
+import type { Vec3 } from '../../math/vec3.ts';
+
 /** A joint's own rule, with what its motion says (axes, order) worked out. */
 export interface JointMotion {
   /** Writes J(φ) as 16 numbers at `out[o]`; φ begins at `dofs[first]`. */
@@ -10,10 +12,35 @@ export interface JointMotion {
   /** Whether the 3×3 part of J can be anything but a rotation: scales and shear. */
   readonly stretches?: boolean;
   /**
-   * Of a motion that doesn't stretch, the same derivatives in fewer numbers: with J = (R, t), each is ([ω]×·R, v).
-   * Writes ωx ωy ωz vx vy vz a DOF at `out[0]`, in the space of J's result. Absent where no short cut is known;
-   * `ik/twists.ts` then finds them from the derivatives.
-   * @param j J(φ), as `write` made it, at `j[jo]`; its last column counts for nothing
+   * J as a product of screws, from left to right, where it is one: of a motion that doesn't stretch, but for that of a
+   * quaternion. Inverse kinematics is quick with them; without them it goes by `writeDerivative`.
    */
-  writeTwists?(dofs: Float64Array, first: number, j: Float64Array, jo: number, out: Float64Array): void;
+  readonly screws?: readonly Screw[];
+}
+
+/** T(slide · φ · axis) · R(axis, turn · φ): turning about an axis through the origin and sliding along it. */
+export interface Screw {
+  /** Of length 1. */
+  readonly axis: Vec3;
+  /** 1 where the DOF turns, 0 where it only slides. */
+  readonly turn: 0 | 1;
+  readonly slide: number;
+  /** Which of the joint's DOFs it is. */
+  readonly dof: number;
+}
+
+const AXES: readonly Vec3[] = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+/** About x, y or z: `axis` 0, 1 or 2. */
+export function turnAbout(axis: number, dof: number): Screw {
+  return { axis: AXES[axis], turn: 1, slide: 0, dof };
+}
+
+/** Along x, y or z. */
+export function slideAlong(axis: number, dof: number): Screw {
+  return { axis: AXES[axis], turn: 0, slide: 1, dof };
 }

@@ -5,8 +5,10 @@
  */
 import type { BvhMotion, EulerOrder } from '../../model/skeleton.ts';
 import { BALLS } from './ball.ts';
-import type { JointMotion } from './motion.ts';
+import { type JointMotion, type Screw, slideAlong, turnAbout } from './motion.ts';
 import { factorOf, productOf } from './product.ts';
+
+const SLIDES = [slideAlong(0, 0), slideAlong(1, 1), slideAlong(2, 2)];
 
 /** T(tx, ty, tz) · R, the rotation's angles behind the translation. */
 export function freeMotion(order: EulerOrder): JointMotion {
@@ -22,11 +24,7 @@ export function freeMotion(order: EulerOrder): JointMotion {
       if (dof < 3) writeAlong(out, o, dof, 1);
       else ball.writeDerivative(dofs, first + 3, dof - 3, out, o);
     },
-    writeTwists(dofs, first, j, jo, out) {
-      ball.writeTwists?.(dofs, first + 3, j, jo, gatheredTwists);
-      for (let n = 0; n < 18; n++) out[n] = n === 3 || n === 10 || n === 17 ? 1 : 0;
-      for (let n = 0; n < 18; n++) out[18 + n] = gatheredTwists[n];
-    },
+    screws: [...SLIDES, ...ball.screws.map((screw) => ({ ...screw, dof: screw.dof + 3 }))],
   };
 }
 
@@ -38,6 +36,7 @@ export function bvhMotion({ channels }: BvhMotion): JointMotion {
   const translations = (['tx', 'ty', 'tz'] as const).map((name) => channels.indexOf(name));
   const turns = channels.flatMap((name, dof) => (name.startsWith('r') ? [factorOf(name, dof)] : []));
   const rotation = turns.length === 3 ? spreadBall(channels) : productOf(turns);
+  if (translations.every((at) => at < 0)) return rotation;
   return {
     write(dofs, first, out, o) {
       rotation.write(dofs, first, out, o);
@@ -51,21 +50,14 @@ export function bvhMotion({ channels }: BvhMotion): JointMotion {
       if (along >= 0) writeAlong(out, o, along, 1);
       else rotation.writeDerivative(dofs, first, dof, out, o);
     },
-    ...(rotation.writeTwists && {
-      writeTwists(dofs, first, j, jo, out) {
-        rotation.writeTwists?.(dofs, first, j, jo, out);
-        for (let k = 0; k < 3; k++) {
-          if (translations[k] < 0) continue;
-          const at = 6 * translations[k];
-          for (let n = 0; n < 6; n++) out[at + n] = n === 3 + k ? 1 : 0;
-        }
-      },
-    }),
+    screws: [...translations.flatMap((dof, axis) => (dof >= 0 ? [slideAlong(axis, dof)] : [])), ...turnsOf(channels)],
   };
 }
 
-/** Those of a ball. Scratch, never escapes. */
-const gatheredTwists = new Float64Array(18);
+/** The rotations, in the order in which they are multiplied. */
+function turnsOf(channels: readonly string[]): Screw[] {
+  return channels.flatMap((name, dof) => (name.startsWith('r') ? [turnAbout('xyz'.indexOf(name[1]), dof)] : []));
+}
 
 /** The angles of a ball, gathered from where they stand. Scratch, never escapes. */
 const gathered = new Float64Array(3);
@@ -92,15 +84,7 @@ function spreadBall(channels: readonly string[]): JointMotion {
       gather(dofs, first);
       ball.writeDerivative(gathered, 0, dof === x ? 0 : dof === y ? 1 : 2, out, o);
     },
-    writeTwists(dofs, first, j, jo, out) {
-      gather(dofs, first);
-      ball.writeTwists?.(gathered, 0, j, jo, gatheredTwists);
-      for (let n = 0; n < 6; n++) {
-        out[6 * x + n] = gatheredTwists[n];
-        out[6 * y + n] = gatheredTwists[6 + n];
-        out[6 * z + n] = gatheredTwists[12 + n];
-      }
-    },
+    screws: turnsOf(channels),
   };
 }
 

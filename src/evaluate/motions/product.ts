@@ -9,7 +9,7 @@
  */
 import { setIdentity } from '../../math/mat4.ts';
 import type { AxisPair } from '../../model/skeleton.ts';
-import type { JointMotion } from './motion.ts';
+import { type JointMotion, slideAlong, turnAbout } from './motion.ts';
 
 export interface Factor {
   readonly kind: 'translation' | 'rotation' | 'scale';
@@ -27,8 +27,13 @@ export function factorOf(name: string, dof: number): Factor {
 
 /** From left to right. */
 export function productOf(factors: readonly Factor[]): JointMotion {
+  const stretches = factors.some(({ kind }) => kind === 'scale');
+  const screws = factors.map(({ kind, axis, dof }) =>
+    kind === 'rotation' ? turnAbout(axis, dof) : slideAlong(axis, dof),
+  );
   return {
-    stretches: factors.some(({ kind }) => kind === 'scale'),
+    stretches,
+    ...(!stretches && { screws }),
     write(dofs, first, out, o) {
       setIdentity(out, o);
       for (let f = 0; f < factors.length; f++) multiply(out, o, factors[f], dofs[first + factors[f].dof]);

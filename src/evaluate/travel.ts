@@ -1,0 +1,99 @@
+/**
+ * What carries a character over the ground: what "in place" takes out of the picture.
+ *
+ * Usually it is the root. But in some captures (Bandai Namco's) the root stands still as the origin of the studio, and
+ * the hips below it do the walking. So the carrier is the first joint, from the root down to where the skeleton branches,
+ * whose translation changes over the clip, by a 20th at least of the most that any of these joints' does: noise on a root
+ * that stands is no travel.
+ */
+import { type ChannelClip, isSampled } from '../model/clip.ts';
+import { type Character, type Space, shownClip } from '../model/document.ts';
+import { firstDofs, rootDofCount } from '../model/dofs.ts';
+import { columnOf } from '../model/samples.ts';
+import { dofsOf, type Skeleton } from '../model/skeleton.ts';
+import type { CompiledSkeleton } from './kinematics.ts';
+import { upAxis } from './space.ts';
+
+/** Less of the most that a joint of the chain translates is noise. */
+const NOISE = 0.05;
+
+const known = new WeakMap<ChannelClip, WeakMap<Skeleton, number>>();
+
+/** Index of the joint that carries the character over the clip that it shows; found once for each clip and skeleton. */
+export function carrierOf(character: Character): number {
+  const { skeleton, driver } = character;
+  const clip = shownClip(character);
+  // Another's take is put onto the root.
+  if (!skeleton || !clip || driver) return 0;
+  let bySkeleton = known.get(clip);
+  if (!bySkeleton) {
+    bySkeleton = new WeakMap();
+    known.set(clip, bySkeleton);
+  }
+  let carrier = bySkeleton.get(skeleton);
+  if (carrier === undefined) {
+    carrier = findCarrier(skeleton, clip);
+    bySkeleton.set(skeleton, carrier);
+  }
+  return carrier;
+}
+
+/**
+ * Writes how far the character is carried over the ground, x y z in its own space; 0 along its up axis.
+ * @param carrier as `carrierOf` gives it; its place counts, and of the root what its DOFs add to its offset
+ * @param world its joints' matrices, 16 each
+ */
+export function groundTravel(
+  { travel }: CompiledSkeleton,
+  space: Space | undefined,
+  carrier: number,
+  dofs: Float64Array,
+  world: Float64Array,
+  out: Float64Array,
+): void {
+  const up = upAxis(space);
+  for (let k = 0; k < 3; k++) {
+    if (k === up) out[k] = 0;
+    else if (carrier > 0) out[k] = world[16 * carrier + 12 + k];
+    else out[k] = travel[k] < 0 ? 0 : dofs[travel[k]];
+  }
+}
+
+function findCarrier(skeleton: Skeleton, clip: ChannelClip): number {
+  const first = firstDofs(skeleton);
+  const chain = chainOf(skeleton);
+  const moved = chain.map((j) => {
+    let most = j === 0 && rootDofCount(skeleton) > 0 ? Math.max(...[0, 1, 2].map((c) => rangeOf(clip, c))) : 0;
+    dofsOf(skeleton.joints[j].motion).forEach(({ name }, d) => {
+      if (name === 'tx' || name === 'ty' || name === 'tz') most = Math.max(most, rangeOf(clip, first[j] + d));
+    });
+    return most;
+  });
+  const most = moved.reduce((a, b) => Math.max(a, b), 0);
+  return most > 0 ? chain[moved.findIndex((m) => m >= NOISE * most)] : 0;
+}
+
+/** From the root down to the first joint that has several below it, or none. In pre-order an only child is the next. */
+function chainOf({ joints }: Skeleton): number[] {
+  const below = new Uint32Array(joints.length);
+  for (const { parent } of joints) if (parent >= 0) below[parent]++;
+  const chain = joints.length ? [0] : [];
+  for (let j = 0; below[j] === 1; j++) chain.push(j + 1);
+  return chain;
+}
+
+/** From the least to the greatest value of a channel's keys or frames. */
+function rangeOf(clip: ChannelClip, channel: number): number {
+  let least = Infinity;
+  let greatest = -Infinity;
+  const take = (value: number) => {
+    least = Math.min(least, value);
+    greatest = Math.max(greatest, value);
+  };
+  const { samples, channels } = clip;
+  if (samples && isSampled(clip, channel)) {
+    const { values, scales } = samples;
+    for (let v = columnOf(samples, channel); v < values.length; v += scales.length) take(values[v]);
+  } else channels[channel]?.values.forEach(take);
+  return greatest > least ? greatest - least : 0;
+}
