@@ -17,13 +17,16 @@ export interface Arguments {
   readonly files: readonly string[];
   /** What an option was given, the last time it was; undefined where it was not. */
   value(name: string): string | undefined;
+  /** All that it was given, in order; none where it was not. */
+  values(name: string): readonly string[];
   flag(name: string): boolean;
 }
 
 /** @throws UsageError for an option that is not there, lacks its value or has one too many */
 export function parseArguments(args: readonly string[], types: OptionTypes): Arguments {
   const files: string[] = [];
-  const values = new Map<string, string>();
+  const values = new Map<string, string[]>();
+  const give = (name: string, value: string) => values.set(name, [...(values.get(name) ?? []), value]);
   const flags = new Set<string>();
   for (let i = 0; i < args.length; i++) {
     const arg = args[i];
@@ -43,11 +46,16 @@ export function parseArguments(args: readonly string[], types: OptionTypes): Arg
     if (type === 'flag') {
       if (equals >= 0) throw new UsageError(`${option} takes no value.`);
       flags.add(name);
-    } else if (equals >= 0) values.set(name, arg.slice(equals + 1));
-    else if (i + 1 < args.length) values.set(name, args[++i]);
+    } else if (equals >= 0) give(name, arg.slice(equals + 1));
+    else if (i + 1 < args.length) give(name, args[++i]);
     else throw new UsageError(`${option} needs a value.`);
   }
-  return { files, value: (name) => values.get(name), flag: (name) => flags.has(name) };
+  return {
+    files,
+    value: (name) => values.get(name)?.at(-1),
+    values: (name) => values.get(name) ?? [],
+    flag: (name) => flags.has(name),
+  };
 }
 
 function hint(types: OptionTypes): string {

@@ -9,6 +9,7 @@
 import { mkdirSync, statSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
 import { openFiles } from '../edit/open-files.ts';
+import { CommandError } from '../edit/store.ts';
 import { formatOf } from '../formats/registry.ts';
 import { type Diagnostic, hasErrors } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
@@ -102,7 +103,14 @@ class Many {
     const posed = characters.filter(({ skeleton }) => skeleton);
     // Roots of one file go together.
     const groups = posed.length > 1 && paths.length === 1 ? [posed] : posed.map((character) => [character]);
-    for (const group of groups) await this.write(group);
+    for (const group of groups) {
+      try {
+        await this.write(group);
+      } catch (error) {
+        if (!(error instanceof CommandError)) throw error;
+        this.tell([refusal('conversion-refused', error.message, group[0].sources[0]?.name ?? group[0].name)]);
+      }
+    }
   }
 
   private async write(characters: readonly Character[]): Promise<void> {

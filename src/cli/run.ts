@@ -2,11 +2,12 @@
 import { UsageError } from './arguments.ts';
 import { channels } from './commands/channels.ts';
 import { convert } from './commands/convert.ts';
+import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
 import { pose } from './commands/pose.ts';
 import type { Command, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly Command[] = [info, pose, channels, convert];
+const COMMANDS: readonly Command[] = [info, pose, ik, channels, convert];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;

@@ -35,8 +35,11 @@ describe('arguments', () => {
     expect(given.flag('json')).toBe(false);
   });
 
-  it('give the last of an option that comes twice', () => {
-    expect(parseArguments(['--time', '1', '--time=2'], TYPES).value('time')).toBe('2');
+  it('give the last of an option that comes twice, or all of them', () => {
+    const given = parseArguments(['--time', '1', '--time=2'], TYPES);
+    expect(given.value('time')).toBe('2');
+    expect(given.values('time')).toEqual(['1', '2']);
+    expect(given.values('root')).toEqual([]);
   });
 
   it.each([

@@ -75,7 +75,8 @@ describe('the axis-angle form in the command', () => {
   it('tells joints and DOFs, and tips as text', async () => {
     put('arm.axskel', ARM);
     const { files } = await commandJson<InfoJson>(['info', 'arm.axskel'], folder);
-    expect(files).toEqual([{ name: 'arm.axskel', kind: 'skel', loaded: true, joints: 3, dofs: 3, roots: 1 }]);
+    const counts = { joints: 3, dofs: 3, roots: 1, form: 'axis-angle' };
+    expect(files).toEqual([{ name: 'arm.axskel', kind: 'skel', loaded: true, ...counts }]);
     expect((await command(['pose', 'arm.axskel', '--dofs=0,0,0', '--root=1,0,0'], folder)).out).toContain('tip 1 2 0');
   });
 

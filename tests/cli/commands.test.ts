@@ -321,6 +321,15 @@ Frame Time: 0.05
     expect(await keys('few.anim')).toBeLessThan(24);
   });
 
+  it('refuses a rate of more frames than anybody has, in one file or in many', async () => {
+    const one = await convert('walk.bvh', 'mad.bvh', '--fps', '1e12');
+    expect(one).toMatchObject({ code: 1, out: '' });
+    expect(one.err).toMatch(/mad\.bvh error conversion-refused: walk would have [\d,]+ frames; up to 1,000,000/);
+    const many = await convert('walk.bvh', '--to', 'bvh', '--out', 'mad', '--fps', '1e12');
+    expect(many.code).toBe(1);
+    expect(many.err).toContain('walk.bvh error conversion-refused');
+  });
+
   it('converts a folder below another one, goes on past what is broken, and says so in the end', async () => {
     const { code, out, err } = await convert('takes', '--to', 'skel', '--out', 'made');
     expect(code).toBe(1);

@@ -6,8 +6,9 @@
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
  */
 import { basename, resolve } from 'node:path';
-import { bvhOf, skelOf } from '../../edit/convert/character-files.ts';
+import { bvhOf, type NamedFigure, skelOf } from '../../edit/convert/character-files.ts';
 import { openFiles } from '../../edit/open-files.ts';
+import { CommandError } from '../../edit/store.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { type Format, formatOf, READABLE_EXTENSIONS } from '../../formats/registry.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
@@ -201,7 +202,13 @@ function convertedTo(
 ): Picked | undefined {
   const characters = openFiles(EMPTY_DOCUMENT, files).document.characters.filter(({ skeleton }) => skeleton);
   if (target === 'bvh') {
-    const figures = characters.flatMap((character) => bvhOf(character, options.framesPerSecond));
+    let figures: readonly NamedFigure[];
+    try {
+      figures = characters.flatMap((character) => bvhOf(character, options.framesPerSecond));
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      return { refusal: refusal('conversion-refused', error.message, out) };
+    }
     if (figures.length === 0) return undefined;
     if (characters.length > 1 || figures.length > 1) {
       const isOne = figures.length === characters.length && files.length === 1;

@@ -50,6 +50,7 @@ function counts(content: FileContent): Record<string, unknown> {
         joints: sum(skeletons.map((s) => s.joints.length)),
         dofs: sum(skeletons.map(jointDofCount)),
         roots: skeletons.length,
+        ...(skeletons[0]?.form && { form: skeletons[0].form }),
       };
     }
     case 'skin': {

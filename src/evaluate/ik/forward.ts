@@ -1,0 +1,111 @@
+/** Forward kinematics of the joints that matter, and how far the pins are from where they should be. */
+import { multiplyAffine } from '../../math/mat4.ts';
+import { FRAME_SIZE, writeFrame, writeTurnLeft } from './orientation.ts';
+import { writeMatrices } from './screws.ts';
+import type { IkProblem } from './state.ts';
+import { settleFollowers } from './variables.ts';
+
+/**
+ * Looks at a pose: matrices, positions, errors. Coupled DOFs take their places in `dofs`.
+ * @returns the sum of the squared errors
+ */
+export function lookAt(problem: IkProblem, dofs: Float64Array): number {
+  if (problem.variables.followers.count > 0) settleFollowers(problem.variables.followers, dofs);
+  const { seen } = problem.scratch;
+  for (let d = 0; d < seen.length; d++) seen[d] = dofs[d];
+  writeMatrices(problem, dofs, writeByRule);
+  writePins(problem);
+  return writeErrors(problem);
+}
+
+/** Whether the pose is the one last looked at: in a drag, where the step before left it. */
+export function isLookedAt({ scratch }: IkProblem, dofs: Float64Array): boolean {
+  const { seen } = scratch;
+  for (let d = 0; d < seen.length; d++) if (seen[d] !== dofs[d]) return false;
+  return true;
+}
+
+/** The matrix of a slot by its joint's own rule. */
+function writeByRule({ skeleton, slots }: IkProblem, dofs: Float64Array, s: number): void {
+  const { motions, offsets, firstDof, hasRootTranslation } = skeleton;
+  const { locals, worlds } = slots;
+  const j = slots.joint[s];
+  const above = slots.parent[s];
+  const o = 16 * s;
+  motions[j].write(dofs, firstDof[j], locals, o);
+  for (let k = 0; k < 3; k++) locals[o + 12 + k] += offsets[3 * j + k];
+  if (above >= 0) multiplyAffine(worlds, 16 * above, locals, o, worlds, o);
+  else {
+    if (hasRootTranslation) for (let k = 0; k < 3; k++) locals[o + 12 + k] += dofs[k];
+    for (let k = 0; k < 16; k++) worlds[o + k] = locals[o + k];
+  }
+}
+
+function writePins({ pins, slots }: IkProblem): void {
+  const { count, slot, points, positions, holdsOrientation, frames } = pins;
+  const { worlds } = slots;
+  for (let p = 0; p < count; p++) {
+    const o = 16 * slot[p];
+    const x = points[3 * p];
+    const y = points[3 * p + 1];
+    const z = points[3 * p + 2];
+    for (let k = 0; k < 3; k++) {
+      positions[3 * p + k] = worlds[o + k] * x + worlds[o + 4 + k] * y + worlds[o + 8 + k] * z + worlds[o + 12 + k];
+    }
+    if (holdsOrientation[p]) writeFrame(worlds, o, frames, FRAME_SIZE * p);
+  }
+}
+
+/** Of the pose last looked at, against what the pins aim at now. @returns the sum of the squared errors */
+export function writeErrors({ pins, errors }: IkProblem): number {
+  const { count, positions, aims, weights, row, holdsOrientation, frames, targetFrames, turns, turnWeights } = pins;
+  let sum = 0;
+  for (let p = 0; p < count; p++) {
+    const r = row[p];
+    for (let k = 0; k < 3; k++) {
+      const e = weights[p] * (positions[3 * p + k] - aims[3 * p + k]);
+      errors[r + k] = e;
+      sum += e * e;
+    }
+    if (!holdsOrientation[p]) continue;
+    writeTurnLeft(frames, FRAME_SIZE * p, targetFrames, 9 * p, turns, 3 * p);
+    for (let k = 0; k < 3; k++) {
+      const e = turnWeights[p] * turns[3 * p + k];
+      errors[r + 3 + k] = e;
+      sum += e * e;
+    }
+  }
+  return sum;
+}
+
+/** Of a pin, from where it aims; in the unit of the character. */
+export function aimDistance({ positions, aims }: IkProblem['pins'], p: number): number {
+  const x = positions[3 * p] - aims[3 * p];
+  const y = positions[3 * p + 1] - aims[3 * p + 1];
+  const z = positions[3 * p + 2] - aims[3 * p + 2];
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+/** Of a pin, from where it should be, however far. */
+export function residual({ positions, targets }: IkProblem['pins'], p: number): number {
+  return Math.hypot(
+    positions[3 * p] - targets[3 * p],
+    positions[3 * p + 1] - targets[3 * p + 1],
+    positions[3 * p + 2] - targets[3 * p + 2],
+  );
+}
+
+/** The angle that a pin's joint has still to turn; 0 for one that holds no orientation. Radians. */
+export function turnLeft({ turns }: IkProblem['pins'], p: number): number {
+  const [x, y, z] = [turns[3 * p], turns[3 * p + 1], turns[3 * p + 2]];
+  return Math.sqrt(x * x + y * y + z * z);
+}
+
+/** Whether all pins are where they aim, within a part of the reach (and as many radians). */
+export function isThere({ pins, reach }: IkProblem, within: number): boolean {
+  for (let p = 0; p < pins.count; p++) {
+    if (!(aimDistance(pins, p) <= within * reach)) return false;
+    if (pins.holdsOrientation[p] && !(turnLeft(pins, p) <= within)) return false;
+  }
+  return true;
+}

@@ -1,0 +1,212 @@
+/**
+ * Levenberg–Marquardt (Levenberg 1944, Marquardt 1963): damped Gauss–Newton steps,
+ *
+ *     h = −(JᵀJ + λI)⁻¹·Jᵀe        λ = boost · (|e|² + 1e-6)
+ *
+ * The error itself in the damping makes steps bold near the end and careful far from it (Sugihara 2011 damps by the
+ * error too). The boost follows the gain ratio, what a step won beside what it promised (Nielsen 1999): halved where
+ * the promise was kept, doubled where it was not; a step that doesn't lower the error is undone. Of all steps that win
+ * as much, a damped one is the shortest, so the pose stays near where it was in what the pins leave free.
+ *
+ * Limits: a DOF at its limit whose gradient pushes outward is frozen for the step; one that would cross its limit goes
+ * as far as that, and the step is solved again for the others (an active set; Baerlocher and Boulic 2004 do so with
+ * priorities). No pose that is looked at is outside the limits.
+ */
+import { isThere, lookAt } from './forward.ts';
+import { writeJacobian } from './jacobian.ts';
+import { solveDamped, writeNormal } from './normal.ts';
+import type { IkProblem } from './state.ts';
+
+/** No step turns a joint further: radians, and as many reaches. */
+const LONGEST_STEP = 1;
+/** How often a step is solved again because of limits that it would cross. */
+const MOST_ROUNDS = 4;
+const FIRST_BOOST = 0.3;
+const LEAST_BOOST = 1e-4;
+/** Past that, no step however short lowers the error. */
+const MOST_BOOST = 1e12;
+
+export interface Descent {
+  /** Steps tried, those undone too. */
+  iterations: number;
+  /** The sum of the squared errors. */
+  error: number;
+  isThere: boolean;
+  /** It ended where no step promised anything: the Jacobian is of that pose. */
+  isFlat: boolean;
+}
+
+export interface DescentOptions {
+  /** Part of the reach. */
+  readonly aim: number;
+  readonly iterations: number;
+  /** Ends where steps lower the error by less than that part, three times in a row. */
+  readonly leastGain: number;
+}
+
+/**
+ * Goes down from the pose in `dofs`, in place; it must be within the limits. Afterwards everything of the problem is of
+ * the pose left in `dofs`.
+ */
+export function descend(problem: IkProblem, dofs: Float64Array, options: DescentOptions, out: Descent): void {
+  descendFrom(problem, dofs, lookAt(problem, dofs), options, out);
+}
+
+/** The same where the pose was looked at already. @param error the sum of its squared errors */
+export function descendFrom(
+  problem: IkProblem,
+  dofs: Float64Array,
+  error: number,
+  options: DescentOptions,
+  out: Descent,
+): void {
+  const { variables, scratch, errors, rows } = problem;
+  const { before, errorsBefore } = scratch;
+  const n = variables.count;
+  let boost = FIRST_BOOST;
+  let idle = 0;
+  let isFresh = true;
+  out.iterations = 0;
+  out.isFlat = false;
+  while (!isThere(problem, options.aim) && out.iterations < options.iterations && n > 0) {
+    if (isFresh) {
+      writeJacobian(problem, dofs);
+      freezeAtLimits(problem, dofs);
+      for (let v = 0; v < n; v++) before[v] = dofs[variables.dof[v]];
+      for (let r = 0; r < rows; r++) errorsBefore[r] = errors[r];
+    }
+    const promised = writeStep(problem, boost * (error + 1e-6), isFresh);
+    // Nothing left to gain, as far as the slope can tell.
+    if (error - promised <= 1e-12 * error) {
+      out.isFlat = true;
+      break;
+    }
+    takeStep(problem, dofs);
+    const next = lookAt(problem, dofs);
+    out.iterations++;
+    if (next < error) {
+      const gain = (error - next) / (error - promised);
+      if (gain > 0.75) boost = Math.max(LEAST_BOOST, boost / 2);
+      else if (gain < 0.25) boost *= 2;
+      idle = error - next < options.leastGain * error ? idle + 1 : 0;
+      error = next;
+      isFresh = true;
+      if (idle >= 3) break;
+    } else {
+      for (let v = 0; v < n; v++) dofs[variables.dof[v]] = before[v];
+      for (let r = 0; r < rows; r++) errors[r] = errorsBefore[r];
+      boost *= 4;
+      isFresh = false;
+      if (!(boost < MOST_BOOST)) break;
+    }
+  }
+  if (!isFresh) error = lookAt(problem, dofs);
+  out.error = error;
+  out.isThere = isThere(problem, options.aim);
+}
+
+/** Marks the unknowns that stand at a limit and would go on outward. */
+export function freezeAtLimits({ variables, scratch, errors, jacobian, rows }: IkProblem, dofs: Float64Array): void {
+  const { count: n, dof, lower, upper, isLimited } = variables;
+  const { held } = scratch;
+  held.fill(0);
+  if (!isLimited) return;
+  for (let v = 0; v < n; v++) {
+    const value = dofs[dof[v]];
+    if (value > lower[v] && value < upper[v]) continue;
+    let gradient = 0;
+    for (let r = 0; r < rows; r++) gradient += jacobian[r * n + v] * errors[r];
+    if (value <= lower[v] ? gradient > 0 : gradient < 0) held[v] = 1;
+  }
+}
+
+/**
+ * The step at that damping, to `scratch.step`.
+ * @param isFresh whether the Jacobian is another than the last time
+ * @returns the sum of squared errors that it promises
+ */
+function writeStep(problem: IkProblem, damping: number, isFresh: boolean): number {
+  const { variables, scratch, jacobian, rows } = problem;
+  const { held, free, fixedStep, freeColumns, rest, normal, factor, solution, step, errorsBefore, before } = scratch;
+  const { count: n, lower, upper, scale, relative, isLimited } = variables;
+  let count = n;
+  if (isLimited) {
+    count = 0;
+    for (let v = 0; v < n; v++) {
+      fixedStep[v] = 0;
+      if (held[v] === 0) free[count++] = v;
+    }
+  }
+  let isSame = count === n;
+  for (let r = 0; r < rows; r++) rest[r] = errorsBefore[r];
+  let isKnown = !isFresh && isSame;
+  for (let round = 0; ; round++) {
+    const columns = isSame ? jacobian : freeColumns;
+    if (!isSame) gather(jacobian, rows, n, free, count, freeColumns);
+    if (!isKnown) writeNormal(columns, rows, count, normal);
+    isKnown = false;
+    if (!solveDamped(columns, rows, count, rest, normal, damping, factor, solution, step)) {
+      // No step, which promises nothing but a try with more damping.
+      step.fill(0);
+      isSame = false;
+    }
+    if (!isLimited) break;
+    let shortest = 1;
+    for (let i = 0; i < count; i++) shortest = Math.min(shortest, LONGEST_STEP / Math.abs(step[i] * relative[free[i]]));
+    let left = 0;
+    for (let i = 0; i < count; i++) {
+      const v = free[i];
+      const value = before[v] + shortest * step[i] * scale[v];
+      if (round + 1 < MOST_ROUNDS && (value < lower[v] || value > upper[v])) {
+        fixedStep[v] = ((value < lower[v] ? lower[v] : upper[v]) - before[v]) / scale[v];
+        for (let r = 0; r < rows; r++) rest[r] += jacobian[r * n + v] * fixedStep[v];
+      } else {
+        free[left] = v;
+        step[left++] = step[i];
+      }
+    }
+    if (left === count) {
+      // From the free ones back to all.
+      for (let i = count - 1; i >= 0; i--) fixedStep[free[i]] = step[i];
+      for (let v = 0; v < n; v++) step[v] = fixedStep[v];
+      break;
+    }
+    count = left;
+    isSame = false;
+    if (count === 0) {
+      for (let v = 0; v < n; v++) step[v] = fixedStep[v];
+      break;
+    }
+  }
+  let longest = 0;
+  for (let v = 0; v < n; v++) longest = Math.max(longest, Math.abs(step[v] * relative[v]));
+  if (longest > LONGEST_STEP) for (let v = 0; v < n; v++) step[v] *= LONGEST_STEP / longest;
+  let promised = 0;
+  if (isSame && rows <= n && longest <= LONGEST_STEP) {
+    // e + J·h is λ·z.
+    for (let r = 0; r < rows; r++) promised += damping * solution[r] * (damping * solution[r]);
+    return promised;
+  }
+  for (let r = 0; r < rows; r++) {
+    let e = errorsBefore[r];
+    const a = r * n;
+    for (let v = 0; v < n; v++) e += jacobian[a + v] * step[v];
+    promised += e * e;
+  }
+  return promised;
+}
+
+/** The columns of the free unknowns, side by side. */
+function gather(from: Float64Array, rows: number, n: number, free: Int32Array, count: number, out: Float64Array): void {
+  for (let r = 0; r < rows; r++) for (let i = 0; i < count; i++) out[r * count + i] = from[r * n + free[i]];
+}
+
+/** From where the unknowns were, within the limits whatever rounding does. */
+function takeStep({ variables, scratch }: IkProblem, dofs: Float64Array): void {
+  const { count, dof, scale, lower, upper } = variables;
+  const { before, step } = scratch;
+  for (let v = 0; v < count; v++) {
+    const value = before[v] + step[v] * scale[v];
+    dofs[dof[v]] = value < lower[v] ? lower[v] : value > upper[v] ? upper[v] : value;
+  }
+}

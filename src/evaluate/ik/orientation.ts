@@ -1,0 +1,163 @@
+/**
+ * How a joint stands, whatever its matrix does besides (scales, shears): the frame that its x and y axes span,
+ *
+ *     x = W_x/|W_x|        y = n/|n|, n = W_y − (W_y·x)·x        z = x × y        (Gram–Schmidt)
+ *
+ * and how far it is from where it should be: φ with R(φ) = F·Tᵀ, a vector along the axis of the turn that remains, as
+ * long as its angle. The sine of that angle, which is cheaper and often used, is 0 again at half a turn.
+ *
+ * When the frame turns with the angular velocity ω, φ changes by
+ *
+ *     dφ = ω − ½·φ×ω + c·φ×(φ×ω)        c = (1 − (θ/2)·cot(θ/2)) / θ²,  θ = |φ|
+ *
+ * (the inverse of the left Jacobian of SO(3): Barfoot, State Estimation for Robotics, 2017, § 7.1.5).
+ */
+import type { Turn } from './pins.ts';
+
+/** Numbers a frame: x y z as columns, then |W_x|, W_y·x and |n|, 0 where the axes span none. */
+export const FRAME_SIZE = 12;
+
+/** Of the matrix at `w[o]`, 16 numbers, to `out[to]`. A matrix whose axes span no frame is taken to stand as the world. */
+export function writeFrame(w: Float64Array, o: number, out: Float64Array, to: number): void {
+  const lengthX = Math.sqrt(w[o] * w[o] + w[o + 1] * w[o + 1] + w[o + 2] * w[o + 2]);
+  const x0 = w[o] / lengthX;
+  const x1 = w[o + 1] / lengthX;
+  const x2 = w[o + 2] / lengthX;
+  const along = w[o + 4] * x0 + w[o + 5] * x1 + w[o + 6] * x2;
+  const n0 = w[o + 4] - along * x0;
+  const n1 = w[o + 5] - along * x1;
+  const n2 = w[o + 6] - along * x2;
+  const lengthY = Math.sqrt(n0 * n0 + n1 * n1 + n2 * n2);
+  if (!(lengthX > 1e-100 && lengthY > 1e-12 * (lengthY + Math.abs(along)))) {
+    out.fill(0, to, to + FRAME_SIZE);
+    out[to] = out[to + 4] = out[to + 8] = 1;
+    return;
+  }
+  const y0 = n0 / lengthY;
+  const y1 = n1 / lengthY;
+  const y2 = n2 / lengthY;
+  out[to] = x0;
+  out[to + 1] = x1;
+  out[to + 2] = x2;
+  out[to + 3] = y0;
+  out[to + 4] = y1;
+  out[to + 5] = y2;
+  out[to + 6] = x1 * y2 - x2 * y1;
+  out[to + 7] = x2 * y0 - x0 * y2;
+  out[to + 8] = x0 * y1 - x1 * y0;
+  out[to + 9] = lengthX;
+  out[to + 10] = along;
+  out[to + 11] = lengthY;
+}
+
+/**
+ * The angular velocity of a frame whose matrix's x and y columns change by `dx` and `dy`, to `out`. From dx = ω×x and
+ * its kin: ω·z = dx·y, ω·y = −dx·z, ω·x = dy·z.
+ */
+export function writeFrameSpeed(
+  frame: Float64Array,
+  f: number,
+  dx: Float64Array,
+  dy: Float64Array,
+  out: Float64Array,
+): void {
+  const lengthX = frame[f + 9];
+  if (lengthX === 0) {
+    out[0] = out[1] = out[2] = 0;
+    return;
+  }
+  const aboutZ = (dx[0] * frame[f + 3] + dx[1] * frame[f + 4] + dx[2] * frame[f + 5]) / lengthX;
+  const xToZ = (dx[0] * frame[f + 6] + dx[1] * frame[f + 7] + dx[2] * frame[f + 8]) / lengthX;
+  const yToZ = dy[0] * frame[f + 6] + dy[1] * frame[f + 7] + dy[2] * frame[f + 8];
+  const aboutX = (yToZ - frame[f + 10] * xToZ) / frame[f + 11];
+  for (let k = 0; k < 3; k++) out[k] = aboutX * frame[f + k] - xToZ * frame[f + 3 + k] + aboutZ * frame[f + 6 + k];
+}
+
+/** φ of the frame at `f` against the target's at `t` (its first 9 numbers), 3 numbers at `out[o]`. */
+export function writeTurnLeft(
+  frame: Float64Array,
+  f: number,
+  target: Float64Array,
+  t: number,
+  out: Float64Array,
+  o: number,
+): void {
+  for (let r = 0; r < 3; r++) {
+    for (let c = 0; c < 3; c++) {
+      relative[3 * c + r] =
+        frame[f + r] * target[t + c] + frame[f + 3 + r] * target[t + 3 + c] + frame[f + 6 + r] * target[t + 6 + c];
+    }
+  }
+  writeQuaternion(relative, 0, quaternion);
+  const sign = quaternion[3] < 0 ? -1 : 1;
+  const sine = Math.sqrt(quaternion[0] * quaternion[0] + quaternion[1] * quaternion[1] + quaternion[2] * quaternion[2]);
+  const angle = 2 * Math.atan2(sine, sign * quaternion[3]);
+  const scale = sign * (sine > 1e-12 ? angle / sine : 2);
+  for (let k = 0; k < 3; k++) out[o + k] = scale * quaternion[k];
+}
+
+/** Scratch, never escapes. */
+const relative = new Float64Array(9);
+const quaternion = new Float64Array(4);
+
+/** dφ of a frame that turns with ω, where φ is at `turn[o]`; ω becomes dφ. */
+export function turnLeftSpeed(turn: Float64Array, o: number, w: Float64Array): void {
+  const [x, y, z] = [turn[o], turn[o + 1], turn[o + 2]];
+  const square = x * x + y * y + z * z;
+  const half = Math.sqrt(square) / 2;
+  const c = half < 1e-3 ? 1 / 12 : (1 - half / Math.tan(half)) / square;
+  const a = y * w[2] - z * w[1];
+  const b = z * w[0] - x * w[2];
+  const d = x * w[1] - y * w[0];
+  w[0] += c * (y * d - z * b) - a / 2;
+  w[1] += c * (z * a - x * d) - b / 2;
+  w[2] += c * (x * b - y * a) - d / 2;
+}
+
+/** Of a rotation's 9 numbers, columns one after the other: by the largest of its parts (Shepperd 1978). */
+function writeQuaternion(m: Float64Array, o: number, out: Float64Array): void {
+  const trace = m[o] + m[o + 4] + m[o + 8];
+  if (trace > 0) {
+    const s = 2 * Math.sqrt(1 + trace);
+    out[0] = (m[o + 5] - m[o + 7]) / s;
+    out[1] = (m[o + 6] - m[o + 2]) / s;
+    out[2] = (m[o + 1] - m[o + 3]) / s;
+    out[3] = s / 4;
+    return;
+  }
+  const i = m[o] >= m[o + 4] ? (m[o] >= m[o + 8] ? 0 : 2) : m[o + 4] >= m[o + 8] ? 1 : 2;
+  const j = (i + 1) % 3;
+  const k = (i + 2) % 3;
+  const s = 2 * Math.sqrt(Math.max(0, 1 + m[o + 4 * i] - m[o + 4 * j] - m[o + 4 * k]));
+  out[i] = s / 4;
+  out[j] = (m[o + 3 * i + j] + m[o + 3 * j + i]) / s;
+  out[k] = (m[o + 3 * i + k] + m[o + 3 * k + i]) / s;
+  out[3] = (m[o + 3 * j + k] - m[o + 3 * k + j]) / s;
+}
+
+/** The frame of a quaternion of any length but 0: 9 numbers at `out[o]`. */
+export function writeTurnFrame(turn: ArrayLike<number>, first: number, out: Float64Array, o: number): void {
+  const length = Math.hypot(turn[first], turn[first + 1], turn[first + 2], turn[first + 3]);
+  const x = turn[first] / length;
+  const y = turn[first + 1] / length;
+  const z = turn[first + 2] / length;
+  const w = turn[first + 3] / length;
+  out[o] = 1 - 2 * (y * y + z * z);
+  out[o + 1] = 2 * (x * y + w * z);
+  out[o + 2] = 2 * (x * z - w * y);
+  out[o + 3] = 2 * (x * y - w * z);
+  out[o + 4] = 1 - 2 * (x * x + z * z);
+  out[o + 5] = 2 * (y * z + w * x);
+  out[o + 6] = 2 * (x * z + w * y);
+  out[o + 7] = 2 * (y * z - w * x);
+  out[o + 8] = 1 - 2 * (x * x + y * y);
+}
+
+/** How a joint stands: what a pin holds that is to keep its orientation. @param world as of `worldMatrices` */
+export function orientationAt(world: Float64Array, joint: number): Turn {
+  const frame = new Float64Array(FRAME_SIZE);
+  const turn = new Float64Array(4);
+  writeFrame(world, 16 * joint, frame, 0);
+  writeQuaternion(frame, 0, turn);
+  return [turn[0], turn[1], turn[2], turn[3]];
+}

@@ -1,0 +1,73 @@
+/**
+ * Inverse kinematics of a character: the pose in which its pins are where they should be, or as near as can be.
+ *
+ *     const problem = ikProblem(skeleton, pins, pose, { stiffness });
+ *     movePin(problem, 0, x, y, z);
+ *     solve(problem, dofs, 'drag');        every time the hand moves, from the pose it has come to
+ *     solve(problem, dofs, 'settle');      on click or release: as exactly as can be, from elsewhere too
+ */
+import { settleDofs } from '../kinematics.ts';
+import { isLookedAt, isThere, lookAt, residual, turnLeft, writeErrors } from './forward.ts';
+import { writeJacobian } from './jacobian.ts';
+import { type Descent, type DescentOptions, descendFrom, freezeAtLimits } from './levenberg.ts';
+import { aimPins } from './reach.ts';
+import { isStraight, restart, shake } from './restarts.ts';
+import type { IkProblem, IkResult } from './state.ts';
+
+export type IkMode = 'drag' | 'settle';
+
+interface ModeOptions extends DescentOptions {
+  readonly restarts: number;
+}
+
+/** Parts of the reach: what is nearer than that is not worth another beginning, and no screen shows it. */
+const NEAR_ENOUGH = 1e-4;
+
+const MODES: Readonly<Record<IkMode, ModeOptions>> = {
+  // What a frame leaves undone, the next one does.
+  drag: { aim: NEAR_ENOUGH, iterations: 24, leastGain: 1e-3, restarts: 0 },
+  settle: { aim: NEAR_ENOUGH / 10, iterations: 150, leastGain: 1e-5, restarts: 32 },
+};
+
+/** Scratch, never escapes. */
+const descent: Descent = { iterations: 0, error: 0, isThere: false, isFlat: false };
+
+/**
+ * @param dofs the character's DOFs, as many as the problem's pose had; those that may move are moved, in place, coupled
+ * ones with them, and where limits hold all are brought within them first
+ * @returns the problem's own result
+ */
+export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkResult {
+  const options = MODES[mode];
+  settleDofs(problem.skeleton, dofs, problem.clamps);
+  if (!isLookedAt(problem, dofs)) lookAt(problem, dofs);
+  // The centres of the balls are where the pose has them.
+  aimPins(problem.balls, problem.pins, problem.slots);
+  const error = writeErrors(problem);
+  if (options.restarts > 0) problem.scratch.startPose.set(dofs);
+  descendFrom(problem, dofs, error, options, descent);
+  if (!descent.isThere && descent.isFlat && isStraight(problem, options.aim)) shake(problem, dofs, options, descent);
+  if (options.restarts > 0 && !isThere(problem, NEAR_ENOUGH))
+    restart(problem, dofs, options, options.restarts, descent);
+  // What follows from afar.
+  if (problem.skeleton.couples.length > 0) settleDofs(problem.skeleton, dofs, problem.clamps);
+  return writeResult(problem, dofs, options.aim);
+}
+
+function writeResult(problem: IkProblem, dofs: Float64Array, aim: number): IkResult {
+  const { pins, result, variables, reach } = problem;
+  const { held } = problem.scratch;
+  result.iterations = descent.iterations;
+  result.isSolved = descent.isThere;
+  for (let p = 0; p < pins.count; p++) {
+    result.residuals[p] = residual(pins, p);
+    result.turns[p] = pins.holdsOrientation[p] ? turnLeft(pins, p) : 0;
+    if (result.residuals[p] > aim * reach) result.isSolved = false;
+  }
+  result.bindingCount = 0;
+  if (descent.isThere || !variables.isLimited) return result;
+  writeJacobian(problem, dofs);
+  freezeAtLimits(problem, dofs);
+  for (let v = 0; v < variables.count; v++) if (held[v]) result.binding[result.bindingCount++] = variables.dof[v];
+  return result;
+}

@@ -1,0 +1,144 @@
+/**
+ * All that a problem of inverse kinematics holds: what is known of it, and the arrays that solving it writes to. Made
+ * once by `ikProblem`; after that nothing is allocated.
+ *
+ * The joints that matter, those on the paths from the pins to the root, are numbered anew, in the skeleton's order:
+ * SLOTS. Everything is in the space of the world matrices.
+ */
+import type { CompiledSkeleton } from '../kinematics.ts';
+import type { IkVariables } from './variables.ts';
+
+export interface IkProblem {
+  readonly skeleton: CompiledSkeleton;
+  readonly clamps: boolean;
+  /** The longest way along the bones from the root to a joint or a pin; 1 where there is none. */
+  readonly reach: number;
+  readonly pins: PinArrays;
+  readonly slots: Slots;
+  readonly screws: Screws;
+  readonly balls: Balls;
+  readonly variables: IkVariables;
+  /** Of the root translation, those that are unknowns: -1 for the others. */
+  readonly rootVariables: Int32Array;
+  /** Numbers that the errors of all pins make. */
+  readonly rows: number;
+  readonly errors: Float64Array;
+  /** ∂ error / ∂ unknown: a row of `variables.count` for each error. */
+  readonly jacobian: Float64Array;
+  readonly scratch: Scratch;
+  /** Overwritten by every solution. */
+  readonly result: IkResult;
+}
+
+/** What a solution came to; the problem's own, overwritten by its next one. */
+export interface IkResult {
+  /** Steps tried, of all attempts together. */
+  iterations: number;
+  /** Whether every pin is within the aim of its target. */
+  isSolved: boolean;
+  /** By pin: how far it is from its target, in the character's unit. */
+  readonly residuals: Float64Array;
+  /** By pin: the angle by which its joint misses its orientation, radians; 0 where none is held. */
+  readonly turns: Float64Array;
+  /** The character's DOFs that a limit keeps from bringing the pins nearer: the first `bindingCount` of `binding`. */
+  readonly binding: Int32Array;
+  bindingCount: number;
+}
+
+export interface PinArrays {
+  readonly count: number;
+  readonly slot: Int32Array;
+  /** x y z each, in the joint's space. */
+  readonly points: Float64Array;
+  /** x y z each: where they should be. Written by `movePin`. */
+  readonly targets: Float64Array;
+  /** x y z each: the nearest place that can be. */
+  readonly aims: Float64Array;
+  readonly holdsOrientation: Uint8Array;
+  /** 9 each. Written by `turnPin`. */
+  readonly targetFrames: Float64Array;
+  /** Of the errors of position and of orientation. */
+  readonly weights: Float64Array;
+  readonly turnWeights: Float64Array;
+  /** Its first error. */
+  readonly row: Int32Array;
+  /** At the pose last looked at: x y z each, `FRAME_SIZE` each, the turn left, 3 each. */
+  readonly positions: Float64Array;
+  readonly frames: Float64Array;
+  readonly turns: Float64Array;
+}
+
+export interface Slots {
+  readonly count: number;
+  readonly joint: Int32Array;
+  /** Its slot, or -1. */
+  readonly parent: Int32Array;
+  /** 16 each, at the pose last looked at. */
+  readonly locals: Float64Array;
+  readonly worlds: Float64Array;
+  /** 1 where neither the joint nor any above it stretches. */
+  readonly isRigid: Uint8Array;
+  readonly allScrews: boolean;
+  /** The pins on the joint or below it: `pinsBelow[firstPin[s]]` up to `firstPin[s + 1]`. */
+  readonly firstPin: Int32Array;
+  readonly pinsBelow: Int32Array;
+  /** Its DOFs that an unknown moves: from `firstPart[s]` up to `firstPart[s + 1]` in the lists that follow. */
+  readonly firstPart: Int32Array;
+  /** Counted from the joint's first DOF. */
+  readonly partDof: Int32Array;
+  readonly partVariable: Int32Array;
+  /** The follower that it is, or -1. */
+  readonly partFollower: Int32Array;
+  /** 1 where the joint is a product of screws under none that stretches: then `locals` has nothing of it. */
+  readonly takesScrews: Uint8Array;
+}
+
+/** What the solver writes to, none of it of meaning between its calls. */
+export interface Scratch {
+  readonly twists: Float64Array;
+  readonly matrix: Float64Array;
+  /** By unknown. */
+  readonly step: Float64Array;
+  readonly held: Uint8Array;
+  readonly free: Int32Array;
+  readonly fixedStep: Float64Array;
+  readonly before: Float64Array;
+  /** The pose last looked at. */
+  readonly seen: Float64Array;
+  readonly bestPose: Float64Array;
+  readonly startPose: Float64Array;
+  /** Rows × unknowns. */
+  readonly freeColumns: Float64Array;
+  /** By row. */
+  readonly rest: Float64Array;
+  readonly errorsBefore: Float64Array;
+  /** Square, of the smaller of rows and unknowns. */
+  readonly normal: Float64Array;
+  readonly factor: Float64Array;
+  readonly solution: Float64Array;
+}
+
+export interface Balls {
+  /** By pin, the slot of the joint in whose pivot the centre is; -1 where nothing is known to bound the pin. */
+  readonly centre: Int32Array;
+  readonly radius: Float64Array;
+}
+
+export interface Screws {
+  /** Those of slot s: from `first[s]` up to `first[s + 1]`; none where the slot goes by matrices. */
+  readonly first: Int32Array;
+  /** The character's DOF of each. */
+  readonly dof: Int32Array;
+  /** The unknown that moves it, or -1. */
+  readonly variable: Int32Array;
+  /** The follower that its DOF is, or -1. */
+  readonly follower: Int32Array;
+  /** 0, 1, 2 for x, y, z, or 3. */
+  readonly axisKind: Uint8Array;
+  /** 3 each, in the joint's own space. */
+  readonly axes: Float64Array;
+  readonly turns: Uint8Array;
+  readonly slides: Float64Array;
+  /** At the pose last looked at: the axis in the world and a point on it, 6 numbers each. */
+  readonly lines: Float64Array;
+}

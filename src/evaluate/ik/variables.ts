@@ -1,0 +1,136 @@
+/**
+ * The unknowns: DOFs of the joints on the paths from the pins to the root, without the locked ones. A coupled DOF is no
+ * unknown of its own; what it does is added to the one that it follows, whichever joint that belongs to.
+ *
+ * Unknowns are counted in a unit in which as much change is as dear: radians, parts of the reach, factors, each divided
+ * by the square root of its stiffness. Damping then holds back each as it should.
+ */
+import { jointDofCount } from '../../model/dofs.ts';
+import { dofsOf, isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import type { CompiledSkeleton } from '../kinematics.ts';
+
+export interface IkVariables {
+  readonly count: number;
+  /** The character's DOF that each is. */
+  readonly dof: Int32Array;
+  /** By how much the DOF changes where the unknown changes by 1. */
+  readonly scale: Float64Array;
+  /** The same in radians, reaches or factors. */
+  readonly relative: Float64Array;
+  readonly lower: Float64Array;
+  readonly upper: Float64Array;
+  /** Whether any has a limit that an animation could come to. */
+  readonly isLimited: boolean;
+  /** By the character's DOF: the unknown that moves it, or -1. */
+  readonly ofDof: Int32Array;
+  readonly followers: Followers;
+}
+
+/** Coupled DOFs that matter here, each after what it follows. */
+export interface Followers {
+  readonly count: number;
+  readonly dof: Int32Array;
+  readonly follows: Int32Array;
+  readonly gain: Float64Array;
+  readonly offset: Float64Array;
+  readonly lower: Float64Array;
+  readonly upper: Float64Array;
+  /** Index of the follower that it follows in turn, or -1. */
+  readonly leader: Int32Array;
+  /** By how much each changes where its unknown's DOF does by 1, at the pose last settled; 0 at its own limit. */
+  readonly slope: Float64Array;
+  /** By the character's DOF: which follower it is, or -1. */
+  readonly ofDof: Int32Array;
+}
+
+/**
+ * @param onPath whether a joint is on a path from a pin to the root
+ * @param stiffness by the character's DOF; Infinity for what is locked
+ */
+export function ikVariables(
+  skeleton: Skeleton,
+  compiled: CompiledSkeleton,
+  onPath: readonly boolean[],
+  stiffness: ArrayLike<number>,
+  reach: number,
+  clamps: boolean,
+): IkVariables {
+  const { firstDof, lower, upper } = compiled;
+  const first = firstDof[0];
+  const all = first + jointDofCount(skeleton);
+  const below = (dof: number) => (clamps && dof >= first ? lower[dof - first] : -Infinity);
+  const above = (dof: number) => (clamps && dof >= first ? upper[dof - first] : Infinity);
+  const lengths = Array.from({ length: first }, () => true);
+  const moves = Array.from({ length: first }, () => true);
+  skeleton.joints.forEach(({ motion }, j) => {
+    for (const { unit } of dofsOf(motion)) {
+      lengths.push(unit === 'length');
+      moves.push(onPath[j]);
+    }
+  });
+  const followers = followersOf(compiled, moves, below, above);
+  // What a DOF on a path follows moves too, wherever its joint is.
+  for (let f = followers.count - 1; f >= 0; f--) if (moves[followers.dof[f]]) moves[followers.follows[f]] = true;
+  const ofDof = new Int32Array(all).fill(-1);
+  const chosen: number[] = [];
+  for (let dof = 0; dof < all; dof++) {
+    if (!moves[dof] || followers.ofDof[dof] >= 0 || !((stiffness[dof] ?? 1) < Infinity)) continue;
+    if (below(dof) >= above(dof)) continue;
+    ofDof[dof] = chosen.length;
+    chosen.push(dof);
+  }
+  const relative = Float64Array.from(chosen, (dof) => 1 / Math.sqrt(Math.max(1e-12, stiffness[dof] ?? 1)));
+  for (let f = 0; f < followers.count; f++) ofDof[followers.dof[f]] = ofDof[followers.follows[f]];
+  return {
+    count: chosen.length,
+    dof: Int32Array.from(chosen),
+    scale: relative.map((part, v) => part * (lengths[chosen[v]] ? reach : 1)),
+    relative,
+    lower: Float64Array.from(chosen, below),
+    upper: Float64Array.from(chosen, above),
+    isLimited: chosen.some((dof) => !isUnlimited({ min: below(dof), max: above(dof) })),
+    ofDof,
+    followers,
+  };
+}
+
+function followersOf(
+  { couples, firstDof, jointCount }: CompiledSkeleton,
+  moves: readonly boolean[],
+  below: (dof: number) => number,
+  above: (dof: number) => number,
+): Followers {
+  const needed = new Set<number>();
+  for (let i = couples.length - 1; i >= 0; i--) {
+    const { dof, follows } = couples[i];
+    if (moves[dof] || needed.has(dof)) needed.add(dof).add(follows);
+  }
+  const kept = couples.filter(({ dof }) => needed.has(dof));
+  const ofDof = new Int32Array(firstDof[jointCount]).fill(-1);
+  kept.forEach(({ dof }, f) => {
+    ofDof[dof] = f;
+  });
+  return {
+    count: kept.length,
+    dof: Int32Array.from(kept, ({ dof }) => dof),
+    follows: Int32Array.from(kept, ({ follows }) => follows),
+    gain: Float64Array.from(kept, ({ gain }) => gain),
+    offset: Float64Array.from(kept, ({ offset }) => offset),
+    lower: Float64Array.from(kept, ({ dof }) => below(dof)),
+    upper: Float64Array.from(kept, ({ dof }) => above(dof)),
+    leader: Int32Array.from(kept, ({ follows }) => ofDof[follows]),
+    slope: new Float64Array(kept.length),
+    ofDof,
+  };
+}
+
+/** Lets what follows take its place, in place, and notes how fast it does. */
+export function settleFollowers(followers: Followers, dofs: Float64Array): void {
+  const { count, dof, follows, gain, offset, lower, upper, leader, slope } = followers;
+  for (let f = 0; f < count; f++) {
+    const value = gain[f] * dofs[follows[f]] + offset[f];
+    const held = value < lower[f] ? lower[f] : value > upper[f] ? upper[f] : value;
+    dofs[dof[f]] = held;
+    slope[f] = held === value ? gain[f] * (leader[f] < 0 ? 1 : slope[leader[f]]) : 0;
+  }
+}
