@@ -5,7 +5,7 @@
 import { type DiskFile, diskFileOf } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import type { Character } from '../model/document.ts';
-import { fileNameOf, type Part, partsOf, sourceOf } from './saving.ts';
+import { fileNameOf, type Part, partsOf, sourceOf } from './parts.ts';
 
 /** One entry, plain: handles and files survive a structured clone. */
 export type KeptDiskFile = readonly [key: string, file: DiskFile];

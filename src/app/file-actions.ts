@@ -1,12 +1,13 @@
 /** What the menus can do with files, over dialogs, drops, samples and the disk. */
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer } from '../io/given.ts';
+import { onDemand } from '../ui/on-demand.ts';
 import type { FileActions, SampleEntry } from '../ui/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';
 import { fetchSample, type Sample } from './samples.ts';
-import { type Disk, Saver } from './saver.ts';
+import type { Disk, Saver } from './saver.ts';
 import type { Unsaved } from './unsaved.ts';
 
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
@@ -24,7 +25,14 @@ export function fileActions(parts: Parts): FileActions {
   samples.then((list) => {
     listed = list;
   });
-  const saver = new Saver(parts);
+  let saver: Saver | undefined;
+  /** With all that writes files, it is fetched when something is saved first. */
+  const saving = async (save: (saver: Saver) => Promise<void>) => {
+    const module = await onDemand(parts.messages, 'What saves files', () => import('./saver.ts'));
+    if (!module) return;
+    saver ??= new module.Saver(parts);
+    await save(saver);
+  };
   const reloading: ReloadParts = {
     ...parts,
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
@@ -51,9 +59,9 @@ export function fileActions(parts: Parts): FileActions {
     drop: take,
     paste: take,
     unsaved: unsaved.parts,
-    saveChanged: () => void saver.saveChanged(),
-    save: (characterId, kind) => void saver.saveAs(characterId, kind),
-    saveAll: (characterId) => void saver.saveAll(characterId),
+    saveChanged: () => void saving((s) => s.saveChanged()),
+    save: (characterId, kind) => void saving((s) => s.saveAs(characterId, kind)),
+    saveAll: (characterId) => void saving((s) => s.saveAll(characterId)),
     reload: (characterId) => void reload(reloading, characterId),
     canReload: (characterId) => canReload(parts, characterId),
   };

@@ -1,11 +1,15 @@
 /**
- * The played range follows the clips: when other clips are shown (files opened, a take chosen or its range set, undo), a
+ * The played range, and how it is counted, follow the clips: when other clips are shown (files opened, a take chosen or its range set, undo), a
  * range that was theirs becomes that of the new ones. A range that someone set by hand stays.
+ *
+ * Frames are counted as takes have them that come into an empty page, or in the place of all that was there, where they
+ * have one rate. After that the rate is the person's, until a take is played alone.
  *
  * Without a clip there is a range all the same, for poses want a time line to be keyed on; it is the one that was there
  * before the clips came.
  */
-import { DEFAULT_PLAYBACK, type Playback } from '../edit/playback.ts';
+import { sharedFrameRate } from '../edit/frame-rate.ts';
+import { countedAt, DEFAULT_PLAYBACK, type Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { findCharacter, rangeOfClips } from '../model/document.ts';
 import type { Observable } from '../ui/observable.ts';
@@ -24,6 +28,8 @@ export function followRange(store: Store, transport: Observable<Playback>): void
     const isOther =
       before.document.characters.length > 0 &&
       !now.document.characters.some((c) => findCharacter(before.document, c.id));
+    const isFirst = before.document.characters.length === 0;
+    if (isOther || isFirst) transport.update((playback) => countedAt(playback, sharedFrameRate(now.document)));
     if (isOther) withoutClips = DEFAULT_PLAYBACK.range;
     else if (!was && next) withoutClips = transport.get().range;
     if (sameRange(was, next) && !(isOther && !next)) return;

@@ -11,7 +11,7 @@ import { baseName } from '../model/files.ts';
 import type { Messages } from '../ui/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
-import { partsOf } from './saving.ts';
+import { partsOf } from './parts.ts';
 import type { Unsaved } from './unsaved.ts';
 
 export interface ReloadParts {

@@ -9,21 +9,16 @@ import { type Character, type Document, findCharacter } from '../model/document.
 import type { Messages } from '../ui/messages.ts';
 import type { SaveKind, UnsavedPart } from '../ui/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
+import { fileNameOf, isExport, jointPose, type Part, partKindOf, partsOf, poseToSave, sourceOf } from './parts.ts';
 import {
   exportCharacter,
-  fileNameOf,
-  isExport,
-  jointPose,
+  type FilePiece,
   type LongFile,
-  type Part,
-  partsOf,
-  poseToSave,
   type SavedFile,
   saveCharacter,
   savePart,
   saveSkeletons,
   saveTakes,
-  sourceOf,
 } from './saving.ts';
 import type { Unsaved } from './unsaved.ts';
 
@@ -36,7 +31,7 @@ export interface Disk {
   download(name: string, content: Content): void;
 }
 
-/** Of a file: a text, the bytes of a zip, or a text of any length that was put together from pieces. */
+/** Of a file: a text, the bytes of a zip, or a file of any length that was put together from pieces. */
 type Content = string | Uint8Array<ArrayBuffer> | Blob;
 
 export interface SaverParts {
@@ -221,7 +216,7 @@ export class Saver {
         return { name: file.name, holds: [], target: undefined, write: () => file };
       });
     }
-    const parts = partsOf(character).filter((part) => part.kind === kind);
+    const parts = partsOf(character).filter((part) => part.kind === partKindOf(kind));
     return parts.map((part) => this.fileOf(character, part, jointPose));
   }
 
@@ -270,9 +265,9 @@ function find(document: Document, { characterId, kind, index }: UnsavedPart) {
  * A long file as a Blob, made in stretches between which the page lives on. The browser keeps it, not the script: what is
  * in the script's memory at any time are some hundred pieces.
  */
-async function blobOf(pieces: Iterable<string>): Promise<Blob> {
+async function blobOf(pieces: Iterable<FilePiece>): Promise<Blob> {
   const parts: Blob[] = [];
-  let batch: string[] = [];
+  let batch: FilePiece[] = [];
   let begun = performance.now();
   for (const piece of pieces) {
     batch.push(piece);

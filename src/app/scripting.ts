@@ -3,21 +3,20 @@
  * functions as the menus, so what a script does can be undone and what it reads is what is drawn.
  */
 import { finiteNumber } from '../edit/arguments.ts';
-import { COMMANDS_BY_ID } from '../edit/commands/all.ts';
+import { COMMANDS_AT_HAND, isFetched } from '../edit/commands/at-hand.ts';
 import { type Playback, play } from '../edit/playback.ts';
-import type { Store } from '../edit/store.ts';
+import type { Command, Edit, Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
-import { type Character, shownClip } from '../model/document.ts';
-import type { FileKind } from '../model/files.ts';
+import { type Character, type Document, shownClip } from '../model/document.ts';
 import { runAction } from '../ui/actions.ts';
 import type { Observable } from '../ui/observable.ts';
 import type { Workbench } from '../ui/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
-import { saveCharacter } from './saving.ts';
+import type { FormatKind } from './parts.ts';
 
 /** A file to open: the browser's own, or a name and what is in it. */
 export type ScriptFile =
@@ -64,8 +63,10 @@ export interface MarrowApi {
   /**
    * Runs a command on the document (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …).
    * `characterId`, `timeSeconds` and `playedRange` default to the selected character, the moment shown and the range.
+   * Commands for whole curves, samples and other characters' takes (`channels.…`, `samples.…`, `retarget.…`), and actions
+   * that use them, are fetched first: for those it gives a promise.
    */
-  run(commandId: string, args?: Readonly<Record<string, unknown>>): void;
+  run(commandId: string, args?: Readonly<Record<string, unknown>>): Promise<void> | undefined;
   /** The keys of a channel of the shown clip: seconds of the clip, values, and the slopes that their tangents come to. */
   keys(channel: number, character?: CharacterRef): KeyInfo[];
   /**
@@ -80,8 +81,8 @@ export interface MarrowApi {
   /** False where there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;
-  /** A part as the text of the file of that name: `wasp.skel`. */
-  save(name: string): string;
+  /** A part as the text of the file of that name: `wasp.skel`. What writes files is fetched for it. */
+  save(name: string): Promise<string>;
 }
 
 declare global {
@@ -176,13 +177,26 @@ function keysOf(character: Character, channel: number): KeyInfo[] {
   });
 }
 
-function run(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): void {
-  const { store, transport } = workbench;
+function run(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): Promise<void> | undefined {
+  const command = COMMANDS_AT_HAND.get(id);
+  if (command) apply(workbench, command, args);
+  else if (isFetched(id)) return fetchAndRun(workbench, id, args);
+  else return runAction(workbench, id, args);
+  return undefined;
+}
+
+async function fetchAndRun(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): Promise<void> {
+  const { COMMANDS_BY_ID } = await import('../edit/commands/all.ts');
   const command = COMMANDS_BY_ID.get(id);
-  if (!command) {
-    runAction(workbench, id, args);
-    return;
-  }
+  if (command) apply(workbench, command, args);
+  else await runAction(workbench, id, args);
+}
+
+function apply(
+  { store, transport }: Workbench,
+  command: Command<never, Document | Edit>,
+  args: Readonly<Record<string, unknown>>,
+): void {
   const given = {
     timeSeconds: timeOf(transport),
     playedRange: transport.get().range,
@@ -201,12 +215,13 @@ function asReference(value: unknown): CharacterRef | undefined {
   return typeof value === 'string' || typeof value === 'number' ? value : undefined;
 }
 
-const KINDS: readonly FileKind[] = ['skel', 'skin', 'morph', 'anim', 'rig', 'bvh'];
+const KINDS: readonly FormatKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh'];
 
 /** The selected character's file of that name, or another's; else the selected character's first of that kind. */
-function saveByName(store: Store, name: string): string {
+async function saveByName(store: Store, name: string): Promise<string> {
   const kind = KINDS.find((k) => name.toLowerCase().endsWith(`.${k}`));
   if (!kind) throw new Error(`"${name}" has to end in one of ${KINDS.map((k) => `.${k}`).join(' ')}.`);
+  const { saveCharacter } = await import('./saving.ts');
   const preferred = resolve(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {
     const file = saveCharacter(character, kind).find((f) => f.name.toLowerCase() === name.toLowerCase());

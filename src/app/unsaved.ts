@@ -11,8 +11,8 @@ import { filePose, rootDofCount } from '../model/dofs.ts';
 import { type ParsedFile, sameName } from '../model/files.ts';
 import { type Observable, observable } from '../ui/observable.ts';
 import type { PartKind, UnsavedPart } from '../ui/workbench.ts';
+import { fileNameOf, type Part, partsOf, poseToSave } from './parts.ts';
 import { sameData } from './same-data.ts';
-import { fileNameOf, type Part, partsOf, poseToSave } from './saving.ts';
 
 /** What of a character is in files. Parts are those of documents, by identity, so keeping them costs nothing more. */
 export interface SavedCharacter {

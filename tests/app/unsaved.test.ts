@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { titleFor } from '../../src/app/leaving.ts';
+import { partsOf } from '../../src/app/parts.ts';
 import { sameData } from '../../src/app/same-data.ts';
-import { partsOf } from '../../src/app/saving.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
 import { renameCharacter } from '../../src/edit/commands/characters.ts';
 import { setDofs } from '../../src/edit/commands/pose.ts';

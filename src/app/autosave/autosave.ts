@@ -17,7 +17,7 @@ import type { Observable } from '../../ui/observable.ts';
 import type { Timeline } from '../../ui/timeline/timeline.ts';
 import type { Loading, Stage } from '../../ui/workbench.ts';
 import type { WorkerClient } from '../../worker/client.ts';
-import type { Opener } from '../opening.ts';
+import type { OpenedFiles, Opener } from '../opening.ts';
 import { isFull, Keeper } from './keeper.ts';
 import { KeptOffers } from './offers.ts';
 import { Origins } from './origins.ts';
@@ -40,6 +40,13 @@ export interface AutosaveParts {
   /** Undefined where the browser has none. */
   readonly sessions: SessionStore | undefined;
   readonly locks: SessionLocks | undefined;
+}
+
+/** The time from the page's beginning to its autosave's. */
+export interface TimeBefore {
+  /** What the page began with: it comes by itself, and will again, so it need not be kept. */
+  readonly own: Document;
+  readonly opened: readonly OpenedFiles[];
 }
 
 /** What saving knows beside the document, as plain data. */
@@ -68,14 +75,13 @@ export class Autosave {
   private marksChanged = false;
   /** What the page showed by itself. */
   private own: Document | undefined;
-  /** The page is about to show something by itself. */
-  private isStarting = false;
   private hasComplained = false;
   /** Not before then: the last try failed. */
   private retryAtMs = 0;
 
   constructor(
     private readonly parts: AutosaveParts,
+    before: TimeBefore,
     private readonly tell: (state: AutosaveState) => void,
     id: string = newId(),
   ) {
@@ -101,16 +107,9 @@ export class Autosave {
       this.changed();
     });
     tell('nothing');
-  }
-
-  /** What this brings into the document comes by itself, and will again: it need not be kept. */
-  startsWith(opening: Promise<unknown>): void {
-    this.isStarting = true;
-    const end = () => {
-      this.isStarting = false;
-      this.own = this.parts.store.document;
-    };
-    opening.then(end, end);
+    this.own = before.own;
+    for (const { given, files } of before.opened) this.origins.learn(given, files);
+    this.changed();
   }
 
   /** Looks for what earlier pages left behind. */
@@ -149,7 +148,7 @@ export class Autosave {
 
   private get isWorthKeeping(): boolean {
     const { document } = this.parts.store;
-    if (this.isStarting || document === this.own) return false;
+    if (document === this.own) return false;
     return document.characters.length > 0 || document.unused.length > 0;
   }
 

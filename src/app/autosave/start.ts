@@ -1,9 +1,16 @@
 /** Autosave in a page: what it has to hear of the window, and what the page shows of it. */
-import { Autosave, type AutosaveParts } from './autosave.ts';
+import { sessionLocks } from '../../io/session-locks.ts';
+import { sessionStore } from '../../io/session-store.ts';
+import { Autosave, type AutosaveParts, type TimeBefore } from './autosave.ts';
 
-export function startAutosave(parts: AutosaveParts, page: Window = window): Autosave {
+/** @param before what happened since the page began */
+export function startAutosave(
+  parts: Omit<AutosaveParts, 'sessions' | 'locks'>,
+  before: TimeBefore,
+  page: Window = window,
+): void {
   const { documentElement } = page.document;
-  const autosave = new Autosave(parts, (state) => {
+  const autosave = new Autosave({ ...parts, sessions: sessionStore(), locks: sessionLocks() }, before, (state) => {
     documentElement.dataset.autosave = state;
   });
   const options = { capture: true, passive: true };
@@ -23,5 +30,5 @@ export function startAutosave(parts: AutosaveParts, page: Window = window): Auto
     if (page.document.visibilityState === 'hidden') autosave.saveAtOnce();
   });
   page.addEventListener('pagehide', () => autosave.saveAtOnce());
-  return autosave;
+  void autosave.offer();
 }

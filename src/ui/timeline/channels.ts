@@ -2,6 +2,7 @@
  * Which channels the timeline lists, and which of them it draws. Both follow from the document, the selection and the
  * timeline's settings alone; nothing is remembered here.
  */
+import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { isSampled } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../model/dofs.ts';
@@ -47,6 +48,7 @@ export function dofsFor({ skeleton, morphs }: Character): readonly CharacterDof[
 /**
  * The channels of the list, in the order of the DOFs: the selected joint's (the root's translation with the root;
  * everything where no joint is selected), all, or those that were pinned; of them those whose name the filter finds.
+ * While another character's take moves it, only its morphs: what its own take has of its joints is not seen.
  */
 export function listedChannels(character: Character, selection: Selection, settings: ListSettings): ListedChannel[] {
   const dofs = dofsFor(character);
@@ -54,7 +56,9 @@ export function listedChannels(character: Character, selection: Selection, setti
   const joint = selection.characterId === character.id ? selection.joint : undefined;
   const words = settings.filter.toLowerCase().split(/\s+/).filter(Boolean);
   const listed: ListedChannel[] = [];
+  const silent = silentChannels(character);
   const add = (channel: number) => {
+    if (channel < silent) return;
     const one = namedChannel(character, channel);
     if (isFound(words, `${one.joint} ${one.dof}`.toLowerCase())) listed.push(one);
   };

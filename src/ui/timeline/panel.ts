@@ -7,6 +7,7 @@ import { focusPanel } from '../focus.ts';
 import { icon } from '../icons.ts';
 import { onDemand, whenIdle } from '../on-demand.ts';
 import { isPanelOpen, NARROW } from '../panels.ts';
+import { movedNotice } from '../retarget/moved.ts';
 import { splitter } from '../splitter.ts';
 import type { Workbench } from '../workbench.ts';
 import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from './timeline.ts';
@@ -18,8 +19,8 @@ const LABELS: Readonly<Record<TimelineTabName, string>> = {
 };
 
 /**
- * @param load fetches and builds a tab; called once, when it is looked at first, and not before the page has nothing
- *   else to do: the first picture is the character's
+ * @param load fetches and builds a tab; called once, when it is looked at first; for the tab that the page begins with not
+ *   before it has nothing else to do: the first picture is the character's
  */
 export function timelinePanel(
   wb: Workbench,
@@ -54,11 +55,13 @@ export function timelinePanel(
     place?.body.replaceChildren(tab.element);
     show();
   };
+  let isStarting = true;
   const asked = new Set<TimelineTabName>();
   const need = (name: TimelineTabName) => {
     if (asked.has(name)) return;
     asked.add(name);
-    whenIdle(wb, () => void build(name));
+    if (isStarting) whenIdle(wb, () => void build(name));
+    else void build(name);
   };
   const list = element('div', { role: 'tablist', class: 'timeline-tabs', 'aria-label': 'Timeline' });
   list.append(...places.map((p) => p.title));
@@ -80,6 +83,7 @@ export function timelinePanel(
     { class: 'timeline', 'aria-label': 'Timeline', 'data-panel': 'timeline' },
     splitter(wb, 'timelineHeight', 'Height of the timeline'),
     element('div', { class: 'timeline-head' }, list, ...places.map((p) => p.tools), fold),
+    movedNotice(wb),
     ...places.map((p) => p.body),
   );
 
@@ -113,5 +117,6 @@ export function timelinePanel(
   });
   window.matchMedia(NARROW).addEventListener('change', show, { signal });
   show();
+  isStarting = false;
   return panel;
 }

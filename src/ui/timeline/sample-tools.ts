@@ -1,6 +1,8 @@
 /** Tools for the take's samples that need nothing asked: at the playhead, or to what is played. */
-import { cropSamples, reverseSamples, splitSamples, trimSamples } from '../../edit/commands/samples.ts';
+import { cropSamples, reverseSamples, reverseSteps, splitSamples, trimSamples } from '../../edit/commands/samples.ts';
+import { inSlices } from '../in-slices.ts';
 import { plural } from '../number-text.ts';
+import { Trial } from '../trial.ts';
 import type { Workbench } from '../workbench.ts';
 import { clipTime, takeInHand } from './in-hand.ts';
 

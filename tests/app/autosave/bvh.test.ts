@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { Keeper } from '../../../src/app/autosave/keeper.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { readSession } from '../../../src/app/autosave/restore.ts';
-import { partsOf } from '../../../src/app/saving.ts';
+import { partsOf } from '../../../src/app/parts.ts';
 import { Unsaved } from '../../../src/app/unsaved.ts';
 import { openFiles } from '../../../src/edit/open-files.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';

@@ -1,0 +1,84 @@
+/**
+ * The commands that the page has from the start, by id. Those for whole curves, samples and other characters' takes
+ * are fetched when they are asked for: with what fits, smooths and matches they are more than all of these (`all.ts`).
+ */
+import type { Document } from '../../model/document.ts';
+import type { Command, Edit } from '../store.ts';
+import {
+  addCopy,
+  placeCharacter,
+  removeCharacter,
+  removeCopy,
+  renameCharacter,
+  setTimeOffset,
+  showClip,
+  showSkin,
+} from './characters.ts';
+import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
+import { setExtrapolation } from './extrapolation.ts';
+import { keyPose } from './keying.ts';
+import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
+import { clearLimit, setLimit } from './limits.ts';
+import { pasteKeys } from './paste.ts';
+import { dropUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
+import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
+import { alignStarts, arrange, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
+import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
+
+/** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */
+const COMMANDS: readonly Command<never, Document | Edit>[] = [
+  setDofs,
+  resetPose,
+  setClamping,
+  dropUnkeyed,
+  keyPose,
+  createClip,
+  renameClip,
+  duplicateClip,
+  removeClip,
+  setClipRange,
+  setInterpolation,
+  setSpace,
+  setPositionChannels,
+  setHidden,
+  setLimit,
+  clearLimit,
+  insertKeys,
+  addKey,
+  moveKeys,
+  scaleKeys,
+  setKeys,
+  snapKeys,
+  removeKeys,
+  rippleKeys,
+  pasteKeys,
+  setTangents,
+  setSlopes,
+  unifyTangents,
+  breakTangents,
+  setExtrapolation,
+  removeCharacter,
+  renameCharacter,
+  showSkin,
+  showClip,
+  setTimeOffset,
+  placeCharacter,
+  addCopy,
+  removeCopy,
+  showTakes,
+  alignStarts,
+  setTimeOffsets,
+  arrange,
+  endOverlay,
+  overlayTakes,
+  removeTakes,
+];
+
+export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edit>> = new Map(
+  COMMANDS.map((c) => [c.id, c]),
+);
+
+/** Whether a command of that id would be one of the others. */
+export function isFetched(id: string): boolean {
+  return /^(channels|samples|retarget)\./.test(id);
+}

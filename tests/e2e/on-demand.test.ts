@@ -1,0 +1,67 @@
+/** What the page begins with, what comes later, and what happens where that does not come. */
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+
+const DIST = fileURLToPath(new URL('../../dist/', import.meta.url));
+/** Of `workbench.md`: script before anything is opened. */
+const MOST_BYTES = 300_000;
+
+const shown = (page: Page, name: string) =>
+  page.waitForFunction((wanted) => window.marrow?.characters().some((c) => c.name === wanted), name);
+
+/** The scripts that the HTML names, and all that those import themselves. */
+function firstScripts(): readonly string[] {
+  const html = readFileSync(join(DIST, 'index.html'), 'utf8');
+  const found = new Set([...html.matchAll(/(?:src|href)="\.\/([^"]+\.js)"/g)].map((m) => m[1]));
+  for (const file of found) {
+    const text = readFileSync(join(DIST, file), 'utf8');
+    const imports = text.matchAll(/(?:\bfrom|\bimport)\s*["'](\.[^"']+\.js)["']/g);
+    for (const [, path] of imports) found.add(join(dirname(file), path));
+  }
+  return [...found];
+}
+
+describe('the page', () => {
+  it('begins with less than 300 kB of script, gzipped', () => {
+    const scripts = firstScripts();
+    expect(scripts.some((file) => file.includes('three'))).toBe(true);
+    const bytes = scripts.reduce((sum, file) => sum + gzipSync(readFileSync(join(DIST, file))).length, 0);
+    expect(bytes).toBeLessThan(MOST_BYTES);
+  });
+
+  it('keeps what is opened before its panels and its autosave have come', () =>
+    withPage(
+      async ({ page }) => {
+        await shown(page, 'walker');
+        await dropFiles(page, [{ name: 'arm.skel', bytes: 'balljoint shoulder { }' }]);
+        await shown(page, 'arm');
+        await page.waitForFunction(() => document.documentElement.dataset.autosave === 'kept');
+      },
+      {
+        // A page that never has nothing to do.
+        before: () => {
+          window.requestIdleCallback = () => 0;
+        },
+      },
+    ));
+
+  it('says so where a dialog does not come, and goes on', () =>
+    withPage(
+      async ({ page }) => {
+        await shown(page, 'walker');
+        await page.route('**/about-*.js', (route) => route.abort('connectionrefused'));
+        await page.evaluate(() => window.marrow.run('help.about'));
+        await page.getByText('The dialog could not be loaded').filter({ visible: true }).first().waitFor();
+        await page.evaluate(() => window.marrow.run('help.shortcuts'));
+        await page.getByRole('dialog', { name: 'Shortcuts' }).waitFor();
+        await page.keyboard.press('Escape');
+        await page.getByRole('dialog').waitFor({ state: 'detached' });
+      },
+      { expected: /about-/ },
+    ));
+});
