@@ -3,6 +3,8 @@
  * channel and index, check what a console may have given them, leave every other channel the object it is, and say
  * where their keys are afterwards.
  */
+
+import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Channel, type ChannelClip, isSampled } from '../model/clip.ts';
 import { type Document, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
@@ -10,6 +12,7 @@ import { indexIn, listOf } from './arguments.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';
 import type { Moved } from './keys/arrange.ts';
 import { countKeys } from './keys/selection.ts';
+import { refuseMoved } from './refuse-moved.ts';
 import { CommandError, type Edit } from './store.ts';
 import { requireTake, withTake } from './takes.ts';
 
@@ -30,11 +33,16 @@ export function clipOf(document: Document, characterId: string): ChannelClip {
   return requireTake(requireCharacter(document, characterId));
 }
 
-/** The document with other channels in the clip that a character shows; the same object where all of them are. */
+/**
+ * The document with other channels in the clip that a character shows; the same object where all of them are. Refuses
+ * changes of what nobody sees: of joints that another character's take moves.
+ */
 export function withClipChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
   return changeCharacter(document, characterId, (character) => {
     const clip = shownClip(character);
     if (!clip || channels.every((channel, i) => channel === clip.channels[i])) return character;
+    const silent = silentChannels(character);
+    if (channels.some((channel, i) => i < silent && channel !== clip.channels[i])) refuseMoved(character);
     return withTake(character, character.shownClip, { ...clip, channels });
   });
 }

@@ -197,21 +197,3 @@ function isNumbers(value: unknown): value is Numbers {
 function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 }
-
-/** Arrays smaller than this count for nothing: steps that keep only such are thousands. */
-const LARGE_BYTES = 1 << 20;
-
-/** The memory that a delta keeps in large pieces, each once. */
-export function largeBuffers(delta: Delta | undefined): ReadonlySet<ArrayBufferLike> {
-  const found = new Set<ArrayBufferLike>();
-  const look = (value: unknown): void => {
-    if (isNumbers(value)) {
-      if (value.buffer.byteLength >= LARGE_BYTES) found.add(value.buffer);
-    } else if (Array.isArray(value)) {
-      // Lists of numbers and names are long and hold nothing.
-      if (typeof value[0] === 'object') value.forEach(look);
-    } else if (isRecord(value)) Object.values(value).forEach(look);
-  };
-  look(delta);
-  return found;
-}

@@ -5,7 +5,6 @@
  * the source, its drivers follow in the very same step: undo takes both back. A source that goes, or shows no take any
  * more, leaves them as they are.
  */
-import { compileSkeleton } from '../evaluate/kinematics.ts';
 import { type Character, type Document, type DriverSource, findCharacter, shownClip } from '../model/document.ts';
 
 /** What of a character moves another; undefined where it has no skeleton, or shows no take. */
@@ -14,6 +13,11 @@ export function driverSource(character: Character): DriverSource | undefined {
   const clip = shownClip(character);
   if (!skeleton || !clip) return undefined;
   return { name, skeleton, clip, pose, clampsToLimits, timeOffsetSeconds, ...(space && { space }) };
+}
+
+/** Characters whose take can be put onto another one. */
+export function possibleSources(document: Document, target: Character): readonly Character[] {
+  return document.characters.filter((c) => c.id !== target.id && !c.driver && driverSource(c) !== undefined);
 }
 
 /** The document with drivers that have what their sources have become; the same object where none has changed. */
@@ -52,18 +56,4 @@ export function withoutDriver(character: Character): Character {
   if (!character.driver) return character;
   const { driver: _gone, ...rest } = character;
   return rest;
-}
-
-/**
- * Which of a character's joint DOFs another's take has the say over: those of joints that follow one, and those that
- * carry the character. Of the others the pose has it. Undefined where nothing else moves the character.
- */
-export function movedDofs({ driver, skeleton }: Character): ReadonlySet<number> | undefined {
-  if (!driver || !skeleton) return undefined;
-  const { firstDof, travel } = compileSkeleton(skeleton);
-  const moved = new Set(travel);
-  for (const { target } of driver.pairs) {
-    for (let d = firstDof[target]; d < firstDof[target + 1]; d++) moved.add(d);
-  }
-  return moved;
 }

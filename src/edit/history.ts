@@ -2,16 +2,10 @@
  * The way back and the way forth: documents that replace each other step by step, and steps known by name. Each past
  * document is kept as its difference to the one after it (`delta.ts`), each future one as its difference to the one
  * before; what was selected is kept as it was, for it changes between steps too.
- *
- * Differences are small, but for samples of 100 MB that were smoothed or turned around, which are kept whole. When such
- * pieces of memory come to more than a page can bear, the oldest steps go; the last one never does.
  */
 import type { Document } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
-import { applyDelta, type Delta, deltaTo, largeBuffers } from './delta.ts';
-
-/** What all steps together may keep in large pieces of memory. */
-const MOST_BYTES = 1e9;
+import { applyDelta, type Delta, deltaTo } from './delta.ts';
 
 export interface State {
   readonly document: Document;
@@ -28,8 +22,6 @@ interface Step {
   readonly document: WeakRef<Document>;
   /** What `delta` is the difference to. */
   readonly against: WeakRef<Document>;
-  /** What `delta` keeps in large pieces. */
-  readonly large: ReadonlySet<ArrayBufferLike>;
   readonly next: Step | undefined;
 }
 
@@ -48,7 +40,7 @@ export class History {
 
   /** A step was taken; what could be redone is gone. */
   remember(label: string, before: State, after: State): void {
-    this.past = bounded(stepTo(before, after, label, this.past));
+    this.past = stepTo(before, after, label, this.past);
     this.future = undefined;
   }
 
@@ -81,27 +73,7 @@ export class History {
 
 function stepTo({ document, selection }: State, { document: against }: State, label: string, next?: Step): Step {
   const delta = deltaTo(document, against);
-  const large = largeBuffers(delta);
-  return { label, delta, selection, document: new WeakRef(document), against: new WeakRef(against), large, next };
-}
-
-/** The steps, without the oldest where all of them keep too much. */
-function bounded(newest: Step): Step {
-  if (newest.large.size === 0) return newest;
-  const counted = new Set<ArrayBufferLike>();
-  const kept: Step[] = [];
-  let bytes = 0;
-  for (let step: Step | undefined = newest; step; step = step.next) {
-    for (const buffer of step.large) {
-      if (!counted.has(buffer)) bytes += buffer.byteLength;
-      counted.add(buffer);
-    }
-    if (bytes > MOST_BYTES && kept.length > 0) {
-      return kept.reduceRight<Step | undefined>((next, s) => ({ ...s, next }), undefined) ?? newest;
-    }
-    kept.push(step);
-  }
-  return newest;
+  return { label, delta, selection, document: new WeakRef(document), against: new WeakRef(against), next };
 }
 
 function otherSide({ delta, document, against, selection }: Step, present: State): State {

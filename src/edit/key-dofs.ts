@@ -2,12 +2,14 @@
  * Making keys of DOFs: what K, auto-key and a script's call have in common. The take is made, or given the channels it
  * lacks, on the way; what was set by hand and is keyed now is not unkeyed any more.
  */
+import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { FLAT, isSampled, LINEAR, SMOOTH } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { finiteNumber, listOf, oneOf } from './arguments.ts';
 import { putKey } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';
+import { refuseMoved } from './refuse-moved.ts';
 import { CommandError } from './store.ts';
 import { withChannels, withTake } from './takes.ts';
 import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
@@ -37,7 +39,7 @@ export interface Keyed {
 
 /**
  * Keys DOFs at a moment; the same character where all of them were keyed so. Those that follow the take's samples are
- * left: one key would take the place of all their frames.
+ * left: one key would take the place of all their frames. Refuses joints that another character's take moves.
  *
  * @param values by DOF, as they should be shown
  * @param timeSeconds of the transport
@@ -49,6 +51,8 @@ export function keyDofs(
   options: KeyOptions = {},
 ): Keyed {
   const { kind, playedRange } = checkOptions(options);
+  const silent = silentChannels(character);
+  if ([...values.keys()].some((dof) => dof < silent)) refuseMoved(character);
   const time = timeSeconds + character.timeOffsetSeconds;
   const taking = withChannels(character, newRange(character, time, playedRange));
   const clip = shownClip(taking);

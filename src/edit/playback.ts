@@ -17,9 +17,12 @@ export interface Playback {
   readonly rate: number;
   /** On the way back of a ping-pong; the rate itself stays as it was set. */
   readonly turned: boolean;
-  /** Of the display in frames, and of steps by a frame. */
+  /** Of the display in frames, and of steps by a frame; within `FRAME_RATES`. */
   readonly framesPerSecond: number;
 }
+
+/** What one can count in, frames per second. */
+export const FRAME_RATES = [1, 1000] as const;
 
 export const DEFAULT_PLAYBACK: Playback = {
   timeSeconds: 0,
@@ -87,6 +90,13 @@ export function pause(playback: Playback, onFrame: boolean): Playback {
   const near = [Math.round(at), Math.floor(at), Math.ceil(at)].map((frame) => (frame + 0) / framesPerSecond);
   const found = isInside(timeSeconds) ? near.find(isInside) : near[0];
   return { ...stopped, timeSeconds: found ?? timeSeconds };
+}
+
+/** Counts in frames of this rate, where it is one that can be counted in; else, and without one, as before. */
+export function countedAt(playback: Playback, framesPerSecond: number | undefined): Playback {
+  const [least, most] = FRAME_RATES;
+  if (framesPerSecond === undefined || framesPerSecond < least || framesPerSecond > most) return playback;
+  return playback.framesPerSecond === framesPerSecond ? playback : { ...playback, framesPerSecond };
 }
 
 /** Steps by whole frames, onto the frame grid: from between two frames to the nearer side's next one. */

@@ -44,7 +44,8 @@ export interface Gesture {
   /** Committed or cancelled, by its own hand or by something else that has happened. */
   readonly closed: boolean;
   preview(change: Document | Edit): void;
-  commit(): void;
+  /** @param label what the step is called, where it is known better by now than at the beginning */
+  commit(label?: string): void;
   /** Everything as it was before. */
   cancel(): void;
 }
@@ -130,10 +131,10 @@ export class Store {
     this.settle();
     const before = this.present;
     let previewed = before.selection;
-    const close = (end: () => void) => () => {
+    const close = (end: (called?: string) => void) => (called?: string) => {
       if (!isOpen()) return;
       this.gesture = undefined;
-      end();
+      end(called);
     };
     const isOpen = () => this.gesture === gesture;
     const gesture: Gesture & { readonly unfinished: Unfinished } = {
@@ -150,10 +151,10 @@ export class Store {
         previewed = next.selection;
         this.become(next);
       },
-      commit: close(() => {
+      commit: close((called = label) => {
         const after = this.present;
         if (after.document === before.document) return;
-        this.history.remember(label, before, after);
+        this.history.remember(called, before, after);
         this.become(after);
         this.tellStep(after, before);
       }),

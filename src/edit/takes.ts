@@ -56,9 +56,15 @@ function restingChannels({ pose }: Character, from: number, to: number): Channel
  * again when both are dropped.
  */
 export function newTakeName(character: Character): string {
+  return takeNameOf(character, 'anim');
+}
+
+/** The same with more than `anim` behind it: `wasp_dance`, for the take `dance` of another. */
+export function takeNameOf(character: Character, what: string): string {
   const skel = character.sources.find((s) => /\.(ax)?skel$/i.test(s.name));
   const stem = character.skeleton?.name || (skel && stemOf(skel)) || character.name;
-  return uniqueTakeName(character, `${stem}_anim`);
+  const isSaid = what.toLowerCase().startsWith(`${stem.toLowerCase()}_`);
+  return uniqueTakeName(character, isSaid ? what : `${stem}_${what}`);
 }
 
 /**

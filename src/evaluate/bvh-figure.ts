@@ -10,9 +10,10 @@
  */
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
+import { boneEnds } from '../model/bone-ends.ts';
 import { type ChannelClip, isSampled, keylessChannel } from '../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, shownClip } from '../model/document.ts';
+import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
 import type { Figure } from '../model/files.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../model/samples.ts';
@@ -40,11 +41,6 @@ const END_SITE = /^end[ _]?site$/i;
 export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
   const { motion, name, parent } = joints[j];
   return motion.kind === 'fixed' && END_SITE.test(name) && parent >= 0 && joints[j + 1]?.parent !== j;
-}
-
-/** Whether a character is a figure of BVH as it stands: what is kept of it is what its file holds. */
-export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
-  return skeleton?.joints.every(({ motion }) => motion.kind === 'bvh') ?? false;
 }
 
 /**
@@ -122,9 +118,11 @@ class Figuring {
     });
 
     const numbers = new Map(kept.map((j, index) => [j, index]));
+    const tips = tipsOf(skeleton);
+    const leaves = leavesOf(skeleton);
     const joints = kept.map((j): Joint => {
       const { endSites, parent, name, box } = skeleton.joints[j];
-      const ends = [...(endSites ?? []), ...this.endsOf(j)];
+      const ends = [...(endSites ?? []), ...(tips.get(j) ?? []), ...(leaves.get(j) ?? [])];
       return {
         name: name || (skeleton.joints[j].motion.kind === 'bvh' ? '' : `joint${j}`),
         parent: numbers.get(parent) ?? -1,
@@ -218,7 +216,7 @@ class Figuring {
     const still = kept.filter((j) => plans[j].mayMove && !plans[j].positions);
     const moving = new Set<number>();
     if (still.length === 0) return moving;
-    const reach = Math.max(...offsets.flat().map(Math.abs));
+    const reach = offsets.reduce((most, offset) => Math.max(most, ...offset.map(Math.abs)), 0);
     eachFrame(this.character, this.frames, (dofs) => {
       if (moving.size === still.length) return;
       this.place(dofs);
@@ -274,14 +272,6 @@ class Figuring {
     };
   }
 
-  /** The End Sites that leaves below a joint stand for. */
-  private endsOf(j: number): readonly Vec3[] {
-    const { joints } = this.skeleton;
-    return joints.flatMap(({ parent, offset }, k) =>
-      parent === j && standsForEndSite(this.skeleton, k) ? [offset] : [],
-    );
-  }
-
   private diagnostics(): readonly Diagnostic[] {
     const { isScaled, skeleton, character, file } = this;
     const found: Diagnostic[] = [];
@@ -304,6 +294,24 @@ class Figuring {
     if (couples) info('couples-not-held', "BVH can't hold that DOFs follow others.", 'wrote what they come to');
     return found;
   }
+}
+
+/** Where bones along +y end at which no joint stands: BVH shows them by End Sites only. */
+function tipsOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
+  const tips = boneEnds(skeleton).filter(({ joint, at }) => !skeleton.joints[joint].endSites?.includes(at));
+  return new Map(tips.map(({ joint, at }) => [joint, [at]]));
+}
+
+/** The End Sites that leaves stand for, by the joint that they are below. */
+function leavesOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
+  const leaves = new Map<number, Vec3[]>();
+  skeleton.joints.forEach(({ parent, offset }, j) => {
+    if (!standsForEndSite(skeleton, j)) return;
+    const siblings = leaves.get(parent);
+    if (siblings) siblings.push(offset);
+    else leaves.set(parent, [offset]);
+  });
+  return leaves;
 }
 
 /** Scratch, never escapes. */

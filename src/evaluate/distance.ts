@@ -15,8 +15,8 @@
  * Frames are those of the take with the finer rate, over the time that both takes have. Comparing whole poses by a
  * distance after the best rigid alignment (Kovar's) was left out: it answers how alike two poses are, not where.
  */
-import type { Character } from '../model/document.ts';
-import { type Placement, shownClip } from '../model/document.ts';
+import type { Character, Placement } from '../model/document.ts';
+import { playedClip } from './bake.ts';
 import type { JointMatch } from './joint-match.ts';
 import { compileSkeleton, worldMatrices } from './kinematics.ts';
 import { dofCountOf, poseAt } from './pose.ts';
@@ -80,11 +80,11 @@ export function commonFrames(
   };
 }
 
-/** A take's frames and its range, in seconds of the transport. */
+/** Frames and range of the take that moves a character, in seconds of the transport. */
 function framesOf(character: Character, framesPerSecond: number) {
-  const clip = shownClip(character);
+  const clip = playedClip(character);
   if (!clip) return undefined;
-  const offset = character.timeOffsetSeconds;
+  const offset = character.timeOffsetSeconds + (character.driver?.source.timeOffsetSeconds ?? 0);
   const { samples, range } = clip;
   const [from, to] = [range[0] - offset, range[1] - offset];
   if (!samples) return { from, to, startSeconds: from, frameSeconds: 1 / framesPerSecond };

@@ -16,6 +16,7 @@ import { compileClip } from './compiled-clip.ts';
 import { evaluateClip } from './curves.ts';
 import { compileSkeleton, settleDofs } from './kinematics.ts';
 import { retargetPlan } from './retarget/make-plan.ts';
+import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import { retargetPose } from './retarget/retarget-pose.ts';
 import { sampledJoints } from './sampled-joints.ts';
 import { samplePose } from './sampled-pose.ts';
@@ -61,13 +62,15 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
   if (skeleton) settleDofs(compileSkeleton(skeleton), out, character.clampsToLimits);
 }
 
-/** The channel that has the say over a DOF, whether it has keys or only stands at a value; none where the pose has. */
+/** The channel that has the say over a DOF, whether it has keys or only stands at a value; none where another has. */
 export function channelOf(character: Character, dof: number): Channel | undefined {
-  return character.skeleton && dofCountOf(character) > dof ? shownClip(character)?.channels[dof] : undefined;
+  if (!character.skeleton || dof >= dofCountOf(character) || dof < silentChannels(character)) return undefined;
+  return shownClip(character)?.channels[dof];
 }
 
-/** Whether keys or samples of the clip shown drive the DOF. */
+/** Whether keys or samples of the clip shown drive the DOF, or another character's take does. */
 export function isDriven(character: Character, dof: number): boolean {
+  if (dof < silentChannels(character)) return movedDofs(character)?.has(dof) ?? false;
   const clip = shownClip(character);
   const channel = channelOf(character, dof);
   return clip !== undefined && channel !== undefined && (channel.times.length > 0 || isSampled(clip, dof));

@@ -3,6 +3,8 @@
 /** Longer words are cut in messages, and are no keywords. */
 export const LONGEST_KEYWORD = 40;
 
+const LONGEST_NAME = 100;
+
 /** Keeps a byte-order mark that stands inside a name. */
 const UTF8 = new TextDecoder('utf-8', { ignoreBOM: true });
 
@@ -15,6 +17,11 @@ export function textOf(bytes: Uint8Array, start: number, end: number): string {
     text += String.fromCharCode(bytes[i]);
   }
   return text;
+}
+
+/** A name of the file's for a message: a person reads its beginning. */
+export function shortName(name: string): string {
+  return name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
 }
 
 /** The code of the error, and the end of its sentence. */

@@ -36,10 +36,13 @@ export function actionsOf(wb: Workbench): Action[] {
   return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
 }
 
-/** Runs an action by its id, as a menu would. Throws where there is none, or where it can't run just now. */
-export function runAction(wb: Workbench, id: string, args?: unknown): void {
+/**
+ * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is none,
+ * or where it can't run just now.
+ */
+export function runAction(wb: Workbench, id: string, args?: unknown): Promise<void> | undefined {
   const action = actionsOf(wb).find((a) => a.id === id);
   if (!action) throw new Error(`There is no action "${id}".`);
   if (action.enabled && !action.enabled(wb)) throw new Error(`"${id}" can't be done just now.`);
-  action.run(wb, args);
+  return action.run(wb, args) ?? undefined;
 }

@@ -89,6 +89,7 @@ interface Shown {
   readonly copies: number;
   readonly hasTake: boolean;
   readonly hasSamples: boolean;
+  readonly isMoved: boolean;
   readonly angles: string;
 }
 
@@ -104,6 +105,7 @@ function whatIsShown(wb: Workbench): Shown {
     copies: character?.placements.length ?? 0,
     hasTake: character !== undefined && shownClip(character) !== undefined,
     hasSamples: character !== undefined && shownClip(character)?.samples !== undefined,
+    isMoved: character?.driver !== undefined,
     angles: wb.settings.get().angles,
   };
 }
@@ -128,6 +130,7 @@ function sameCharacterRows(a: Shown, b: Shown): boolean {
     a.copies === b.copies &&
     a.hasTake === b.hasTake &&
     a.hasSamples === b.hasSamples &&
+    a.isMoved === b.isMoved &&
     a.angles === b.angles
   );
 }

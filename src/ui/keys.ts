@@ -44,11 +44,14 @@ export function handleKey(wb: Workbench, event: KeyboardEvent): void {
 /** Runs it if it can run; a refusal becomes a message. */
 export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
   if (!isEnabled(wb, action)) return;
-  try {
-    action.run(wb, args);
-  } catch (error) {
+  const failed = (error: unknown) => {
     const why = error instanceof Error ? error.message : String(error);
     wb.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
+  };
+  try {
+    action.run(wb, args)?.catch(failed);
+  } catch (error) {
+    failed(error);
   }
 }
 

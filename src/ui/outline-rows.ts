@@ -6,6 +6,7 @@ import type { Character, Document } from '../model/document.ts';
 import type { Joint } from '../model/skeleton.ts';
 import { vertexCount } from '../model/skin.ts';
 import { plural, seconds } from './number-text.ts';
+import { followsText } from './retarget/moved-text.ts';
 
 export type RowKind = 'character' | 'group' | 'joint' | 'skin' | 'clip' | 'morph';
 
@@ -67,7 +68,7 @@ export function outlineRows(document: Document, isOpen: IsOpen, query = ''): Out
       kind: 'character',
       depth: 0,
       label: character.name,
-      detail: character.placements.length > 1 ? `×${character.placements.length}` : '',
+      detail: characterDetail(character),
       characterId: character.id,
       index: -1,
       expandable: true,
@@ -78,6 +79,12 @@ export function outlineRows(document: Document, isOpen: IsOpen, query = ''): Out
     for (const row of inside) rows.push(row);
   }
   return rows;
+}
+
+/** `follows dance`, `×3`. */
+function characterDetail(character: Character): string {
+  const { length } = character.placements;
+  return [followsText(character), length > 1 ? `×${length}` : ''].filter(Boolean).join(' ');
 }
 
 function addJoints(rows: OutlineRow[], character: Character, isOpen: IsOpen, needle: string): void {
@@ -178,7 +185,8 @@ function alternatives(character: Character, kind: 'skin' | 'clip' | 'morph'): Al
         label: clip.name,
         detail: `${seconds(clip.range[1] - clip.range[0])} s`,
         index,
-        shown: index === character.shownClip,
+        // None of its own is, while another's moves it.
+        shown: !character.driver && index === character.shownClip,
       }));
     case 'morph':
       return character.morphs.map((morph, index) => ({ label: morph.name, detail: '', index }));
@@ -219,6 +227,7 @@ export function sameOutline(a: Document, b: Document): boolean {
       (before.id === after.id &&
         before.name === after.name &&
         before.isHidden === after.isHidden &&
+        followsText(before) === followsText(after) &&
         before.skeleton === after.skeleton &&
         before.skins === after.skins &&
         before.shownSkin === after.shownSkin &&

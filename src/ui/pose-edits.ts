@@ -8,6 +8,7 @@ import type { KeyOptions } from '../edit/key-dofs.ts';
 import { findKey } from '../edit/keys/same-time.ts';
 import { keysAtTime } from '../edit/keys/selection.ts';
 import { channelOf } from '../evaluate/pose.ts';
+import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { standStill } from './stand-still.ts';
@@ -35,7 +36,9 @@ export function keyNow(wb: Workbench, characterId: string, dofs?: readonly numbe
 /** The keys of a character that stand at the moment shown; of these DOFs, or of all. */
 export function keysNow(wb: Workbench, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
   const clip = character.skeleton && shownClip(character);
-  return clip ? keysAtTime(clip, dofs, clipTime(wb, character)) : [];
+  const silent = silentChannels(character);
+  const keys = clip ? keysAtTime(clip, dofs, clipTime(wb, character)) : [];
+  return silent ? keys.filter(({ channel }) => channel >= silent) : keys;
 }
 
 /** Deletes them. A channel that has no key left stands where it was. */

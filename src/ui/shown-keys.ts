@@ -5,6 +5,7 @@
  * Times on the transport are a clip's times less the character's offset. Nothing is merged or sorted beforehand: a clip
  * of millions of keys costs a binary search a channel here, and one pass over its times when drawn (`key-buckets.ts`).
  */
+import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { firstNotBelow } from '../math/search.ts';
 import type { Channel } from '../model/clip.ts';
 import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../model/document.ts';
@@ -30,8 +31,10 @@ export function shownKeys(document: Document, selection: Selection): ShownChanne
     const clip = shownClip(character);
     if (!clip) continue;
     const isMeant = meantChannels(character, character === selected ? selection.joint : undefined, clip.channels);
+    const silent = silentChannels(character);
     clip.channels.forEach(({ times }, i) => {
-      if (times.length) shown.push({ times, offsetSeconds: character.timeOffsetSeconds, meant: isMeant(i) });
+      if (times.length && i >= silent)
+        shown.push({ times, offsetSeconds: character.timeOffsetSeconds, meant: isMeant(i) });
     });
   }
   return shown;

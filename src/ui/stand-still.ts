@@ -4,13 +4,22 @@
  * nearest frame, or where nothing is counted in frames at the very moment. What one sees then is what is keyed, under the
  * playhead. (To go on playing and key the nearest frame unseen would key another pose than the one on the screen.)
  */
+import { playsSamples } from '../edit/frame-rate.ts';
 import { pause } from '../edit/playback.ts';
 import type { Workbench } from './workbench.ts';
 
-type Parts = Pick<Workbench, 'transport' | 'timeline' | 'settings'>;
+type Parts = Pick<Workbench, 'store' | 'transport' | 'timeline' | 'settings'>;
+
+/**
+ * Whether what is paused stops on a frame: where one counts in frames, or what plays is frames of a file, for then it is
+ * these that one wants to look at.
+ */
+export function stopsOnFrame({ store, settings }: Pick<Workbench, 'store' | 'settings'>): boolean {
+  return settings.get().timeDisplay === 'frames' || playsSamples(store.document);
+}
 
 /** Stops what plays, before a key is made at the moment shown. What stands still stays where it is. */
-export function standStill({ transport, timeline, settings }: Parts): void {
-  const onFrame = timeline.view.get().snapsToFrames || settings.get().timeDisplay === 'frames';
-  transport.update((now) => (now.playing ? pause(now, onFrame) : now));
+export function standStill(wb: Parts): void {
+  const onFrame = wb.timeline.view.get().snapsToFrames || stopsOnFrame(wb);
+  wb.transport.update((now) => (now.playing ? pause(now, onFrame) : now));
 }

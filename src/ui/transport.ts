@@ -1,5 +1,5 @@
 /** The strip below the viewport: buttons, loop, rate, time, range, and the scrubber. */
-import { LOOP_MODES } from '../edit/playback.ts';
+import { FRAME_RATES, LOOP_MODES } from '../edit/playback.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions/play-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setAttribute } from './dom.ts';
@@ -167,8 +167,9 @@ function times(wb: Workbench): HTMLElement[] {
     class: 'fps-field',
     text: (value) => shown(value, 3),
     commit(framesPerSecond) {
-      if (framesPerSecond >= 1 && framesPerSecond <= 1000) wb.transport.update((p) => ({ ...p, framesPerSecond }));
-      else refuse(`Frames per second have to be from 1 to 1000; ${framesPerSecond} was typed.`);
+      const [least, most] = FRAME_RATES;
+      if (framesPerSecond >= least && framesPerSecond <= most) wb.transport.update((p) => ({ ...p, framesPerSecond }));
+      else refuse(`Frames per second have to be from ${least} to ${most}; ${framesPerSecond} was typed.`);
     },
     refuse,
     step: 1,

@@ -34,9 +34,10 @@ export class Trial {
     this.gesture.preview(change);
   }
 
-  keep(): void {
+  /** @param label what the step is called, where it is more exact than at the start */
+  keep(label?: string): void {
     this.unsubscribe();
-    this.gesture.commit();
+    this.gesture.commit(label);
   }
 
   putBack(): void {

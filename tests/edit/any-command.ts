@@ -27,6 +27,7 @@ export const ABOUT_NO_FILE: readonly string[] = [
   'skeleton.setPositionChannels',
   'takes.arrange',
   'takes.overlay',
+  'takes.endOverlay',
 ];
 
 interface Situation {

@@ -1,10 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { placeCharacter, removeCharacter, showClip } from '../../src/edit/commands/characters.ts';
+import { placeCharacter, removeCharacter, setTimeOffset, showClip } from '../../src/edit/commands/characters.ts';
 import { setClipRange } from '../../src/edit/commands/clips.ts';
+import { keyPose } from '../../src/edit/commands/keying.ts';
+import { insertKeys, moveKeys, removeKeys } from '../../src/edit/commands/keys.ts';
 import { setDofs } from '../../src/edit/commands/pose.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from '../../src/edit/commands/retarget.ts';
-import { CommandError, Store } from '../../src/edit/store.ts';
-import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { cropSamples, smoothSamples } from '../../src/edit/commands/samples.ts';
+import { type Command, CommandError, Store } from '../../src/edit/store.ts';
+import { commonFrames } from '../../src/evaluate/distance.ts';
+import { channelOf, dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
+import { retargetPlan } from '../../src/evaluate/retarget/make-plan.ts';
 import { type Character, DEFAULT_PLACEMENT, findCharacter, rangeOfClips, shownClip } from '../../src/model/document.ts';
 import { jointDofCount } from '../../src/model/dofs.ts';
 import { PARTS, person, take } from '../evaluate/retarget/people.ts';
@@ -112,6 +117,50 @@ describe('putting a take onto another character', () => {
     expect(poseOf(of(s, 't'), 0.3)[head]).toBe(0.4);
   });
 
+  it.each([
+    ['keying its pose', keyPose, { timeSeconds: 0.2 }],
+    ['keying a joint', keyPose, { dofs: [7], timeSeconds: 0.2 }],
+    ['auto-key', setDofs, { dofs: [{ index: 7, value: 0.1 }], timeSeconds: 0.2, key: {} }],
+    ['inserting a key', insertKeys, { channels: [7], timeSeconds: 0.2 }],
+    ['removing keys', removeKeys, { keys: [{ channel: 7, indices: [0] }], timeSeconds: 0 }],
+    ['moving keys', moveKeys, { keys: [{ channel: 7, indices: [0] }], seconds: 0.1 }],
+    ['smoothing samples', smoothSamples, { sigmaSeconds: 0.1 }],
+    ['cropping', cropSamples, { from: 0, to: 0.5 }],
+  ] as const)('refuses %s meanwhile, which nobody would see, and says the way out', (_, command, args) => {
+    const s = store();
+    // A take with keys, and one with samples.
+    s.apply(keyPose, { characterId: 't', timeSeconds: 0 });
+    if (command.id.startsWith('samples.')) {
+      s.apply(setRetarget, ONTO);
+      s.apply(bakeRetarget, { characterId: 't' });
+    }
+    s.apply(setRetarget, ONTO);
+    const { document } = s;
+    // Each with arguments of its own: the table is of pairs that fit.
+    expect(() => s.apply(command as Command<object>, { characterId: 't', ...args })).toThrow(/Bake/);
+    expect(s.document).toBe(document);
+  });
+
+  it('has its morphs keyed meanwhile: its own take has the say over them', () => {
+    const s = store();
+    s.apply(setRetarget, ONTO);
+    const smile = dofCountOf(of(s, 't')) - 1;
+    s.apply(keyPose, { characterId: 't', dofs: [smile], timeSeconds: 0.2 });
+    expect([...(channelOf(of(s, 't'), smile)?.times ?? [])]).toContain(0.2);
+    expect(isDriven(of(s, 't'), smile)).toBe(true);
+  });
+
+  it('drives the DOFs that it moves, and no channel of its own take has the say over a joint', () => {
+    const s = store();
+    s.apply(keyPose, { characterId: 't', timeSeconds: 0 });
+    s.apply(setRetarget, { ...ONTO, pairs: [{ target: 1, source: 1 }] });
+    const [spine, head] = [3 + 3, 3 + 3 * 4];
+    expect([spine, head].map((dof) => isDriven(of(s, 't'), dof))).toEqual([true, false]);
+    expect([spine, head].map((dof) => channelOf(of(s, 't'), dof))).toEqual([undefined, undefined]);
+    s.apply(clearRetarget, { characterId: 't' });
+    expect([spine, head].map((dof) => isDriven(of(s, 't'), dof))).toEqual([true, true]);
+  });
+
   it('goes on when the other character is removed', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
@@ -161,6 +210,32 @@ describe('putting a take onto another character', () => {
     s.apply(setRetarget, ONTO);
     expect(() => s.apply(setRetarget, { characterId: 's', sourceId: 't' })).toThrow(CommandError);
   });
+
+  it('plans the way anew for another take of the source, not for its name or offset in time', () => {
+    const s = store();
+    s.apply(setRetarget, ONTO);
+    const planOf = () => {
+      const t = of(s, 't');
+      if (!t.driver || !t.skeleton) throw new Error('no driver');
+      return retargetPlan(t.driver, t, t.skeleton);
+    };
+    const plan = planOf();
+    const before = poseOf(of(s, 't'), 0.25);
+    s.apply(setTimeOffset, { characterId: 's', seconds: 0.25 });
+    expect(planOf()).toBe(plan);
+    expect(poseOf(of(s, 't'), 0)).toEqual(before);
+    s.apply(setClipRange, { characterId: 's', range: [0, 0.4] });
+    expect(planOf()).not.toBe(plan);
+  });
+
+  it('is what its character is compared by: over the source’s frames, where they are in time', () => {
+    const s = store();
+    s.apply(setRetarget, ONTO);
+    s.apply(setTimeOffset, { characterId: 's', seconds: 0.25 });
+    const frames = commonFrames(of(s, 't'), of(s, 's'), 30, 1);
+    expect(frames?.frameCount).toBe(ROWS.length);
+    expect(frames?.startSeconds).toBeCloseTo(-0.25, 12);
+  });
 });
 
 describe('baking', () => {
@@ -171,7 +246,7 @@ describe('baking', () => {
     s.apply(bakeRetarget, { characterId: 't' });
     const baked = of(s, 't');
     expect(baked.driver).toBeUndefined();
-    expect(shownClip(baked)).toMatchObject({ name: 'take', samples: { frameCount: ROWS.length } });
+    expect(shownClip(baked)).toMatchObject({ name: 'person_take', samples: { frameCount: ROWS.length } });
     expect(baked.clips).toHaveLength(2);
     // Angles may be other forms of the same rotation: they are compared by what they do, which for small ones is all.
     live.forEach((pose, f) => {
@@ -181,6 +256,20 @@ describe('baking', () => {
     s.undo();
     expect(of(s, 't').driver).toBeDefined();
     expect(of(s, 't').clips).toHaveLength(1);
+  });
+
+  it('gives what was seen where both characters are put off in time', () => {
+    const s = store();
+    s.apply(setTimeOffset, { characterId: 's', seconds: 0.25 });
+    s.apply(setTimeOffset, { characterId: 't', seconds: -0.1 });
+    s.apply(setRetarget, ONTO);
+    const times = ROWS.map((_, f) => f * 0.1 - 0.15);
+    const live = times.map((seconds) => poseOf(of(s, 't'), seconds));
+    s.apply(bakeRetarget, { characterId: 't' });
+    live.forEach((pose, f) => {
+      const now = poseOf(of(s, 't'), times[f]);
+      expect(Math.max(...now.map((v, d) => Math.abs(Math.sin(v - pose[d]))))).toBeLessThan(1e-9);
+    });
   });
 
   it('takes another rate', () => {

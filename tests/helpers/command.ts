@@ -42,6 +42,7 @@ export interface PoseJson {
       readonly type: string;
       readonly dofs: readonly number[];
       readonly world: readonly number[];
+      readonly tip?: readonly number[];
     }[];
     readonly endSites?: readonly { readonly joint: number; readonly position: readonly number[] }[];
     readonly morphs: readonly { readonly name: string; readonly weight: number }[];

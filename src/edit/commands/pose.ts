@@ -13,12 +13,12 @@
  * with. Writing to both would change one take by posing another.
  */
 import { channelOf } from '../../evaluate/pose.ts';
+import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { isSampled } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
-import { movedDofs } from '../drivers.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { standingAt, withTake } from '../takes.ts';
@@ -137,10 +137,8 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   let clipChanged = false;
   let handChanged = false;
   const moved = movedDofs(character);
-  const morphs = characterDofs(character.skeleton, []).length;
   for (const [dof, value] of values) {
-    // While another's take moves it, its own has the say over morphs only.
-    const channel = moved && dof < morphs ? undefined : channelOf(character, dof);
+    const channel = channelOf(character, dof);
     const hasKeys = channel && clip && (channel.times.length > 0 || isSampled(clip, dof));
     if (hasKeys || moved?.has(dof)) {
       byHand.set(dof, value);

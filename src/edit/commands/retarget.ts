@@ -4,10 +4,10 @@
  * Live, nothing is copied but the way from one skeleton to the other: the other character's take can still be edited,
  * and what it moves follows. Baking samples what is seen.
  */
-import { bakeClip, framesOf } from '../../evaluate/bake.ts';
+import { bakeClip, framesOf, MOST_FRAMES } from '../../evaluate/bake.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { keylessChannel } from '../../model/clip.ts';
-import type { Character, Document, Driver } from '../../model/document.ts';
+import type { Character, Driver } from '../../model/document.ts';
 import { restPose } from '../../model/dofs.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/retarget.ts';
 import type { Samples } from '../../model/samples.ts';
@@ -17,7 +17,7 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
 import { type Command, CommandError } from '../store.ts';
-import { uniqueTakeName } from '../takes.ts';
+import { takeNameOf, uniqueTakeName } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
 interface OfDriven {
@@ -94,7 +94,7 @@ export const clearRetarget: Command<OfDriven> = {
   id: 'retarget.clear',
   label: (document, { characterId }) => {
     const { driver, name } = requireCharacter(document, characterId);
-    return `Take ${driver?.source.clip.name ?? 'take'} off ${name}`;
+    return `Let ${name} go from ${driver?.source.clip.name ?? 'take'}`;
   },
   run: (document, { characterId }) =>
     changeCharacter(document, characterId, (c) => {
@@ -106,7 +106,7 @@ export const clearRetarget: Command<OfDriven> = {
 export interface BakeRetarget extends OfDriven {
   /** As many as the source's take has, where absent; 30 for keys. */
   readonly framesPerSecond?: number | undefined;
-  /** After the source's take, where absent. A name that is taken gets a number. */
+  /** After the character and the source's take, `walker_dance`, where absent. A name that is taken gets a number. */
   readonly name?: string | undefined;
 }
 
@@ -124,16 +124,18 @@ export const bakeRetarget: Command<BakeRetarget> = {
       const own = clip.samples ? 1 / clip.samples.frameSeconds : 30;
       const rate = framesPerSecond === undefined ? own : finiteNumber(framesPerSecond, '"framesPerSecond"');
       if (!(rate > 0)) throw new CommandError(`Frames per second have to be above 0; ${rate} was given.`);
+      // Frames are baked at seconds of the source's take, and then are those of a take of this character.
+      const frames = framesOf(clip.range, rate);
       const range = [clip.range[0] - timeOffsetSeconds, clip.range[1] - timeOffsetSeconds] as const;
-      const frames = framesOf(range, rate);
       if (frames.frameCount > MOST_FRAMES) {
         throw new CommandError(
           `${frames.frameCount.toLocaleString('en')} frames are too many to bake; up to ${MOST_FRAMES.toLocaleString('en')} are possible.`,
         );
       }
-      const samples = bakeClip(c, frames);
+      const samples = { ...bakeClip(c, frames), startSeconds: range[0] };
       unrollRotations(skeleton, samples);
-      const called = uniqueTakeName(c, name === undefined ? clip.name : text(name, 'The name').trim());
+      const given = name === undefined ? '' : text(name, 'The name').trim();
+      const called = given ? uniqueTakeName(c, given) : takeNameOf(c, clip.name);
       const channels = restPose(skeleton, c.morphs.length).map((rest) => keylessChannel(rest));
       const plain = withoutDriver(withoutUnkeyed(c));
       return {
@@ -143,8 +145,6 @@ export const bakeRetarget: Command<BakeRetarget> = {
       };
     }),
 };
-
-const MOST_FRAMES = 1_000_000;
 
 /** Angles that don't jump from one form of a rotation to another: for whoever looks at their curves. */
 function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Samples): void {
@@ -192,9 +192,4 @@ function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): Reta
         : oneOf(reference, ['automatic', 'rest'] as const, '"reference"'),
     plantsFeet: oneOf(plantsFeet, [true, false], '"plantsFeet"'),
   };
-}
-
-/** Characters whose take can be put onto another one. */
-export function possibleSources(document: Document, target: Character): readonly Character[] {
-  return document.characters.filter((c) => c.id !== target.id && !c.driver && driverSource(c) !== undefined);
 }

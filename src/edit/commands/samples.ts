@@ -1,6 +1,6 @@
 /**
  * What is done to the samples of the take that a character shows: cutting, another rate, backwards, smoothed, and made
- * into keys. Seconds are the clip's. Where nothing changes the document is the very same, and no step is made.
+ * into keys. Seconds are the clip's. Refused while another character's take moves the character: nobody would see it. Where nothing changes the document is the very same, and no step is made.
  */
 import { type ChannelClip, isSampled } from '../../model/clip.ts';
 import { type Document, shownClip } from '../../model/document.ts';
@@ -8,6 +8,7 @@ import { characterDofs } from '../../model/dofs.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { refuseMoved } from '../refuse-moved.ts';
 import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
 import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';
 import { resampling } from '../samples/resample.ts';
@@ -67,6 +68,7 @@ export const splitSamples: Command<SplitSamples> = {
   label: (document, args) => `Split ${nameOf(document, args)}`,
   run: (document, { characterId, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
+      refuseMoved(character);
       const clip = clipOf(document, characterId);
       const [before, after] = splitAt(clip, finiteNumber(timeSeconds, '"timeSeconds"'));
       const named = { ...after, name: uniqueTakeName(character, clip.name) };
@@ -180,7 +182,10 @@ function changed(document: Document, args: OfSamples, change: (clip: ChannelClip
 }
 
 function withClip(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
-  return changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, clip));
+  return changeCharacter(document, characterId, (c) => {
+    refuseMoved(c);
+    return withTake(c, c.shownClip, clip);
+  });
 }
 
 function nameOf(document: Document, { characterId }: OfSamples): string {

@@ -6,6 +6,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, type Space, shownClip } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
+import { driverSource, withoutDriver } from '../drivers.ts';
 import { extentOf } from '../place-beside.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -32,7 +33,8 @@ function shown(document: Document, takes: ReadonlyMap<string, number>, alone: bo
   return mapCharacters(document, (c) => {
     const clip = takes.get(c.id);
     if (clip === undefined) return alone ? hidden(c) : c;
-    const seen = visible(c);
+    // A take of its own is shown in place of another's that moves it.
+    const seen = withoutDriver(visible(c));
     return seen.shownClip === clip ? seen : { ...withoutUnkeyed(seen), shownClip: clip };
   });
 }
@@ -115,6 +117,51 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
     });
   },
 };
+
+/**
+ * Puts back what laying takes over each other has changed: places, spaces, what is seen. What was changed otherwise since
+ * then stays as it was changed.
+ *
+ * @param before characters as they were before
+ * @param overlaid the same ones as they were right after
+ */
+export const endOverlay: Command<{ readonly before: readonly Character[]; readonly overlaid: readonly Character[] }> = {
+  id: 'takes.endOverlay',
+  label: () => 'Stop comparing',
+  run(document, { before, overlaid }) {
+    const was = new Map(listOf(before, 'The characters before').map((c) => [c.id, c]));
+    const became = new Map(listOf(overlaid, 'The characters compared').map((c) => [c.id, c]));
+    return mapCharacters(document, (c) => {
+      const [from, to] = [was.get(c.id), became.get(c.id)];
+      return from && to && from !== to ? putBack(document, c, from, to) : c;
+    });
+  },
+};
+
+function putBack(document: Document, now: Character, from: Character, to: Character): Character {
+  let c = now;
+  const [place, laid] = [from.placements[0], to.placements[0]];
+  if (!samePlacement(place, laid) && samePlacement(c.placements[0], laid)) {
+    c = { ...c, placements: [place, ...c.placements.slice(1)] };
+  }
+  if (from.space && to.space && c.space && !liesAlike(from.space, to.space) && liesAlike(c.space, to.space)) {
+    c = { ...c, space: from.space };
+  }
+  // Takes are known by their number: where some came or went, it says nothing.
+  const sameTakes = c.clips.length === from.clips.length;
+  if (from.shownClip !== to.shownClip && c.shownClip === to.shownClip && sameTakes) {
+    c = { ...withoutUnkeyed(c), shownClip: from.shownClip };
+  }
+  if (from.driver && !to.driver && !c.driver) {
+    // Its source may have changed while nobody followed it.
+    const mover = document.characters.find(({ id }) => id === from.driver?.sourceId);
+    const source = (mover && !mover.driver && driverSource(mover)) || from.driver.source;
+    c = { ...c, driver: { ...from.driver, source } };
+  }
+  const wasHidden = from.isHidden ?? false;
+  if (wasHidden !== (to.isHidden ?? false) && wasHidden !== (c.isHidden ?? false)) c = wasHidden ? hidden(c) : visible(c);
+  return c;
+}
 
 /** Whether both are lifted, scaled and turned alike. */
 function liesAlike(a: Space, b: Space): boolean {

@@ -3,12 +3,13 @@
  * command write, as models: the text is the writers' business.
  */
 
-import { framesOf, playedClip } from '../../evaluate/bake.ts';
+import { framesOf, MOST_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { CommandError } from '../store.ts';
 import type { KeyOptions } from './keys-of-samples.ts';
 import { skelClip, skelFigure, skelPose } from './skel-figure.ts';
 
@@ -36,6 +37,7 @@ export interface NamedFigure extends BvhFigure {
 
 /**
  * A figure of BVH for each clip, or one that stands in the pose as set where there is none.
+ * Refuses, by a `CommandError`, more frames than can be sampled.
  * @param framesPerSecond of all; absent: each clip's own, or 30
  */
 export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
@@ -53,6 +55,12 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
     framesPerSecond === undefined
       ? framesFor(character, DEFAULT_FRAMES_PER_SECOND)
       : framesOf(clip?.range ?? [0, 0], framesPerSecond);
+  if (frames.frameCount > Math.max(MOST_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
+    const count = frames.frameCount.toLocaleString('en');
+    throw new CommandError(
+      `${name} would have ${count} frames; up to ${MOST_FRAMES.toLocaleString('en')} are possible.`,
+    );
+  }
   return { name, ...toBvhFigure(character, frames, `${name}.bvh`) };
 }
 

@@ -78,6 +78,7 @@ function make(skeleton: Skeleton): SkelFigure {
   const identity = () => Array.from({ length: rootDofCount(skeleton) + dofCount(skeleton) }, (_, c) => c);
   if (!skeleton.joints.some(({ motion }) => motion.kind === 'bvh')) return { skeleton, channelMap: identity() };
   const thickness = THICKNESS * extentOf(skeleton);
+  const boxes = boxesOf(skeleton, thickness);
   const joints: Joint[] = [];
   /** Of each old joint, its number among the new ones; of each new one, the old one or -1. */
   const numbers: number[] = [];
@@ -85,7 +86,7 @@ function make(skeleton: Skeleton): SkelFigure {
   skeleton.joints.forEach((joint, j) => {
     numbers.push(joints.length);
     origins.push(j);
-    joints.push({ ...skelJoint(joint, boxOf(skeleton, j, thickness)), parent: numbers[joint.parent] ?? -1 });
+    joints.push({ ...skelJoint(joint, boxes[j]), parent: numbers[joint.parent] ?? -1 });
     for (const end of joint.endSites ?? []) {
       origins.push(-1);
       joints.push(endSite(numbers[j], end, thickness));
@@ -140,14 +141,28 @@ function channelMapOf(from: Skeleton, to: Skeleton, origins: readonly number[]):
   return map;
 }
 
-/** Around the bones that begin at a joint: a figure drawn as boxes looks like one. */
-function boxOf({ joints }: Skeleton, j: number, thickness: number): Box {
-  const points = [...(joints[j].endSites ?? []), ...joints.filter(({ parent }) => parent === j).map((c) => c.offset)];
-  const side = (k: number, of: (...values: number[]) => number, pad: number) => of(0, ...points.map((p) => p[k])) + pad;
-  return {
-    min: [side(0, Math.min, -thickness), side(1, Math.min, -thickness), side(2, Math.min, -thickness)],
-    max: [side(0, Math.max, thickness), side(1, Math.max, thickness), side(2, Math.max, thickness)],
+/** Around the bones that begin at each joint: a figure drawn as boxes looks like one. */
+function boxesOf({ joints }: Skeleton, thickness: number): readonly Box[] {
+  const least = joints.map(() => [0, 0, 0]);
+  const most = joints.map(() => [0, 0, 0]);
+  const reachTo = (j: number, point: Vec3) => {
+    point.forEach((v, k) => {
+      least[j][k] = Math.min(least[j][k], v);
+      most[j][k] = Math.max(most[j][k], v);
+    });
   };
+  joints.forEach(({ parent, offset, endSites = [] }, j) => {
+    if (parent >= 0) reachTo(parent, offset);
+    for (const end of endSites) reachTo(j, end);
+  });
+  return joints.map((_, j): Box => {
+    const [x, y, z] = least[j];
+    const [u, v, w] = most[j];
+    return {
+      min: [x - thickness, y - thickness, z - thickness],
+      max: [u + thickness, v + thickness, w + thickness],
+    };
+  });
 }
 
 /** The longest side of the box around the joints as the file poses them. */

@@ -158,9 +158,9 @@ export function anglesOf(
   const sin = Math.min(1, Math.max(-1, sign * entry(i, k)));
   const b = Math.asin(sin);
   if (Math.abs(sin) > 1 - 1e-9) {
-    // Gimbal lock: α and γ turn about one axis, and only their sum or difference counts. γ stays.
+    // Gimbal lock: α and γ turn about one axis, and only α + σ·γ counts (α − σ·γ where sin β is −1). γ stays.
     const together = Math.atan2(sign * entry(k, j), entry(j, j));
-    nearestForm(together - (sin > 0 ? c0 : -c0), b, c0, a0, b0, c0);
+    nearestForm(together - (sin > 0 ? sign : -sign) * c0, b, c0, a0, b0, c0);
     return form;
   }
   nearestForm(

@@ -9,6 +9,10 @@
  * as long as the foot stands, so that it slides no more than the source's does. The offset is what rotations alone would
  * put between the two, in the middle of the contact: feet stay as far apart as suits the hips that they hang from. From
  * one contact to the next it changes smoothly, while the foot is in the air.
+ *
+ * Takes don't agree with themselves about where the ground is: inertial suits drift, and a foot that stands may do so
+ * decimetres below where it stood before. Through a flat ground it would sink, so it is raised as long as it stands, by
+ * what it is too low on average. From 0.17 leg lengths on, the height of a stair, it is taken to stand lower.
  */
 
 import { worldMatrices } from '../kinematics.ts';
@@ -24,6 +28,8 @@ import { toScene } from './travel.ts';
 const SLOW = 0.35;
 const LOW = 0.08;
 const SHORTEST = 0.08;
+/** Lower than this below where it mostly stands, a foot stands on something lower. */
+const LEVEL = 0.17;
 /** Gaps shorter than this are noise within a contact. */
 const SHORTEST_GAP = 0.05;
 /** Samples of the source a second, and at most in all. */
@@ -70,7 +76,7 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Figur
     const sourceHeight = heightOf([count + i]);
     const contacts = contactsOf(ways, count + i, joints.length, sourceHeight, length);
     const track = { limb, ball: balls[i], sourceBall: bodies.sourceOf[balls[i]], ownHeight, sourceHeight, contacts };
-    return { ...track, offsets: offsetsOf(plan, track) };
+    return { ...track, ...offsetsOf(plan, track, length) };
   });
   return { ...plan, feet: tracks };
 }
@@ -121,14 +127,20 @@ function contactsOf(ways: Ways, column: number, width: number, height: number, l
 }
 
 /** What rotations alone would put between the target's ball and the source's in proportion. */
-function offsetsOf(plan: RetargetPlan, { ball, sourceBall, contacts }: Omit<FootTrack, 'offsets'>): Float64Array {
+function offsetsOf(
+  plan: RetargetPlan,
+  { ball, sourceBall, contacts, sourceHeight }: Omit<FootTrack, 'offsets' | 'rises'>,
+  leg: number,
+): Pick<FootTrack, 'offsets' | 'rises'> {
   const count = Math.max(1, contacts.length / 2);
   const out = new Float64Array(2 * count);
+  const rises = new Float64Array(contacts.length / 2);
   const dofs = Float64Array.from(plan.restDofs);
   const p = new Float64Array(3);
   for (let c = 0; c < count; c++) {
     const from = contacts.length ? contacts[2 * c] : plan.range[0];
     const to = contacts.length ? contacts[2 * c + 1] : plan.range[1];
+    let tooLow = 0;
     for (let i = 0; i < MEASURED; i++) {
       solveFreely(plan, from + ((to - from) * (i + 0.5)) / MEASURED, dofs);
       const { up, metres } = plan.targetSpace;
@@ -142,9 +154,27 @@ function offsetsOf(plan: RetargetPlan, { ball, sourceBall, contacts }: Omit<Foot
         const own = metres * (up[k] * w[0] + up[3 + k] * w[1] + up[6 + k] * w[2]);
         out[2 * c + slot] += (own - plan.scale * p[k]) / MEASURED;
       }
+      tooLow += (sourceHeight - p[1]) / MEASURED;
     }
+    if (c < rises.length && tooLow > 0 && tooLow < LEVEL * leg) rises[c] = plan.scale * tooLow;
   }
-  return out;
+  return { offsets: out, rises };
+}
+
+/** How far a foot is raised at a time, metres: while it stands, and fading just before and after. */
+export function riseAt({ contacts, rises }: FootTrack, seconds: number): number {
+  const count = rises.length;
+  let next = 0;
+  let high = count;
+  // The first contact that begins after that time.
+  while (next < high) {
+    const mid = (next + high) >> 1;
+    if (contacts[2 * mid] <= seconds) next = mid + 1;
+    else high = mid;
+  }
+  const past = next > 0 ? 1 - smooth(0, FADE, seconds - contacts[2 * next - 1]) : 0;
+  const coming = next < count ? (1 - past) * (1 - smooth(0, FADE, contacts[2 * next] - seconds)) : 0;
+  return (next > 0 ? past * rises[next - 1] : 0) + (next < count ? coming * rises[next] : 0);
 }
 
 /** Writes x z of the offset at a time to `out[0]` and `out[1]`. */

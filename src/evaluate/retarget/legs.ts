@@ -7,7 +7,7 @@
  * with u the direction to the ankle, D away, and k across it. The foot keeps the rotation that it has. What stands out
  * of reach is reached by lowering the hips; a foot in the air is let go instead.
  */
-import { offsetAt, standing } from './contacts.ts';
+import { offsetAt, riseAt, standing } from './contacts.ts';
 import { rollLimb } from './limbs.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
 import { copy3, multiply3, swing, turnVector } from './rotations.ts';
@@ -49,6 +49,7 @@ function ankleOf(plan: RetargetPlan, foot: FootTrack, seconds: number, o: number
   inProportion(plan, point, foot.ownHeight, foot.sourceHeight);
   offsetAt(foot, seconds, offset);
   point[0] += offset[0];
+  point[1] += riseAt(foot, seconds);
   point[2] += offset[1];
   fromScene(plan.targetSpace, point);
   const ball = 16 * foot.ball + 12;

@@ -1,6 +1,7 @@
 /** Making a plan (`plan.ts`), once for each driver. */
 import type { Character, Driver, Space } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
+import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
@@ -16,21 +17,43 @@ import { SIDES } from './roles.ts';
 import { backMultiply3 } from './rotations.ts';
 import { playedSource } from './source-pose.ts';
 
+/** By the driver's pairs, which stay what they are when the source changes (`edit/drivers.ts`). */
 const plans = new WeakMap<
-  Driver,
-  { skeleton: Skeleton; space: Space | undefined; clamps: boolean; plan: RetargetPlan }
+  readonly JointPair[],
+  { driver: Driver; skeleton: Skeleton; space: Space | undefined; clamps: boolean; plan: RetargetPlan }
 >();
 
-/** Made once for each driver, and again when the character's own skeleton, space or limits change. */
+/**
+ * Made once for each driver, and again when what it is made of changes; the source's name and offset in time are no part
+ * of that, and dragging it along the timeline goes on with the same plan.
+ */
 export function retargetPlan(driver: Driver, character: Character, skeleton: Skeleton): RetargetPlan {
   const { space, clampsToLimits } = character;
-  const known = plans.get(driver);
-  if (known && known.skeleton === skeleton && known.space === space && known.clamps === clampsToLimits) {
+  const known = plans.get(driver.pairs);
+  if (
+    known &&
+    known.skeleton === skeleton &&
+    known.space === space &&
+    known.clamps === clampsToLimits &&
+    (known.driver === driver || plansAlike(known.driver, driver))
+  ) {
     return known.plan;
   }
   const plan = planRetarget(driver, skeleton, space, clampsToLimits);
-  plans.set(driver, { skeleton, space, clamps: clampsToLimits, plan });
+  plans.set(driver.pairs, { driver, skeleton, space, clamps: clampsToLimits, plan });
   return plan;
+}
+
+/** Drivers with the same pairs. */
+function plansAlike({ options, source: a }: Driver, { options: otherOptions, source: b }: Driver): boolean {
+  return (
+    options === otherOptions &&
+    a.skeleton === b.skeleton &&
+    a.clip === b.clip &&
+    a.pose === b.pose &&
+    a.clampsToLimits === b.clampsToLimits &&
+    a.space === b.space
+  );
 }
 
 export function planRetarget(

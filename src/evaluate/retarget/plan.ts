@@ -75,4 +75,6 @@ export interface FootTrack {
   readonly contacts: Float64Array;
   /** x z a contact, metres; one where there are no contacts. */
   readonly offsets: Float64Array;
+  /** One a contact, metres, not below 0: how far it is raised to where the foot mostly stands. */
+  readonly rises: Float64Array;
 }

@@ -15,6 +15,7 @@ import { type BvhChannel, DEFAULT_BOX, type Joint, type Limit, UNLIMITED } from 
 import { braceTooMany, number, numbers, openBrace, type Part, skipStrange } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
+import { shortName } from '../words.ts';
 import { CHANNELS_BY_NAME } from './channels.ts';
 
 /** A tree of joints, and what its file calls the first one. */
@@ -111,7 +112,7 @@ function* tree(t: Tokens): Part<Root> {
 function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: number): Part<OpenJoint> {
   const place = t.mark();
   const name = yield* t.restOfLine();
-  yield* openBrace(t, name ? `the name ${name}` : keyword);
+  yield* openBrace(t, name ? `the name ${shortName(name)}` : keyword);
   return { index, parent, keyword, name, place, endSites: [] };
 }
 
@@ -209,5 +210,5 @@ function isPosition(channel: BvhChannel): boolean {
 }
 
 function describe({ keyword, name }: OpenJoint): string {
-  return name ? `${keyword} ${name}` : `a ${keyword}`;
+  return name ? `${keyword} ${shortName(name)}` : `a ${keyword}`;
 }

@@ -97,10 +97,10 @@ function* boneLength(t: Tokens, index: number): Part<number> {
 
 function* axisOf(t: Tokens, index: number): Part<Vec3> {
   const { errorCount } = t.report;
-  const x = yield* number(t, `the axis of joint #${index}, x`);
+  const x = yield* number(t, `x of the axis of joint #${index}`);
   const place = x === 0 ? t.mark() : undefined;
-  const y = yield* number(t, `the axis of joint #${index}, y`);
-  const z = yield* number(t, `the axis of joint #${index}, z`);
+  const y = yield* number(t, `y of the axis of joint #${index}`);
+  const z = yield* number(t, `z of the axis of joint #${index}`);
   if (place && y === 0 && z === 0 && t.report.errorCount === errorCount) {
     const message = `Expected an axis of any length but zero for joint #${index}, found 0 0 0.`;
     t.report.error('axis-zero', message, t.placeOf(place, 'error'));

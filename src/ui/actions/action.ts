@@ -35,7 +35,8 @@ export interface Action extends Bindable {
   /** Shows a tick; `radio` among alternatives. */
   checked?(wb: Workbench): boolean;
   readonly radio?: boolean;
-  run(wb: Workbench, args?: unknown): void;
+  /** A promise where its script is fetched first. */
+  run(wb: Workbench, args?: unknown): void | Promise<void>;
 }
 
 export function actionLabel(wb: Workbench, action: Action): string {

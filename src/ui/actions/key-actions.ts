@@ -59,7 +59,9 @@ const edits: readonly Action[] = [
     menu: 'Keys/Copy and paste',
     section: 10,
     enabled: hasKeys,
-    run: (wb) => copyToTray(wb) && deleteKeys(wb),
+    run(wb) {
+      if (copyToTray(wb)) deleteKeys(wb);
+    },
   }),
   key('copy', 'Copy keys', ['Ctrl+C'], {
     menu: 'Keys/Copy and paste',

@@ -1,6 +1,7 @@
 /** The transport. */
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../shown-keys.ts';
+import { stopsOnFrame } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
 
@@ -25,8 +26,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
     shortcuts: ['Space'],
     icon: 'play',
     run(wb) {
-      const inFrames = wb.settings.get().timeDisplay === 'frames';
-      wb.transport.update((p) => (p.playing ? pause(p, inFrames) : play(p)));
+      wb.transport.update((p) => (p.playing ? pause(p, stopsOnFrame(wb)) : play(p)));
     },
   },
   at('play.stepBack', 'Step back one frame', ['Left'], 1, 'back', (p) => stepFrames(p, -1)),

@@ -1,7 +1,8 @@
 /** Putting one character's take onto another. */
-import { bakeRetarget, clearRetarget } from '../../edit/commands/retarget.ts';
 import { possibleTargets } from '../retarget/targets.ts';
 import { type Action, currentCharacter } from './action.ts';
+
+const commands = () => import('../../edit/commands/retarget.ts');
 
 export const RETARGET_ACTIONS: readonly Action[] = [
   {
@@ -22,20 +23,23 @@ export const RETARGET_ACTIONS: readonly Action[] = [
     menu: 'Edit',
     section: 3,
     enabled: (wb) => currentCharacter(wb)?.driver !== undefined,
-    run(wb) {
+    async run(wb) {
+      const { bakeRetarget } = await commands();
       const character = currentCharacter(wb);
       if (character) wb.store.apply(bakeRetarget, { characterId: character.id });
     },
   },
   {
     id: 'retarget.clear',
-    name: 'Take another character’s take off',
-    label: (wb) => `Take off ${currentCharacter(wb)?.driver?.source.clip.name ?? 'what moves the character'}`,
+    name: 'Let go of the take that moves the character',
+    label: (wb) => `Let go of ${currentCharacter(wb)?.driver?.source.clip.name ?? 'what moves the character'}`,
+    detail: 'Its own take and pose again',
     group: 'Edit',
     menu: 'Edit',
     section: 3,
     enabled: (wb) => currentCharacter(wb)?.driver !== undefined,
-    run(wb) {
+    async run(wb) {
+      const { clearRetarget } = await commands();
       const character = currentCharacter(wb);
       if (character) wb.store.apply(clearRetarget, { characterId: character.id });
     },

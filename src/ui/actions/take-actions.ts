@@ -6,7 +6,7 @@ import {
   chosenTakes,
   compareTakes,
   currentPlace,
-  endComparison,
+
   hasTakes,
   listOfTakes,
   playAlone,

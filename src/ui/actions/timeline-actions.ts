@@ -1,8 +1,7 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
 
-import { hasSamples, runSampleTool, type SampleTool } from '../curves/sample-dialogs.ts';
-import { runCurveTool } from '../timeline/curve-tools.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from '../timeline/in-hand.ts';
+import type { SampleTool } from '../timeline/sample-tools.ts';
 import type { ChannelList, HandleMode, TimelineView } from '../timeline/timeline.ts';
 import type { CurveToolName, Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
@@ -10,6 +9,7 @@ import { hasKeys, hasTake } from './key-actions.ts';
 
 const inView = (wb: Workbench) => channelsInView(wb).length > 0;
 const inHand = (wb: Workbench) => channelsInHand(wb).length > 0;
+const hasSamples = (wb: Workbench) => takeInHand(wb)?.clip.samples !== undefined;
 /** Tools for curves of keys have nothing to do on samples. */
 const keyedInHand = (wb: Workbench) =>
   channelsInHand(wb).some((c) => (takeInHand(wb)?.clip.channels[c]?.times.length ?? 0) > 0);
@@ -83,7 +83,7 @@ function sampled(name: SampleTool, label: string): Action {
     menu: 'Keys/Samples',
     section: 16,
     enabled: hasSamples,
-    run: (wb) => runSampleTool(wb, name),
+    run: async (wb) => (await import('../timeline/sample-tools.ts')).runSampleTool(wb, name),
   });
 }
 
@@ -124,13 +124,13 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     menu: 'Keys/Curve tools',
     section: 16,
     enabled: keyedInHand,
-    run: (wb) => runCurveTool(wb, 'euler'),
+    run: async (wb) => (await import('../timeline/curve-tools.ts')).runCurveTool(wb, 'euler'),
   }),
   curves('loop', 'Make loop', [], {
     menu: 'Keys/Curve tools',
     section: 16,
     enabled: keyedInHand,
-    run: (wb) => runCurveTool(wb, 'loop'),
+    run: async (wb) => (await import('../timeline/curve-tools.ts')).runCurveTool(wb, 'loop'),
   }),
   ...sampleTools([
     ['convertToKeys', 'Convert to keys…'],

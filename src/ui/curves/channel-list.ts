@@ -8,6 +8,7 @@
 
 import { EXTRAPOLATION_NAMES } from '../../edit/commands/extrapolation.ts';
 import { allKeys, unionKeys } from '../../edit/keys/selection.ts';
+import { currentCharacter } from '../actions/action.ts';
 import { extrapolationIcon } from '../actions/key-actions.ts';
 import { LIST_LABELS } from '../actions/timeline-actions.ts';
 import { element, setAttribute, setText, uniqueId } from '../dom.ts';
@@ -353,5 +354,6 @@ function describe(target: HTMLElement, label: string, on = false): void {
 function emptyText(wb: Workbench, list: ListChoice, filter: string): string {
   if (filter) return `No channel here is called “${filter}”.`;
   if (list === 'pinned') return 'Nothing is pinned. The pin at the end of a channel’s row keeps it here.';
+  if (currentCharacter(wb)?.driver) return 'Its own channels stand aside.';
   return wb.store.document.characters.length ? 'This joint has nothing that moves.' : 'Channels will stand here.';
 }

@@ -9,6 +9,9 @@ export function emptyPlotText(wb: Workbench, listed: number): string {
   const character = currentCharacter(wb);
   if (!character)
     return 'Curves will stand here. Drop a character and its animation anywhere on the page, or choose Open.';
+  if (character.driver && !listed) {
+    return `The keys of ${character.name} stand aside. What moves it has its own: those of ${character.driver.source.name}.`;
+  }
   const take = takeInHand(wb);
   const at = `${shown(wb.transport.get().timeSeconds, 3)} s`;
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;

@@ -1,8 +1,9 @@
 /**
- * Keys as diamonds and tangent handles, over the curves; frames of samples as dots. Marks are drawn where they can be told apart: a cell of the
- * plot that has one gets no other, what is selected comes first, then what lies in front. Where keys are nearer together
- * than a few pixels, or there are thousands, one is drawn every so many pixels, smaller; a hundred thousand keys then
- * cost as many jumps as there are cells. (Ten thousand diamonds cost a software canvas more than all curves.)
+ * Keys as diamonds and tangent handles, over the curves; frames of samples as dots. Marks are drawn where they can be
+ * told apart: a cell of the plot that has one gets no other, what is selected comes first, then what lies in front.
+ * Where keys are nearer together than a few pixels, or there are thousands, one is drawn every so many pixels, smaller;
+ * a hundred thousand keys then cost as many jumps as there are cells. (Ten thousand diamonds cost a software canvas
+ * more than all curves.)
  */
 import { firstNotBelow } from '../../math/search.ts';
 import { FIXED } from '../../model/clip.ts';
@@ -76,14 +77,15 @@ function addMark(x: number, y: number, size: number): void {
   markCount++;
 }
 
-export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+/** @returns whether there was anything to draw */
+export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): boolean {
   const { space } = scene;
   g.save();
   g.beginPath();
   g.rect(0, PLOT_TOP, space.width, space.height - PLOT_TOP);
   g.clip();
   cells.clear(space.width, space.height);
-  drawFrames(g, scene, colours);
+  const hasFrames = drawFrames(g, scene, colours);
   markCount = 0;
   const chosen = scene.selected.flatMap(({ channel, indices }) => {
     const line = lineOf(scene, channel);
@@ -105,6 +107,7 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
   drawHandles(g, scene, handles, colours);
   fillMarks(g, 0, selectedCount, colours.selected);
   g.restore();
+  return hasFrames || markCount > 0 || handles.length > 0;
 }
 
 function keysInView(scene: CurveScene, line: CurveLine) {
@@ -184,20 +187,22 @@ function fillMarks(g: CanvasRenderingContext2D, from: number, to: number, colour
 }
 
 /** Small dots for the frames of sampled lines, where they are far enough apart and not too many: no keys, nothing to drag. */
-function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): boolean {
   const { samples, columns } = scene.curves;
-  if (!samples) return;
+  if (!samples) return false;
+  let hasAny = false;
   const { startSeconds, frameSeconds, frameCount, values, scales } = samples;
   const lines = scene.lines.filter((line) => columns[line.channel] >= 0);
   for (const line of lines) {
     const map = traceMap(scene, line);
-    if (frameSeconds * map.perSecond < FRAME_PIXELS) return;
+    if (frameSeconds * map.perSecond < FRAME_PIXELS) return hasAny;
     const first = Math.max(0, Math.ceil((map.left - startSeconds) / frameSeconds));
     const end = Math.min(
       frameCount,
       Math.floor((map.left + map.width / map.perSecond - startSeconds) / frameSeconds) + 1,
     );
-    if ((end - first) * lines.length > MOST_KEYS) return;
+    if ((end - first) * lines.length > MOST_KEYS) return hasAny;
+    hasAny ||= end > first;
     const column = columns[line.channel];
     g.fillStyle = mixed(line.colour, colours.palette);
     g.beginPath();
@@ -211,6 +216,7 @@ function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: Pic
       g.beginPath();
     }
   }
+  return hasAny;
 }
 
 /** A slope that was set is a full dot, one that follows from the keys around it a ring. */

@@ -61,7 +61,7 @@ export class CurvePicture {
     if (all || !this.isWhole || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
     if (all || before.selected !== scene.selected) {
       const { colours } = this;
-      this.keys.draw((g) => drawKeys(g, scene, colours));
+      this.keys.setVisible(this.keys.draw((g) => drawKeys(g, scene, colours)) === true);
     }
     return this.isWhole;
   }
@@ -207,11 +207,17 @@ class Layer {
     return true;
   }
 
-  draw(paint: (g: CanvasRenderingContext2D) => void): void {
+  /** Gives what `paint` gives. */
+  draw<T>(paint: (g: CanvasRenderingContext2D) => T): T | undefined {
     const g = this.canvas.getContext('2d');
-    if (!g) return;
+    if (!g) return undefined;
     g.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     g.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    paint(g);
+    return paint(g);
+  }
+
+  /** A canvas that is cleared and gets nothing new goes on showing what it had in Chromium: one without marks is hidden. */
+  setVisible(visible: boolean): void {
+    this.canvas.style.visibility = visible ? '' : 'hidden';
   }
 }

@@ -6,7 +6,6 @@ import {
   type ResampleSamples,
   resampleSamples,
   resampleSteps,
-  reverseSteps,
   type SmoothSamples,
   smoothSamples,
   smoothSteps,
@@ -19,10 +18,8 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText } from '../angles.ts';
 import type { DialogContent } from '../dialog.ts';
 import { element } from '../dom.ts';
-import { inSlices } from '../in-slices.ts';
 import { count, plural, seconds, shown } from '../number-text.ts';
 import { channelsInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
-import { Trial } from '../trial.ts';
 import type { Workbench } from '../workbench.ts';
 import { type Asked, toolDialog } from './tool-dialog.ts';
 
@@ -41,7 +38,7 @@ export function convertDialog(wb: Workbench, close: () => void): DialogContent {
       title: 'Convert to keys',
       about:
         `Fewest keys for ${count(samples.frameCount)} frames with every joint and End Site where it was: cubics fitted ` +
-        'to each curve, angles freed of jumps first, and all joints measured at every frame until none is further off.',
+        'to each curve, angles freed of jumps first, and all joints measured at every frame until none is further off there.',
       asked: [
         ...channelsAsked(channels.length, all),
         {

@@ -125,9 +125,11 @@ export class SampleExtremes {
       }
       if (b % blocksASlice === blocksASlice - 1) yield;
     }
-    missing.forEach((c, m) => {
+    const columnsASlice = Math.max(1, Math.floor(SLICE_SAMPLES / count));
+    for (const [m, c] of missing.entries()) {
       columns[c] ??= withUpperLevels(lows[m], highs[m]);
-    });
+      if (m % columnsASlice === columnsASlice - 1) yield;
+    }
   }
 
   private levels(column: number): Levels {
@@ -155,9 +157,16 @@ function withUpperLevels(low: Float64Array, high: Float64Array): Levels {
     const [l, h] = [lows[lows.length - 1], highs[highs.length - 1]];
     const count = Math.ceil(l.length / BLOCK);
     const [nextLow, nextHigh] = [new Float64Array(count), new Float64Array(count)];
-    for (let b = 0; b < count; b++) {
-      nextLow[b] = l.subarray(b * BLOCK, (b + 1) * BLOCK).reduce((a, v) => (v < a ? v : a));
-      nextHigh[b] = h.subarray(b * BLOCK, (b + 1) * BLOCK).reduce((a, v) => (v > a ? v : a));
+    for (let b = 0, at = 0; b < count; b++) {
+      const end = Math.min(l.length, at + BLOCK);
+      let low = l[at];
+      let high = h[at];
+      for (at++; at < end; at++) {
+        if (l[at] < low) low = l[at];
+        if (h[at] > high) high = h[at];
+      }
+      nextLow[b] = low;
+      nextHigh[b] = high;
     }
     lows.push(nextLow);
     highs.push(nextHigh);

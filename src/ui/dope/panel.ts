@@ -333,6 +333,7 @@ function sameTake(a: Take | undefined, b: Take | undefined): boolean {
     a.character.id === b.character.id &&
     a.character.skeleton === b.character.skeleton &&
     a.character.morphs === b.character.morphs &&
+    a.character.driver?.source.name === b.character.driver?.source.name &&
     sameRows(a.clip, b.clip)
   );
 }

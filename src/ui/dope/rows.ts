@@ -11,6 +11,7 @@
  * A row is a list of channels; all that is drawn, hit or selected in it follows from that. Joints stand in one flat
  * list and not in a tree: one looks for *when* here, and a hand would be ten folds away.
  */
+import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { type ChannelClip, isSampled } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, rootDofCount } from '../../model/dofs.ts';
@@ -114,12 +115,13 @@ export function allFolds(character: Character, clip: ChannelClip): number[] {
   return groupsOf(character, dofs, clip.channels.length).map((g) => g.fold);
 }
 
-/** In the order of channels, which is the order of DOFs; cut where the clip ends. */
+/** In the order of channels, which is the order of DOFs; cut where the clip ends. Without those that have no say. */
 function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCount: number): Group[] {
   const groups: Group[] = [];
+  const silent = silentChannels(character);
   const add = (group: Group) => {
     const count = Math.min(group.count, channelCount - group.first);
-    if (count > 0) groups.push({ ...group, count });
+    if (count > 0 && group.first >= silent) groups.push({ ...group, count });
   };
   const root = rootDofCount(character.skeleton);
   add({ kind: 'root', fold: ROOT_FOLD, label: 'Root translation', first: 0, count: root, ...rootJoint(character) });

@@ -5,10 +5,12 @@ import { setClamping } from '../../edit/commands/pose.ts';
 import { type Character, DEFAULT_PLACEMENT, findCharacter, type Placement, shownClip } from '../../model/document.ts';
 import { runAction } from '../actions.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
-import { button, element } from '../dom.ts';
+import { button, element, setText } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { exact } from '../number-text.ts';
 import { lengthStep } from '../reach.ts';
+import { movedButtons } from '../retarget/moved.ts';
+import { followsText } from '../retarget/moved-text.ts';
 import type { Workbench } from '../workbench.ts';
 import { emptyFolder, Slider } from './slider.ts';
 import { addSpaceRows } from './space-rows.ts';
@@ -96,11 +98,32 @@ export class CharacterFolder {
   }
 
   private addTake(character: Character): void {
+    if (character.driver) {
+      this.addMoved();
+      return;
+    }
     const take = shownClip(character);
     if (!take) return;
     const { line, update } = addTakeRows(this.wb, this.folder, character, take);
     this.lines.push(line);
     this.rows.push(update);
+  }
+
+  /** Who moves it, in place of its own take. */
+  private addMoved(): void {
+    const text = element('span', { class: 'moved-by' });
+    const line = element(
+      'div',
+      { class: 'moved-row' },
+      text,
+      movedButtons(this.wb, () => this.character?.id),
+    );
+    this.folder.$children.append(line);
+    this.lines.push(line);
+    this.rows.push(() => {
+      const follows = this.character ? followsText(this.character) : '';
+      setText(text, `${follows.slice(0, 1).toUpperCase()}${follows.slice(1)}`);
+    });
   }
 
   private addLimits(character: Character): void {

@@ -4,15 +4,16 @@
  *     ◆ keyed        it has a key at this moment
  *     ◇ driven       its keys are at other moments
  *     ● unkeyed      set by hand over its keys; goes when time moves
+ *     ▸ moved        another character's take moves it; no key can be made
  *       free         no keys: it stays where it is put. A faint ◇ under the pointer says that a click keys it
  */
-import { isDriven } from '../../evaluate/pose.ts';
+import { channelOf, isDriven } from '../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
 import { button, keepsFocusElsewhere, setAttribute } from '../dom.ts';
 import { deleteKeysNow, isKeyedNow, keyNow } from '../pose-edits.ts';
 import type { Workbench } from '../workbench.ts';
 
-export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'free';
+export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
 
 export class DofMark {
   readonly element: HTMLButtonElement;
@@ -50,11 +51,13 @@ const TITLES: Readonly<Record<DofState, string>> = {
   keyed: 'Keyed at this moment. Click to delete the key',
   driven: 'Driven by keys at other moments. Click to key it here',
   unkeyed: 'Set by hand, not keyed: goes when time moves. Click to key it',
+  moved: 'Driven by the take of another character. Bake it to key it',
   free: 'Not animated. Click to key it here',
 };
 
 /** What a screen reader says of a click: among hundreds of marks it tells which one is meant. */
 export function markLabel(state: DofState, name: string): string {
+  if (state === 'moved') return `${name} is driven by another character’s take`;
   return state === 'keyed' ? `Delete this moment’s key of ${name}` : `Key ${name}`;
 }
 
@@ -62,6 +65,7 @@ export function dofState(wb: Workbench, character: Character, dof: number): DofS
   const { unkeyed } = character;
   if (unkeyed?.timeSeconds === wb.transport.get().timeSeconds && unkeyed.dofs.includes(dof)) return 'unkeyed';
   if (!isDriven(character, dof)) return 'free';
+  if (!channelOf(character, dof)) return 'moved';
   return isKeyedNow(wb, character, dof) ? 'keyed' : 'driven';
 }
 

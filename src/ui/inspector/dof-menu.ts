@@ -1,7 +1,7 @@
 /** The context menu of a DOF's row: its keys, its curve, its limits. */
 import { clearLimit, setLimit } from '../../edit/commands/limits.ts';
 import { setDofs } from '../../edit/commands/pose.ts';
-import { dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
+import { channelOf, dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
 import { coupleOf } from '../../model/couples.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose } from '../../model/dofs.ts';
@@ -44,7 +44,7 @@ function entries(
 ): readonly MenuEntry[] {
   const { id } = character;
   const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({ kind: 'item', label, enabled, run });
-  const hasKeys = isDriven(character, index);
+  const hasKeys = isDriven(character, index) && channelOf(character, index) !== undefined;
   const value = shownValue(wb, character, index);
   const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
   // A coupled one is what it follows makes of it.

@@ -2,8 +2,8 @@
  * The dialog that puts a take onto another character: which character, whose take, which joint follows which, and a few
  * choices. What comes of it is seen at once, behind the dialog; it is one step of undo when applied, and none when not.
  */
-import { bakeRetarget, clearRetarget, possibleSources, setRetarget } from '../../edit/commands/retarget.ts';
-import { driverSource } from '../../edit/drivers.ts';
+import { bakeRetarget, clearRetarget, setRetarget } from '../../edit/commands/retarget.ts';
+import { driverSource, possibleSources } from '../../edit/drivers.ts';
 import { pause, play } from '../../edit/playback.ts';
 import { CommandError } from '../../edit/store.ts';
 import { retargetPlan } from '../../evaluate/retarget/make-plan.ts';
@@ -17,6 +17,7 @@ import { atMostEvery } from '../frame.ts';
 import { icon } from '../icons.ts';
 import { parseNumber, shown } from '../number-text.ts';
 import { Trial } from '../trial.ts';
+import { stopsOnFrame } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import { pairTable } from './pair-table.ts';
 import { resultText } from './result-text.ts';
@@ -30,7 +31,6 @@ const MEASURED = 24;
 
 export function retargetDialog(wb: Workbench, close: () => void): DialogContent {
   const { store } = wb;
-  const inFrames = () => wb.settings.get().timeDisplay === 'frames';
   const kind = 'tool-dialog retarget-dialog';
   const first = firstTarget(wb);
   if (!first) {
@@ -60,7 +60,7 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
   const table = pairTable(() => soon());
   const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
   const bake = element('button', { type: 'button', class: 'plain' }, 'Bake');
-  const takeOff = element('button', { type: 'button', class: 'plain' }, 'Take off');
+  const takeOff = element('button', { type: 'button', class: 'plain' }, 'Let go');
   const again = element('button', { type: 'button', class: 'plain' }, 'Match again');
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
   bake.title = 'As a take of the character’s own, with a pose for every frame';
@@ -79,7 +79,7 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
       'div',
       { class: 'tool-buttons' },
       button('Play or pause', { class: 'tool' }, icon('play'), () =>
-        wb.transport.update((p) => (p.playing ? pause(p, inFrames()) : play(p))),
+        wb.transport.update((p) => (p.playing ? pause(p, stopsOnFrame(wb)) : play(p))),
       ),
       again,
       takeOff,
@@ -109,6 +109,10 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
       pairs: table.pairs(),
       options: optionsNow(),
     });
+  const sourceTake = () => {
+    const from = findCharacter(base, sources.value);
+    return (from && shownClip(from)?.name) || 'a take';
+  };
   const attempt = (work: () => void) => {
     if (trial.over) return;
     try {
@@ -162,12 +166,12 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
   const stop = wb.dialog.subscribe((open) => {
     if (open !== 'retarget') end();
   });
-  function end(keep?: () => Document): void {
+  function end(keep?: () => Document, label?: string): void {
     if (trial.over) return;
     if (keep) attempt(() => trial.show(keep()));
     if (apply.disabled && keep) return;
     stop();
-    if (keep) trial.keep();
+    if (keep) trial.keep(label);
     else trial.putBack();
     if (keep) close();
   }
@@ -193,11 +197,18 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
     soon();
   });
   cancel.addEventListener('click', close);
-  takeOff.addEventListener('click', () => end(() => clearRetarget.run(base, { characterId: target.id })));
-  bake.addEventListener('click', () => end(() => bakeRetarget.run(made(), { characterId: target.id })));
+  takeOff.addEventListener('click', () =>
+    end(
+      () => clearRetarget.run(base, { characterId: target.id }),
+      clearRetarget.label(base, { characterId: target.id }),
+    ),
+  );
+  bake.addEventListener('click', () =>
+    end(() => bakeRetarget.run(made(), { characterId: target.id }), `Bake ${sourceTake()} into ${target.name}`),
+  );
   body.addEventListener('submit', (event) => {
     event.preventDefault();
-    if (!apply.disabled) end(made);
+    if (!apply.disabled) end(made, `Put ${sourceTake()} onto ${target.name}`);
   });
   targets.value = target.id;
   showSources();

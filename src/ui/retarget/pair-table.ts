@@ -6,9 +6,11 @@
 import type { JointMatch } from '../../evaluate/retarget/match.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { element, setText } from '../dom.ts';
+import { element, setText, uniqueId } from '../dom.ts';
 
 const AT_REST = 'stays as posed';
+/** Matches below this are guesses. */
+const UNSURE = 0.6;
 
 export interface PairTable {
   readonly element: HTMLElement;
@@ -37,8 +39,10 @@ export function pairTable(changed: () => void): PairTable {
       body.replaceChildren(
         ...target.joints.map((joint, t) => {
           const name = joint.name || `joint ${t}`;
-          const why = element('td', { class: 'why' });
+          const why = element('td', { class: 'why', id: uniqueId('why') });
           const select = jointSelect(`${name} follows`, source, chosen.get(t));
+          // Spoken with the choice: colour and tooltip are for those who see them.
+          select.setAttribute('aria-describedby', why.id);
           const row = element(
             'tr',
             {},
@@ -55,9 +59,11 @@ export function pairTable(changed: () => void): PairTable {
             const match = found.get(t);
             const isFound = match !== undefined && match.source === s;
             row.classList.toggle('unmatched', s === undefined);
-            row.classList.toggle('unsure', isFound && match.confidence < 0.6);
-            setText(why, s === undefined ? AT_REST : isFound ? match.reason : 'chosen by hand');
-            why.title = isFound ? `${Math.round(100 * match.confidence)} % sure` : '';
+            row.classList.toggle('unsure', isFound && match.confidence < UNSURE);
+            const reason = isFound ? match.reason : 'chosen by hand';
+            const isGuess = isFound && match.confidence < UNSURE;
+            setText(why, s === undefined ? AT_REST : isGuess ? `guess: ${reason}` : reason);
+            why.title = isFound ? `${reason}. ${sureness(match.confidence)}` : '';
           };
           select.addEventListener('change', () => {
             if (select.value === '') chosen.delete(t);
@@ -71,6 +77,14 @@ export function pairTable(changed: () => void): PairTable {
       );
     },
   };
+}
+
+/** How sure a match is, in words and as a number. */
+function sureness(confidence: number): string {
+  const percent = `${Math.round(100 * confidence)} %`;
+  if (confidence >= 0.85) return `Sure (${percent}).`;
+  if (confidence >= UNSURE) return `Likely (${percent}).`;
+  return `A guess (${percent}): see whether it moves as it should.`;
 }
 
 function head(text: string): HTMLElement {

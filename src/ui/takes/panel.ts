@@ -8,6 +8,7 @@ import { attempt } from '../attempt.ts';
 import { element, setText } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
+import { movedEntries } from '../retarget/moved.ts';
 import { fitWindow, type TimeWindow, zoomWindow } from '../time-window.ts';
 import type { TimelineTab } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
@@ -186,7 +187,9 @@ class TakesPanel implements TimelineTab {
       run,
       ...(shortcut && { shortcut }),
     });
+    const character = findCharacter(wb.store.document, row.characterId);
     const entries: MenuEntry[] = [
+      ...(character ? movedEntries(wb, character) : []),
       item('Play alone', () => playAlone(wb, row), 'Enter'),
       ...(chosen.length > 1 ? [item(`Play these ${chosen.length} together`, () => playTogether(wb, chosen))] : []),
       item(row.isShown ? 'Hide' : 'Show', () => toggleShown(wb, row), 'Space'),

@@ -1,22 +1,21 @@
-/** What is done with takes as wholes: playing one alone or several together, the next one, comparing two. */
+/** What is done with takes as wholes: playing one alone or several together, the next one, when and where. */
 import { setTimeOffset } from '../../edit/commands/characters.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
 import {
   type Arrangement,
   alignStarts,
   arrange,
-  overlayTakes,
   removeTakes,
   setTimeOffsets,
   showTakes,
 } from '../../edit/commands/takes.ts';
-import { isSameSkeleton, matchJoints } from '../../evaluate/joint-match.ts';
 import { findCharacter, shownClip } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
 import { attempt } from '../attempt.ts';
 import { clipsRange } from '../shown-keys.ts';
-import { fitWindow } from '../time-window.ts';
 import type { Workbench } from '../workbench.ts';
+import { endComparison } from './compare.ts';
+import { followRangeOfTakes, playRange } from './played-range.ts';
 import { listedTakes, shownKey, type TakeRow, takeRows } from './rows.ts';
 
 /** As the list has them now. */
@@ -69,6 +68,8 @@ export function playTogether(wb: Workbench, rows: readonly TakeRow[]): void {
     wb.store.apply(showTakes, { takes: rows, alone: true });
     const range = clipsRange(wb.store.document);
     if (range) playRange(wb, range);
+    const [first] = rows;
+    if (first) wb.viewport.reveal(first.characterId);
   });
 }
 
@@ -81,12 +82,25 @@ export function stepTake(wb: Workbench, step: 1 | -1): void {
   playAlone(wb, rows[(from + step + rows.length) % rows.length]);
 }
 
-/** Into the picture, showing this take, or out of it. */
-export function toggleShown(wb: Workbench, row: TakeRow): void {
+/**
+ * Into the picture, showing these takes, or out of it, where any of them is seen; of a character that several of them
+ * are of, the first.
+ */
+export function toggleShown(wb: Workbench, ...rows: readonly TakeRow[]): void {
+  const shown = rows.filter((row) => row.isShown);
+  const takes = rows.filter((row, i) => rows.findIndex((r) => r.characterId === row.characterId) === i);
   attempt(wb.messages, () => {
-    if (row.isShown) wb.store.apply(setHidden, { ids: [row.characterId], hidden: true });
-    else wb.store.apply(showTakes, { takes: [row] });
+    if (shown.length) wb.store.apply(setHidden, { ids: shown.map((row) => row.characterId), hidden: true });
+    else if (takes.length) wb.store.apply(showTakes, { takes });
   });
+}
+
+/** The takes that a key in the list is about: those that are chosen, or the row that one is at where it is none of them. */
+export function takesAtHand(wb: Workbench): TakeRow[] {
+  const { focused } = wb.timeline.takes.view.get();
+  const chosen = chosenTakes(wb);
+  if (focused === undefined || chosen.some((row) => row.key === focused)) return chosen;
+  return listOfTakes(wb).filter((row) => row.key === focused);
 }
 
 export function showAll(wb: Workbench): void {
@@ -131,7 +145,10 @@ export function resetOffsets(wb: Workbench): void {
   followRangeOfTakes(wb);
 }
 
-export function offset(wb: Workbench, row: TakeRow, seconds: number): void {
+/** @param atSeconds of the transport: when its first moment is to be played */
+export function startAt(wb: Workbench, row: TakeRow, atSeconds: number): void {
+  // Plus 0: no offset is −0.
+  const seconds = row.range[0] - atSeconds + 0;
   attempt(wb.messages, () => wb.store.apply(setTimeOffset, { characterId: row.characterId, seconds }));
 }
 
@@ -139,60 +156,6 @@ export function putTakes(wb: Workbench, how: Arrangement): void {
   const characterIds = charactersMeant(wb);
   attempt(wb.messages, () => wb.store.apply(arrange, { characterIds, how }));
   wb.viewport.frameAll();
-}
-
-/** One over the other, tinted, with the distance of their joints; refused with a word where they have nothing in common. */
-export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): void {
-  const { document } = wb.store;
-  const skeletons = [first, second].map((row) => findCharacter(document, row.characterId)?.skeleton);
-  const [a, b] = skeletons;
-  if (!a || !b) {
-    wb.messages.note('Takes are compared joint by joint: both need a skeleton.', 'warning');
-    return;
-  }
-  const match = matchJoints(a, b);
-  if (!match.first.length) {
-    wb.messages.note(
-      `${first.name} and ${second.name} have no joints in common: they are matched by their names and parents.`,
-      'warning',
-    );
-    return;
-  }
-  attempt(wb.messages, () => {
-    wb.store.apply(overlayTakes, { first, second });
-    if (!isSameSkeleton(match)) {
-      const missing = match.onlyFirst.length + match.onlySecond.length;
-      wb.messages.note(
-        `${match.first.length} joints are compared; ${missing} have no partner and are left out.`,
-        'info',
-      );
-    }
-    wb.timeline.takes.distances.update((now) => ({ ...now, picked: [] }));
-    wb.timeline.takes.comparison.set({
-      first: { characterId: first.characterId, clip: first.clip },
-      second: { characterId: second.characterId, clip: second.clip },
-    });
-    const ends = [first, second].map(({ range, offsetSeconds }) => range.map((t) => t - offsetSeconds));
-    const common: [number, number] = [Math.max(ends[0][0], ends[1][0]), Math.min(ends[0][1], ends[1][1])];
-    const both: [number, number] = [Math.min(ends[0][0], ends[1][0]), Math.max(ends[0][1], ends[1][1])];
-    playRange(wb, common[1] > common[0] ? common : both);
-    wb.timeline.change({ tab: 'takes', window: fitWindow(both) });
-    wb.viewport.reveal(first.characterId);
-  });
-}
-
-export function endComparison(wb: Workbench): void {
-  wb.timeline.takes.comparison.set(undefined);
-}
-
-/** The range is played from its start; whether anything plays stays as it is. */
-function playRange(wb: Workbench, range: readonly [number, number]): void {
-  wb.transport.update((p) => ({ ...p, range, timeSeconds: range[0], turned: false }));
-}
-
-function followRangeOfTakes(wb: Workbench): void {
-  const range = clipsRange(wb.store.document);
-  if (range) wb.transport.update((p) => ({ ...p, range }));
 }
 
 /** Another character, and of it the joint that was selected, if it has one of that name: its trail can be compared. */

@@ -29,6 +29,7 @@ export class RowView {
   private row: TakeRow;
   private readonly mark = element('span', { class: 'take-mark', 'aria-hidden': 'true' });
   private readonly name = element('span');
+  private readonly note = element('span', { class: 'take-note' });
   private readonly character = cell('take-character');
   private readonly duration = cell('number');
   private readonly frames = cell('number take-frames');
@@ -66,7 +67,7 @@ export class RowView {
         () => events.play(this.row),
       ),
     );
-    this.nameCell = cell('take-name', this.mark, this.name);
+    this.nameCell = cell('take-name', this.mark, this.name, this.note);
     this.element = element(
       'div',
       { class: 'take-row', role: 'row', id },
@@ -110,7 +111,8 @@ export class RowView {
     setAttribute(eye, 'aria-label', `Show ${row.name}`);
     this.mark.className = `take-mark ${compared ?? ''}`;
     setText(this.name, row.name || 'no name');
-    setAttribute(this.nameCell, 'title', row.name);
+    setText(this.note, row.note);
+    setAttribute(this.nameCell, 'title', row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);
     setText(this.duration, `${shown(row.durationSeconds, 2)} s`);
     // Keys have no frames; how many the transport would count is said, and that it is the transport that counts.

@@ -3,6 +3,7 @@ import type { TakeRef } from '../../edit/commands/takes.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { sameName, stemOf } from '../../model/files.ts';
+import { followsText, movesText } from '../retarget/moved-text.ts';
 import type { TakeColumn, TakeOrder } from './takes.ts';
 
 export interface TakeRow extends TakeRef {
@@ -14,6 +15,8 @@ export interface TakeRow extends TakeRef {
   /** It is the one that its character shows, and that is seen. */
   readonly isShown: boolean;
   readonly isHidden: boolean;
+  /** `aside: walker follows dance`, of one that another's take moves; `moves walker`, of the take that does. */
+  readonly note: string;
   /** First to last second that is played, of the clip. */
   readonly range: readonly [number, number];
   readonly durationSeconds: number;
@@ -33,11 +36,14 @@ export const takeKey = ({ characterId, clip }: TakeRef) => `${characterId}/${cli
 const known = new WeakMap<Character, readonly TakeRow[]>();
 
 /** In the document's order. Rows of characters that did not change are the same objects. */
-export function takeRows({ characters }: Document): TakeRow[] {
-  return characters.flatMap((character) => {
+export function takeRows(document: Document): TakeRow[] {
+  const movers = new Set(document.characters.map(({ driver }) => driver?.sourceId));
+  return document.characters.flatMap((character) => {
     const rows = known.get(character) ?? character.clips.map((_, clip) => rowOf(character, clip));
     known.set(character, rows);
-    return rows;
+    if (!movers.has(character.id)) return rows;
+    const note = movesText(document, character);
+    return rows.map((row) => (row.clip === character.shownClip ? { ...row, note } : row));
   });
 }
 
@@ -53,8 +59,10 @@ function rowOf(character: Character, index: number): TakeRow {
     clip: index,
     name: clip.name,
     character: clip.name === character.name ? '' : character.name,
-    isShown: !isHidden && character.shownClip === index,
+    // None of its own is, while another's moves it.
+    isShown: !isHidden && !character.driver && character.shownClip === index,
     isHidden,
+    note: character.driver ? `aside: ${character.name} ${followsText(character)}` : '',
     range,
     durationSeconds: range[1] - range[0],
     ...(samples && { frameCount: samples.frameCount, framesPerSecond: 1 / samples.frameSeconds }),

@@ -32,6 +32,19 @@ export interface Comparison {
   readonly second: TakeRef;
 }
 
+/** What a comparison has changed, and what is needed to put it back. */
+export interface Overlay {
+  readonly comparison: Comparison;
+  readonly before: Document;
+  readonly after: Document;
+  /** What was played before, and what the comparison plays; seconds of the transport. */
+  readonly playedBefore: readonly [number, number];
+  readonly played: readonly [number, number];
+  /** Documents that undo and redo lead to, in which the two are compared, and in which they are not. */
+  readonly compared: Document[];
+  readonly apart: Document[];
+}
+
 /** How distances are looked at; stays from one comparison to the next. */
 export interface DistanceView {
   readonly alignment: Alignment;
@@ -43,6 +56,8 @@ export interface DistanceView {
 export class Takes {
   readonly view: Observable<TakesView> = observable<TakesView>({ filter: '', chosen: new Set() });
   readonly comparison: Observable<Comparison | undefined> = observable<Comparison | undefined>(undefined);
+  /** Of the last comparison, under way or over: undo leads back into it. */
+  overlay: Overlay | undefined;
   readonly distances: Observable<DistanceView> = observable<DistanceView>({
     alignment: 'world',
     picked: [],

@@ -35,6 +35,13 @@ describeShared('feet of real takes on the walker', () => {
     },
   );
 
+  it('are raised where a take stands lower than before: rokoko-dance ends with a foot 13 cm below where it danced', () => {
+    const planted = sliding('rokoko-dance.bvh', true);
+    expect(planted.contacts).toBeGreaterThan(2);
+    expect(planted.lowest).toBeGreaterThan(-0.01);
+    expect(planted.worst).toBeLessThan(planted.sourceWorst + WITHIN);
+  });
+
   it('left to the legs, slide further: that is what planting is for', () => {
     expect(sliding('mixamo-names.bvh', false).mean).toBeGreaterThan(2 * sliding('mixamo-names.bvh', true).mean);
   });

@@ -133,6 +133,13 @@ describe('the hierarchy of a .bvh', () => {
     const { diagnostics } = bvh(`HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nMOTION\n`);
     expect(diagnostics[0].message).toContain('ROOT a, opened on line 2');
   });
+
+  it('keeps names of any length, but says no more than their beginning', () => {
+    const name = 'x'.repeat(100_000);
+    const { value, diagnostics } = bvh(`HIERARCHY\nROOT ${name}\n{\nCHANNELS 0\n}\n${motion('', 0)}`);
+    expect(value?.[0].skeleton.joints[0].name).toBe(name);
+    expect(diagnostics[0].message).toMatch(/^Expected OFFSET in ROOT x{100}…, found none\.$/);
+  });
 });
 
 describe('several roots in a .bvh', () => {

@@ -1,0 +1,34 @@
+/**
+ * What another character's take has the say over while it moves this one: `retargetPose` writes these DOFs, the pose has
+ * the other joints, and the character's own take the morphs.
+ */
+import type { Character, Driver } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { compileSkeleton } from '../kinematics.ts';
+
+const known = new WeakMap<Driver, { readonly skeleton: Skeleton; readonly dofs: ReadonlySet<number> }>();
+
+/**
+ * Which of a character's joint DOFs another's take moves: those of joints that follow one, and those that carry the
+ * character. Undefined where nothing else moves the character. Made once for a driver.
+ */
+export function movedDofs({ driver, skeleton }: Character): ReadonlySet<number> | undefined {
+  if (!driver || !skeleton) return undefined;
+  const made = known.get(driver);
+  if (made?.skeleton === skeleton) return made.dofs;
+  const { firstDof, travel } = compileSkeleton(skeleton);
+  const dofs = new Set(travel);
+  for (const { target } of driver.pairs) {
+    for (let d = firstDof[target]; d < firstDof[target + 1]; d++) dofs.add(d);
+  }
+  known.set(driver, { skeleton, dofs });
+  return dofs;
+}
+
+/**
+ * How many channels of its own take, from the first on, have no say: those of all joints, while another's take moves
+ * them; none otherwise. Keys in them would be keys that nobody sees.
+ */
+export function silentChannels({ driver, skeleton }: Character): number {
+  return driver && skeleton ? compileSkeleton(skeleton).firstDof[skeleton.joints.length] : 0;
+}

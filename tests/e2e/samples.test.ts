@@ -1,0 +1,181 @@
+/**
+ * The tools for samples on the built page, one after the other on one take: each is a step, all of them taken back give
+ * the bytes that were dropped, and what is saved after them plays in the command as it does on the page.
+ */
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { expectClose } from '../helpers/close.ts';
+import { commandJson, type PoseJson } from '../helpers/command.ts';
+import { dropFiles, withPage } from '../helpers/page.ts';
+
+const FRAMES = 241;
+const RATE = 60;
+
+/** Hips that travel and an arm that swings, with a tremble of a tenth of a degree. */
+function takeText(): string {
+  const rows = Array.from({ length: FRAMES }, (_, f) => {
+    const t = f / RATE;
+    const tremble = f % 2 ? 0.1 : -0.1;
+    const swing = 40 * Math.sin(2 * t) + tremble;
+    return [10 * t, 90, 0, 5 * Math.sin(t), 0, 20 * t, swing, swing / 2, -swing].map((v) => v.toFixed(4)).map(Number);
+  });
+  return `HIERARCHY
+ROOT Hips
+{
+\tOFFSET 0 90 0
+\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+\tJOINT Arm
+\t{
+\t\tOFFSET 0 40 0
+\t\tCHANNELS 3 Zrotation Xrotation Yrotation
+\t\tEnd Site
+\t\t{
+\t\t\tOFFSET 30 0 0
+\t\t}
+\t}
+}
+MOTION
+Frames: ${FRAMES}
+Frame Time: 0.016666666666666666
+${rows.map((row) => row.join(' ')).join('\n')}
+`;
+}
+
+const TAKE = takeText();
+const saved = (page: Page) => page.evaluate(() => window.marrow.save('swing.bvh'));
+const undoLabel = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
+const run = (page: Page, id: string, args: Record<string, unknown>) =>
+  page.evaluate(async ([name, given]) => void (await window.marrow.run(name, given)), [id, args] as const);
+
+async function opened(page: Page): Promise<void> {
+  await dropFiles(page, [{ name: 'swing.bvh', bytes: TAKE }]);
+  await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'swing'));
+  await page.evaluate(() => window.marrow.pause());
+}
+
+/** Finds a command by its name and runs it, as the keyboard does. */
+async function find(page: Page, command: string): Promise<void> {
+  await page.keyboard.press('Control+k');
+  await page.getByRole('combobox', { name: 'Find a command' }).fill(command);
+  await page.getByRole('option', { name: command }).first().waitFor();
+  await page.keyboard.press('Enter');
+}
+
+/** Fills in one of the dialogs and applies it, when it has said what it comes to. */
+async function applyTool(page: Page, command: string, fields: Record<string, string>, says: RegExp): Promise<void> {
+  await find(page, command);
+  const dialog = page.getByRole('dialog', { name: command });
+  for (const [label, value] of Object.entries(fields)) await dialog.getByLabel(label).fill(value);
+  await dialog.getByText(says).waitFor();
+  await expect.poll(() => dialog.getByRole('button', { name: 'Apply' }).isEnabled()).toBe(true);
+  await dialog.getByRole('button', { name: 'Apply' }).click();
+  await dialog.waitFor({ state: 'hidden' });
+}
+
+/** Hips, arm and End Site at a moment. */
+function points(page: Page, seconds: number): Promise<number[]> {
+  return page.evaluate(async (time) => {
+    window.marrow.seek(time);
+    await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+    const joints = window.marrow.worldMatrices('swing').map((world) => world.slice(12, 15));
+    return [...joints, ...window.marrow.endSites('swing').map(({ position }) => position)].flat();
+  }, seconds);
+}
+
+it('crops, smooths, converts to keys and drags one of them, each a step; all undone are the bytes that were dropped', () =>
+  withPage(async ({ page }) => {
+    await opened(page);
+    expect(await saved(page)).toBe(TAKE);
+    const steps: (string | undefined)[] = [await undoLabel(page)];
+    const texts: string[] = [await saved(page)];
+    const stepMade = async () => {
+      const label = await undoLabel(page);
+      expect(label).not.toBe(steps.at(-1));
+      steps.push(label);
+      texts.push(await saved(page));
+      expect(texts.at(-1)).not.toBe(texts.at(-2));
+    };
+
+    await run(page, 'samples.crop', { from: 0.5, to: 3.5 });
+    await stepMade();
+    expect(texts.at(-1)).toContain('Frames: 181');
+
+    await applyTool(page, 'Smooth samples', { 'Width (σ)': '0.04' }, /half is left/);
+    await stepMade();
+
+    const smooth = await points(page, 1);
+    await applyTool(page, 'Convert to keys', { 'Joints within': '0.05', 'Turned within': '0.2' }, /to 1\./);
+    await stepMade();
+    expectClose(
+      (await points(page, 1)).map((v) => v / 0.05),
+      smooth.map((v) => v / 0.05),
+      1,
+    );
+    expect(await page.evaluate(() => window.marrow.keys(6).length)).toBeGreaterThan(2);
+    expect(await page.evaluate(() => window.marrow.keys(6).length)).toBeLessThan(90);
+
+    // The arm's first angle: a key in the middle of the take, up by some pixels.
+    await page.getByRole('treeitem', { name: 'Arm' }).click();
+    await page.locator('.curve-plot').focus();
+    await page.keyboard.press('a');
+    const before = await page.evaluate(() => window.marrow.keys(6));
+    const { time, value } = before[Math.floor(before.length / 2)];
+    const at = await page.evaluate(([t, v]) => window.marrow.placeOf(6, t, v), [time, value] as const);
+    if (!at) throw new Error('The curve editor does not show the arm.');
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    await page.mouse.move(at.x, at.y - 20, { steps: 4 });
+    await page.mouse.up();
+    await stepMade();
+    const after = await page.evaluate(() => window.marrow.keys(6));
+    expect(after.some((key, k) => key.value !== before[k]?.value)).toBe(true);
+
+    for (let step = texts.length - 2; step >= 0; step--) {
+      await page.keyboard.press('Control+z');
+      expect(await undoLabel(page)).toBe(steps[step]);
+      expect(await saved(page)).toBe(texts[step]);
+    }
+    expect(await saved(page)).toBe(TAKE);
+    for (let step = 1; step < texts.length; step++) {
+      await page.keyboard.press('Control+Shift+z');
+      expect(await saved(page)).toBe(texts[step]);
+    }
+  }));
+
+it('turns a take around and back to the very numbers', () =>
+  withPage(async ({ page }) => {
+    await opened(page);
+    await find(page, 'Reverse');
+    await expect.poll(() => undoLabel(page)).toBe('Reverse swing');
+    expect(await saved(page)).not.toBe(TAKE);
+    await find(page, 'Reverse');
+    await expect.poll(() => saved(page)).toBe(TAKE);
+  }));
+
+it('saves a trimmed and resampled take, which plays in the command as on the page', () =>
+  withPage(async ({ page }) => {
+    await opened(page);
+    await page.evaluate(() => window.marrow.seek(1));
+    await run(page, 'samples.trim', { side: 'start', timeSeconds: 1 });
+    await applyTool(page, 'Resample samples', { 'Frames per second': '24' }, /181 → 73 frames/);
+    const text = await saved(page);
+    expect(text).toContain('Frames: 73');
+    const folder = mkdtempSync(join(tmpdir(), 'marrow-samples-'));
+    try {
+      writeFileSync(join(folder, 'swing.bvh'), text);
+      for (const frame of [0, 1, 40, 72]) {
+        const pose = await commandJson<PoseJson>(['pose', 'swing.bvh', '--frame', String(frame)], folder);
+        const [{ joints, endSites = [] }] = pose.characters;
+        const played = [
+          ...joints.map(({ world }) => world.slice(12, 15)),
+          ...endSites.map(({ position }) => position),
+        ].flat();
+        expectClose(played, await points(page, 1 + frame / 24), 1e-9);
+      }
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  }));
