@@ -97,6 +97,7 @@ export class Opener {
       const result = openFiles(store.document, output.files, output.broken, meant);
       const diagnostics = [...output.diagnostics, ...result.diagnostics];
       const isChange = result.document !== store.document;
+      const wasOpen = filesOf(store.document);
       const next = reloads === undefined ? result.document : showingTheSame(store.document, result.document);
       const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
       this.put(next, result.opened, label, options);
@@ -105,6 +106,7 @@ export class Opener {
       messages.report(
         diagnostics,
         output.files.map((f) => f.source.name),
+        (name) => (wasOpen.has(name) ? 'not opened, what was there stays' : 'not opened'),
       );
       return diagnostics;
     } catch (error) {
@@ -194,6 +196,11 @@ function hasNewClip(before: Document, after: Document, id: string): boolean {
 function shownClipOf(document: Document, id: string) {
   const character = findCharacter(document, id);
   return character && shownClip(character);
+}
+
+/** Names of the files that its characters came from. */
+function filesOf({ characters }: Document): ReadonlySet<string> {
+  return new Set(characters.flatMap((c) => c.sources.map((source) => source.name)));
 }
 
 function failure(error: unknown): Diagnostic {

@@ -5,7 +5,7 @@
  * A skeleton that was read from the axis-angle form is kept in that form as long as it fits into it; each form is an
  * export of the other.
  */
-import { animOf, bvhOf, inPose, skelOf } from '../edit/convert/character-files.ts';
+import { animOf, bvhOf, hasOwnRate, inPose, skelOf } from '../edit/convert/character-files.ts';
 import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
 import { writeFile } from '../formats/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
@@ -62,7 +62,7 @@ export function exportCharacter(
 ): readonly LongFile[] {
   switch (kind) {
     case 'bvh':
-      return bvhOf(character, hasOwnRate(character) ? undefined : framesPerSecond).map(
+      return bvhOf(character, haveOwnRates(character) ? undefined : framesPerSecond).map(
         ({ name, figure, diagnostics }) => {
           const file = `${name}.bvh`;
           const written = writeBvhPieces([figure], file);
@@ -88,9 +88,9 @@ export function exportCharacter(
 }
 
 /** Whether all its clips say at which times they are sampled. */
-function hasOwnRate({ clips, driver }: Character): boolean {
-  if (driver) return driver.source.clip.samples !== undefined;
-  return clips.length > 0 && clips.every(({ samples }) => samples !== undefined);
+function haveOwnRates({ clips, driver }: Character): boolean {
+  if (driver) return hasOwnRate(driver.source.clip);
+  return clips.length > 0 && clips.every(hasOwnRate);
 }
 
 /**
@@ -104,7 +104,7 @@ export function saveTakes(
 ): LongFile {
   const made = roots.map(({ character: { driver: _, ...character }, take }) => {
     // The take itself, whatever else moves the character just now.
-    const rate = take.clip?.samples ? undefined : framesPerSecond;
+    const rate = take.clip && hasOwnRate(take.clip) ? undefined : framesPerSecond;
     const [figure] = bvhOf({ ...character, clips: take.clip ? [take.clip] : [], shownClip: take.clip ? 0 : -1 }, rate);
     return figure;
   });

@@ -6,6 +6,6 @@ import { CommandError } from './store.ts';
 export function refuseMoved({ name, driver }: Character): void {
   if (!driver) return;
   throw new CommandError(
-    `${name} is moved by ${driver.source.clip.name}, and keys of its own would not be seen. Bake makes it a take of its own, with keys; Let go gives it back to its own take.`,
+    `${name} is moved by ${driver.source.clip.name}, and keys of its own would not be seen. Bake makes that a take of its own, which can be edited; Let go goes back to its own take.`,
   );
 }

@@ -21,6 +21,7 @@ import { type BvhChannel, dofsOf, type Joint, type Skeleton, UNLIMITED } from '.
 import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints, scales } from './bvh-joints.ts';
 import { rotationPart, zxyAngles } from './euler-angles.ts';
+import { keyFrames } from './key-frames.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
 
 export interface BvhFigure {
@@ -44,12 +45,12 @@ export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
 }
 
 /**
- * The frames that a character is sampled at where nobody says otherwise: its clip's own, or as many of `framesPerSecond`
- * as its clip's range holds; one where it has no clip.
+ * The frames that a character is sampled at where nobody says otherwise: its clip's own, those that all its keys are at,
+ * or as many of `framesPerSecond` as its clip's range holds; one where it has no clip.
  */
 export function framesFor(character: Character, framesPerSecond: number): Frames {
   const clip = playedClip(character);
-  return ownFrames(character) ?? framesOf(clip?.range ?? [0, 0], framesPerSecond);
+  return ownFrames(character) ?? (clip && keyFrames(clip)) ?? framesOf(clip?.range ?? [0, 0], framesPerSecond);
 }
 
 /**

@@ -163,6 +163,13 @@ export function playingCharacters(document: Document): readonly Character[] {
   return seen.length ? seen : playing;
 }
 
+/** Second of the transport at which the first moment of what a character plays comes; without a clip, its second 0. */
+export function startSeconds(character: Character): number {
+  const source = character.driver?.source;
+  const clip = source?.clip ?? shownClip(character);
+  return (clip?.range[0] ?? 0) - character.timeOffsetSeconds - (source?.timeOffsetSeconds ?? 0) + 0;
+}
+
 /** Seconds of the transport from the first moment of any clip that plays to the last; undefined without clips. */
 export function rangeOfClips(document: Document): readonly [number, number] | undefined {
   let start = Number.POSITIVE_INFINITY;

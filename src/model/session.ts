@@ -37,7 +37,10 @@ export interface Display {
   /** Spheres at the joints and cylinders between them. */
   readonly bones: boolean;
   readonly axes: boolean;
+  /** Of joints. */
   readonly names: boolean;
+  /** Over the heads of characters, where there are several. */
+  readonly characterNames: boolean;
   readonly normals: boolean;
   readonly grid: boolean;
   readonly shadow: boolean;
@@ -64,6 +67,7 @@ export const DEFAULT_DISPLAY: Display = {
   bones: false,
   axes: false,
   names: false,
+  characterNames: true,
   normals: false,
   grid: true,
   shadow: true,

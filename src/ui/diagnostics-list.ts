@@ -36,9 +36,11 @@ export function diagnosticsList(wb: Workbench): HTMLElement {
 }
 
 function messageBlock(wb: Workbench, message: Message, room: number): HTMLElement {
-  const { diagnostics, severity, text } = message;
+  const { diagnostics, severity, text, fate } = message;
   const file = diagnostics[0]?.file;
   const shown = diagnostics.slice(0, room);
+  // Of a single one there is nothing to count: the icon says what it is.
+  const counted = diagnostics.length > 1 && counts(diagnostics);
   const mixed = diagnostics.some((d) => d.severity !== severity);
   return element(
     'article',
@@ -52,9 +54,10 @@ function messageBlock(wb: Workbench, message: Message, room: number): HTMLElemen
         { class: `message-title ${file ? 'is-file' : ''}`, title: text },
         diagnostics.length ? file || 'Opening' : text,
       ),
-      diagnostics.length > 0 && element('span', { class: 'message-count' }, counts(diagnostics)),
+      counted && element('span', { class: 'message-count' }, counted),
       button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
     ),
+    fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),
     ...shown.map((d) => diagnosticBlock(d, mixed)),
     diagnostics.length > shown.length &&
       element('p', { class: 'faint' }, `… and ${count(diagnostics.length - shown.length)} more; Copy takes them all.`),

@@ -11,6 +11,12 @@ import { isPanelOpen, NARROW, openPanel } from './panels.ts';
 import { clampSize, splitter } from './splitter.ts';
 import type { Workbench } from './workbench.ts';
 
+/** What suits the page, until they are chosen. */
+const HEIGHTS = [
+  ['filesHeight', '--files-height'],
+  ['timelineHeight', '--timeline-height'],
+] as const;
+
 export interface Parts {
   readonly menuBar: HTMLElement;
   readonly outliner: HTMLElement;
@@ -41,10 +47,10 @@ export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: A
     const { panels } = settings;
     root.style.setProperty('--outliner-width', `${clampSize('outlinerWidth', panels.outlinerWidth)}px`);
     root.style.setProperty('--inspector-width', `${clampSize('inspectorWidth', panels.inspectorWidth)}px`);
-    root.style.setProperty('--files-height', `${clampSize('filesHeight', panels.filesHeight)}px`);
-    const { timelineHeight } = panels;
-    if (timelineHeight) root.style.setProperty('--timeline-height', `${clampSize('timelineHeight', timelineHeight)}px`);
-    else root.style.removeProperty('--timeline-height');
+    for (const [size, property] of HEIGHTS) {
+      if (panels[size]) root.style.setProperty(property, `${clampSize(size, panels[size])}px`);
+      else root.style.removeProperty(property);
+    }
     root.classList.toggle('narrow', narrow.matches);
     for (const name of ['outliner', 'inspector'] as const) {
       const open = isPanelOpen(settings, name);

@@ -12,6 +12,8 @@ export interface Message {
   readonly text: string;
   /** In the files' order; empty for a plain notice. */
   readonly diagnostics: readonly Diagnostic[];
+  /** What has become of the file that has errors: `not opened`. */
+  readonly fate?: string;
   /** Still shown in the line over the viewport. */
   readonly unread: boolean;
 }
@@ -33,17 +35,22 @@ export class Messages {
 
   /**
    * The problems of one opening, grouped by file, the worst last and so the newest. Mere infos are listed without a line
-   * of their own. What was said of the same files before goes.
+   * of their own. What was said of the same files before goes, and what was said of others leaves the line: it speaks of
+   * the last opening, and the list keeps the rest.
    *
    * @param files names of all files that were opened: those that are well now lose their messages too
+   * @param fateOf what has become of a file that has errors, in a few words: `not opened`
    */
-  report(diagnostics: readonly Diagnostic[], files: readonly string[] = []): void {
+  report(diagnostics: readonly Diagnostic[], files: readonly string[] = [], fateOf?: (file: string) => string): void {
     const well = new Set(files);
     this.keep((m) => m.diagnostics.length === 0 || !well.has(m.diagnostics[0].file));
     const groups = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, severity: worst(found) }));
     groups.sort((a, b) => RISING.indexOf(a.severity) - RISING.indexOf(b.severity));
+    if (groups.some((g) => g.severity !== 'info')) this.markAllRead();
     for (const { file, found, severity } of groups) {
-      this.add({ text: summary(file, found), severity, diagnostics: found }, severity !== 'info');
+      const fate = severity === 'error' && file !== '' ? fateOf?.(file) : undefined;
+      const message = { text: summary(file, found, fate), severity, diagnostics: found, ...(fate && { fate }) };
+      this.add(message, severity !== 'info');
     }
   }
 
@@ -109,13 +116,13 @@ export function worst(diagnostics: readonly Diagnostic[]): Severity {
   return diagnostics.some((d) => d.severity === 'warning') ? 'warning' : 'info';
 }
 
-/** `wasp.skel: 2 errors, 1 warning. Expected a number, found "x".` */
-function summary(file: string, diagnostics: readonly Diagnostic[]): string {
+/** `wasp.skel: not opened, 2 errors, 1 warning. Expected a number, found "x".` */
+function summary(file: string, diagnostics: readonly Diagnostic[], fate: string | undefined): string {
   const severity = worst(diagnostics);
   const first = diagnostics.find((d) => d.severity === severity) ?? diagnostics[0];
   const name = file === '' ? '' : `${file}: `;
-  if (diagnostics.length === 1) return `${name}${first.message}`;
-  return `${name}${counts(diagnostics)}. ${first.message}`;
+  const head = [fate ?? '', diagnostics.length > 1 ? counts(diagnostics) : ''].filter(Boolean).join(', ');
+  return `${name}${head && `${head}. `}${first.message}`;
 }
 
 /** `2 errors, 1 warning`. */

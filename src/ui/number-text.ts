@@ -47,6 +47,11 @@ export function seconds(value: number): string {
   return shown(value, 6);
 }
 
+/** How long something lasts, where lists say it: `22.92 s`. */
+export function duration(lengthSeconds: number): string {
+  return `${shown(lengthSeconds, 2)} s`;
+}
+
 /** A number typed by a person: blanks around it, a comma as decimal sign, and nothing else. Undefined if it is none. */
 export function parseNumber(text: string): number | undefined {
   const cleaned = text.trim().replace('−', '-').replace(',', '.');

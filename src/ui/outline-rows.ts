@@ -5,7 +5,7 @@
 import type { Character, Document } from '../model/document.ts';
 import type { Joint } from '../model/skeleton.ts';
 import { vertexCount } from '../model/skin.ts';
-import { plural, seconds } from './number-text.ts';
+import { duration, plural } from './number-text.ts';
 import { followsText } from './retarget/moved-text.ts';
 
 export type RowKind = 'character' | 'group' | 'joint' | 'skin' | 'clip' | 'morph';
@@ -183,7 +183,7 @@ function alternatives(character: Character, kind: 'skin' | 'clip' | 'morph'): Al
     case 'clip':
       return character.clips.map((clip, index) => ({
         label: clip.name,
-        detail: `${seconds(clip.range[1] - clip.range[0])} s`,
+        detail: duration(clip.range[1] - clip.range[0]),
         index,
         // None of its own is, while another's moves it.
         shown: !character.driver && index === character.shownClip,

@@ -4,6 +4,7 @@ import { duplicateClip, removeClip, renameClip } from '../edit/commands/clips.ts
 import { setHidden } from '../edit/commands/spaces.ts';
 import { type Character, type Document, findCharacter } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
+import { currentCharacter } from './actions/action.ts';
 import { actionsOf } from './actions.ts';
 import { attempt } from './attempt.ts';
 import { element } from './dom.ts';
@@ -85,6 +86,8 @@ export function outliner(wb: Workbench): HTMLElement {
   };
   const showSelection = ({ document, selection }: { document: Document; selection: Selection }) => {
     const character = findCharacter(document, selection.characterId);
+    const meant = character ? undefined : currentCharacter(wb);
+    tree.mean(meant && characterKey(meant.id));
     let opened = foldOthers(document, character);
     if (!character || selection.joint === undefined) {
       if (opened) show();
@@ -138,7 +141,8 @@ export function outliner(wb: Workbench): HTMLElement {
   });
   wb.store.subscribe((now, before) => {
     if (!sameOutline(now.document, before.document)) show();
-    if (now.selection !== before.selection) showSelection(now);
+    const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
+    if (now.selection !== before.selection || others) showSelection(now);
   });
   wb.files.unsaved.subscribe(() => {
     // A name that is being typed stays.

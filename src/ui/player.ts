@@ -16,12 +16,15 @@ export function startPlayer(wb: Parts, signal: AbortSignal): void {
   let before: number | undefined;
   let queued = 0;
   const tick = (now: number) => {
+    if (wb.transport.get().playing) {
+      const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (now - before) / 1000);
+      before = now;
+      wb.transport.update((p) => advance(p, elapsed));
+    }
+    // Only after all that the new time asks for: asked first, each next tick would come before the picture that was asked
+    // for in this one, and its own would be taken for that. There would be a picture in every second frame.
     queued = 0;
-    if (!wb.transport.get().playing) return;
-    const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (now - before) / 1000);
-    before = now;
-    queue();
-    wb.transport.update((p) => advance(p, elapsed));
+    if (wb.transport.get().playing) queue();
   };
   const queue = () => {
     if (queued === 0 && !signal.aborted) queued = requestAnimationFrame(tick);

@@ -31,7 +31,7 @@ export interface Panels {
   /** Pixels. */
   readonly outlinerWidth: number;
   readonly inspectorWidth: number;
-  /** Of the files and messages below the tree. */
+  /** Of the files and messages below the tree; 0 until it is chosen: what leaves the tree the most. */
   readonly filesHeight: number;
   /** 0 until it is chosen: what suits the window. */
   readonly timelineHeight: number;
@@ -50,7 +50,7 @@ export const DEFAULT_SETTINGS: Settings = {
   panels: {
     outlinerWidth: 240,
     inspectorWidth: 312,
-    filesHeight: 232,
+    filesHeight: 0,
     timelineHeight: 0,
     outlinerOpen: true,
     inspectorOpen: true,

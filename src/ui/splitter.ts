@@ -42,7 +42,14 @@ export function splitter(wb: Workbench, size: Size, label: string): HTMLElement 
   };
   const chosen = () => clampSize(size, wb.settings.get().panels[size]);
   // What is not chosen as yet, or doesn't fit on the page, is moved on from where it is seen.
-  const sizeNow = () => (size === 'timelineHeight' && edge.parentElement?.offsetHeight) || chosen();
+  const sized = (): HTMLElement | null | undefined =>
+    // Files and messages come after their edge; the timeline has its edge within.
+    size === 'timelineHeight'
+      ? edge.parentElement
+      : size === 'filesHeight' && edge.nextElementSibling instanceof HTMLElement
+        ? edge.nextElementSibling
+        : undefined;
+  const sizeNow = () => sized()?.offsetHeight || chosen();
   const show = () => {
     edge.setAttribute('aria-valuenow', String(wb.settings.get().panels[size] ? chosen() : sizeNow()));
   };

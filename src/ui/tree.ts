@@ -19,8 +19,28 @@ export interface TreeEvents {
 }
 
 const OVERSCAN = 6;
-/** Deeper joints are not moved further in: a chain of a thousand would leave the panel. */
-const DEEPEST_INDENT = 14;
+const MEANT = 'Nothing is selected: channels and keys are those of this character';
+/** Pixels that a row is moved in by for each level down to this one; deeper levels less, and those below not at all. */
+const INDENTS: readonly (readonly [depth: number, pixels: number])[] = [
+  [3, 12],
+  [5, 6],
+  [14, 4],
+  [30, 2],
+];
+
+/**
+ * How far in a row stands, in pixels: who is whose child is told by a few as well as by many, and at the eighth joint
+ * of a chain its name has to be read still. A chain of a thousand stays in the panel.
+ */
+export function indentOf(depth: number): number {
+  let pixels = 0;
+  let above = 0;
+  for (const [until, step] of INDENTS) {
+    pixels += step * Math.max(0, Math.min(depth, until) - above);
+    above = until;
+  }
+  return pixels;
+}
 
 export class Tree {
   readonly element = element('div', { role: 'tree', class: 'tree', tabindex: 0 });
@@ -30,6 +50,7 @@ export class Tree {
   private readonly drawn = new Map<number, HTMLElement>();
   private selectedKey: string | undefined;
   private focusedKey: string | undefined;
+  private meantKey: string | undefined;
   private rowHeight = 24;
   private readonly idPrefix = uniqueId('row');
 
@@ -63,6 +84,13 @@ export class Tree {
       this.focusedKey = key;
       this.reveal(key);
     }
+    this.mark();
+  }
+
+  /** Marks a row quietly: it counts where nothing is selected. */
+  mean(key: string | undefined): void {
+    if (key === this.meantKey) return;
+    this.meantKey = key;
     this.mark();
   }
 
@@ -108,6 +136,9 @@ export class Tree {
       const { key } = this.rows[index];
       made.setAttribute('aria-selected', String(key === this.selectedKey));
       made.classList.toggle('focused', key === this.focusedKey);
+      made.classList.toggle('meant', key === this.meantKey);
+      if (key === this.meantKey) made.title = MEANT;
+      else if (made.title === MEANT) made.title = '';
     }
     const focused = this.placeOf(this.focusedKey);
     if (this.drawn.has(focused)) this.element.setAttribute('aria-activedescendant', this.idOf(focused));
@@ -127,7 +158,7 @@ export class Tree {
     });
     made.classList.toggle('on-the-way', row.onTheWay);
     made.style.top = `${index * this.rowHeight}px`;
-    made.style.setProperty('--depth', String(Math.min(row.depth, DEEPEST_INDENT)));
+    made.style.setProperty('--indent', `${indentOf(row.depth)}px`);
     const twisty = element('span', { class: 'twisty' });
     if (row.expandable) twisty.append(icon('fold'));
     made.append(twisty, ...this.events.draw(row));

@@ -22,9 +22,11 @@ export function dropStale({ store, settings, messages }: Parts, timeSeconds: num
   store.settle();
   const count = countUnkeyed(store.document, timeSeconds);
   if (count === 0) return;
+  // No key can be made where another character's take moves it.
+  const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
   store.apply(dropUnkeyed, { exceptSeconds: timeSeconds });
   const undo = keyNameOf(settings.get(), 'edit.undo');
-  const key = keyNameOf(settings.get(), 'key.pose');
+  const key = canBeKeyed ? keyNameOf(settings.get(), 'key.pose') : undefined;
   const hints = [undo && `${undo} brings ${count === 1 ? 'it' : 'them'} back`, key && `${key} keeps such values`];
   const said = hints.filter(Boolean).join(', ');
   const what = count === 1 ? 'A value set by hand was' : `${count} values set by hand were`;

@@ -5,7 +5,7 @@
 import { type Document, shownSkin } from '../model/document.ts';
 import { type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { NO_TINTS, type Tints } from '../view/theme.ts';
-import { BOX_STYLES, SKIN_STYLES } from './actions/view-actions.ts';
+import { areBoxesVisible, BOX_STYLES, isSkinVisible, NO_BOXES, NO_SKIN, SKIN_STYLES } from './actions/view-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -120,22 +120,31 @@ function displayStrip(wb: Workbench): HTMLElement {
   const nameOf = <T>(styles: readonly (readonly [T, string])[], style: T) =>
     styles.find(([s]) => s === style)?.[1] ?? '';
   const boxStyle = () => nameOf(BOX_STYLES, wb.settings.get().display.boxes).toLowerCase();
-  const skinTitle = keepTooltip(wb, skin, 'draw.nextSkin', () => 'Skin');
-  const boxesTitle = keepTooltip(wb, boxes, 'draw.nextBoxes', () => `Boxes: ${boxStyle()}`);
+  const skinTitle = keepTooltip(wb, skin, 'draw.nextSkin', () => (isSkinVisible(wb) ? 'Skin' : NO_SKIN));
+  const boxesTitle = keepTooltip(wb, boxes, 'draw.nextBoxes', () =>
+    areBoxesVisible(wb) ? `Boxes: ${boxStyle()}` : NO_BOXES,
+  );
   const show = () => {
     const { display } = wb.settings.get();
     const label = nameOf(SKIN_STYLES, display.skin);
-    const short = display.skin === 'heat' ? 'Influence' : label;
+    const hasSkin = isSkinVisible(wb);
+    const short = !hasSkin ? 'No skin' : display.skin === 'heat' ? 'Influence' : label;
     skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
-    skin.setAttribute('aria-label', `Skin: ${label}`);
+    skin.setAttribute('aria-label', hasSkin ? `Skin: ${label}` : 'Skin: none');
+    skin.disabled = !hasSkin;
     skinTitle();
     // Unless skinned is the rest state: lit, it would promise boxes where none are drawn.
-    boxes.setAttribute('aria-pressed', String(display.boxes === 'wire' || display.boxes === 'solid'));
+    const hasBoxes = areBoxesVisible(wb);
+    boxes.setAttribute('aria-pressed', String(hasBoxes && (display.boxes === 'wire' || display.boxes === 'solid')));
+    boxes.classList.toggle('does-little', !hasBoxes);
     boxes.setAttribute('aria-label', `Boxes: ${boxStyle()}`);
     boxesTitle();
     for (const update of shown) update();
   };
   wb.settings.subscribe(show);
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters) show();
+  });
   show();
   return strip;
 }

@@ -99,9 +99,10 @@ export class ShownCharacters {
     const posed: PosedSkeleton[] = [];
     for (const { view, character, placements } of this.visible) {
       if (!character.skeleton) continue;
-      const { id, skeleton } = character;
+      const { id, name, skeleton } = character;
       const hasSkin = shownSkin(character) !== undefined;
-      posed.push({ characterId: id, skeleton, world: view.worldMatrices, placements, hasSkin, tint: tints.get(id) });
+      const world = view.worldMatrices;
+      posed.push({ characterId: id, name, skeleton, world, placements, hasSkin, tint: tints.get(id) });
     }
     return posed;
   }
@@ -121,13 +122,13 @@ export class ShownCharacters {
   }
 
   /**
-   * Around everything at all moments played, as far as a few of them tell: who walks about is not framed out of the
+   * Around everything, or these, at all moments played, as far as a few of them tell: who walks about is not framed out of the
    * picture. Who walks far away would make dots of all, and counts where it stands.
    */
-  roomOfMotion([start, end]: readonly [number, number], timeSeconds: number): Box3 {
+  roomOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3 {
     const { room, box, own, size } = this;
     room.makeEmpty();
-    for (const { view } of this.visible) {
+    for (const { view } of these) {
       view.bounds(box);
       own.copy(box);
       if (end > start) {

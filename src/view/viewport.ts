@@ -6,7 +6,7 @@
  *
  * It gives back facts (what was hit, where joints are), never edits: it can't see how documents change.
  */
-import { Box3, Frustum, Matrix4, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
+import { Box3, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
 import { hasBox } from '../model/boxes.ts';
 import type { Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
@@ -27,6 +27,7 @@ import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
 import { LINE_RESOLUTION } from './thick-lines.ts';
 import { Trail } from './trail.ts';
 import { VertexMarker } from './vertex-marker.ts';
+import { isWellSeen } from './well-seen.ts';
 
 export type { Hit } from './picking.ts';
 
@@ -52,8 +53,6 @@ export interface FrameStats {
 }
 
 const MOST_PIXELS_PER_PIXEL = 2;
-/** What is revealed is at least so high, where the picture's height is 2. */
-const LEAST_SEEN = 0.25;
 /** Above this many triangles the pointer's every move would be felt: joints in skins then light up on a click only. */
 const HOVER_TRIANGLES = 300_000;
 
@@ -91,11 +90,12 @@ export class Viewport {
   private posesChanged = true;
   /** Frame all with the next picture, when poses and sizes are known. */
   private framing: 'no' | 'smoothly' | 'first look' = 'no';
-  /** To be framed where it is not seen well. */
-  private revealing: string | undefined;
+  /** Ids of what is to be framed where it is not seen well. */
+  private revealing: readonly string[] = [];
   private hovered: JointRef | undefined;
   private pointer: { x: number; y: number } | undefined;
   private readonly box = new Box3();
+  private readonly ownBox = new Box3();
   private readonly point = new Vector3();
 
   /**
@@ -215,12 +215,9 @@ export class Viewport {
     } else this.rig.frame(this.box, true);
   }
 
-  /**
-   * Frames what there is with the next picture, with room for its motion, unless this character is in the picture
-   * anyway, and not as a dot.
-   */
-  reveal(characterId: string): void {
-    this.revealing = characterId;
+  /** Frames these characters with the next picture, with room for their motion, unless they are well seen anyway. */
+  reveal(...characterIds: readonly string[]): void {
+    this.revealing = characterIds;
     this.requestRender();
   }
 
@@ -427,25 +424,15 @@ export class Viewport {
   };
 
   private bringIntoView(): void {
-    const { revealing, rig, box } = this;
-    this.revealing = undefined;
-    const entry = this.characters.seen(revealing);
-    if (!entry || entry.view.bounds(box).isEmpty()) return;
-    const { camera } = rig;
-    camera.updateMatrixWorld();
-    const seen = new Frustum().setFromProjectionMatrix(
-      new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse),
-    );
-    const isSeen = seen.containsPoint(box.getCenter(this.point));
-    const { y } = this.point.project(camera);
-    const { y: above } = box
-      .getCenter(this.point)
-      .addScaledVector(camera.up, box.max.y - box.min.y)
-      .project(camera);
-    // A hand at the picture's edge is as good as nothing, and so is a dot in the distance.
-    if (!isSeen || Math.abs(above - y) < LEAST_SEEN) {
-      rig.frame(this.characters.roomOfMotion(this.playedRange, this.timeSeconds), true);
-    }
+    const { revealing, rig, characters, box } = this;
+    if (!revealing.length) return;
+    this.revealing = [];
+    const entries = characters.visible.filter(({ character }) => revealing.includes(character.id));
+    box.makeEmpty();
+    for (const { view } of entries) box.union(view.bounds(this.ownBox));
+    if (box.isEmpty()) return;
+    const room = characters.roomOfMotion(this.playedRange, this.timeSeconds, entries);
+    if (!isWellSeen(box, room, rig.camera)) rig.frame(room, true);
   }
 
   /** Of a sphere around a joint that shows it with its neighbours, in the world. */

@@ -5,6 +5,7 @@ import { setClipRange } from '../../src/edit/commands/clips.ts';
 import { keyPose } from '../../src/edit/commands/keying.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
+import { rangeOfClips, startSeconds } from '../../src/model/document.ts';
 import { observable } from '../../src/ui/observable.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';
 
@@ -79,4 +80,55 @@ it('starts anew with another character that has no clip', () => {
   transport.update((now) => ({ ...now, timeSeconds: 2.7, playing: true }));
   store.replace('Open', { document: documentOf({ ...character(), id: 'c2' }), selection: {} });
   expect(transport.get()).toMatchObject({ range: [0, 2], timeSeconds: 0, playing: false });
+});
+
+function sampled(id: string, frameSeconds: number) {
+  const frames = {
+    ...clip(id, [], [0, 10 * frameSeconds]),
+    samples: {
+      frameCount: 11,
+      frameSeconds,
+      startSeconds: 0,
+      firstChannel: 0,
+      values: new Float64Array(11),
+      scales: Float64Array.of(1),
+      interpolation: 'linear' as const,
+    },
+  };
+  return character({ id, clips: [frames], shownClip: 0 });
+}
+
+it('counts frames as the takes do that come into an empty page, or in the place of everything', () => {
+  const { store, transport } = following();
+  const rate = () => transport.get().framesPerSecond;
+  store.replace('Open', { document: documentOf(sampled('c1', 0.0083333), sampled('c2', 1 / 120)), selection: {} });
+  expect(rate()).toBe(120);
+  store.replace('Open', { document: documentOf(sampled('c3', 0.01)), selection: {} });
+  expect(rate()).toBe(100);
+});
+
+it('leaves the rate alone where takes come beside others, differ, or play keys', () => {
+  const { store, transport } = following();
+  const rate = () => transport.get().framesPerSecond;
+  store.replace('Open', { document: documentOf(walking), selection: {} });
+  expect(rate()).toBe(30);
+  store.replace('Open', { document: documentOf(walking, sampled('c2', 0.01)), selection: {} });
+  expect(rate()).toBe(30);
+  store.replace('Open', { document: documentOf(sampled('c3', 0.01), sampled('c4', 0.02)), selection: {} });
+  expect(rate()).toBe(30);
+});
+
+it('leaves a rate that was set by hand', () => {
+  const { store, transport } = following();
+  store.replace('Open', { document: documentOf(sampled('c1', 0.01)), selection: {} });
+  transport.update((now) => ({ ...now, framesPerSecond: 24 }));
+  store.apply(setClipRange, { characterId: 'c1', range: [0, 0.05] });
+  expect(transport.get().framesPerSecond).toBe(24);
+});
+
+it('begins where a character’s take does, whoever moves it', () => {
+  const later = { ...walking, timeOffsetSeconds: -1.5 };
+  expect(startSeconds(later)).toBe(2.5);
+  expect(startSeconds({ ...character(), shownClip: -1, timeOffsetSeconds: 0.5 })).toBe(-0.5);
+  expect(rangeOfClips(documentOf(later))?.[0]).toBe(startSeconds(later));
 });

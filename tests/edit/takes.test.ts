@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import {
   alignStarts,
   arrange,
+  endOverlay,
   overlayTakes,
   removeTakes,
   setTimeOffsets,
@@ -151,6 +152,66 @@ describe('takes in space', () => {
     });
     expect(next.characters[0].shownClip).toBe(1);
     expect(hidden(next)).toEqual([false, true]);
+  });
+});
+
+describe('takes that were compared', () => {
+  const at = (x: number, more: Partial<Character> = {}): Partial<Character> => ({
+    placements: [{ ...DEFAULT_PLACEMENT, position: [x, 0, 0] }, DEFAULT_PLACEMENT],
+    space: { up: 'y', unit: 'centimetres', lift: x },
+    ...more,
+  });
+  const document = documentOf(
+    take('a', [0, 1], at(1)),
+    take('b', [0, 1], at(2)),
+    take('c', [0, 1], at(3, { isHidden: true })),
+    take('d', [0, 1], at(4, { clips: [clip('x', [0]), clip('y', [0])] })),
+  );
+  const laid = (...[first, second]: readonly [readonly [string, number], readonly [string, number]]) =>
+    overlayTakes.run(document, {
+      first: { characterId: first[0], clip: first[1] },
+      second: { characterId: second[0], clip: second[1] },
+    });
+  const end = (now: Document, overlaid: Document) =>
+    endOverlay.run(now, { before: document.characters, overlaid: overlaid.characters });
+
+  it('are where they were, and all is seen that was', () => {
+    const overlaid = laid(['a', 0], ['b', 0]);
+    expect(overlaid).not.toEqual(document);
+    expect(end(overlaid, overlaid)).toEqual(document);
+  });
+
+  it('show the take that their character showed', () => {
+    const overlaid = laid(['d', 1], ['d', 0]);
+    expect(end(overlaid, overlaid)).toEqual(document);
+  });
+
+  it('keep what was changed meanwhile, of them and of others', () => {
+    const overlaid = laid(['a', 0], ['b', 0]);
+    const edited = {
+      ...overlaid,
+      characters: overlaid.characters
+        .filter((c) => c.id !== 'd')
+        .map((c) => {
+          if (c.id === 'a') return { ...c, name: 'mine', clips: [clip('a', [0.5], [0, 3])] };
+          if (c.id === 'b') return { ...c, placements: [{ ...DEFAULT_PLACEMENT, scale: 2 }], timeOffsetSeconds: 1 };
+          return { ...c, isHidden: false };
+        }),
+    };
+    const [a, b, c] = end(edited, overlaid).characters;
+    expect(a).toBe(edited.characters[0]);
+    expect(b).toMatchObject({ placements: [{ scale: 2 }], timeOffsetSeconds: 1, space: { lift: 2 } });
+    // It was hidden before as well, and someone has shown it since.
+    expect(c.isHidden).toBe(false);
+  });
+
+  it('leave the shown take alone where takes came or went', () => {
+    const overlaid = laid(['d', 1], ['d', 0]);
+    const fewer = {
+      ...overlaid,
+      characters: overlaid.characters.map((c) => (c.id === 'd' ? { ...c, clips: [...c.clips, clip('z', [0])] } : c)),
+    };
+    expect(end(fewer, overlaid).characters[3].shownClip).toBe(1);
   });
 });
 

@@ -197,3 +197,43 @@ describe('findActions', () => {
     expect(found('na')).toEqual(['Names']);
   });
 });
+
+describe('what is drawn', () => {
+  const styles = (...characters: Parameters<typeof documentOf>) => {
+    const { wb } = workbench(documentOf(...characters));
+    return {
+      wb,
+      enabled: (id: string) => {
+        const action = actionsOf(wb).find((a) => a.id === id);
+        return action?.enabled?.(wb) ?? true;
+      },
+    };
+  };
+  const rig = skeleton(['hips', -1]);
+  const capture = {
+    ...rig,
+    joints: rig.joints.map((j) => ({ ...j, motion: { kind: 'bvh', channels: [], positions: 'replace' } as const })),
+  };
+
+  it('offers skins and boxes only where a character that is shown has them', () => {
+    const captures = styles(character({ skeleton: capture }));
+    expect(['draw.skin.solid', 'draw.boxes.wire', 'draw.boxes.hidden'].map(captures.enabled)).toEqual([
+      false,
+      false,
+      true,
+    ]);
+    const hidden = styles(character({ skeleton: capture }), character({ id: 'c2', skeleton: rig, isHidden: true }));
+    expect(hidden.enabled('draw.boxes.wire')).toBe(false);
+    const boxes = styles(character({ skeleton: capture }), character({ id: 'c2', skeleton: rig }));
+    expect(boxes.enabled('draw.boxes.wire')).toBe(true);
+    expect(styles().enabled('draw.skin.solid')).toBe(true);
+  });
+
+  it('goes on to a box style that changes something', () => {
+    const { wb } = styles(character({ skeleton: capture }));
+    runAction(wb, 'draw.nextBoxes');
+    expect(wb.settings.get().display.boxes).toBe('hidden');
+    runAction(wb, 'draw.nextBoxes');
+    expect(wb.settings.get().display.boxes).toBe('bare');
+  });
+});

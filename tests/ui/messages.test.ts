@@ -70,6 +70,33 @@ describe('Messages', () => {
   });
 });
 
+describe('an opening', () => {
+  it('says what has become of a file that has errors, and of no other', () => {
+    const messages = new Messages();
+    const two = [diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd.' }), diagnostic()];
+    messages.report(two, [], () => 'not opened');
+    expect(messages.list.get().map((m) => [m.text, m.fate])).toEqual([
+      ['b.skin: Odd.', undefined],
+      ['a.skel: not opened. Expected a number, found "x".', 'not opened'],
+    ]);
+    messages.report([diagnostic(), diagnostic()], [], () => 'not opened');
+    expect(messages.list.get().at(-1)?.text).toBe('a.skel: not opened, 2 errors. Expected a number, found "x".');
+  });
+
+  it('leaves only its own messages unread', () => {
+    const messages = new Messages();
+    messages.report([diagnostic()]);
+    messages.report([diagnostic({ file: 'b.skin' })]);
+    expect(messages.list.get().map((m) => [m.diagnostics[0].file, m.unread])).toEqual([
+      ['a.skel', false],
+      ['b.skin', true],
+    ]);
+    // What has nothing to say takes nobody's attention from what has.
+    messages.report([diagnostic({ file: 'c.bvh', severity: 'info' })]);
+    expect(messages.list.get().map((m) => m.unread)).toEqual([false, true, false]);
+  });
+});
+
 describe('as text', () => {
   it('is what a compiler prints', () => {
     const text = diagnosticText(diagnostic({ assumed: 'used 0', excerpt: { text: '\toffset x', caret: 8 } }));

@@ -5,6 +5,7 @@ import {
   brief,
   bytes,
   count,
+  duration,
   exact,
   fitted,
   notANumber,
@@ -22,6 +23,10 @@ describe('exact', () => {
       }),
     );
   });
+});
+
+it('says how long something lasts as lists have room for', () => {
+  expect([22.924908, 2, 0.5, 0].map(duration)).toEqual(['22.92 s', '2 s', '0.5 s', '0 s']);
 });
 
 describe('shown', () => {

@@ -22,7 +22,7 @@ import { clearLimit, setLimit } from './limits.ts';
 import { pasteKeys } from './paste.ts';
 import { dropUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
 import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
-import { alignStarts, arrange, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
+import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
 /** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */

@@ -3,7 +3,7 @@
  * that were selected before are still there, and what has changed is what one wants to see. Where nothing changes the
  * document is the very same, and no step is made.
  */
-import type { Channel } from '../../model/clip.ts';
+import { type Channel, isSampled } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
@@ -13,11 +13,14 @@ import { type Baked, bakeExtrapolation as bake } from '../channels/bake-extrapol
 import { makeLoop as loop } from '../channels/make-loop.ts';
 import { type Reduction, reductionOf } from '../channels/report.ts';
 import { type Resampling, resampleChannel } from '../channels/resample.ts';
-import { type Filtered, filterCharacter } from '../channels/rotations.ts';
 import { type Simplified, simplifyChannel } from '../channels/simplify.ts';
-import { requireCharacter } from '../characters.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
 import { allKeys } from '../keys/selection.ts';
+import { refuseMoved } from '../refuse-moved.ts';
+import { filteringAngles } from '../samples/euler-filter.ts';
+import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
+import { withTake } from '../takes.ts';
 
 /**
  * How far a curve may get from what it was, in its own unit (`unitOfChannel`): radians, the file's lengths, weights.
@@ -58,16 +61,38 @@ export function resamplePreview(document: Document, args: Resample): Reduction {
   return reduction(document, args, resampled(document, args));
 }
 
-/** Angles without jumps, for the same rotations; see `channels/euler-filter.ts`. */
+/** Angles without jumps, for the same rotations, of keys and of samples; see `samples/euler-filter.ts`. */
 export const eulerFilter: Command<OfChannels, Edit> = {
   id: 'channels.eulerFilter',
   label: () => 'Euler filter',
-  run: (document, args) => edited(document, args, new Map(filtered(document, args).channels.entries())),
+  run: (document, args) => finished(eulerFilterSteps(document, args)).edit,
 };
 
-/** What `eulerFilter` would do, with sentences on what it would not. */
-export function eulerFilterPreview(document: Document, args: OfChannels): Filtered {
-  return filtered(document, args);
+/** What the filter came to. */
+export interface EulerFiltering {
+  readonly edit: Edit;
+  /** Channels that changed. */
+  readonly changed: readonly number[];
+  /** Keys that have other values; frames of samples are not counted. */
+  readonly keysChanged: number;
+  /** Sentences on what was not done, and why. */
+  readonly notes: readonly string[];
+}
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<EulerFiltering> {
+  const { characterId } = args;
+  const clip = clipOf(document, characterId);
+  const character = requireCharacter(document, characterId);
+  const given = checkedChannels(clip, args.channels);
+  if (given.some((channel) => isSampled(clip, channel))) refuseMoved(character);
+  const { clip: filtered, ...result } = yield* filteringAngles(character, clip, given);
+  const keyed = withClipChannels(document, characterId, filtered.channels);
+  const after =
+    filtered.samples === clip.samples
+      ? keyed
+      : changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, filtered));
+  return { ...result, edit: { document: after, keys: allKeys(filtered, result.changed) } };
 }
 
 export interface BakeExtrapolation extends OfChannels {
@@ -184,12 +209,6 @@ function resampled(document: Document, args: Resample) {
 function baked(document: Document, args: BakeExtrapolation): Map<number, Baked> {
   const [from, to] = interval(args.from, args.to);
   return results(document, args, (channel) => bake(channel, from, to));
-}
-
-function filtered(document: Document, args: OfChannels): Filtered {
-  const clip = clipOf(document, args.characterId);
-  const character = requireCharacter(document, args.characterId);
-  return filterCharacter(character, clip.channels, checkedChannels(clip, args.channels));
 }
 
 function reduction(

@@ -4,7 +4,7 @@
  * Live, nothing is copied but the way from one skeleton to the other: the other character's take can still be edited,
  * and what it moves follows. Baking samples what is seen.
  */
-import { bakeClip, framesOf, MOST_FRAMES } from '../../evaluate/bake.ts';
+import { bakeClip, framesOf } from '../../evaluate/bake.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { keylessChannel } from '../../model/clip.ts';
 import type { Character, Driver } from '../../model/document.ts';
@@ -15,6 +15,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
+import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
 import { type Command, CommandError } from '../store.ts';
 import { takeNameOf, uniqueTakeName } from '../takes.ts';
@@ -127,11 +128,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
       // Frames are baked at seconds of the source's take, and then are those of a take of this character.
       const frames = framesOf(clip.range, rate);
       const range = [clip.range[0] - timeOffsetSeconds, clip.range[1] - timeOffsetSeconds] as const;
-      if (frames.frameCount > MOST_FRAMES) {
-        throw new CommandError(
-          `${frames.frameCount.toLocaleString('en')} frames are too many to bake; up to ${MOST_FRAMES.toLocaleString('en')} are possible.`,
-        );
-      }
+      refuseTooMany(frames.frameCount, restPose(skeleton, c.morphs.length).length);
       const samples = { ...bakeClip(c, frames), startSeconds: range[0] };
       unrollRotations(skeleton, samples);
       const given = name === undefined ? '' : text(name, 'The name').trim();

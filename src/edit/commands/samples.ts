@@ -1,23 +1,25 @@
 /**
  * What is done to the samples of the take that a character shows: cutting, another rate, backwards, smoothed, and made
- * into keys. Seconds are the clip's. Refused while another character's take moves the character: nobody would see it. Where nothing changes the document is the very same, and no step is made.
+ * into keys. Seconds are the clip's. Refused while another character's take moves the character: nobody would see it.
+ * Where nothing changes the document is the very same, and no step is made.
  */
 import { type ChannelClip, isSampled } from '../../model/clip.ts';
-import { type Document, shownClip } from '../../model/document.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
-import { finiteNumber, oneOf } from '../arguments.ts';
-import { checkedChannels, clipOf } from '../channel-edits.ts';
+import { finiteNumber, listOf, oneOf } from '../arguments.ts';
+import { checkedChannels } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
 import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';
+import { MEDIAN_FRAMES } from '../samples/median.ts';
 import { resampling } from '../samples/resample.ts';
 import { reversing } from '../samples/reverse.ts';
 import { jointRotations } from '../samples/rotations.ts';
-import { smoothing } from '../samples/smooth.ts';
+import { type SampleFilter, smoothing } from '../samples/smooth.ts';
 import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
-import { uniqueTakeName, withTake } from '../takes.ts';
+import { requireTake, uniqueTakeName, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 
 interface OfSamples {
@@ -34,9 +36,7 @@ export const cropSamples: Command<CropSamples> = {
   id: 'samples.crop',
   label: (document, args) => `Crop ${nameOf(document, args)}`,
   run(document, args) {
-    const from = finiteNumber(args.from, '"from"');
-    const to = finiteNumber(args.to, '"to"');
-    if (from > to) throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
+    const [from, to] = interval(finiteNumber(args.from, '"from"'), finiteNumber(args.to, '"to"'));
     return changed(document, args, (clip) => cropped(clip, from, to));
   },
 };
@@ -68,8 +68,7 @@ export const splitSamples: Command<SplitSamples> = {
   label: (document, args) => `Split ${nameOf(document, args)}`,
   run: (document, { characterId, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
-      refuseMoved(character);
-      const clip = clipOf(document, characterId);
+      const clip = ownTake(character);
       const [before, after] = splitAt(clip, finiteNumber(timeSeconds, '"timeSeconds"'));
       const named = { ...after, name: uniqueTakeName(character, clip.name) };
       const clips = withTake(character, character.shownClip, before).clips;
@@ -93,7 +92,7 @@ export function* resampleSteps(document: Document, args: ResampleSamples): Steps
   const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
   if (!(rate > 0)) throw new CommandError(`A frame rate is more than 0; ${rate} was given.`);
   const character = requireCharacter(document, args.characterId);
-  return withClip(document, args, yield* resampling(character, clipOf(document, args.characterId), rate));
+  return withClip(document, args, yield* resampling(character, ownTake(character), rate));
 }
 
 /** Backwards, keys too. */
@@ -105,32 +104,63 @@ export const reverseSamples: Command<OfSamples> = {
 
 /** The same, pausing every few milliseconds with the part that is done. */
 export function* reverseSteps(document: Document, args: OfSamples): Steps<Document> {
-  return withClip(document, args, yield* reversing(clipOf(document, args.characterId)));
+  return withClip(document, args, yield* reversing(ownTake(requireCharacter(document, args.characterId))));
 }
 
 export interface SmoothSamples extends OfSamples {
   /** All that follow the samples, where absent. */
   readonly channels?: readonly number[] | undefined;
-  /** σ of the Gaussian, seconds; above 0. See `samples/smooth.ts`. */
-  readonly sigmaSeconds: number;
+  /** `gaussian` where absent; a `median` takes out spikes. See `samples/smooth.ts`. */
+  readonly filter?: SampleFilter['kind'] | undefined;
+  /** σ of the Gaussian, seconds; above 0. */
+  readonly sigmaSeconds?: number | undefined;
+  /** That the median is taken of: 3, 5 or 7. */
+  readonly frames?: number | undefined;
+  /** Seconds of the clip, both included: frames outside stay. The whole take where absent. */
+  readonly range?: readonly [number, number] | undefined;
 }
 
 export const smoothSamples: Command<SmoothSamples> = {
   id: 'samples.smooth',
-  label: (document, args) => `Smooth ${nameOf(document, args)}`,
+  label: (document, args) =>
+    args.filter === 'median' ? `Take spikes out of ${nameOf(document, args)}` : `Smooth ${nameOf(document, args)}`,
   run: (document, args) => finished(smoothSteps(document, args)),
 };
 
 /** The same, pausing every few milliseconds with the part that is done. */
 export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Document> {
-  const sigma = finiteNumber(args.sigmaSeconds, '"sigmaSeconds"');
-  if (!(sigma > 0)) throw new CommandError(`The width of a filter is more than 0; ${sigma} was given.`);
-  const { skeleton, morphs } = requireCharacter(document, args.characterId);
-  const clip = clipOf(document, args.characterId);
+  const filter = checkedFilter(args);
+  const character = requireCharacter(document, args.characterId);
+  const { skeleton, morphs } = character;
+  const clip = ownTake(character);
   const rotations = skeleton ? jointRotations(skeleton) : [];
   const channels = sampledChannels(clip, args.channels);
-  const smooth = yield* smoothing(clip, characterDofs(skeleton, morphs), rotations, channels, sigma);
+  const dofs = characterDofs(skeleton, morphs);
+  const smooth = yield* smoothing(clip, dofs, rotations, channels, filter, checkedRange(args.range));
   return withClip(document, args, smooth);
+}
+
+function checkedFilter({ filter, sigmaSeconds, frames }: SmoothSamples): SampleFilter {
+  const kind = oneOf<SampleFilter['kind']>(filter ?? 'gaussian', ['gaussian', 'median'], '"filter"');
+  if (kind === 'median') {
+    const given = finiteNumber(frames, '"frames"');
+    if (MEDIAN_FRAMES.includes(given)) return { kind, frames: given };
+    throw new CommandError(`A median is taken of ${MEDIAN_FRAMES.join(', ')} frames; ${given} was given.`);
+  }
+  const sigma = finiteNumber(sigmaSeconds, '"sigmaSeconds"');
+  if (!(sigma > 0)) throw new CommandError(`The width of a filter is more than 0; ${sigma} was given.`);
+  return { kind, sigmaSeconds: sigma };
+}
+
+function checkedRange(range: unknown): readonly [number, number] | undefined {
+  if (range === undefined) return undefined;
+  const [from, to] = listOf(range, '"range"').map((seconds) => finiteNumber(seconds, '"range"'));
+  return interval(finiteNumber(from, '"range"'), finiteNumber(to, '"range"'));
+}
+
+function interval(from: number, to: number): readonly [number, number] {
+  if (from <= to) return [from, to];
+  throw new CommandError(`The range ends at ${to} s, before it begins at ${from} s.`);
 }
 
 export interface ConvertToKeys extends OfSamples {
@@ -156,7 +186,7 @@ export interface Conversion {
 export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Conversion> {
   const { characterId, tolerance } = args;
   const character = requireCharacter(document, characterId);
-  const clip = clipOf(document, characterId);
+  const clip = ownTake(character);
   // Beyond its type on purpose: a console gives what it likes.
   const given: { position?: unknown; angle?: unknown } = tolerance ?? {};
   const position = finiteNumber(given.position, 'The tolerance of positions');
@@ -178,14 +208,17 @@ function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefi
 }
 
 function changed(document: Document, args: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {
-  return withClip(document, args, change(clipOf(document, args.characterId)));
+  return withClip(document, args, change(ownTake(requireCharacter(document, args.characterId))));
 }
 
 function withClip(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
-  return changeCharacter(document, characterId, (c) => {
-    refuseMoved(c);
-    return withTake(c, c.shownClip, clip);
-  });
+  return changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, clip));
+}
+
+/** The take that is shown; refuses, before any work is done, while another character's take moves the character. */
+function ownTake(character: Character): ChannelClip {
+  refuseMoved(character);
+  return requireTake(character);
 }
 
 function nameOf(document: Document, { characterId }: OfSamples): string {

@@ -129,8 +129,10 @@ export const endOverlay: Command<{ readonly before: readonly Character[]; readon
   id: 'takes.endOverlay',
   label: () => 'Stop comparing',
   run(document, { before, overlaid }) {
-    const was = new Map(listOf(before, 'The characters before').map((c) => [c.id, c]));
-    const became = new Map(listOf(overlaid, 'The characters compared').map((c) => [c.id, c]));
+    listOf(before, 'The characters before');
+    listOf(overlaid, 'The characters compared');
+    const was = new Map(before.map((c) => [c.id, c]));
+    const became = new Map(overlaid.map((c) => [c.id, c]));
     return mapCharacters(document, (c) => {
       const [from, to] = [was.get(c.id), became.get(c.id)];
       return from && to && from !== to ? putBack(document, c, from, to) : c;
@@ -159,7 +161,8 @@ function putBack(document: Document, now: Character, from: Character, to: Charac
     c = { ...c, driver: { ...from.driver, source } };
   }
   const wasHidden = from.isHidden ?? false;
-  if (wasHidden !== (to.isHidden ?? false) && wasHidden !== (c.isHidden ?? false)) c = wasHidden ? hidden(c) : visible(c);
+  if (wasHidden !== (to.isHidden ?? false) && wasHidden !== (c.isHidden ?? false))
+    c = wasHidden ? hidden(c) : visible(c);
   return c;
 }
 

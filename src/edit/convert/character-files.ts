@@ -6,7 +6,9 @@
 import { framesOf, MOST_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
+import { keyFrames } from '../../evaluate/key-frames.ts';
 import type { ChannelClip } from '../../model/clip.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import { CommandError } from '../store.ts';
@@ -38,7 +40,7 @@ export interface NamedFigure extends BvhFigure {
 /**
  * A figure of BVH for each clip, or one that stands in the pose as set where there is none.
  * Refuses, by a `CommandError`, more frames than can be sampled.
- * @param framesPerSecond of all; absent: each clip's own, or 30
+ * @param framesPerSecond of all; absent: each clip's own (that of its samples, or of even keys), or 30, which is told
  */
 export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
   const { skeleton, clips, driver } = character;
@@ -61,7 +63,25 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
       `${name} would have ${count} frames; up to ${MOST_FRAMES.toLocaleString('en')} are possible.`,
     );
   }
-  return { name, ...toBvhFigure(character, frames, `${name}.bvh`) };
+  const made = toBvhFigure(character, frames, `${name}.bvh`);
+  const isAssumed = framesPerSecond === undefined && clip !== undefined && !hasOwnRate(clip) && frames.frameCount > 1;
+  return { name, ...made, diagnostics: isAssumed ? [rateAssumed(clip, name), ...made.diagnostics] : made.diagnostics };
+}
+
+/** Whether a clip says itself at which times it is to be sampled: by samples, or by keys at an even rate. */
+export function hasOwnRate(clip: ChannelClip): boolean {
+  return clip.samples !== undefined || keyFrames(clip) !== undefined;
+}
+
+function rateAssumed(clip: ChannelClip, name: string): Diagnostic {
+  const message = `Expected keys at an even rate, or a rate for ${clip.name}, found keys at times of their own.`;
+  return withoutPlace(
+    'info',
+    'rate-assumed',
+    message,
+    `${name}.bvh`,
+    `used ${DEFAULT_FRAMES_PER_SECOND} frames a second`,
+  );
 }
 
 /**

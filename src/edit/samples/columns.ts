@@ -24,8 +24,16 @@ function takeColumn({ values, scales }: Samples, column: number, own: Float64Arr
   for (let f = from, at = from * width + column; f < to; f++, at += width) own[f] = values[at] * scale;
 }
 
-/** Samples with other values in these columns, given in model units, an entry a frame. */
-export function* replacingColumns(samples: Samples, columns: ReadonlyMap<number, Float64Array>): Steps<Samples> {
+/**
+ * Samples with other values in these columns, given in model units, an entry a frame. A value that is what it was keeps
+ * every bit of its own unit.
+ * @param first the frame of the first entries; frames before it, and beyond the last entries, stay
+ */
+export function* replacingColumns(
+  samples: Samples,
+  columns: ReadonlyMap<number, Float64Array>,
+  first = 0,
+): Steps<Samples> {
   if (columns.size === 0) return samples;
   const { scales, frameCount } = samples;
   const width = scales.length;
@@ -34,7 +42,7 @@ export function* replacingColumns(samples: Samples, columns: ReadonlyMap<number,
   for (let from = 0; from < frameCount; from += rows) {
     const to = Math.min(frameCount, from + rows);
     values.set(samples.values.subarray(from * width, to * width), from * width);
-    for (const [column, own] of columns) putColumn(values, width, column, scales[column], own, from, to);
+    for (const [column, own] of columns) putColumn(values, width, column, scales[column], own, first, from, to);
     yield to / frameCount;
   }
   return { ...samples, values };
@@ -46,8 +54,14 @@ function putColumn(
   column: number,
   scale: number,
   own: Float64Array,
+  first: number,
   from: number,
   to: number,
 ): void {
-  for (let f = from, at = from * width + column; f < to; f++, at += width) values[at] = own[f] / scale;
+  const end = Math.min(to, first + own.length);
+  for (let f = Math.max(from, first); f < end; f++) {
+    const at = f * width + column;
+    const value = own[f - first];
+    if (value !== values[at] * scale) values[at] = value / scale;
+  }
 }

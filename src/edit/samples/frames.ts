@@ -57,7 +57,8 @@ export function cropped(clip: ChannelClip, from: number, to: number): ChannelCli
   return { ...clip, range, samples: kept };
 }
 
-function lastFrameTo({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
+/** The last frame at a time or before it; −1 where there is none. */
+export function lastFrameTo({ startSeconds, frameSeconds, frameCount }: Samples, seconds: number): number {
   const frame = Math.floor((seconds - startSeconds) / frameSeconds + SAME_FRAME);
   return Math.min(frameCount - 1, Math.max(-1, frame));
 }

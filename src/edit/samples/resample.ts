@@ -6,12 +6,11 @@ import { poseAt } from '../../evaluate/pose.ts';
 import { type ChannelClip, isSampled } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { CommandError } from '../store.ts';
 import { requireSamples } from './frames.ts';
+import { refuseTooMany } from './most-frames.ts';
 import type { Steps } from './steps.ts';
 import { takeAlone } from './take-alone.ts';
 
-const MOST_FRAMES = 1_000_000;
 /** Frames from one pause to the next. */
 const STEP_FRAMES = 64;
 /** A last frame that is missed by less than this part of one is there. */
@@ -24,9 +23,9 @@ export function* resampling(character: Character, clip: ChannelClip, framesPerSe
   if (Math.abs(frameSeconds - samples.frameSeconds) <= 1e-12 * frameSeconds) return clip;
   const [start, stop] = rangeOfSamples(samples);
   const frameCount = Math.floor((stop - start) * framesPerSecond + SAME_FRAME) + 1;
-  if (frameCount > MOST_FRAMES) throw new CommandError(`That would be ${frameCount} frames, which is too much.`);
   const { scales, firstChannel } = samples;
   const width = scales.length;
+  refuseTooMany(frameCount, width, samples.frameCount);
   const values = new Float64Array(frameCount * width);
   const alone = takeAlone(character, clip);
   const pose = new Float64Array(Math.max(clip.channels.length, firstChannel + width) + character.pose.length);

@@ -77,7 +77,11 @@ export function unrollTriples(
 /** What `nearestForm` and `anglesOf` found. */
 const form = new Float64Array(3);
 
-function nearestForm(a: number, b: number, c: number, a0: number, b0: number, c0: number): void {
+/**
+ * The form of a rotation, whole turns and the other triple included, that is nearest to other angles.
+ * @returns scratch that the next call fills again, as that of `anglesOf`
+ */
+export function nearestForm(a: number, b: number, c: number, a0: number, b0: number, c0: number): Float64Array {
   const [pa, pb, pc] = [near(a, a0), near(b, b0), near(c, c0)];
   const [fa, fb, fc] = [near(a + Math.PI, a0), near(Math.PI - b, b0), near(c + Math.PI, c0)];
   const plain = (pa - a0) ** 2 + (pb - b0) ** 2 + (pc - c0) ** 2;
@@ -86,10 +90,11 @@ function nearestForm(a: number, b: number, c: number, a0: number, b0: number, c0
   form[0] = isFlipped ? fa : pa;
   form[1] = isFlipped ? fb : pb;
   form[2] = isFlipped ? fc : pc;
+  return form;
 }
 
 /** An angle, whole turns away, nearest to another; by no turn it stays the very number. */
-function near(angle: number, target: number): number {
+export function near(angle: number, target: number): number {
   const turns = Math.round((target - angle) / TURN);
   return turns === 0 ? angle : angle + TURN * turns;
 }

@@ -1,12 +1,11 @@
 /** Takes as wholes: one after the other, alone or together, when and where they play. */
 import type { Arrangement } from '../../edit/commands/takes.ts';
+import { compareTakes, endComparison } from '../takes/compare.ts';
 import {
   align,
   charactersMeant,
   chosenTakes,
-  compareTakes,
   currentPlace,
-
   hasTakes,
   listOfTakes,
   playAlone,
@@ -15,6 +14,8 @@ import {
   resetOffsets,
   showAll,
   stepTake,
+  takesAtHand,
+  toggleShown,
 } from '../takes/play.ts';
 import type { Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
@@ -71,6 +72,16 @@ export const TAKE_ACTIONS: readonly Action[] = [
     },
   },
   {
+    id: 'take.toggleShown',
+    label: 'Show or hide the take',
+    group: 'Play',
+    // Heat has the key elsewhere, and Space plays here too.
+    panel: 'takes',
+    shortcuts: ['H'],
+    enabled: (wb) => takesAtHand(wb).length > 0,
+    run: (wb) => toggleShown(wb, ...takesAtHand(wb)),
+  },
+  {
     id: 'take.together',
     label: (wb) => {
       const { length } = chosenTakes(wb);
@@ -118,7 +129,8 @@ export const TAKE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.resetOffsets',
-    label: 'Offsets in time to 0',
+    label: 'At their own times',
+    detail: 'As the files have them, moved neither way',
     group: 'Play',
     menu: MENU,
     section: 7,

@@ -1,5 +1,6 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
 
+import { isSampled } from '../../model/clip.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import type { SampleTool } from '../timeline/sample-tools.ts';
 import type { ChannelList, HandleMode, TimelineView } from '../timeline/timeline.ts';
@@ -13,6 +14,11 @@ const hasSamples = (wb: Workbench) => takeInHand(wb)?.clip.samples !== undefined
 /** Tools for curves of keys have nothing to do on samples. */
 const keyedInHand = (wb: Workbench) =>
   channelsInHand(wb).some((c) => (takeInHand(wb)?.clip.channels[c]?.times.length ?? 0) > 0);
+/** … but for those that ask nothing of what lies between frames. */
+const animatedInHand = (wb: Workbench) => {
+  const clip = takeInHand(wb)?.clip;
+  return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+};
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
   const action: Action = { id: `timeline.${id}`, label, group: 'Curves', panel: 'timeline', ...more };
@@ -123,7 +129,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   curves('euler', 'Euler filter', [], {
     menu: 'Keys/Curve tools',
     section: 16,
-    enabled: keyedInHand,
+    enabled: animatedInHand,
     run: async (wb) => (await import('../timeline/curve-tools.ts')).runCurveTool(wb, 'euler'),
   }),
   curves('loop', 'Make loop', [], {

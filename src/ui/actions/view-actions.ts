@@ -1,4 +1,6 @@
 /** The camera, and what is drawn. */
+import { hasBoxes } from '../../model/boxes.ts';
+import { type Character, shownSkin } from '../../model/document.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../model/session.ts';
 import type { IconName } from '../icons.ts';
 import type { Workbench } from '../workbench.ts';
@@ -25,6 +27,23 @@ type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[k
 export function setDisplay(wb: Workbench, change: Partial<Display>): void {
   wb.settings.update((s) => ({ ...s, display: { ...s.display, ...change } }));
 }
+
+/** Of nothing at all one may still choose how it will be drawn. */
+function isAnyVisible(wb: Workbench, has: (character: Character) => boolean): boolean {
+  const { characters } = wb.store.document;
+  return characters.length === 0 || characters.some((c) => !c.isHidden && has(c));
+}
+
+export const isSkinVisible = (wb: Workbench) => isAnyVisible(wb, (c) => shownSkin(c) !== undefined);
+export const areBoxesVisible = (wb: Workbench) =>
+  isAnyVisible(wb, ({ skeleton }) => skeleton !== undefined && hasBoxes(skeleton));
+
+export const NO_SKIN = 'None of the characters shown has a skin.';
+export const NO_BOXES = 'None of the characters shown has boxes: they are drawn as bones.';
+
+/** Without boxes it only counts whether bones are drawn in their place. */
+const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
+const boxStyles = (wb: Workbench) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
 
 export const VIEW_ACTIONS: readonly Action[] = [
   {
@@ -62,6 +81,8 @@ export const VIEW_ACTIONS: readonly Action[] = [
       section: 1,
       radio: true,
       ...(skin === 'heat' && { shortcuts: ['H'] }),
+      enabled: isSkinVisible,
+      whyNot: () => NO_SKIN,
       checked: (wb) => wb.settings.get().display.skin === skin,
       run: (wb) => setDisplay(wb, { skin }),
     }),
@@ -71,6 +92,8 @@ export const VIEW_ACTIONS: readonly Action[] = [
     label: 'Next skin style',
     group: 'Draw',
     shortcuts: ['S'],
+    enabled: isSkinVisible,
+    whyNot: () => NO_SKIN,
     run: (wb) => setDisplay(wb, { skin: following(SKIN_STYLES, wb.settings.get().display.skin) }),
   },
   ...BOX_STYLES.map(
@@ -81,6 +104,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
       menu: 'View/Boxes',
       section: 1,
       radio: true,
+      ...(needsBoxes(boxes) && { enabled: areBoxesVisible, whyNot: () => NO_BOXES }),
       checked: (wb) => wb.settings.get().display.boxes === boxes,
       run: (wb) => setDisplay(wb, { boxes }),
     }),
@@ -90,11 +114,12 @@ export const VIEW_ACTIONS: readonly Action[] = [
     label: 'Next box style',
     group: 'Draw',
     shortcuts: ['B'],
-    run: (wb) => setDisplay(wb, { boxes: following(BOX_STYLES, wb.settings.get().display.boxes) }),
+    run: (wb) => setDisplay(wb, { boxes: following(boxStyles(wb), wb.settings.get().display.boxes) }),
   },
   toggle('bones', 'Bones', 'bones', ['Shift+B']),
   toggle('axes', 'Joint axes', 'axes', ['X']),
   toggle('names', 'Names', 'names', ['N']),
+  toggle('characterNames', 'Character names', undefined, []),
   toggle('normals', 'Normals', 'normals', ['Shift+N']),
   toggle('trail', 'Trail of the joint', undefined, []),
   toggle('ghosts', 'Ghosts before and after', 'ghosts', ['Shift+O']),

@@ -20,6 +20,7 @@ export interface NumberAsked {
   readonly value: number;
   /** Behind the field. */
   readonly unit?: string;
+  readonly onlyFor?: OnlyFor;
 }
 
 export interface ChoiceAsked {
@@ -28,7 +29,11 @@ export interface ChoiceAsked {
   readonly label: string;
   readonly value: string;
   readonly options: readonly (readonly [string, string])[];
+  readonly onlyFor?: OnlyFor;
 }
+
+/** Asked only while the choice of this name has this value. */
+export type OnlyFor = readonly [name: string, value: string];
 
 export type Asked = NumberAsked | ChoiceAsked;
 
@@ -71,7 +76,14 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
   const body = element('form', { class: 'tool-form' }, element('p', { class: 'faint' }, tool.about));
-  for (const asked of tool.asked) body.append(fieldOf(asked, fields));
+  const rows = tool.asked.map((asked) => ({ asked, row: fieldOf(asked, fields) }));
+  for (const { row } of rows) body.append(row);
+  const showAsked = () => {
+    for (const { asked, row } of rows) {
+      row.hidden = asked.onlyFor !== undefined && fields.get(asked.onlyFor[0])?.value !== asked.onlyFor[1];
+    }
+  };
+  showAsked();
   body.append(result, element('div', { class: 'tool-buttons' }, cancel, apply));
 
   const answers: Answers = {
@@ -144,6 +156,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   });
   const soon = atMostEvery(PREVIEW_MS, preview);
   body.addEventListener('input', () => {
+    showAsked();
     // Not what was asked before.
     if (tool.steps) apply.disabled = true;
     soon();

@@ -2,7 +2,14 @@
 import type { GUI } from 'lil-gui';
 import { placeCharacter, removeCopy, renameCharacter, setTimeOffset } from '../../edit/commands/characters.ts';
 import { setClamping } from '../../edit/commands/pose.ts';
-import { type Character, DEFAULT_PLACEMENT, findCharacter, type Placement, shownClip } from '../../model/document.ts';
+import {
+  type Character,
+  DEFAULT_PLACEMENT,
+  findCharacter,
+  type Placement,
+  shownClip,
+  startSeconds,
+} from '../../model/document.ts';
 import { runAction } from '../actions.ts';
 import { shownPerUnit, withoutNoise } from '../angles.ts';
 import { button, element, setText } from '../dom.ts';
@@ -54,7 +61,7 @@ export class CharacterFolder {
     this.addName(character);
     this.addTake(character);
     this.addLimits(character);
-    this.addTimeOffset(character);
+    this.addStart(character);
     this.addPlacement(character);
     this.rows.push(addSpaceRows(this.wb, this.edit, this.folder, character));
     this.folder.$children.append(this.buttons);
@@ -136,12 +143,20 @@ export class CharacterFolder {
     });
   }
 
-  private addTimeOffset(character: Character): void {
+  /** Rather than the offset that is kept: that is added to the transport's time, and 1.5 of it begins 1.5 s earlier. */
+  private addStart(character: Character): void {
     const options = { step: 0.01, decimals: 4, suffix: ' s' };
-    const row = new Slider(this.folder, 'Time offset', character.timeOffsetSeconds, options, this.refuse);
-    row.onChange((seconds: number) => this.edit.preview(setTimeOffset, { characterId: this.id, seconds }));
+    const row = new Slider(this.folder, 'Starts at', startSeconds(character), options, this.refuse);
+    row.domElement.title = 'When its take begins, in seconds of the transport';
+    row.onChange((atSeconds: number) => {
+      const { character: now } = this;
+      if (!now) return;
+      // Plus 0: no offset is −0.
+      const seconds = withoutNoise(startSeconds(now) + now.timeOffsetSeconds - atSeconds) + 0;
+      this.edit.preview(setTimeOffset, { characterId: this.id, seconds });
+    });
     row.onFinishChange(() => this.finish());
-    this.rows.push(() => row.showValue(this.character?.timeOffsetSeconds ?? 0));
+    this.rows.push(() => row.showValue(withoutNoise(this.character ? startSeconds(this.character) : 0)));
   }
 
   private addPlacement(character: Character): void {

@@ -9,6 +9,7 @@
  */
 import { channelOf, isDriven } from '../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
+import { attempt } from '../attempt.ts';
 import { button, keepsFocusElsewhere, setAttribute } from '../dom.ts';
 import { deleteKeysNow, isKeyedNow, keyNow } from '../pose-edits.ts';
 import type { Workbench } from '../workbench.ts';
@@ -74,5 +75,6 @@ export function toggleKey(wb: Workbench, characterId: string, dof: number): void
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton) return;
   if (dofState(wb, character, dof) === 'keyed') deleteKeysNow(wb, character, [dof]);
-  else keyNow(wb, characterId, [dof]);
+  // Refused where another character's take moves the joint.
+  else attempt(wb.messages, () => keyNow(wb, characterId, [dof]));
 }

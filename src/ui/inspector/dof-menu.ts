@@ -2,6 +2,7 @@
 import { clearLimit, setLimit } from '../../edit/commands/limits.ts';
 import { setDofs } from '../../edit/commands/pose.ts';
 import { channelOf, dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
+import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { coupleOf } from '../../model/couples.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose } from '../../model/dofs.ts';
@@ -57,7 +58,10 @@ function entries(
       key: autoKey(wb),
     });
   const list: MenuEntry[] = [
-    item('Key here', character.skeleton !== undefined, () => keyNow(wb, id, [index])),
+    // Another character's take moves it: no key of its own would be seen.
+    item('Key here', character.skeleton !== undefined && index >= silentChannels(character), () =>
+      keyNow(wb, id, [index]),
+    ),
     item('Delete the key here', isKeyedNow(wb, character, index), () => deleteKeysNow(wb, character, [index])),
     item('Delete all its keys', hasKeys, () => deleteAllKeys(wb, character, index)),
     { kind: 'line' },

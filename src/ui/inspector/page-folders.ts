@@ -3,7 +3,7 @@ import type { GUI } from 'lil-gui';
 import { LOOP_MODES } from '../../edit/playback.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../model/session.ts';
 import { LOOP_LABELS } from '../actions/play-actions.ts';
-import { BOX_STYLES, SKIN_STYLES, setDisplay } from '../actions/view-actions.ts';
+import { BOX_STYLES, isSkinVisible, NO_SKIN, SKIN_STYLES, setDisplay } from '../actions/view-actions.ts';
 import { ANGLES, TIME_DISPLAYS } from '../settings.ts';
 import type { Workbench } from '../workbench.ts';
 import { addGhostRows } from './ghost-rows.ts';
@@ -15,6 +15,7 @@ const SWITCHES: readonly (readonly [Switch, string])[] = [
   ['bones', 'Bones'],
   ['axes', 'Joint axes'],
   ['names', 'Names'],
+  ['characterNames', 'Character names'],
   ['normals', 'Normals'],
   ['trail', 'Trail of the joint'],
   ['ghosts', 'Ghosts'],
@@ -36,7 +37,16 @@ export function displayFolder(wb: Workbench, folder: GUI): void {
       .add(binding, key, Object.fromEntries(styles.map(([value, name]) => [name, value])))
       .name(label)
       .onChange((value: Display[K]) => setDisplay(wb, { [key]: value }));
-  option('skin', 'Skin', SKIN_STYLES);
+  const skin = option('skin', 'Skin', SKIN_STYLES);
+  const showSkin = () => {
+    const hasSkin = isSkinVisible(wb);
+    skin.enable(hasSkin);
+    skin.domElement.title = hasSkin ? '' : NO_SKIN;
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters) showSkin();
+  });
+  showSkin();
   option('boxes', 'Boxes', BOX_STYLES);
   let showGhosts: ((display: Display) => void) | undefined;
   for (const [key, label] of SWITCHES) {

@@ -43,6 +43,8 @@ export function addSpaceRows(wb: Workbench, edit: HandEdit, folder: GUI, { id }:
   const put = (space: Space) => {
     if (now()) attempt(wb.messages, () => wb.store.apply(setSpace, { characterId: id, space }));
     update();
+    // Of a hundred times the size it is out of the picture, of a hundredth a speck in it.
+    wb.viewport.reveal(id);
   };
   const binding: { up: Space['up']; unit: LengthUnit | 'automatic'; positions: Positions } = {
     up: spaceNow().up,
@@ -72,6 +74,7 @@ export function addSpaceRows(wb: Workbench, edit: HandEdit, folder: GUI, { id }:
   lift.onFinishChange(() => {
     edit.commit();
     update();
+    wb.viewport.reveal(id);
   });
   const character = now();
   if (character?.skeleton) {

@@ -6,7 +6,7 @@
  */
 import { endOverlay, overlayTakes } from '../../edit/commands/takes.ts';
 import { isSameSkeleton, matchJoints } from '../../evaluate/joint-match.ts';
-import { findCharacter } from '../../model/document.ts';
+import { type Document, findCharacter, rangeOfClips } from '../../model/document.ts';
 import { attempt } from '../attempt.ts';
 import { fitWindow } from '../time-window.ts';
 import type { Workbench } from '../workbench.ts';
@@ -59,7 +59,7 @@ export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): vo
     // Nothing was to be changed: nothing is to be put back, and no step of undo is the comparison's.
     if (after !== before) followOverlay(wb, overlay);
     wb.timeline.change({ tab: 'takes', window: fitWindow(both) });
-    wb.viewport.reveal(first.characterId);
+    wb.viewport.reveal(first.characterId, second.characterId);
   });
 }
 
@@ -68,24 +68,23 @@ export function endComparison(wb: Workbench): void {
   const { store, timeline } = wb;
   const { takes } = timeline;
   const comparison = takes.comparison.get();
-  if (!comparison) return;
   const { overlay } = takes;
-  if (overlay?.comparison === comparison) {
+  if (comparison && overlay?.comparison === comparison) {
+    store.settle();
     if (store.document === overlay.after) store.undo();
-    else {
-      const { document } = store;
-      const { before, after } = overlay;
-      attempt(wb.messages, () =>
-        store.apply(endOverlay, { before: before.characters, overlaid: after.characters }),
-      );
-      if (store.document !== document) {
-        overlay.compared.push(document);
-        overlay.apart.push(store.document);
-      }
-    }
-    playAsBefore(wb, overlay);
+    else attempt(wb.messages, () => takeApart(wb, overlay));
   }
   takes.comparison.set(undefined);
+}
+
+function takeApart(wb: Workbench, overlay: Overlay): void {
+  const { store } = wb;
+  const { document: compared } = store;
+  store.apply(endOverlay, { before: overlay.before.characters, overlaid: overlay.after.characters });
+  if (store.document === compared) return;
+  overlay.compared.push(compared);
+  overlay.apart.push(store.document);
+  playAsBefore(wb, overlay, compared);
 }
 
 /** Undo and redo lead out of the comparison and into it. */
@@ -93,12 +92,15 @@ function followOverlay(wb: Workbench, overlay: Overlay): void {
   const { takes } = wb.timeline;
   takes.overlay = overlay;
   const stop = wb.store.subscribe((now, before) => {
-    if (takes.overlay !== overlay) return stop();
+    if (takes.overlay !== overlay) {
+      stop();
+      return;
+    }
     if (now.document === before.document) return;
     const isCompared = takes.comparison.get() === overlay.comparison;
     if (isCompared && overlay.apart.includes(now.document)) {
       takes.comparison.set(undefined);
-      playAsBefore(wb, overlay);
+      playAsBefore(wb, overlay, before.document);
     } else if (!takes.comparison.get() && overlay.compared.includes(now.document)) {
       takes.comparison.set(overlay.comparison);
       playRange(wb, overlay.played);
@@ -106,10 +108,18 @@ function followOverlay(wb: Workbench, overlay: Overlay): void {
   });
 }
 
-/** What was played before, unless another range was set meanwhile. */
-function playAsBefore(wb: Workbench, { played, playedBefore: range }: Overlay): void {
+/**
+ * What was played before, unless another range was set meanwhile.
+ * @param compared the document that was left: a range that is that of its clips has gone with them already
+ */
+function playAsBefore(wb: Workbench, { played, playedBefore: range }: Overlay, compared: Document): void {
+  const followed = isSame(rangeOfClips(compared), played) ? rangeOfClips(wb.store.document) : undefined;
   wb.transport.update((p) => {
-    if (p.range[0] !== played[0] || p.range[1] !== played[1]) return p;
+    if (!isSame(p.range, played) && !isSame(followed, p.range)) return p;
     return { ...p, range, timeSeconds: Math.min(range[1], Math.max(range[0], p.timeSeconds)) };
   });
+}
+
+function isSame(a: readonly [number, number] | undefined, b: readonly [number, number]): boolean {
+  return a?.[0] === b[0] && a[1] === b[1];
 }

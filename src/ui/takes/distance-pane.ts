@@ -10,10 +10,11 @@ import { icon } from '../icons.ts';
 import { plural, seconds } from '../number-text.ts';
 import type { Workbench } from '../workbench.ts';
 import { DistanceChart } from './chart.ts';
+import { endComparison } from './compare.ts';
 import { DistanceList } from './distance-list.ts';
 import { type DistanceUnit, distanceText, distanceUnit } from './distance-text.ts';
 import { type Measured, Measuring } from './measuring.ts';
-import { endComparison } from './play.ts';
+
 import { comparedIn } from './takes.ts';
 
 export class DistancePane {

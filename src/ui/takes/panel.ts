@@ -4,24 +4,27 @@
  */
 import { placeCharacter } from '../../edit/commands/characters.ts';
 import { findCharacter } from '../../model/document.ts';
+import { actionsOf } from '../actions.ts';
 import { attempt } from '../attempt.ts';
 import { element, setText } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
+import { isMac } from '../keys.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { movedEntries } from '../retarget/moved.ts';
+import { shortcutsFor, shortcutText } from '../shortcuts.ts';
 import { fitWindow, type TimeWindow, zoomWindow } from '../time-window.ts';
 import type { TimelineTab } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
+import { compareTakes } from './compare.ts';
 import { DistancePane } from './distance-pane.ts';
 import {
   chosenTakes,
-  compareTakes,
   listOfTakes,
-  offset,
   playAlone,
   playTogether,
   remove,
   selectCharacter,
+  startAt,
   toggleShown,
 } from './play.ts';
 import { shownKey, type TakeRow, takeKey } from './rows.ts';
@@ -47,7 +50,7 @@ class TakesPanel implements TimelineTab {
     this.table = new TakeTable({
       toggle: (row) => toggleShown(wb, row),
       play: (row) => playAlone(wb, row),
-      offset: (row, seconds) => offset(wb, row, seconds),
+      startAt: (row, seconds) => startAt(wb, row, seconds),
       place: (row, to) => this.place(row, to),
       refuse: (reason) => wb.messages.note(reason, 'warning'),
       sort(order) {
@@ -187,12 +190,17 @@ class TakesPanel implements TimelineTab {
       run,
       ...(shortcut && { shortcut }),
     });
+    const keyOf = (id: string) => {
+      const action = actionsOf(wb).find((a) => a.id === id);
+      const [key] = action ? shortcutsFor(action, wb.settings.get()) : [];
+      return key && shortcutText(key, isMac);
+    };
     const character = findCharacter(wb.store.document, row.characterId);
     const entries: MenuEntry[] = [
       ...(character ? movedEntries(wb, character) : []),
       item('Play alone', () => playAlone(wb, row), 'Enter'),
       ...(chosen.length > 1 ? [item(`Play these ${chosen.length} together`, () => playTogether(wb, chosen))] : []),
-      item(row.isShown ? 'Hide' : 'Show', () => toggleShown(wb, row), 'Space'),
+      item(row.isShown ? 'Hide' : 'Show', () => toggleShown(wb, row), keyOf('take.toggleShown')),
       ...(first && second && chosen.length === 2 ? [item('Compare', () => compareTakes(wb, first, second))] : []),
       { kind: 'menu', label: 'Arrange', entries: () => arrangeEntries(wb) },
       { kind: 'line' },

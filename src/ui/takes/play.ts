@@ -68,8 +68,7 @@ export function playTogether(wb: Workbench, rows: readonly TakeRow[]): void {
     wb.store.apply(showTakes, { takes: rows, alone: true });
     const range = clipsRange(wb.store.document);
     if (range) playRange(wb, range);
-    const [first] = rows;
-    if (first) wb.viewport.reveal(first.characterId);
+    wb.viewport.reveal(...rows.map((row) => row.characterId));
   });
 }
 

@@ -2,13 +2,14 @@
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { NumberField } from '../number-field.ts';
-import { count, shown } from '../number-text.ts';
+import { count, duration, shown } from '../number-text.ts';
 import type { TakeRow } from './rows.ts';
 
 export interface RowEvents {
   toggle(row: TakeRow): void;
   play(row: TakeRow): void;
-  offset(row: TakeRow, seconds: number): void;
+  /** @param seconds of the transport */
+  startAt(row: TakeRow, seconds: number): void;
   /** Either of the two; the other stays. */
   place(row: TakeRow, to: { readonly x?: number; readonly z?: number }): void;
   refuse(reason: string): void;
@@ -37,7 +38,7 @@ export class RowView {
   private readonly file = cell('take-file');
   private readonly nameCell: HTMLElement;
   private readonly eye: HTMLButtonElement;
-  private readonly fields: Readonly<Record<'offset' | 'x' | 'z', NumberField>>;
+  private readonly fields: Readonly<Record<'start' | 'x' | 'z', NumberField>>;
 
   constructor(row: TakeRow, id: string, events: RowEvents) {
     this.row = row;
@@ -51,7 +52,7 @@ export class RowView {
         step,
       });
     this.fields = {
-      offset: field('Offset in time, seconds', 3, events.offset, 0.1),
+      start: field('Starts at, seconds', 3, events.startAt, 0.1),
       x: field('Place along x', 2, (r, x) => events.place(r, { x }), 0.1),
       z: field('Place along z', 2, (r, z) => events.place(r, { z }), 0.1),
     };
@@ -77,7 +78,7 @@ export class RowView {
       this.duration,
       this.frames,
       this.rate,
-      element('div', { role: 'gridcell', class: 'number' }, this.fields.offset.element),
+      element('div', { role: 'gridcell', class: 'number' }, this.fields.start.element),
       element('div', { role: 'gridcell', class: 'number take-place' }, this.fields.x.element),
       element('div', { role: 'gridcell', class: 'number take-place' }, this.fields.z.element),
       this.file,
@@ -90,9 +91,9 @@ export class RowView {
     return this.element.contains(document.activeElement);
   }
 
-  /** To the field of the offset, as a key asks for. */
+  /** To the field of its start, as a key asks for. */
   edit(): void {
-    this.fields.offset.element.focus();
+    this.fields.start.element.focus();
   }
 
   show(row: TakeRow, { chosen, focused, compared, framesPerSecond }: RowState): void {
@@ -106,7 +107,7 @@ export class RowView {
       eye.replaceChildren(icon(row.isShown ? 'eye' : 'eyeOff'));
       eye.classList.toggle('on', row.isShown);
       setAttribute(eye, 'aria-pressed', String(row.isShown));
-      eye.title = row.isShown ? 'Shown; a click hides it (Space)' : 'Not shown; a click shows it (Space)';
+      eye.title = row.isShown ? 'Shown; a click hides it' : 'Not shown; a click shows it';
     }
     setAttribute(eye, 'aria-label', `Show ${row.name}`);
     this.mark.className = `take-mark ${compared ?? ''}`;
@@ -114,7 +115,7 @@ export class RowView {
     setText(this.note, row.note);
     setAttribute(this.nameCell, 'title', row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);
-    setText(this.duration, `${shown(row.durationSeconds, 2)} s`);
+    setText(this.duration, duration(row.durationSeconds));
     // Keys have no frames; how many the transport would count is said, and that it is the transport that counts.
     const isKeyed = row.frameCount === undefined;
     const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
@@ -125,7 +126,7 @@ export class RowView {
     this.rate.classList.toggle('faint', isKeyed);
     setText(this.file, row.file);
     setAttribute(this.file, 'title', row.file || undefined);
-    fields.offset.show(row.offsetSeconds);
+    fields.start.show(row.startSeconds);
     fields.x.show(row.x);
     fields.z.show(row.z);
     // Tab goes into the fields of the row that one is at, not through those of all.

@@ -24,6 +24,8 @@ export interface TakeRow extends TakeRef {
   readonly frameCount?: number;
   readonly framesPerSecond?: number;
   readonly offsetSeconds: number;
+  /** Of the transport, when its first moment is played. */
+  readonly startSeconds: number;
   /** Of the first placement. */
   readonly x: number;
   readonly z: number;
@@ -67,6 +69,7 @@ function rowOf(character: Character, index: number): TakeRow {
     durationSeconds: range[1] - range[0],
     ...(samples && { frameCount: samples.frameCount, framesPerSecond: 1 / samples.frameSeconds }),
     offsetSeconds: character.timeOffsetSeconds,
+    startSeconds: range[0] - character.timeOffsetSeconds,
     x: position[0],
     z: position[2],
     file: fileOf(character, clip),
@@ -107,8 +110,8 @@ function sortedBy(row: TakeRow, column: TakeColumn): string | number {
       return row.frameCount ?? -1;
     case 'rate':
       return row.framesPerSecond ?? -1;
-    case 'offset':
-      return row.offsetSeconds;
+    case 'start':
+      return row.startSeconds;
   }
 }
 

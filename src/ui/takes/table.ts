@@ -3,8 +3,8 @@
  * on the table and points at its row (`aria-activedescendant`), but for the fields and buttons within a row.
  *
  *     ↑ ↓ Home End     to a row; Shift: and all between are chosen     Ctrl+A   all
- *     Enter            plays it alone                                  Space    shows or hides it
- *     F2               its offset                                      Delete   removes what is chosen
+ *     Enter            plays it alone                                  Delete   removes what is chosen
+ *     F2               when it starts                                  Ctrl+Space   chooses it too, or no more
  */
 import { element, setAttribute, uniqueId } from '../dom.ts';
 import { HAS_KEYS } from '../focus.ts';
@@ -37,7 +37,7 @@ const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string,
   ['duration', 'Length', 'number', 'Seconds from first to last frame or key played'],
   ['frames', 'Frames', 'number take-frames', 'Faint: of keys, as the transport counts'],
   ['rate', 'Rate', 'number take-rate', 'Frames a second'],
-  ['offset', 'Offset', 'number', 'Seconds that the take is ahead of the transport'],
+  ['start', 'Starts at', 'number', 'When the take begins, in seconds of the transport'],
   ['x', 'x', 'number take-place', 'Place along x'],
   ['z', 'z', 'number take-place', 'Place along z'],
   ['file', 'File', 'take-file', 'Where it came from'],
@@ -261,9 +261,9 @@ export class TakeTable {
         this.events.play(row);
         break;
       case ' ':
-        if (!row) return;
-        if (command) this.toggleChosen(row);
-        else this.events.toggle(row);
+        // By itself it plays, here as everywhere.
+        if (!row || !command) return;
+        this.toggleChosen(row);
         break;
       case 'F2':
         if (!row) return;

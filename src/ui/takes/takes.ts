@@ -7,7 +7,7 @@ import type { Alignment } from '../../evaluate/distance.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { type Observable, observable } from '../observable.ts';
 
-export const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'offset', 'x', 'z', 'file'] as const;
+export const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
 export type TakeColumn = (typeof TAKE_COLUMNS)[number];
 
 export interface TakeOrder {

@@ -1,35 +1,60 @@
 /** Tools for whole curves that need nothing asked: they act on the channels in hand, and say what they did. */
-import { eulerFilter, eulerFilterPreview, makeLoop } from '../../edit/commands/channels.ts';
+import type { OfChannels } from '../../edit/channel-edits.ts';
+import { eulerFilter, eulerFilterSteps, makeLoop } from '../../edit/commands/channels.ts';
+import { isSampled } from '../../model/clip.ts';
+import { inSlices } from '../in-slices.ts';
 import { plural } from '../number-text.ts';
+import { Trial } from '../trial.ts';
 import type { Workbench } from '../workbench.ts';
 import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
 import { period } from './period.ts';
 
 export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
   const take = takeInHand(wb);
-  const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.times.length);
-  if (!take || !channels.length) return;
-  const args = { characterId: take.character.id, channels };
-  if (tool === 'loop') {
-    // What goes on from where it ends, as a root that travels does, shall still do so.
-    const keepOffset = channels.filter((c) => {
-      const { extrapolateIn, extrapolateOut } = take.clip.channels[c];
-      return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
-    });
-    wb.store.apply(aboutKeysInHand(wb, makeLoop), { ...args, keepOffset });
-    const standStill = channels.every((c) => period(take.clip.channels[c]) === 0);
-    const nothing = standStill ? 'A loop takes two keys, at two times.' : 'These curves loop already.';
-    wb.messages.note(changedText(wb, take.clip.channels, 'now loop', nothing));
+  if (!take) return;
+  const { character, clip } = take;
+  const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length);
+  if (tool === 'euler') {
+    const channels = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+    if (channels.length > 0) filterAngles(wb, { characterId: character.id, channels });
     return;
   }
-  const { notes } = eulerFilterPreview(wb.store.document, args);
-  wb.store.apply(aboutKeysInHand(wb, eulerFilter), args);
-  const text = changedText(wb, take.clip.channels, 'filtered', 'Nothing to filter: no angle jumps.');
-  wb.messages.note([text, ...notes].join(' '));
+  if (keyed.length === 0) return;
+  // What goes on from where it ends, as a root that travels does, shall still do so.
+  const keepOffset = keyed.filter((c) => {
+    const { extrapolateIn, extrapolateOut } = clip.channels[c];
+    return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
+  });
+  wb.store.apply(aboutKeysInHand(wb, makeLoop), { characterId: character.id, channels: keyed, keepOffset });
+  const after = takeInHand(wb)?.clip.channels ?? [];
+  const count = after.filter((channel, i) => channel !== clip.channels[i]).length;
+  const standStill = keyed.every((c) => period(clip.channels[c]) === 0);
+  const nothing = standStill ? 'A loop takes two keys, at two times.' : 'These curves loop already.';
+  wb.messages.note(count ? `${plural(count, 'curve')} now loop.` : nothing);
 }
 
-function changedText(wb: Workbench, before: readonly unknown[], done: string, nothing: string): string {
-  const after = takeInHand(wb)?.clip.channels ?? [];
-  const count = after.filter((channel, i) => channel !== before[i]).length;
-  return count ? `${plural(count, 'curve')} ${done}.` : nothing;
+/** Long takes in slices; where anything else changes meanwhile, nothing is done. */
+function filterAngles(wb: Workbench, args: OfChannels): void {
+  const { store, messages } = wb;
+  const label = eulerFilter.label(store.document, args);
+  const trial = new Trial(store, label, () => {
+    messages.note(`${label} was stopped: something else has changed meanwhile.`, 'warning');
+  });
+  inSlices(eulerFilterSteps(trial.base, args), {
+    isOver: () => trial.over,
+    progress: () => undefined,
+    done({ edit, changed, notes }) {
+      const { length } = changed;
+      if (length > 0) {
+        trial.show(aboutKeysInHand(wb, { ...eulerFilter, run: () => edit }).run(trial.base, args));
+        trial.keep();
+      } else trial.putBack();
+      const text = length ? `${plural(length, 'curve')} filtered.` : 'Nothing to filter: no angle jumps.';
+      messages.note([text, ...notes].join(' '));
+    },
+    failed(error) {
+      trial.putBack();
+      throw error;
+    },
+  });
 }

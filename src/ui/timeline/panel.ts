@@ -2,7 +2,7 @@
  * The panel below the transport: curve editor, dope sheet and takes as tabs, with the edge that sets its height. The tabs are
  * scripts of their own: the page shows its character without waiting for them.
  */
-import { button, element, keepsFocusElsewhere } from '../dom.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../dom.ts';
 import { focusPanel } from '../focus.ts';
 import { icon } from '../icons.ts';
 import { onDemand, whenIdle } from '../on-demand.ts';
@@ -41,14 +41,18 @@ export function timelinePanel(
       show();
     });
     const tools = element('div', { class: 'timeline-tools' });
-    const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id });
-    return { name, title, tools, body };
+    // Until it is here.
+    const waiting = element('p', { class: 'empty' }, `${LABELS[name]} …`);
+    const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id }, waiting);
+    return { name, title, tools, body, waiting };
   });
   let isGoneTo = false;
   const built = new Map<TimelineTabName, TimelineTab>();
   const build = async (name: TimelineTabName) => {
     const place = places.find((p) => p.name === name);
-    const tab = await onDemand(wb.messages, `The ${LABELS[name].toLowerCase()}`, () => load(name));
+    const what = `The ${LABELS[name].toLowerCase()}`;
+    const tab = await onDemand(wb.messages, what, () => load(name));
+    if (!tab && place) setText(place.waiting, `${what} could not be loaded.`);
     if (!tab || signal.aborted) return;
     built.set(name, tab);
     if (tab.tools) place?.tools.append(tab.tools);

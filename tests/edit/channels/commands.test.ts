@@ -3,16 +3,17 @@ import {
   bakeExtrapolation,
   bakePreview,
   eulerFilter,
-  eulerFilterPreview,
+  eulerFilterSteps,
   makeLoop,
   resample,
   resamplePreview,
   simplify,
   simplifyPreview,
 } from '../../../src/edit/commands/channels.ts';
+import { finished } from '../../../src/edit/samples/steps.ts';
 import { CommandError, Store } from '../../../src/edit/store.ts';
 import { type Channel, keylessChannel } from '../../../src/model/clip.ts';
-import { shownClip } from '../../../src/model/document.ts';
+import { type Document, shownClip } from '../../../src/model/document.ts';
 import { character, documentOf, joint, skeleton } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 import { channelOf } from '../keys/channels.ts';
@@ -117,6 +118,12 @@ describe('resampling, looping and baking curves', () => {
   });
 });
 
+/** What it comes to, with the channels afterwards. */
+function filteredBy(document: Document, args: { characterId: string; channels: readonly number[] }) {
+  const { edit, keysChanged, notes } = finished(eulerFilterSteps(document, args));
+  return { channels: channelsOf(edit.document), keysChanged, notes };
+}
+
 describe('the Euler filter over a character', () => {
   const three = [none, none, none];
   const rotations = { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] };
@@ -130,7 +137,7 @@ describe('the Euler filter over a character', () => {
     expect(after[7].values[1]).toBeLessThanOrEqual(2 * Math.PI);
     expect(after[8]).toBe(channelsOf(before)[8]);
     expect(keys.map((k) => k.channel)).toEqual([3, 7]);
-    expect(eulerFilterPreview(before, rotations)).toMatchObject({ keysChanged: 2, notes: [] });
+    expect(filteredBy(before, rotations)).toMatchObject({ keysChanged: 2, notes: [] });
   });
 
   it('finds the angles of any joint that has three, and leaves those of which a turn is more', () => {
@@ -155,7 +162,7 @@ describe('the Euler filter over a character', () => {
         shownClip: 0,
       }),
     );
-    const { channels, notes } = eulerFilterPreview(before, { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] });
+    const { channels, notes } = filteredBy(before, { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] });
     expectClose(
       [3, 4, 5].map((c) => channels[c].values[1]),
       [0.1, 0, 0],
@@ -170,15 +177,15 @@ describe('the Euler filter over a character', () => {
   it('unrolls by whole turns what is not keyed or chosen together, and says why', () => {
     const later = channelOf([[0.5, 0]]);
     const before = documentWith(...three, jumping, later, calm, jumping, none, calm);
-    const { channels, notes } = eulerFilterPreview(before, rotations);
+    const { channels, notes } = filteredBy(before, rotations);
     expect(notes).toEqual([
       'joint0 of hero: its angles have keys at different times, so whole turns alone are taken out.',
       'joint1 of hero: not all three of its angles have keys, so whole turns alone are taken out.',
     ]);
     expect([3, 6].map((c) => channels[c].values[1])).toEqual([2 * Math.PI - 3, 2 * Math.PI - 3]);
-    expect(eulerFilterPreview(before, { ...rotations, channels: [3] }).notes).toEqual([
+    expect(filteredBy(before, { ...rotations, channels: [3] }).notes).toEqual([
       'joint0 of hero: not all three of its angles are among the curves, so whole turns alone are taken out.',
     ]);
-    expect(eulerFilterPreview(before, { ...rotations, channels: [1] }).notes).toEqual(['ty is no angle: it is left.']);
+    expect(filteredBy(before, { ...rotations, channels: [1] }).notes).toEqual(['ty is no angle: it is left.']);
   });
 });

@@ -2,8 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { setTimeOffset } from '../../../src/edit/commands/characters.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import type { Character } from '../../../src/model/document.ts';
+import { compareTakes } from '../../../src/ui/takes/compare.ts';
 import { Measuring } from '../../../src/ui/takes/measuring.ts';
-import { compareTakes, listOfTakes } from '../../../src/ui/takes/play.ts';
+import { listOfTakes } from '../../../src/ui/takes/play.ts';
 import { character, clip, documentOf, skeleton } from '../../helpers/builders.ts';
 import { workbench } from '../builders.ts';
 

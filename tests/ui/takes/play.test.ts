@@ -1,15 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { followRange } from '../../../src/app/follow-range.ts';
-import type { Character } from '../../../src/model/document.ts';
+import { renameCharacter } from '../../../src/edit/commands/characters.ts';
+import { type Character, DEFAULT_PLACEMENT } from '../../../src/model/document.ts';
+import type { Samples } from '../../../src/model/samples.ts';
 import { runAction } from '../../../src/ui/actions.ts';
-import {
-  chosenTakes,
-  compareTakes,
-  listOfTakes,
-  playTogether,
-  remove,
-  toggleShown,
-} from '../../../src/ui/takes/play.ts';
+import { compareTakes } from '../../../src/ui/takes/compare.ts';
+import { chosenTakes, listOfTakes, playTogether, remove, startAt, toggleShown } from '../../../src/ui/takes/play.ts';
 import { comparedIn, drawnDocument, withoutTwin } from '../../../src/ui/takes/takes.ts';
 import { character, clip, documentOf, skeleton } from '../../helpers/builders.ts';
 import { workbench } from '../builders.ts';
@@ -18,6 +14,16 @@ function take(id: string, range: readonly [number, number], more: Partial<Charac
   const sources = [{ name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 }];
   return character({ id, name: id, clips: [clip(id, [0], range)], shownClip: 0, sources, ...more });
 }
+
+const framesOf = (frameCount: number, frameSeconds: number): Samples => ({
+  frameCount,
+  frameSeconds,
+  startSeconds: 0,
+  firstChannel: 0,
+  values: new Float64Array(frameCount),
+  scales: Float64Array.of(1),
+  interpolation: 'linear',
+});
 
 function bench(...more: Character[]) {
   const made = workbench(documentOf(take('a', [0, 1]), take('b', [0, 2]), take('c', [1, 4]), ...more));
@@ -48,6 +54,22 @@ describe('the next take', () => {
     expect(seen()).toEqual(['a']);
     runAction(wb, 'take.next');
     expect(seen()).toEqual(['c']);
+  });
+
+  it('is counted in its own frames, and stops on one of them', () => {
+    const frames = { ...clip('d', [], [0, 1]), samples: framesOf(101, 0.01) };
+    const { wb } = bench(take('d', [0, 1], { clips: [frames] }));
+    runAction(wb, 'take.previous');
+    expect(wb.transport.get()).toMatchObject({ range: [0, 1], framesPerSecond: 100 });
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0.2537, playing: true }));
+    runAction(wb, 'play.toggle');
+    expect(wb.transport.get()).toMatchObject({ timeSeconds: 0.25, playing: false });
+    runAction(wb, 'take.next');
+    expect(wb.transport.get().framesPerSecond).toBe(100);
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0.2537, playing: true }));
+    runAction(wb, 'play.toggle');
+    // Keys are no frames.
+    expect(wb.transport.get().timeSeconds).toBe(0.2537);
   });
 
   it('pauses nothing and starts nothing', () => {
@@ -87,6 +109,27 @@ describe('chosen takes', () => {
     expect(seen()).toEqual(['a', 'b', 'c']);
   });
 
+  it('start when one says, in seconds of the transport', () => {
+    const { wb } = bench();
+    startAt(wb, listOfTakes(wb)[2], 1.5);
+    expect(wb.store.document.characters[2].timeOffsetSeconds).toBe(-0.5);
+    expect(listOfTakes(wb)[2].startSeconds).toBe(1.5);
+    startAt(wb, listOfTakes(wb)[0], 0);
+    expect(wb.store.document.characters[0].timeOffsetSeconds).toBe(0);
+  });
+
+  it('are hidden by a key of the list, and come back by it', () => {
+    const { wb, seen } = bench();
+    wb.timeline.takes.change({ chosen: new Set(['a/0', 'c/0']), focused: 'c/0' });
+    runAction(wb, 'take.toggleShown');
+    expect(seen()).toEqual(['b']);
+    runAction(wb, 'take.toggleShown');
+    expect(seen()).toEqual(['a', 'b', 'c']);
+    wb.timeline.takes.change({ focused: 'b/0' });
+    runAction(wb, 'take.toggleShown');
+    expect(seen()).toEqual(['a', 'c']);
+  });
+
   it('are hidden and shown one by one', () => {
     const { wb, seen } = bench();
     toggleShown(wb, listOfTakes(wb)[1]);
@@ -118,6 +161,70 @@ describe('two takes that are compared', () => {
     expect(compared?.map((c) => c.drawnAs)).toEqual(['b', 'c']);
     runAction(wb, 'take.compare');
     expect(wb.timeline.takes.comparison.get()).toBeUndefined();
+  });
+
+  it('are put back where they were when that is over, in no step of its own', () => {
+    const { wb } = bench(take('d', [0, 1], { placements: [{ ...DEFAULT_PLACEMENT, position: [5, 0, 0] }] }));
+    const before = wb.store.document;
+    wb.transport.update((p) => ({ ...p, range: [0.25, 3] }));
+    const rows = listOfTakes(wb);
+    compareTakes(wb, rows[0], rows[3]);
+    expect(wb.store.document).not.toBe(before);
+    runAction(wb, 'take.compare');
+    expect(wb.store.document).toBe(before);
+    expect(wb.transport.get().range).toEqual([0.25, 3]);
+    expect([wb.store.undoLabel, wb.store.redoLabel]).toEqual([undefined, 'Compare a with d']);
+  });
+
+  it('are compared no longer once that is undone, and again once it is redone', () => {
+    const { wb } = bench();
+    runAction(wb, 'play.wholeRange');
+    const before = wb.store.document;
+    const rows = listOfTakes(wb);
+    compareTakes(wb, rows[0], rows[1]);
+    const comparison = wb.timeline.takes.comparison.get();
+    const { range } = wb.transport.get();
+    wb.store.undo();
+    expect(wb.timeline.takes.comparison.get()).toBeUndefined();
+    expect(wb.store.document).toBe(before);
+    expect(wb.transport.get().range).toEqual([0, 4]);
+    wb.store.redo();
+    expect(wb.timeline.takes.comparison.get()).toBe(comparison);
+    expect(wb.transport.get().range).toEqual(range);
+  });
+
+  it('go back in a step of its own where something was changed meanwhile, which can be undone', () => {
+    const { wb, seen } = bench();
+    runAction(wb, 'play.wholeRange');
+    const rows = listOfTakes(wb);
+    compareTakes(wb, rows[0], rows[1]);
+    const comparison = wb.timeline.takes.comparison.get();
+    wb.store.apply(renameCharacter, { characterId: 'a', name: 'mine' });
+    runAction(wb, 'take.compare');
+    expect(wb.store.undoLabel).toBe('Stop comparing');
+    expect(seen()).toEqual(['a', 'b', 'c']);
+    expect(wb.store.document.characters[0].name).toBe('mine');
+    expect(wb.transport.get().range).toEqual([0, 4]);
+    wb.store.undo();
+    expect(wb.timeline.takes.comparison.get()).toBe(comparison);
+    expect(seen()).toEqual(['a', 'b']);
+    wb.store.redo();
+    expect(wb.timeline.takes.comparison.get()).toBeUndefined();
+    expect(seen()).toEqual(['a', 'b', 'c']);
+  });
+
+  it('go back before another is played alone, or another two are compared', () => {
+    const { wb, seen } = bench();
+    const rows = listOfTakes(wb);
+    const places = () => wb.store.document.characters.map((c) => c.placements[0]);
+    const before = places();
+    compareTakes(wb, rows[0], rows[1]);
+    compareTakes(wb, rows[1], rows[2]);
+    runAction(wb, 'take.next');
+    expect(wb.timeline.takes.comparison.get()).toBeUndefined();
+    expect(seen()).toHaveLength(1);
+    expect(places()).toEqual(before);
+    expect(wb.store.undoLabel).toMatch(/^Play . alone$/);
   });
 
   it('of one character are drawn as two, and picked as the one', () => {

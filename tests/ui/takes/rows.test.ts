@@ -51,7 +51,7 @@ describe('the rows of takes', () => {
 
   it('say frames and rate of what has frames, and when and where it plays', () => {
     expect(rows[0]).toMatchObject({ frameCount: 11, framesPerSecond: 50, durationSeconds: 0.2 });
-    expect(rows[2]).toMatchObject({ durationSeconds: 3, offsetSeconds: 0.5, x: 2, z: -1 });
+    expect(rows[2]).toMatchObject({ durationSeconds: 3, offsetSeconds: 0.5, startSeconds: -0.5, x: 2, z: -1 });
     expect(rows[2]).not.toHaveProperty('frameCount');
   });
 
@@ -83,8 +83,8 @@ describe('the list of takes', () => {
   });
 
   it('leaves equal ones in the document’s order, either way', () => {
-    const order = { column: 'offset', descending: true } as const;
-    expect(names(rows, '', order)).toEqual(['walk_2', 'sting', 'walk_10']);
+    const order = { column: 'start', descending: true } as const;
+    expect(names(rows, '', { ...order, descending: false })).toEqual(['walk_2', 'sting', 'walk_10']);
     expect(names(rows, '', { ...order, column: 'rate' })).toEqual(['walk_10', 'walk_2', 'sting']);
   });
 });

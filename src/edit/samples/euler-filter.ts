@@ -1,0 +1,91 @@
+/**
+ * The Euler filter over a clip: the same rotations, at every key and in every frame, with angles that don't jump.
+ *
+ * Frames are taken for keys, at even times, and filtered as keys are (`channels/rotations.ts`): joint by joint, within
+ * the limits that hold. What follows the samples still does: only the numbers in its columns are others, by whole turns
+ * or as the other triple of the same rotation. Between frames nothing changes, for samples turn joints from rotation to
+ * rotation; the curves do, and so does what is made of them: keys, files.
+ */
+import { type Channel, type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import { columnOf, type Samples } from '../../model/samples.ts';
+import { keysChanged } from '../channels/euler-filter.ts';
+import { filterCharacter } from '../channels/rotations.ts';
+import { replacingColumns, takingColumns } from './columns.ts';
+import { type Steps, within } from './steps.ts';
+
+export interface FilteredClip {
+  /** The very same channels and samples where nothing changed. */
+  readonly clip: ChannelClip;
+  /** Channels that changed. */
+  readonly changed: readonly number[];
+  /** Keys that have other values; frames of samples are not counted. */
+  readonly keysChanged: number;
+  /** Sentences on what was not done, and why. */
+  readonly notes: readonly string[];
+}
+
+/** @param given channels of the clip, with keys or following samples. Pauses after each joint */
+export function* filteringAngles(
+  character: Character,
+  clip: ChannelClip,
+  given: readonly number[],
+): Steps<FilteredClip> {
+  const { samples } = clip;
+  const sampled = given.filter((channel) => isSampled(clip, channel));
+  const before = [...clip.channels];
+  if (samples && sampled.length > 0) {
+    const columns = sampled.map((channel) => columnOf(samples, channel));
+    const taken = yield* within(takingColumns(samples, columns), 0, 0.2);
+    const times = frameTimes(samples);
+    sampled.forEach((channel, n) => {
+      before[channel] = framesAsKeys(clip.channels[channel], times, taken.get(columns[n]) ?? new Float64Array(0));
+    });
+  }
+  let after: readonly Channel[] = before;
+  const notes: string[] = [];
+  const groups = byJoint(character, given);
+  for (const [done, group] of groups.entries()) {
+    const filtered = filterCharacter(character, after, group);
+    after = filtered.channels;
+    notes.push(...filtered.notes);
+    yield 0.2 + (0.6 * (done + 1)) / groups.length;
+  }
+  const changed = given.filter((channel) => after[channel] !== before[channel]);
+  if (changed.length === 0) return { clip, changed, keysChanged: 0, notes };
+  const columns = new Map<number, Float64Array>();
+  const channels = clip.channels.map((channel, index) => {
+    if (!samples || !isSampled(clip, index)) return after[index];
+    if (after[index] !== before[index]) columns.set(columnOf(samples, index), after[index].values);
+    return channel;
+  });
+  const result = { changed, keysChanged: keysChanged(clip.channels, channels), notes };
+  if (!samples) return { clip: { ...clip, channels }, ...result };
+  const made = yield* within(replacingColumns(samples, columns), 0.8, 1);
+  return { clip: { ...clip, channels, samples: made }, ...result };
+}
+
+function frameTimes({ frameCount, startSeconds, frameSeconds }: Samples): Float64Array {
+  return Float64Array.from({ length: frameCount }, (_, f) => startSeconds + f * frameSeconds);
+}
+
+/** A key a frame; without tangents, which the filter only turns where they are numbers. */
+function framesAsKeys(channel: Channel, times: Float64Array, values: Float64Array): Channel {
+  const none = { kinds: new Uint8Array(0), slopes: new Float64Array(0) };
+  return { ...channel, times, values, tangentsIn: none, tangentsOut: none };
+}
+
+/** The channels of each joint together, in the order of its first; those of none each by itself. */
+function byJoint({ skeleton, morphs }: Character, given: readonly number[]): readonly (readonly number[])[] {
+  const dofs = characterDofs(skeleton, morphs);
+  const groups = new Map<number | string, number[]>();
+  for (const channel of given) {
+    const joint = dofs[channel]?.joint ?? -1;
+    const key = joint < 0 ? `channel ${channel}` : joint;
+    const group = groups.get(key);
+    if (group) group.push(channel);
+    else groups.set(key, [channel]);
+  }
+  return [...groups.values()];
+}

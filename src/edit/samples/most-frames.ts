@@ -1,0 +1,18 @@
+/** How many frames may be made: what a page can hold, and no slip of a rate. */
+import { MOST_FRAMES, MOST_VALUES } from '../../evaluate/bake.ts';
+import { CommandError } from '../store.ts';
+
+/**
+ * Refuses, in a sentence, more frames or values than can be held.
+ * @param width channels of a frame
+ * @param there frames that there are already: so many may be made again, and fewer
+ */
+export function refuseTooMany(frameCount: number, width: number, there = 0): void {
+  if (frameCount <= there) return;
+  const most = Math.min(MOST_FRAMES, Math.floor(MOST_VALUES / Math.max(1, width)));
+  if (frameCount <= most) return;
+  const [asked, possible] = [frameCount, most].map((count) => count.toLocaleString('en'));
+  throw new CommandError(
+    `That would be ${asked} frames of ${width} channels; up to ${possible} frames of so many are possible.`,
+  );
+}

@@ -1,0 +1,44 @@
+/**
+ * The frames that a filter is for, and how it sets in: little by little from either end of a range, so that there is no
+ * jump where it begins and ends.
+ *
+ *     weight(f) = smoothstep((d + 1) / (s + 1))      d frames from the range's nearer end, s the seam's
+ *     s = the filter's reach, or half of the range where that is less
+ *
+ * The seam lies within the range: outside nothing changes. Where the range ends with the take there is none.
+ */
+import { rangeOfSamples, type Samples } from '../../model/samples.ts';
+import { CommandError } from '../store.ts';
+import { firstFrameFrom, lastFrameTo } from './frames.ts';
+
+/** Frames `first` up to (not including) `end` of a take of `frameCount`. */
+export interface FrameRange {
+  readonly first: number;
+  readonly end: number;
+  readonly frameCount: number;
+}
+
+/** Those from one time to another, both included; all where there is no range. Refuses where none lies there. */
+export function frameRange(samples: Samples, range: readonly [number, number] | undefined): FrameRange {
+  const { frameCount } = samples;
+  if (!range) return { first: 0, end: frameCount, frameCount };
+  const first = firstFrameFrom(samples, range[0]);
+  const end = lastFrameTo(samples, range[1]) + 1;
+  if (first < end) return { first, end, frameCount };
+  const [start, stop] = rangeOfSamples(samples).map((seconds) => Number(seconds.toFixed(6)));
+  throw new CommandError(`No frame lies there: the samples go from ${start} s to ${stop} s of the take.`);
+}
+
+export function isWhole({ first, end, frameCount }: FrameRange): boolean {
+  return first === 0 && end === frameCount;
+}
+
+/** How much of the filter a frame gets, from 0 outside of the range to 1. */
+export function weightAt({ first, end, frameCount }: FrameRange, reach: number, frame: number): number {
+  if (frame < first || frame >= end) return 0;
+  const seam = Math.min(reach, Math.floor((end - first) / 2));
+  const into = first === 0 ? Number.POSITIVE_INFINITY : frame - first;
+  const left = end === frameCount ? Number.POSITIVE_INFINITY : end - 1 - frame;
+  const part = Math.min(1, (Math.min(into, left) + 1) / (seam + 1));
+  return part * part * (3 - 2 * part);
+}

@@ -1,0 +1,66 @@
+/**
+ * The rate of a clip of keys, where its keys say one: those of motion capture that was made into keys come at every frame,
+ * and sampled at that rate they are what they were.
+ *
+ * A rate is said where one channel has keys at even times over the whole range, and all other keys are at some of these
+ * times. Keys that somebody set, once a second or so, are even too, but sampled by them alone a curve would lose what it
+ * does in between. So a rate counts from 10 a second on where the curves go straight from key to key, and from 23 on
+ * (film's 23.976) where they don't.
+ */
+import { type Channel, type ChannelClip, LINEAR } from '../model/clip.ts';
+import type { Frames } from './bake.ts';
+
+const LEAST_STRAIGHT = 10;
+const LEAST_CURVED = 23;
+/** Times may be off their frame by this part of one: what decimals of a file leave. */
+const SAME_FRAME = 1e-4;
+
+const found = new WeakMap<ChannelClip, { readonly frames: Frames | undefined }>();
+
+/** The frames that all keys of a clip are at; undefined where it has samples, or no such rate. Found once for a clip. */
+export function keyFrames(clip: ChannelClip): Frames | undefined {
+  let known = found.get(clip);
+  if (!known) {
+    known = { frames: find(clip) };
+    found.set(clip, known);
+  }
+  return known.frames;
+}
+
+function find({ channels, range, samples }: ChannelClip): Frames | undefined {
+  if (samples) return undefined;
+  const keyed = channels.filter(({ times }) => times.length > 0);
+  const longest = keyed.reduce<Channel | undefined>(
+    (best, channel) => (channel.times.length > (best?.times.length ?? 1) ? channel : best),
+    undefined,
+  );
+  const frames = longest && evenTimes(longest.times);
+  if (!frames) return undefined;
+  const { startSeconds, frameSeconds, frameCount } = frames;
+  const least = keyed.every(isStraight) ? LEAST_STRAIGHT : LEAST_CURVED;
+  if (!(frameSeconds * least <= 1)) return undefined;
+  const frameOf = (seconds: number) => (seconds - startSeconds) / frameSeconds;
+  const isFrame = (seconds: number) => {
+    const frame = Math.round(frameOf(seconds));
+    return frame >= 0 && frame < frameCount && Math.abs(frameOf(seconds) - frame) < SAME_FRAME;
+  };
+  const isAtEnds = Math.round(frameOf(range[0])) === 0 && Math.round(frameOf(range[1])) === frameCount - 1;
+  if (!isAtEnds || !range.every(isFrame)) return undefined;
+  return keyed.every(({ times }) => times === longest.times || times.every(isFrame)) ? frames : undefined;
+}
+
+/** The frame time that gives these times to the last bit, where there is one; else what they have on average. */
+function evenTimes(times: Float64Array): Frames | undefined {
+  const frameCount = times.length;
+  const [startSeconds, last] = [times[0], times[frameCount - 1]];
+  const mean = (last - startSeconds) / (frameCount - 1);
+  if (!(mean > 0)) return undefined;
+  if (!times.every((t, f) => Math.abs(t - startSeconds - f * mean) < SAME_FRAME * mean)) return undefined;
+  const first = times[1] - startSeconds;
+  const isExact = times.every((t, f) => t === startSeconds + f * first);
+  return { startSeconds, frameSeconds: isExact ? first : mean, frameCount };
+}
+
+function isStraight({ tangentsIn, tangentsOut }: Channel): boolean {
+  return tangentsIn.kinds.every((kind) => kind === LINEAR) && tangentsOut.kinds.every((kind) => kind === LINEAR);
+}

@@ -1,0 +1,42 @@
+import { Box3, OrthographicCamera, PerspectiveCamera, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { isWellSeen } from '../../src/view/well-seen.ts';
+
+/** Five metres in front of a person who stands at the origin. */
+function camera(distance = 5) {
+  const made = new PerspectiveCamera(40, 1.5, 0.01, 100);
+  made.position.set(0, 0.9, distance);
+  return made;
+}
+const person = (x = 0, scale = 1) =>
+  new Box3(new Vector3(x - 0.3 * scale, 0, -0.2 * scale), new Vector3(x + 0.3 * scale, 1.8 * scale, 0.2 * scale));
+
+describe('what one wants to look at', () => {
+  it('is well seen in the middle, and as large as a third of the picture', () => {
+    expect(isWellSeen(person(), person(), camera())).toBe(true);
+  });
+
+  it('is not as a speck, nor where it fills more than the picture', () => {
+    expect(isWellSeen(person(), person(), camera(15))).toBe(false);
+    expect(isWellSeen(person(0, 0.01), person(0, 0.01), camera())).toBe(false);
+    expect(isWellSeen(person(0, 100), person(0, 100), camera())).toBe(false);
+  });
+
+  it('is not at the side, behind the camera, or where it walks out of the picture', () => {
+    expect(isWellSeen(person(1.8), person(1.8), camera())).toBe(false);
+    expect(isWellSeen(person(), person(), camera(-5))).toBe(false);
+    expect(isWellSeen(person(), person().union(person(6)), camera())).toBe(false);
+  });
+
+  it('may lie down', () => {
+    const lying = new Box3(new Vector3(-0.9, 0.7, -0.2), new Vector3(0.9, 1, 0.2));
+    expect(isWellSeen(lying, lying, camera())).toBe(true);
+  });
+
+  it('is judged alike without perspective', () => {
+    const flat = new OrthographicCamera(-3, 3, 2, -2, -10, 10);
+    flat.position.set(0, 0.9, 5);
+    expect(isWellSeen(person(), person(), flat)).toBe(true);
+    expect(isWellSeen(person(0, 0.2), person(0, 0.2), flat)).toBe(false);
+  });
+});
