@@ -9,7 +9,7 @@
 import { multiplyAffine } from '../math/mat4.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
-import { dofsOf, type Joint, type Skeleton, takesLimits } from '../model/skeleton.ts';
+import { dofsOf, type Joint, type Skeleton, takesLimits, UNLIMITED } from '../model/skeleton.ts';
 import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
 
@@ -33,6 +33,8 @@ export interface CompiledSkeleton {
   /** Limits of each joint DOF, in order (`firstDof[0]` is the first); infinite where crossed. */
   readonly lower: Float64Array;
   readonly upper: Float64Array;
+  /** Which of them any limit holds: none of motion capture's, whose limits are those that mean none. */
+  readonly limited: Int32Array;
   readonly motions: readonly JointMotion[];
   /** DOFs that follow others, each after the one that it follows. */
   readonly couples: readonly DofCouple[];
@@ -84,6 +86,7 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     offsets: Float64Array.from(joints.flatMap(offsetBesideDofs)),
     lower: Float64Array.from(lower),
     upper: Float64Array.from(upper),
+    limited: Int32Array.from([...lower.keys()].filter((d) => lower[d] > UNLIMITED.min || upper[d] < UNLIMITED.max)),
     motions: joints.map((j) => jointMotion(j.motion)),
     couples: couplesOf(skeleton).ordered,
   };
@@ -108,9 +111,10 @@ function offsetBesideDofs({ offset, motion }: Joint): readonly number[] {
 
 /** Clamps the joints' DOFs to their limits, in place. Root translation and morph weights have none. */
 export function clampDofs(skeleton: CompiledSkeleton, dofs: Float64Array): void {
-  const { lower, upper, dofCount } = skeleton;
+  const { lower, upper, limited } = skeleton;
   const first = skeleton.firstDof[0];
-  for (let d = 0; d < dofCount; d++) {
+  for (let i = 0; i < limited.length; i++) {
+    const d = limited[i];
     const value = dofs[first + d];
     if (value < lower[d]) dofs[first + d] = lower[d];
     else if (value > upper[d]) dofs[first + d] = upper[d];

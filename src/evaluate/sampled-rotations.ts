@@ -13,7 +13,7 @@
  * Of the angles of a rotation those are chosen that are nearest to the frames' own. To stay with quaternions up to the
  * matrices would be faster; but a pose is its DOFs, for limits, couples, sliders and files alike.
  */
-import { eulerNear, quaternionOfEuler, turnEuler } from '../math/euler.ts';
+import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler } from '../math/euler.ts';
 import { slerpWeight } from '../math/slerp.ts';
 import type { Samples } from '../model/samples.ts';
 import type { SampledJoints } from './sampled-joints.ts';
@@ -57,8 +57,7 @@ export function betweenEulers(
     angles[1] = b0;
     angles[2] = c0;
     if (interpolation === 'cubic') {
-      quaternionOfEuler(a0 / 2, b0 / 2, c0 / 2, here, 0);
-      quaternionOfEuler(a1 / 2, b1 / 2, c1 / 2, next, 0);
+      quaternionsOfEulers(a0 / 2, b0 / 2, c0 / 2, a1 / 2, b1 / 2, c1 / 2, here, next);
       const hasBefore = row > 0;
       const hasAfter = row + 2 < frameCount;
       const b = at - width;
@@ -73,8 +72,7 @@ export function betweenEulers(
       spline(hasBefore, hasAfter, part);
       turnAngles(a1, b1, c1, part);
     } else if (a0 !== a1 || b0 !== b1 || c0 !== c1) {
-      quaternionOfEuler(a0 / 2, b0 / 2, c0 / 2, here, 0);
-      quaternionOfEuler(a1 / 2, b1 / 2, c1 / 2, next, 0);
+      quaternionsOfEulers(a0 / 2, b0 / 2, c0 / 2, a1 / 2, b1 / 2, c1 / 2, here, next);
       slerp(part);
       turnAngles(a1, b1, c1, part);
     }

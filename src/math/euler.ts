@@ -26,6 +26,70 @@ export function quaternionOfEuler(
   const cy = Math.cos(halfBeta);
   const sz = Math.sin(halfGamma);
   const cz = Math.cos(halfGamma);
+  writeQuaternion(sx, cx, sy, cy, sz, cz, out, o);
+}
+
+/**
+ * The quaternions of two sets of half angles, those of one frame and of the next: the same as `quaternionOfEuler` for
+ * each. Where they are near, the second's sines and cosines are the first's, turned on by a little: for both, a series of
+ * four terms takes half as long as the two calls.
+ *
+ *     sin(α + δ) = sin α · cos δ + cos α · sin δ          cos(α + δ) = cos α · cos δ − sin α · sin δ
+ */
+export function quaternionsOfEulers(
+  halfAlpha0: number,
+  halfBeta0: number,
+  halfGamma0: number,
+  halfAlpha1: number,
+  halfBeta1: number,
+  halfGamma1: number,
+  out0: Float64Array,
+  out1: Float64Array,
+): void {
+  const a = halfAlpha1 - halfAlpha0;
+  const b = halfBeta1 - halfBeta0;
+  const c = halfGamma1 - halfGamma0;
+  const isNear = a < SMALL && a > -SMALL && b < SMALL && b > -SMALL && c < SMALL && c > -SMALL;
+  if (!isNear) {
+    quaternionOfEuler(halfAlpha0, halfBeta0, halfGamma0, out0, 0);
+    quaternionOfEuler(halfAlpha1, halfBeta1, halfGamma1, out1, 0);
+    return;
+  }
+  const sx = Math.sin(halfAlpha0);
+  const cx = Math.cos(halfAlpha0);
+  const sy = Math.sin(halfBeta0);
+  const cy = Math.cos(halfBeta0);
+  const sz = Math.sin(halfGamma0);
+  const cz = Math.cos(halfGamma0);
+  writeQuaternion(sx, cx, sy, cy, sz, cz, out0, 0);
+  const sa = smallSine(a);
+  const ca = smallCosine(a);
+  const sb = smallSine(b);
+  const cb = smallCosine(b);
+  const sc = smallSine(c);
+  const cc = smallCosine(c);
+  writeQuaternion(
+    sx * ca + cx * sa,
+    cx * ca - sx * sa,
+    sy * cb + cy * sb,
+    cy * cb - sy * sb,
+    sz * cc + cz * sc,
+    cz * cc - sz * sc,
+    out1,
+    0,
+  );
+}
+
+function writeQuaternion(
+  sx: number,
+  cx: number,
+  sy: number,
+  cy: number,
+  sz: number,
+  cz: number,
+  out: Float64Array,
+  o: number,
+): void {
   out[o] = sx * cy * cz - cx * sy * sz;
   out[o + 1] = cx * sy * cz + sx * cy * sz;
   out[o + 2] = cx * cy * sz - sx * sy * cz;
@@ -120,6 +184,8 @@ export function turnEuler(from: Float64Array, q: Float64Array, angles: Float64Ar
     differenceCosine > 0 &&
     sumLength0 > BESIDE_LOCK &&
     differenceLength0 > BESIDE_LOCK &&
+    sumLength1 > BESIDE_LOCK &&
+    differenceLength1 > BESIDE_LOCK &&
     Math.abs(sum) < SMALL &&
     Math.abs(difference) < SMALL &&
     Math.abs(beta) < SMALL &&
@@ -140,7 +206,19 @@ const BESIDE_LOCK = 1e-4;
 /** Exact to 1e-16 up to `SMALL`, and a fifth of the time of `Math.atan2`. */
 function smallArcTangent(x: number): number {
   const s = x * x;
-  return x * (1 - s * (1 / 3 - s * (1 / 5 - s * (1 / 7 - s * (1 / 9 - s * (1 / 11 - s / 13))))));
+  return x * (1 - s * (1 / 3 - s * (1 / 5 - s * (1 / 7 - s * (1 / 9 - s * (1 / 11 - s * (1 / 13)))))));
+}
+
+/** Exact to 1e-16 up to `SMALL`. */
+function smallSine(x: number): number {
+  const s = x * x;
+  return x * (1 - s * (1 / 6) * (1 - s * (1 / 20) * (1 - s * (1 / 42) * (1 - s * (1 / 72)))));
+}
+
+/** Exact to 1e-16 up to `SMALL`. */
+function smallCosine(x: number): number {
+  const s = x * x;
+  return 1 - s * (1 / 2) * (1 - s * (1 / 12) * (1 - s * (1 / 30) * (1 - s * (1 / 56))));
 }
 
 /** An angle, whole turns added so that it is the nearest to another one. */

@@ -16,15 +16,17 @@ export function startPlayer(wb: Parts, signal: AbortSignal): void {
   let before: number | undefined;
   let queued = 0;
   const tick = (now: number) => {
-    if (wb.transport.get().playing) {
+    try {
+      if (!wb.transport.get().playing) return;
       const elapsed = before === undefined ? 0 : Math.min(LONGEST_STEP_SECONDS, (now - before) / 1000);
       before = now;
       wb.transport.update((p) => advance(p, elapsed));
+    } finally {
+      // Only after all that the new time has asked for: first, the next tick would come before the picture of this one,
+      // which would pass for its own too. There would be a picture in every second frame.
+      queued = 0;
+      if (wb.transport.get().playing) queue();
     }
-    // Only after all that the new time asks for: asked first, each next tick would come before the picture that was asked
-    // for in this one, and its own would be taken for that. There would be a picture in every second frame.
-    queued = 0;
-    if (wb.transport.get().playing) queue();
   };
   const queue = () => {
     if (queued === 0 && !signal.aborted) queued = requestAnimationFrame(tick);

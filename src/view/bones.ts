@@ -13,9 +13,14 @@ import type { Vec3 } from '../math/vec3.ts';
 import { hasBox } from '../model/boxes.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
-/** What reaches out from joints: boxes, and as boxes of no size the ends of bones. Around a centre in the joint's space. */
+/**
+ * What reaches out from joints: boxes, and as boxes of no size the ends of bones, which come first. Around a centre in the
+ * joint's space.
+ */
 interface Reaches {
   readonly joints: Int32Array;
+  /** How many of them are ends of bones. */
+  readonly endCount: number;
   /** x y z each. */
   readonly centres: Float64Array;
   /** Half of each side. */
@@ -24,15 +29,18 @@ interface Reaches {
 
 function reachesOf({ joints }: Skeleton): Reaches {
   const all: { joint: number; min: Vec3; max: Vec3 }[] = [];
-  joints.forEach((joint, j) => {
-    const { box, endSites = [], length } = joint;
-    if (hasBox(joint)) all.push({ joint: j, ...box });
+  joints.forEach(({ endSites = [], length }, j) => {
     for (const end of endSites) all.push({ joint: j, min: end, max: end });
     const tip: Vec3 = [0, length ?? 0, 0];
     if (length !== undefined) all.push({ joint: j, min: tip, max: tip });
   });
+  const endCount = all.length;
+  joints.forEach((joint, j) => {
+    if (hasBox(joint)) all.push({ joint: j, ...joint.box });
+  });
   return {
     joints: Int32Array.from(all, ({ joint }) => joint),
+    endCount,
     centres: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => (least + max[k]) / 2))),
     // Boxes with min > max are drawn all the same.
     halves: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => Math.abs(max[k] - least) / 2))),
@@ -86,7 +94,7 @@ export class Bones {
   /** The box around all joints, their boxes and ends, as posed: least x y z and greatest x y z, in the character's space. */
   bounds(out: Float64Array): void {
     const { world, reaches } = this;
-    const { joints, centres, halves } = reaches;
+    const { joints, endCount, centres, halves } = reaches;
     let x0 = Infinity;
     let y0 = Infinity;
     let z0 = Infinity;
@@ -104,13 +112,28 @@ export class Bones {
       if (z < z0) z0 = z;
       if (z > z1) z1 = z;
     }
+    for (let i = 0; i < endCount; i++) {
+      const m = 16 * joints[i];
+      const a = centres[3 * i];
+      const b = centres[3 * i + 1];
+      const c = centres[3 * i + 2];
+      const x = world[m] * a + world[m + 4] * b + world[m + 8] * c + world[m + 12];
+      const y = world[m + 1] * a + world[m + 5] * b + world[m + 9] * c + world[m + 13];
+      const z = world[m + 2] * a + world[m + 6] * b + world[m + 10] * c + world[m + 14];
+      if (x < x0) x0 = x;
+      if (x > x1) x1 = x;
+      if (y < y0) y0 = y;
+      if (y > y1) y1 = y;
+      if (z < z0) z0 = z;
+      if (z > z1) z1 = z;
+    }
     out[0] = x0;
     out[1] = y0;
     out[2] = z0;
     out[3] = x1;
     out[4] = y1;
     out[5] = z1;
-    for (let i = 0; i < joints.length; i++) {
+    for (let i = endCount; i < joints.length; i++) {
       for (let r = 0; r < 3; r++) {
         const m = 16 * joints[i] + r;
         let centre = world[m + 12];

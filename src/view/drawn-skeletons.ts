@@ -14,6 +14,8 @@ import type { Tint } from './theme.ts';
 /** A character's joints as they are to be drawn. The arrays live on: what they hold when it is drawn counts. */
 export interface PosedSkeleton {
   readonly characterId: string;
+  /** The character's. */
+  readonly name?: string;
   readonly skeleton: Skeleton;
   /** 16 a joint, in the character's space. */
   readonly world: Float64Array;

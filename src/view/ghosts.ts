@@ -24,7 +24,7 @@ import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { Display } from '../model/session.ts';
 import { nodesFor, sizesFor } from './drawn-skeletons.ts';
-import { fillBones, placeNodes, scaleOf } from './node-matrices.ts';
+import { fillBones, placePoints, scaleOf } from './node-matrices.ts';
 import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
@@ -123,7 +123,7 @@ export class Ghosts {
       const opacity = opacityOf(step, step < 0 ? display.ghostsBefore : display.ghostsAfter);
       for (const place of placements) {
         placementMatrix(place, character.space, display.inPlace ? travel : NO_TRAVEL, placement);
-        placeNodes(nodes, placement, 0, world, placed);
+        placePoints(nodes, placement, 0, world, placed);
         const scale = scaleOf(placement, 0);
         fillBones(nodes, compiled.parent, sizes, scale, placed, matricesOf(balls), matricesOf(bones), first);
         for (let n = first; n < first + nodes.count; n++) tint.setXYZW(n, color.r, color.g, color.b, opacity);

@@ -26,6 +26,11 @@ export interface JointSizes {
   readonly extent: number;
 }
 
+/** A ball's radius is at most so much of a bone that it is at an end of. */
+const SHARE_OF_BONE = 0.22;
+/** And at most so many times that at the bone's other end. */
+const MOST_BESIDE = 1.4;
+
 export function jointSizes(skeleton: Skeleton): JointSizes {
   const joints = skeleton.joints;
   const lengths = joints.map((j) => (j.parent < 0 ? 0 : Math.hypot(...j.offset)));
@@ -37,14 +42,28 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   const long = sorted[Math.floor(0.93 * sorted.length)] ?? 0;
   const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : 0.03 * extent;
   const radii = new Float32Array(joints.length).fill(Math.max(usual, 0.003 * extent));
+  // A short bone (a finger's, the End Site of a toe) has small balls at both ends; a limb stays a limb where it ends in
+  // fingers.
+  const meets = (j: number, length: number) => {
+    radii[j] = Math.min(radii[j], Math.max(SHARE_OF_BONE * length, 0.5 * usual));
+  };
   joints.forEach((joint, j) => {
-    // A short bone (a finger's) has small balls at both ends.
-    const longest = 0.22 * lengths[j];
-    if (longest === 0) return;
-    radii[j] = Math.min(radii[j], longest);
-    radii[joint.parent] = Math.min(radii[joint.parent], Math.max(longest, 0.5 * usual));
+    if (lengths[j] === 0) return;
+    radii[j] = Math.min(radii[j], SHARE_OF_BONE * lengths[j]);
+    meets(joint.parent, lengths[j]);
   });
-  const endRadii = Float32Array.from(ends, ({ joint, length }) => Math.min(0.6 * radii[joint], 0.22 * length));
+  for (const { joint, length } of ends) meets(joint, length);
+  const goesOn = new Set([...joints.map((j) => j.parent), ...ends.map((e) => e.joint)]);
+  joints.forEach(({ parent }, j) => {
+    if (parent >= 0 && !goesOn.has(j)) radii[j] *= 0.7;
+  });
+  // And no bone looks like a club: thin at the shoulder and with the largest ball of all at its elbow.
+  const evenOut = (j: number, beside: number) => {
+    radii[j] = Math.min(radii[j], Math.max(MOST_BESIDE * radii[beside], 0.5 * usual));
+  };
+  for (let j = joints.length - 1; j > 0; j--) if (lengths[j] > 0) evenOut(joints[j].parent, j);
+  for (let j = 1; j < joints.length; j++) if (lengths[j] > 0) evenOut(j, joints[j].parent);
+  const endRadii = Float32Array.from(ends, ({ joint, length }) => Math.min(0.6 * radii[joint], SHARE_OF_BONE * length));
   return { radii, endRadii, axis: Math.min(0.35 * (median || 0.3 * extent), 0.08 * extent), extent };
 }
 
@@ -98,12 +117,12 @@ export function boxMatrix(j: Float64Array, o: number, box: Box, least: number, o
   out[to + 15] = 1;
 }
 
-/** A ball of this radius at (x, y, z); radius 0 draws nothing. */
+/**
+ * A ball of this radius at (x, y, z); radius 0 draws nothing. Of `out` the elements off the diagonal are left alone: there
+ * must have been nothing but 0 or balls in it.
+ */
 export function sphereMatrix(x: number, y: number, z: number, radius: number, out: Float32Array, to: number): void {
-  // One by one: for so few numbers, calling `fill` takes longer.
   out[to] = out[to + 5] = out[to + 10] = radius;
-  out[to + 1] = out[to + 2] = out[to + 3] = out[to + 4] = 0;
-  out[to + 6] = out[to + 7] = out[to + 8] = out[to + 9] = out[to + 11] = 0;
   out[to + 12] = x;
   out[to + 13] = y;
   out[to + 14] = z;
@@ -132,9 +151,10 @@ export function boneMatrix(
     out.fill(0, to, to + 12);
     return;
   }
-  const dx = x / length;
-  const dy = y / length;
-  const dz = z / length;
+  const perLength = 1 / length;
+  const dx = x * perLength;
+  const dy = y * perLength;
+  const dz = z * perLength;
   // Duff et al., "Building an Orthonormal Basis, Revisited" (2017), about (dx, dz, dy): no special case but the sign.
   const sign = dy >= 0 ? 1 : -1;
   const a = -1 / (sign + dy);

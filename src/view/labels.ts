@@ -1,22 +1,30 @@
 /**
- * Names of joints, on a flat canvas over the picture: crisp at any scale, in any script, and without an element a name.
- * A name that would cover one already written is left out, nearer ones first; the selected and the hovered joint's are
- * always there.
+ * Names of joints and of characters, on a flat canvas over the picture: crisp at any scale, in any script, and without an
+ * element a name. A name that would cover one already written is left out. The selected and the hovered joint's are
+ * always there; then come those of characters, the selected one first and the others always in the same order, so that
+ * dancers who pass each other do not take each other's names away and back; then joints, nearer ones first.
  */
 import { type Camera, Matrix4 } from 'three';
 import type { Display, Selection } from '../model/session.ts';
+import { placeName } from './character-names.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
 import type { StageTheme } from './theme.ts';
 
 const FONT = '500 11px system-ui, -apple-system, "Segoe UI", sans-serif';
 /** CSS pixels. */
 const LINE_HEIGHT = 15;
+/** Heights tried for a character's name; who stands in a crowd has none. */
+const NAME_LINES = 3;
+/** From a joint to its name. */
+const BESIDE = 8;
 /** Names written at once. */
 const LIMIT = 120;
 /** Joints looked at; past these a picture of names is none. */
 const CANDIDATES = 4096;
 /** Longer names are cut. */
 const MAX_LETTERS = 40;
+/** Of a character's before a joint's. */
+const MAX_BEFORE = 28;
 
 interface Name {
   readonly text: string;
@@ -35,7 +43,14 @@ export class Labels {
   private theme: StageTheme | undefined;
   private always: number[] = [];
   private selected = -1;
+  /** Under the pointer; -1 for none. */
+  private hovered = -1;
+  private hoveredName: Name | undefined;
   private showsAll = false;
+  /** In the order of `drawn`; none where there is one character, or names are off. */
+  private characterNames: Name[] = [];
+  private selectedCharacter = -1;
+  private readonly place = new Float64Array(2);
   private wrote = false;
   private readonly toClip = new Matrix4();
   /** Screen x, y and depth of each candidate. */
@@ -48,6 +63,7 @@ export class Labels {
     const pen = this.canvas.getContext('2d');
     if (!pen) throw new Error('This browser gives no 2D canvas.');
     this.pen = pen;
+    this.dress();
     this.canvas.setAttribute('aria-hidden', 'true');
     this.canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;pointer-events:none';
   }
@@ -59,6 +75,16 @@ export class Labels {
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
     this.wrote = true;
+    this.dress();
+  }
+
+  /** What the pen keeps from frame to frame, and a canvas of another size forgets. Setting a font costs a parse. */
+  private dress(): void {
+    const { pen } = this;
+    pen.font = FONT;
+    pen.textBaseline = 'middle';
+    pen.lineJoin = 'round';
+    pen.lineWidth = 3;
   }
 
   setTheme(theme: StageTheme): void {
@@ -69,9 +95,8 @@ export class Labels {
   show(drawn: readonly DrawnSkeleton[], display: Display, selection: Selection, hovered: JointRef | undefined): void {
     this.showsAll = display.names;
     this.drawn = drawn;
-    this.pen.font = FONT;
     this.names = [];
-    if (display.names || hovered) {
+    if (display.names) {
       for (const { skeleton } of drawn) {
         skeleton.joints.forEach(({ name }, j) => {
           this.names.push(this.measure(name || `#${j}`));
@@ -79,27 +104,32 @@ export class Labels {
       }
     }
     this.selected = display.names ? instanceOf(drawn, selection.characterId, 0, selection.joint) : -1;
-    const under = hovered ? instanceOf(drawn, hovered.characterId, hovered.placement, hovered.joint) : -1;
-    this.always = [this.selected, under].filter((i) => i >= 0);
+    this.hovered = hovered ? instanceOf(drawn, hovered.characterId, hovered.placement, hovered.joint) : -1;
+    this.hoveredName = hovered && this.nameUnderPointer(hovered);
+    this.always = [this.selected, this.hovered].filter((i) => i >= 0);
+    const isNamed = display.characterNames && drawn.length > 1;
+    this.characterNames = isNamed ? drawn.map(({ name }) => this.measure(name ?? '')) : [];
+    this.selectedCharacter = drawn.findIndex((d) => d.characterId === selection.characterId);
   }
 
   /** Every frame. @param positions x y z of each instance of the skeleton drawing */
   draw(camera: Camera, positions: Float64Array): void {
     const { pen, theme } = this;
-    const nothing = !this.showsAll && this.always.length === 0;
+    const nothing = !this.showsAll && this.always.length === 0 && this.characterNames.length === 0;
     if (!theme || (nothing && !this.wrote)) return;
     pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     pen.clearRect(0, 0, this.width, this.height);
+    // A canvas that is cleared and gets nothing new may go on showing what it had in Chromium.
+    this.canvas.style.visibility = nothing ? 'hidden' : '';
     this.wrote = !nothing;
     if (nothing) return;
-    pen.font = FONT;
-    pen.textBaseline = 'middle';
-    pen.lineJoin = 'round';
-    pen.lineWidth = 3;
     pen.strokeStyle = theme.labelHalo;
     this.toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
     this.written = 0;
+    for (const instance of this.always) this.writeAlways(instance, positions, theme);
+    this.writeCharacters(positions, theme);
+    if (!this.showsAll) return;
     // The first skeleton of each character only: a crowd's names say the same a hundred times.
     let firstName = 0;
     let count = 0;
@@ -112,8 +142,6 @@ export class Labels {
       }
       firstName += skeleton.joints.length;
     }
-    for (const instance of this.always) this.writeAlways(instance, positions, theme);
-    if (!this.showsAll) return;
     // Nearest first. Few enough to look for the next nearest each time.
     pen.fillStyle = theme.label;
     for (let n = 0; n < count && this.written < LIMIT; n++) {
@@ -124,16 +152,41 @@ export class Labels {
       }
       if (best < 0) break;
       this.screen[3 * best + 2] = Infinity;
-      this.write(this.names[this.order[best]], this.screen[3 * best], this.screen[3 * best + 1], false);
+      this.write(this.names[this.order[best]], this.screen[3 * best] + BESIDE, this.screen[3 * best + 1], false);
+    }
+  }
+
+  private writeCharacters(positions: Float64Array, theme: StageTheme): void {
+    const { pen, characterNames: names, selectedCharacter: first } = this;
+    if (names.length === 0) return;
+    if (first >= 0) {
+      pen.fillStyle = theme.selectedLabel;
+      this.writeCharacter(first, positions);
+    }
+    for (let c = 0; c < names.length; c++) {
+      if (c === first) continue;
+      const { tint } = this.drawn[c];
+      pen.fillStyle = tint ? theme[tint] : theme.label;
+      this.writeCharacter(c, positions);
+    }
+  }
+
+  private writeCharacter(c: number, positions: Float64Array): void {
+    const { place } = this;
+    if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
+    const name = this.characterNames[c];
+    // Where another's stands already, over it.
+    for (let line = 0; line < NAME_LINES; line++) {
+      if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, false)) return;
     }
   }
 
   private writeAlways(instance: number, positions: Float64Array, theme: StageTheme): void {
-    const name = this.nameOf(instance);
+    const name = instance === this.hovered ? this.hoveredName : this.nameOf(instance);
     if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
     this.pen.fillStyle = instance === this.selected ? theme.selectedLabel : theme.label;
     const o = 3 * (CANDIDATES - 1);
-    this.write(name, this.screen[o], this.screen[o + 1], true);
+    this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], true);
   }
 
   /** Where an instance is on screen, into slot `to`; false where it is out of the picture. */
@@ -153,16 +206,17 @@ export class Labels {
     return true;
   }
 
-  private write({ text, width }: Name, x: number, y: number, overOthers: boolean): void {
-    if (text === '' || this.written >= LIMIT) return;
-    const left = Math.round(x) + 8;
+  /** Whether there was room for it. @param x of the first letter @param y of the middle of the line */
+  private write({ text, width }: Name, x: number, y: number, overOthers: boolean): boolean {
+    if (text === '' || this.written >= LIMIT) return false;
+    const left = Math.round(x);
     const top = Math.round(y) - LINE_HEIGHT / 2;
     const { boxes } = this;
     for (let b = 0; b < this.written && !overOthers; b++) {
       const o = 4 * b;
       const apart =
         left > boxes[o + 2] || left + width < boxes[o] || top > boxes[o + 3] || top + LINE_HEIGHT < boxes[o + 1];
-      if (!apart) return;
+      if (!apart) return false;
     }
     const o = 4 * this.written++;
     boxes[o] = left - 4;
@@ -171,17 +225,27 @@ export class Labels {
     boxes[o + 3] = top + LINE_HEIGHT;
     this.pen.strokeText(text, left, Math.round(y));
     this.pen.fillText(text, left, Math.round(y));
+    return true;
   }
 
-  private measure(name: string): Name {
+  private measure(name: string, most = MAX_LETTERS): Name {
     let known = this.known.get(name);
     if (!known) {
-      const text = name.length > MAX_LETTERS ? `${name.slice(0, MAX_LETTERS - 1)}…` : name;
+      const text = cut(name, most);
       known = { text, width: this.pen.measureText(text).width };
       if (this.known.size > 20000) this.known.clear();
       this.known.set(name, known);
     }
     return known;
+  }
+
+  /** `rokoko-dance · LeftUpLeg` where there are several characters. */
+  private nameUnderPointer({ characterId, joint }: JointRef): Name | undefined {
+    const drawn = this.drawn.find((d) => d.characterId === characterId);
+    if (!drawn) return undefined;
+    const own = drawn.skeleton.joints[joint]?.name || `#${joint}`;
+    if (this.drawn.length < 2 || !drawn.name) return this.measure(own);
+    return this.measure(`${cut(drawn.name, MAX_BEFORE)} · ${cut(own, MAX_LETTERS)}`, Infinity);
   }
 
   private nameOf(instance: number): Name | undefined {
@@ -193,4 +257,8 @@ export class Labels {
     }
     return undefined;
   }
+}
+
+function cut(name: string, most: number): string {
+  return name.length > most ? `${name.slice(0, most - 1)}…` : name;
 }

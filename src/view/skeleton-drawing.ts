@@ -33,7 +33,7 @@ import {
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
 import { axesMatrix, boxMatrix } from './joint-shapes.ts';
-import { fillBones, placeNodes, scaleOf } from './node-matrices.ts';
+import { fillBones, placeNodes, placePoints, scaleOf } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
 import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
@@ -81,6 +81,9 @@ export class SkeletonDrawing {
   private readonly kinds: Readonly<Record<KindName, InstancedKind>>;
   private readonly markers: JointMarkers;
   private readonly axisColors: BufferGeometry;
+  /** Of each of `drawn`, whether its boxes and its bones are shown: asked in every frame, it is known from the edit on. */
+  private withBoxes: readonly boolean[] = [];
+  private withBones: readonly boolean[] = [];
   private scratch = new Float64Array(0);
   private selection: Selection = {};
   private hovered: JointRef | undefined;
@@ -124,9 +127,11 @@ export class SkeletonDrawing {
     if (theme !== this.theme) this.setTheme(theme);
 
     const { edges, faces, balls, bones, axes } = this.kinds;
-    edges.mesh.visible = this.drawn.some((drawn) => this.drawsBoxes(drawn));
+    this.withBoxes = this.drawn.map((drawn) => this.drawsBoxes(drawn));
+    this.withBones = this.drawn.map((drawn) => this.drawsBones(drawn));
+    edges.mesh.visible = this.withBoxes.includes(true);
     faces.mesh.visible = edges.mesh.visible && display.boxes !== 'wire';
-    balls.mesh.visible = bones.mesh.visible = this.drawn.some((drawn) => this.drawsBones(drawn));
+    balls.mesh.visible = bones.mesh.visible = this.withBones.includes(true);
     axes.mesh.visible = display.axes;
     const isLight = this.instanceCount >= MANY_BALLS;
     for (const kind of [balls, bones]) kind.setLight(isLight);
@@ -156,8 +161,7 @@ export class SkeletonDrawing {
   fill(): void {
     const { edges, faces } = this.kinds;
     for (let d = 0; d < this.drawn.length; d++) {
-      const drawn = this.drawn[d];
-      for (let p = 0; p < drawn.placementCount; p++) this.fillPlacement(drawn, p);
+      for (let p = 0; p < this.drawn[d].placementCount; p++) this.fillPlacement(d, p);
     }
     if (edges.mesh.visible && faces.mesh.visible)
       faces.matrices.set(edges.matrices.subarray(0, 16 * this.instanceCount));
@@ -167,7 +171,9 @@ export class SkeletonDrawing {
     this.markers.filled();
   }
 
-  private fillPlacement(drawn: DrawnSkeleton, p: number): void {
+  private fillPlacement(d: number, p: number): void {
+    const drawn = this.drawn[d];
+    const drawsBoxes = this.withBoxes[d];
     const { edges, faces, balls, bones, axes } = this.kinds;
     const { sizes, placements, nodes, skeleton, firstInstance } = drawn;
     const { positions, scratch: world, selection } = this;
@@ -175,14 +181,18 @@ export class SkeletonDrawing {
     const { count, jointCount } = nodes;
     const first = firstInstance + p * count;
     const scale = scaleOf(placements, 16 * p);
-    placeNodes(nodes, placements, 16 * p, drawn.world, world);
+    const { joint } = selection;
+    const isMarked = joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId;
+    // Balls and bones say where joints are, everything else how they are turned too.
+    const place = drawsBoxes || isMarked || axes.mesh.visible ? placeNodes : placePoints;
+    place(nodes, placements, 16 * p, drawn.world, world);
     for (let n = 0; n < count; n++) {
       positions[3 * (first + n)] = world[16 * n + 12];
       positions[3 * (first + n) + 1] = world[16 * n + 13];
       positions[3 * (first + n) + 2] = world[16 * n + 14];
     }
     if (balls.mesh.visible) {
-      if (this.drawsBones(drawn)) {
+      if (this.withBones[d]) {
         const { parent } = compileSkeleton(skeleton);
         fillBones(nodes, parent, sizes, scale, world, balls.matrices, bones.matrices, first);
       } else {
@@ -193,7 +203,7 @@ export class SkeletonDrawing {
     if (edges.mesh.visible || faces.mesh.visible) {
       const boxes = edges.mesh.visible ? edges.matrices : faces.matrices;
       boxes.fill(0, 16 * first, 16 * (first + count));
-      if (this.drawsBoxes(drawn)) {
+      if (drawsBoxes) {
         for (let j = 0; j < jointCount; j++) {
           if (hasBox(joints[j])) boxMatrix(world, 16 * j, joints[j].box, 1e-4 * sizes.extent, boxes, 16 * (first + j));
         }
@@ -204,8 +214,7 @@ export class SkeletonDrawing {
       for (let j = 0; j < jointCount; j++) axesMatrix(world, 16 * j, sizes.axis * scale, matrices, 16 * (first + j));
       matrices.fill(0, 16 * (first + jointCount), 16 * (first + count));
     }
-    const { joint } = selection;
-    if (joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId) {
+    if (isMarked) {
       this.markers.fill(p, joints[joint], sizes, scale, world, 16 * joint);
     }
   }

@@ -142,3 +142,33 @@ describeShared('the motion capture of the reference, through the command', () =>
     }
   });
 });
+
+describe('marrow convert, to .skel and .anim and back', () => {
+  const rate = async (name: string) => {
+    const [{ frameTime, frames }] = (await commandJson<InfoJson>(['info', name], folder)).files;
+    return [frames, frameTime];
+  };
+  const text = (seconds: string) =>
+    `HIERARCHY\n${root('Box')}MOTION\nFrames: 4\nFrame Time: ${seconds}\n${'0 0 0 0 0 10 20\n1 0 0 0 5 90 30\n'.repeat(2)}`;
+
+  it.each(['0.01', '0.008333', '0.0333333'])('keeps a frame time of %s s without being told', async (seconds) => {
+    writeFileSync(join(folder, 'box.bvh'), text(seconds));
+    expect((await command(['convert', 'box.bvh', 'box.skel'], folder)).code).toBe(0);
+    expect((await command(['convert', 'box.bvh', 'box.anim'], folder)).code).toBe(0);
+    const back = await command(['convert', 'box.skel', 'box.anim', 'back.bvh'], folder);
+    expect([back.code, back.err]).toEqual([0, '']);
+    expect(await rate('back.bvh')).toEqual([4, Number(seconds)]);
+  });
+
+  it('says so where it takes 30 frames a second, for keys at times of their own', async () => {
+    writeFileSync(join(folder, 'slow.bvh'), text('0.5'));
+    await command(['convert', 'slow.bvh', 'slow.skel'], folder);
+    await command(['convert', 'slow.bvh', 'slow.anim'], folder);
+    const { code, err } = await command(['convert', 'slow.skel', 'slow.anim', 'slow-back.bvh'], folder);
+    expect([code, err]).toEqual([0, expect.stringContaining('info rate-assumed')]);
+    expect(await rate('slow-back.bvh')).toEqual([46, 1 / 30]);
+    const told = await command(['convert', 'slow.skel', 'slow.anim', 'slow-back.bvh', '--fps', '2'], folder);
+    expect([told.code, told.err]).toEqual([0, '']);
+    expect(await rate('slow-back.bvh')).toEqual([4, 0.5]);
+  });
+});

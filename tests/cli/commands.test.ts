@@ -92,6 +92,15 @@ describe('marrow', () => {
 });
 
 describe('marrow info', () => {
+  it('says that there is nothing in a folder without files', async () => {
+    mkdirSync(join(folder, 'nothing'));
+    const { code, out, err } = await command(['info', 'nothing'], folder);
+    expect([code, out]).toEqual([1, '']);
+    expect(err).toContain('error nothing-found: There is no file here');
+    const json = await commandJson<InfoJson>(['info', 'nothing', '--json'], folder, 1);
+    expect(json).toMatchObject({ files: [], diagnostics: [{ code: 'nothing-found' }] });
+  });
+
   it('counts what each file holds', async () => {
     const { files } = await commandJson<InfoJson>(['info', ...HERO], folder);
     expect(files).toMatchObject([

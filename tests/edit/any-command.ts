@@ -225,7 +225,10 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
   'samples.smooth': (s) => ({
     characterId: s.character.id,
     channels: s.dice.is(0.5) ? undefined : channels(s),
-    sigmaSeconds: s.dice.number() / 4 + 0.01,
+    ...(s.dice.is(0.5)
+      ? { filter: 'median', frames: s.dice.pick([3, 5, 7]) }
+      : { sigmaSeconds: s.dice.number() / 4 + 0.01 }),
+    range: s.dice.is(0.5) ? range(s.dice) : undefined,
   }),
   'samples.convertToKeys': (s) => ({
     characterId: s.character.id,

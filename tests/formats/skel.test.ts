@@ -242,7 +242,8 @@ describe('reading .skel', () => {
     expect(skel('balljoint x{'.repeat(n) + '}'.repeat(n - 1)).diagnostics).toMatchObject([{ code: 'brace-missing' }]);
     const again = readSkel(writeSkel(value ?? []).text, 'hero.skel');
     expect(again.value?.[0].joints).toHaveLength(n);
-  });
+    // Seconds where a machine has more to do; what takes the square of it does not end within this either.
+  }, 30_000);
 });
 
 describe('writing .skel', () => {

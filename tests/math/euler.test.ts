@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { eulerNear, quaternionOfEuler, turnEuler, turnedNear } from '../../src/math/euler.ts';
+import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler, turnedNear } from '../../src/math/euler.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { evenly } from '../helpers/evenly.ts';
 
@@ -48,6 +48,19 @@ describe('the quaternion of Euler angles', () => {
       }),
     );
   });
+});
+
+it('two quaternions at once are those of each set of angles, near each other or not', () => {
+  const step = fc.oneof(evenly(-0.25, 0.25), evenly(-1e-9, 1e-9), fc.constant(0), evenly(-7, 7));
+  fc.assert(
+    fc.property(anyAngles, fc.tuple(step, step, step), ([a, b, c], [da, db, dc]) => {
+      const [p, q] = [new Float64Array(4), new Float64Array(4)];
+      quaternionsOfEulers(a / 2, b / 2, c / 2, (a + da) / 2, (b + db) / 2, (c + dc) / 2, p, q);
+      expectClose(p, quaternion([a, b, c]), WITHIN.rounding);
+      expectClose(q, quaternion([a + da, b + db, c + dc]), WITHIN.rounding);
+    }),
+    { numRuns: 1000 },
+  );
 });
 
 describe('the Euler angles of a quaternion', () => {

@@ -30,6 +30,24 @@ it('moves time on by what passed between frames', () => {
   expect(seeks).toEqual([0, 0.016, expect.closeTo(0.05)]);
 });
 
+it('lets every frame have its picture: what a tick asked for comes before the next tick', () => {
+  const { wb, seeks } = workbench(undefined, { range: [0, 10], playing: true });
+  // As the viewport does: however often it is asked in between, one picture in the next frame.
+  let asked = false;
+  const drawn: number[] = [];
+  wb.transport.subscribe(() => {
+    if (asked) return;
+    asked = true;
+    requestAnimationFrame(() => {
+      asked = false;
+      drawn.push(seeks.length);
+    });
+  });
+  startPlayer(wb, new AbortController().signal);
+  for (let i = 0; i <= 10; i++) frame(16 * i);
+  expect(drawn.length).toBeGreaterThanOrEqual(9);
+});
+
 it('asks for frames only while it plays', () => {
   const { wb } = workbench(undefined, { range: [0, 10] });
   startPlayer(wb, new AbortController().signal);

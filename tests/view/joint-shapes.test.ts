@@ -113,6 +113,36 @@ describe('sizes of joints', () => {
     expect(radii[2]).toBeLessThanOrEqual(0.1 * 0.22 + 1e-6);
   });
 
+  it('suit the shortest bone that a joint has, an End Site too', () => {
+    const limb = (end: number) =>
+      jointSizes({
+        name: '',
+        joints: [
+          joint(-1),
+          joint(0, { offset: [0, 40, 0] }),
+          joint(1, { offset: [0, 40, 0], endSites: [[0, end, 0]] }),
+        ],
+      }).radii;
+    expect(limb(6)[2]).toBeLessThanOrEqual(0.22 * 6 + 1e-6);
+    expect(limb(6)[2]).toBeLessThan(limb(30)[2]);
+  });
+
+  it('make no club of a bone: hardly larger at one end than at the other', () => {
+    const length = fc.double({ min: 1, max: 50, noNaN: true });
+    fc.assert(
+      fc.property(fc.array(length, { minLength: 3, maxLength: 12 }), (lengths) => {
+        const joints = [joint(-1), ...lengths.map((y, j) => joint(j, { offset: [0, y, 0] }))];
+        const { radii, extent } = jointSizes({ name: '', joints });
+        // What is a speck anyway may be what it likes.
+        const speck = 0.007 * extent;
+        for (let j = 1; j < joints.length; j++) {
+          const [less, more] = [radii[j - 1], radii[j]].sort((a, b) => a - b);
+          expect(more).toBeLessThanOrEqual(Math.max(1.4 * less, speck) + 1e-4);
+        }
+      }),
+    );
+  });
+
   it('come from the box where there is a single joint', () => {
     const sizes = jointSizes({ name: '', joints: [joint(-1, { box: { min: [-2, -2, -2], max: [2, 2, 2] } })] });
     expect(sizes.extent).toBeCloseTo(Math.hypot(4, 4, 4), 9);

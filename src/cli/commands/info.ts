@@ -7,6 +7,7 @@ import type { FileContent } from '../../model/files.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { parseArguments } from '../arguments.ts';
+import { refusal } from '../conversion.ts';
 import type { Command } from '../io.ts';
 import { type LoadedFile, loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
@@ -20,13 +21,17 @@ export const info: Command = {
     const loaded = loadFiles(given.files, io.folder);
     const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
+    // A folder is a name for what is in it.
+    if (loaded.all.length === 0) {
+      diagnostics.push(refusal('nothing-found', 'There is no file here that could be read.', given.files.join(' ')));
+    }
     report(diagnostics, io);
     const files = loaded.all.map(describeFile);
     if (given.flag('json')) {
       const { document } = opened;
       const unused = document.unused.map(({ file, why }) => ({ name: file.source.name, why }));
       await printJson({ files, characters: document.characters.map(describeCharacter), unused, diagnostics }, io);
-    } else await io.out(asText(files, opened.document));
+    } else if (files.length > 0) await io.out(asText(files, opened.document));
     return hasErrors(diagnostics) ? 1 : 0;
   },
 };

@@ -55,11 +55,11 @@ export function* filteringAngles(
   const changed = given.filter((channel) => after[channel] !== before[channel]);
   if (changed.length === 0) return { clip, changed, keysChanged: 0, notes };
   const columns = new Map<number, Float64Array>();
-  const channels = clip.channels.map((channel, index) => {
-    if (!samples || !isSampled(clip, index)) return after[index];
-    if (after[index] !== before[index]) columns.set(columnOf(samples, index), after[index].values);
-    return channel;
-  });
+  const channels = [...clip.channels];
+  for (const index of changed) {
+    if (samples && isSampled(clip, index)) columns.set(columnOf(samples, index), after[index].values);
+    else channels[index] = after[index];
+  }
   const result = { changed, keysChanged: keysChanged(clip.channels, channels), notes };
   if (!samples) return { clip: { ...clip, channels }, ...result };
   const made = yield* within(replacingColumns(samples, columns), 0.8, 1);

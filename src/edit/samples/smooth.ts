@@ -114,7 +114,8 @@ function* filteringValues(values: Float64Array, isAngle: boolean, { range, reach
     const source = smooth ? f : medianFrame(flat, f, reach);
     if (!smooth && source === f) continue;
     const target = smooth ? smooth[f] : flat[source];
-    const value = flat[f] + weightAt(range, reach, f) * (target - flat[f]);
+    const weight = weightAt(range, reach, f);
+    const value = weight === 1 ? target : flat[f] + weight * (target - flat[f]);
     if (!isAngle || (smooth && isWhole(range))) values[f] = value;
     else values[f] = near(value, values[smooth ? f : f - 1]);
   }

@@ -49,38 +49,60 @@ const PLAIN_BALL: BallMotion = {
  *     R_k(φk)·R_j(φj)·R_i(φi) [row p(r)] [column p(c)]  =  Rz(±φk)·Ry(±φj)·Rx(±φi) [r] [c]      p = i, j, k
  */
 function orderedBall(order: EulerOrder): BallMotion {
+  return spreadBall(order, 0, 1, 2);
+}
+
+/**
+ * The same where the angles about x, y and z are a joint's DOFs number `x`, `y` and `z`, in the order of their screws.
+ * Read from where they are, and not gathered first: most joints of motion capture are such balls.
+ */
+export function spreadBall(order: EulerOrder, x: number, y: number, z: number): BallMotion {
+  const places = [x, y, z];
   const i = 'xyz'.indexOf(order[0]);
   const j = 'xyz'.indexOf(order[1]);
   const k = 'xyz'.indexOf(order[2]);
   const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
+  const atI = places[i];
+  const atJ = places[j];
+  const atK = places[k];
+  // Where in the matrix each element of `xyz` is.
+  const ii = 5 * i;
+  const ij = 4 * i + j;
+  const ik = 4 * i + k;
+  const ji = 4 * j + i;
+  const jj = 5 * j;
+  const jk = 4 * j + k;
+  const ki = 4 * k + i;
+  const kj = 4 * k + j;
+  const kk = 5 * k;
   const ball: BallMotion = {
     write(dofs, first, out, o) {
-      const sx = sign * Math.sin(dofs[first + i]);
-      const cx = Math.cos(dofs[first + i]);
-      const sy = sign * Math.sin(dofs[first + j]);
-      const cy = Math.cos(dofs[first + j]);
-      const sz = sign * Math.sin(dofs[first + k]);
-      const cz = Math.cos(dofs[first + k]);
-      const ci = o + 4 * i;
-      const cj = o + 4 * j;
-      const ck = o + 4 * k;
-      out[ci + i] = cy * cz;
-      out[ci + j] = cy * sz;
-      out[ci + k] = -sy;
-      out[cj + i] = sx * sy * cz - cx * sz;
-      out[cj + j] = sx * sy * sz + cx * cz;
-      out[cj + k] = sx * cy;
-      out[ck + i] = cx * sy * cz + sx * sz;
-      out[ck + j] = cx * sy * sz - sx * cz;
-      out[ck + k] = cx * cy;
+      const alpha = dofs[first + atI];
+      const beta = dofs[first + atJ];
+      const gamma = dofs[first + atK];
+      const sx = sign * Math.sin(alpha);
+      const cx = Math.cos(alpha);
+      const sy = sign * Math.sin(beta);
+      const cy = Math.cos(beta);
+      const sz = sign * Math.sin(gamma);
+      const cz = Math.cos(gamma);
+      out[o + ii] = cy * cz;
+      out[o + ij] = cy * sz;
+      out[o + ik] = -sy;
+      out[o + ji] = sx * sy * cz - cx * sz;
+      out[o + jj] = sx * sy * sz + cx * cz;
+      out[o + jk] = sx * cy;
+      out[o + ki] = cx * sy * cz + sx * sz;
+      out[o + kj] = cx * sy * sz - sx * cz;
+      out[o + kk] = cx * cy;
       out[o + 3] = out[o + 7] = out[o + 11] = out[o + 12] = out[o + 13] = out[o + 14] = 0;
       out[o + 15] = 1;
     },
     writeDerivative(dofs, first, dof, out, o) {
       ball.write(dofs, first, out, o);
-      turnAsOrdered(out, o, dof, i, j, k, sign, dofs[first + k]);
+      turnAsOrdered(out, o, dof === x ? 0 : dof === y ? 1 : 2, i, j, k, sign, dofs[first + atK]);
     },
-    screws: [turnAbout(k, k), turnAbout(j, j), turnAbout(i, i)],
+    screws: [turnAbout(k, atK), turnAbout(j, atJ), turnAbout(i, atI)],
   };
   return ball;
 }

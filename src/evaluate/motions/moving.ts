@@ -4,7 +4,7 @@
  *     J = T(t) · R        ∂J/∂t_k = e_k in the last column        ∂J/∂r = that of R
  */
 import type { BvhMotion, EulerOrder } from '../../model/skeleton.ts';
-import { BALLS } from './ball.ts';
+import { BALLS, spreadBall } from './ball.ts';
 import { type JointMotion, type Screw, slideAlong, turnAbout } from './motion.ts';
 import { factorOf, productOf } from './product.ts';
 
@@ -35,7 +35,7 @@ export function freeMotion(order: EulerOrder): JointMotion {
 export function bvhMotion({ channels }: BvhMotion): JointMotion {
   const translations = (['tx', 'ty', 'tz'] as const).map((name) => channels.indexOf(name));
   const turns = channels.flatMap((name, dof) => (name.startsWith('r') ? [factorOf(name, dof)] : []));
-  const rotation = turns.length === 3 ? spreadBall(channels) : productOf(turns);
+  const rotation = turns.length === 3 ? listedBall(channels) : productOf(turns);
   if (translations.every((at) => at < 0)) return rotation;
   return {
     write(dofs, first, out, o) {
@@ -59,33 +59,12 @@ function turnsOf(channels: readonly string[]): Screw[] {
   return channels.flatMap((name, dof) => (name.startsWith('r') ? [turnAbout('xyz'.indexOf(name[1]), dof)] : []));
 }
 
-/** The angles of a ball, gathered from where they stand. Scratch, never escapes. */
-const gathered = new Float64Array(3);
-
 /** A ball whose three angles stand anywhere among the channels. */
-function spreadBall(channels: readonly string[]): JointMotion {
+function listedBall(channels: readonly string[]): JointMotion {
   const names = channels.filter((name) => name.startsWith('r')).map((name) => name[1]);
   // The three letters of a permutation, which is what the orders are.
-  const ball = BALLS[names.reverse().join('') as EulerOrder];
-  const x = channels.indexOf('rx');
-  const y = channels.indexOf('ry');
-  const z = channels.indexOf('rz');
-  const gather = (dofs: Float64Array, first: number) => {
-    gathered[0] = dofs[first + x];
-    gathered[1] = dofs[first + y];
-    gathered[2] = dofs[first + z];
-  };
-  return {
-    write(dofs, first, out, o) {
-      gather(dofs, first);
-      ball.write(gathered, 0, out, o);
-    },
-    writeDerivative(dofs, first, dof, out, o) {
-      gather(dofs, first);
-      ball.writeDerivative(gathered, 0, dof === x ? 0 : dof === y ? 1 : 2, out, o);
-    },
-    screws: turnsOf(channels),
-  };
+  const order = names.reverse().join('') as EulerOrder;
+  return spreadBall(order, channels.indexOf('rx'), channels.indexOf('ry'), channels.indexOf('rz'));
 }
 
 /** The derivative of a translation along one of the axes. */

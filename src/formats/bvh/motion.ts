@@ -3,7 +3,8 @@
  *
  *     "Frames:" n        "Frame Time:" seconds        { row }
  *
- * The rows decide how many frames there are; another count before them is a warning. A frame time that nothing can be
+ * The rows decide how many frames there are; another count before them is a warning, and one that is no whole number an
+ * error. A frame time that nothing can be
  * played at is a warning too, and 1/30 s is used: poses of one frame are written with 0.
  */
 import { number, type Part } from '../grammar.ts';
@@ -57,6 +58,9 @@ function* header(t: Tokens): Part<Header> {
     if (label === 'frames') {
       found.framesAt = t.mark();
       found.frames = yield* number(t, 'the number of frames', KEYWORDS);
+      if (found.frames !== undefined && found.frames % 1 !== 0) {
+        t.error('count-fractional', `Expected a whole number of frames, found ${t.found()}.`);
+      }
     } else if (label === 'frametime') found.frameSeconds = yield* frameTime(t);
     else {
       const [code, what] = found.framesAt

@@ -115,7 +115,7 @@ export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
           value: 'take',
           options: [
             ['take', 'The whole take'],
-            ['played', `What is played, ${seconds(from)} – ${seconds(to)} s`],
+            ['played', `Played, ${shown(from, 3)} – ${shown(to, 3)} s`],
           ],
         },
       ],
@@ -155,7 +155,7 @@ export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogC
       *steps(document, args) {
         const change = yield* resampleSteps(document, args);
         const now = samplesOf(change, character.id);
-        const text = now === samples ? `The take has ${preset} a second.` : resampledText(samples, now);
+        const text = now === samples ? `The take has ${preset} frames a second already.` : resampledText(samples, now);
         return { change, text };
       },
       result: () => '',

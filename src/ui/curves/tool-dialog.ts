@@ -201,13 +201,10 @@ function fieldOf(asked: Asked, fields: Map<string, HTMLInputElement | HTMLSelect
           ),
         );
   fields.set(asked.name, field);
-  return element(
-    'label',
-    { class: 'tool-field' },
-    element('span', {}, asked.label),
-    field,
-    element('span', { class: 'faint' }, asked.kind === 'number' ? asked.unit : ''),
-  );
+  const row = element('label', { class: 'tool-field' }, element('span', {}, asked.label), field);
+  // A choice has the unit's room too.
+  if (asked.kind === 'number') row.append(element('span', { class: 'faint' }, asked.unit));
+  return row;
 }
 
 function labelOf(asked: readonly Asked[], name: string): string {

@@ -6,6 +6,7 @@ import { inSlices } from '../in-slices.ts';
 import { plural } from '../number-text.ts';
 import { Trial } from '../trial.ts';
 import type { Workbench } from '../workbench.ts';
+import { dofsFor } from './channels.ts';
 import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
 import { period } from './period.ts';
 
@@ -15,7 +16,10 @@ export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
   const { character, clip } = take;
   const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length);
   if (tool === 'euler') {
-    const channels = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+    const animated = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+    // Of a root with its positions nobody has to hear that these are no angles.
+    const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
+    const channels = angles.length > 0 ? angles : animated;
     if (channels.length > 0) filterAngles(wb, { characterId: character.id, channels });
     return;
   }

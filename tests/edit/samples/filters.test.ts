@@ -117,13 +117,15 @@ describe('a Gaussian', () => {
 });
 
 describe('the median of a few frames', () => {
-  it('takes out spikes of a frame, of lengths and of rotations, and leaves all other frames every bit', () => {
+  it('takes out spikes of a frame or two, of lengths and of rotations, and leaves every bit away from them', () => {
     const spikes = [20, 50, 51, 90];
-    const spiky = take((c, t) => swingAt(c, t) + (spikes.includes(Math.round(60 * t)) ? 70 - 3 * c : 0));
-    const clean = median(median(spiky, 5), 5);
+    const ramp = (c: number, t: number) => (c + 1) * t;
+    const spiky = take((c, t) => ramp(c, t) + (spikes.includes(Math.round(60 * t)) ? 70 - 3 * c : 0));
+    const clean = median(spiky, 5);
     for (let frame = 0; frame < 121; frame++) {
-      if (!spikes.includes(frame)) expect(row(clean, frame)).toEqual(row(spiky, frame));
-      expect(apart(worldOf(clean, frame), worldOf(swing, frame))).toBeLessThan(0.3);
+      if (spikes.every((s) => Math.abs(s - frame) > 2)) expect(row(clean, frame)).toEqual(row(spiky, frame));
+      // What the quickest goes in two frames.
+      expect(apart(row(clean, frame), row(take(ramp), frame))).toBeLessThan((2 * WIDTH) / 60 + 1e-9);
     }
   });
 
@@ -207,7 +209,7 @@ describe('the Euler filter, of samples', () => {
     store.apply(eulerFilter, { ...c1, channels: [3, 4, 5] });
     const after = clipOf(store.document);
     for (let f = 0; f < 121; f++) expect(row(after, f)[3]).toBeCloseTo(170 + 1.5 * f, 10);
-    expect(after.channels).toBe(turning.channels);
+    expect(after.channels[3]).toBe(turning.channels[3]);
     const again = finished(eulerFilterSteps(store.document, { ...c1, channels: [3, 4, 5] }));
     expect(again).toMatchObject({ changed: [], notes: [] });
     expect(again.edit.document).toBe(store.document);

@@ -1,16 +1,27 @@
 import { describe, expect, it } from 'vitest';
+import { eulerFilterSteps } from '../../../src/edit/commands/channels.ts';
+import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import {
+  convertSteps,
   cropSamples,
   resampleSamples,
+  resampleSteps,
   reverseSamples,
+  reverseSteps,
   smoothSamples,
+  smoothSteps,
   splitSamples,
   trimSamples,
 } from '../../../src/edit/commands/samples.ts';
+import { refuseTooMany } from '../../../src/edit/samples/most-frames.ts';
+import { resampling } from '../../../src/edit/samples/resample.ts';
+import { finished } from '../../../src/edit/samples/steps.ts';
+import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
 import { CommandError } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
 import type { ChannelClip } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
+import { documentOf } from '../../helpers/builders.ts';
 import { channelOf } from '../keys/channels.ts';
 import { documentWith, swing, swinging, take, WIDTH } from './made.ts';
 
@@ -74,6 +85,16 @@ describe('resampling samples', () => {
       expect(value).toBeCloseTo(pose(swing, 1.125)[d], 12);
     });
     expect(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 60 }).characters[0].clips[0]).toBe(swing);
+  });
+
+  it('refuses more than a page can hold, frames or values', () => {
+    const at = (framesPerSecond: number) => () => resampleSamples.run(documentWith(), { ...c1, framesPerSecond });
+    expect(at(1e6)).toThrow('2,000,001 frames of 12 channels; up to 1,000,000');
+    expect(at(Number.MAX_VALUE)).toThrow(CommandError);
+    expect(() => refuseTooMany(200_001, 500)).toThrow('up to 200,000 frames');
+    expect(refuseTooMany(200_000, 500)).toBeUndefined();
+    // What is there already may be made again.
+    expect(refuseTooMany(2_000_000, 500, 2_000_000)).toBeUndefined();
   });
 
   it('turns joints the short way where an angle jumps from frame to frame', () => {
@@ -144,5 +165,35 @@ describe('smoothing samples', () => {
 
   it('refuses a filter of no width', () => {
     expect(() => smooth(swing, 0)).toThrow(CommandError);
+  });
+});
+
+describe('samples of a character that another one moves', () => {
+  const source = swinging(take((c) => (c === 4 ? 90 : 0)));
+  const driven = (clip: ChannelClip) => {
+    const moving = { ...source, id: 'c2', name: 'other' };
+    return setRetarget.run(documentOf(swinging(clip), moving), { ...c1, sourceId: 'c2' });
+  };
+  const tolerance = { position: 0.1, angle: 0.1 };
+
+  it.each<[string, (document: Document) => Generator<number, unknown>]>([
+    ['resample', (document) => resampleSteps(document, { ...c1, framesPerSecond: 30 })],
+    ['reverse', (document) => reverseSteps(document, c1)],
+    ['smooth', (document) => smoothSteps(document, { ...c1, sigmaSeconds: 0.1 })],
+    ['convert', (document) => convertSteps(document, { ...c1, tolerance })],
+    ['filter', (document) => eulerFilterSteps(document, { ...c1, channels: [3, 4, 5] })],
+  ])('are refused to %s, before any work is done', (_, steps) => {
+    const document = driven(swing);
+    expect(document.characters[0].driver).toBeDefined();
+    expect(() => steps(document).next()).toThrow('moved by');
+  });
+
+  it('are worked with as they are, not as the other one moves', () => {
+    const [character] = driven(swing).characters;
+    expect(takeAlone(character, swing)).not.toHaveProperty('driver');
+    const resampled = finished(resampling(character, swing, 30));
+    expect(pose(resampled, 1)).toEqual(
+      pose(clipOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 30 })), 1),
+    );
   });
 });

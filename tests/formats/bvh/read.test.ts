@@ -221,11 +221,17 @@ describe('the samples of a .bvh', () => {
 
 describe('rows of a .bvh', () => {
   it('decide how many frames there are, with a warning at what was declared', () => {
-    for (const declared of [1, 3, 1e9, -1, 2.5]) {
+    for (const declared of [1, 3, 1e9, -1]) {
       const result = rows('1 2 3\n4 5 6\n', declared);
       expect(told(result)).toEqual(['warning count-mismatch 12:1']);
       expect(valuesOf(result)).toEqual([1, 2, 3, 4, 5, 6]);
     }
+  });
+
+  it('have no fraction of one: that is an error, as of every count', () => {
+    const result = rows('1 2 3\n4 5 6\n', 2.5);
+    expect(told(result)).toEqual(['error count-fractional 12:9']);
+    expect(result.value).toBeUndefined();
   });
 
   it.each([

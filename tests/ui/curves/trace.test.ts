@@ -55,10 +55,15 @@ function pieces({ verbs, points, verbCount }: TracedPath): Piece[] {
 /** Ever nearer: beside a jump each side counts, and on a steep curve not much beside it. */
 const BESIDE = [-1, -0.3, -0.1, -0.03, -0.01, -0.001, 0, 0.001, 0.01, 0.03, 0.1, 0.3, 1];
 
-/** Heights of the curve about x. */
-function heightsBeside(curves: CompiledClip, map: TraceMap, x: number): number[] {
+/** Heights of the curve about x, from one pixel to another at most. */
+function heightsBeside(
+  curves: CompiledClip,
+  map: TraceMap,
+  x: number,
+  [from, to] = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY],
+): number[] {
   return BESIDE.map((part) => {
-    const time = map.left + (x + ASIDE_PIXELS * part) / map.perSecond;
+    const time = map.left + Math.min(to, Math.max(from, x + ASIDE_PIXELS * part)) / map.perSecond;
     return map.bottom - (evaluateChannel(curves, 0, time) - map.low) * map.perUnit;
   });
 }
@@ -107,8 +112,9 @@ describe('a traced line', () => {
           const x = u * PLOT.width;
           const column = Math.min(PLOT.width - 1, Math.floor(x));
           if (line.columns.to > column && line.columns.kinds[column] !== NO_COLUMN) continue;
-          // Without any margin: a step far out of view is as far out as its ends.
-          const heights = heightsBeside(curves, map, x);
+          // Without any margin: a step far out of view is as far out as its ends. And in view alone: where a step is at
+          // the very edge, its other side lies beyond it.
+          const heights = heightsBeside(curves, map, x, [0, PLOT.width - 1e-6]);
           if (Math.max(...heights) < 0 || Math.min(...heights) > PLOT.bottom) continue;
           expect(drawn.some((p) => p.x0 <= x + ASIDE_PIXELS && p.x1 >= x - ASIDE_PIXELS)).toBe(true);
         }

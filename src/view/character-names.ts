@@ -1,0 +1,56 @@
+/**
+ * Where the names of characters stand: over the middle of what their joints take up in the picture, above the highest of
+ * them. The middle is the mean of all joints, for the highest one is a hand now and a head then, and a name that jumps
+ * from one to the other can't be read.
+ */
+import type { Matrix4 } from 'three';
+import type { DrawnSkeleton } from './drawn-skeletons.ts';
+
+/** CSS pixels. Of who is smaller than this, the name would be all that is seen. */
+const LEAST_HEIGHT = 22;
+/** From the highest joint to the middle of the name, and a share of the height for what a skull or a hat adds. */
+const GAP = 11;
+const HEAD = 0.05;
+/** The page's tools are over the picture's upper edge: a name stays below them, before the face if it must. */
+const LEAST_Y = 56;
+/** Joints looked at; of more, every second or third. */
+const MOST_JOINTS = 256;
+
+/**
+ * Writes x and y of the middle of the name, in CSS pixels, to `out`; false where it has no place in the picture. Of a
+ * crowd it is the first one's. Allocates nothing.
+ * @param positions x y z of each instance of the skeleton drawing
+ */
+export function placeName(
+  { firstInstance, nodes }: DrawnSkeleton,
+  positions: Float64Array,
+  toClip: Matrix4,
+  width: number,
+  height: number,
+  out: Float64Array,
+): boolean {
+  const m = toClip.elements;
+  const step = Math.ceil(nodes.count / MOST_JOINTS);
+  let sum = 0;
+  let count = 0;
+  let top = Infinity;
+  let bottom = -Infinity;
+  for (let n = 0; n < nodes.count; n += step) {
+    const o = 3 * (firstInstance + n);
+    const x = positions[o];
+    const y = positions[o + 1];
+    const z = positions[o + 2];
+    const w = m[3] * x + m[7] * y + m[11] * z + m[15];
+    // Behind the camera: one stands in the midst of it.
+    if (!(w > 0)) return false;
+    const down = (0.5 - (0.5 * (m[1] * x + m[5] * y + m[9] * z + m[13])) / w) * height;
+    sum += ((0.5 * (m[0] * x + m[4] * y + m[8] * z + m[12])) / w + 0.5) * width;
+    count++;
+    top = Math.min(top, down);
+    bottom = Math.max(bottom, down);
+  }
+  if (!(bottom - top >= LEAST_HEIGHT)) return false;
+  out[0] = sum / count;
+  out[1] = Math.max(LEAST_Y, top - GAP - HEAD * (bottom - top));
+  return out[0] >= 0 && out[0] <= width && out[1] < bottom && out[1] <= height;
+}

@@ -1,0 +1,80 @@
+import { Matrix4, OrthographicCamera } from 'three';
+import { describe, expect, it } from 'vitest';
+import { placeName } from '../../src/view/character-names.ts';
+import { layOut } from '../../src/view/drawn-skeletons.ts';
+import { joint } from '../helpers/builders.ts';
+
+/** Ten units of the world are a picture of 1000 × 1000 pixels, the origin in its middle. */
+const camera = new OrthographicCamera(-5, 5, 5, -5, -100, 100);
+const toClip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+
+function place(points: readonly (readonly [number, number])[]): number[] | undefined {
+  const joints = points.map((_, j) => joint(j - 1, { offset: [0, 1, 0] }));
+  const [drawn] = layOut([
+    {
+      characterId: 'c1',
+      name: 'dancer',
+      skeleton: { name: '', joints },
+      world: new Float64Array(16 * joints.length),
+      placements: new Float64Array(16),
+      hasSkin: false,
+    },
+  ]);
+  const positions = Float64Array.from(points.flatMap(([x, y]) => [x, y, 0]));
+  const out = new Float64Array(2);
+  return placeName(drawn, positions, toClip, 1000, 1000, out) ? [...out] : undefined;
+}
+
+describe('the name of a character', () => {
+  it('stands over the middle of its joints, above the highest', () => {
+    const [x, y] = place([
+      [0, 0],
+      [1, 1],
+      [2, 2],
+    ]) ?? [0, 0];
+    expect(x).toBeCloseTo(600, 6);
+    expect(y).toBeLessThan(300);
+    expect(y).toBeGreaterThan(260);
+  });
+
+  it('goes with it', () => {
+    const there = place([
+      [1, 0],
+      [1, 2],
+    ]);
+    const here = place([
+      [0, -1],
+      [0, 1],
+    ]);
+    expect(there?.map((v, i) => v - (here?.[i] ?? 0))).toEqual([expect.closeTo(100, 6), expect.closeTo(-100, 6)]);
+  });
+
+  it('is left out where the character is a dot, or out of the picture', () => {
+    expect(
+      place([
+        [0, 0],
+        [0, 0.1],
+      ]),
+    ).toBeUndefined();
+    expect(
+      place([
+        [7, 0],
+        [7, 2],
+      ]),
+    ).toBeUndefined();
+    expect(
+      place([
+        [0, 6],
+        [0, 9],
+      ]),
+    ).toBeUndefined();
+  });
+
+  it('stays below the upper edge where only the head is out of the picture', () => {
+    const [, y] = place([
+      [0, 0],
+      [0, 9],
+    ]) ?? [0, -1];
+    expect(y).toBeGreaterThan(0);
+  });
+});
