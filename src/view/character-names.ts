@@ -14,7 +14,7 @@ const HEAD = 0.05;
 /** The page's tools are over the picture's upper edge: a name stays below them, before the face if it must. */
 const LEAST_Y = 56;
 /** Joints looked at; of more, every second or third. */
-const MOST_JOINTS = 256;
+const MOST_JOINTS = 48;
 
 /**
  * Writes x and y of the middle of the name, in CSS pixels, to `out`; false where it has no place in the picture. Of a
