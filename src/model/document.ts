@@ -5,7 +5,9 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from './clip.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
+import type { IkSetup } from './ik.ts';
 import type { Morph } from './morph.ts';
+import type { NamedPose } from './poses.ts';
 import type { JointPair, RetargetOptions } from './retarget.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -49,6 +51,10 @@ export interface Character {
   readonly isHidden?: boolean;
   /** A take of another character that moves its joints, instead of its own. */
   readonly driver?: Driver;
+  /** What inverse kinematics holds on to; absent: as `defaultIk` says. */
+  readonly ik?: IkSetup;
+  /** The library of poses; absent rather than empty. */
+  readonly poses?: readonly NamedPose[];
   /** The files it came from. */
   readonly sources: readonly SourceFile[];
 }
