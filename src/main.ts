@@ -18,6 +18,7 @@ import type { KeptOffer } from './ui/kept-offer.ts';
 import { Messages } from './ui/messages.ts';
 import { mountWorkbench } from './ui/mount.ts';
 import { observable } from './ui/observable.ts';
+import { Posing } from './ui/posing/posing.ts';
 import { rememberedSettings } from './ui/settings.ts';
 import { Timeline } from './ui/timeline/timeline.ts';
 import type { DialogName, Loading, Workbench } from './ui/workbench.ts';
@@ -45,6 +46,7 @@ const workbench: Workbench = {
   viewportElement,
   transport,
   timeline: new Timeline(),
+  posing: new Posing(),
   settings: rememberedSettings(() => localStorage),
   messages,
   loading,

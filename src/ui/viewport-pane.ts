@@ -1,6 +1,7 @@
 /**
  * The middle of the page: the viewport, kept in step with the document, a strip of what is drawn over its top edge, and
- * the message line over its foot. A click picks; a drag is the camera's.
+ * the message line over its foot. What the hand does in it is for the tool of the mode (`tools/`); what that leaves alone
+ * picks, or is the camera's.
  */
 import { type Document, shownSkin } from '../model/document.ts';
 import { type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
@@ -14,11 +15,11 @@ import { menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { messageLine } from './message-line.ts';
 import { type Comparison, comparedIn, drawnDocument, withoutTwin } from './takes/takes.ts';
+import { listenToCanvas } from './tools/canvas-tools.ts';
+import { modeTools } from './tools/mode-tools.ts';
 import { keepTooltip } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
 
-/** A press that moved further was a drag. */
-const CLICK_PIXELS = 4;
 const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
@@ -50,7 +51,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   signal.addEventListener('abort', () => {
     for (const stop of stops) stop();
   });
-  pickOnClick(wb, signal);
+  handTools(wb, signal);
   show();
   return element(
     'main',
@@ -72,27 +73,16 @@ function tintsOf(document: Document, comparison: Comparison | undefined): Tints 
   ]);
 }
 
-function pickOnClick(wb: Workbench, signal: AbortSignal): void {
-  const { canvas } = wb.viewport;
-  let down: PointerEvent | undefined;
-  canvas.addEventListener(
-    'pointerdown',
-    (event) => {
-      down = event.button === 0 && event.isPrimary ? event : undefined;
-      canvas.focus({ preventScroll: true });
-    },
-    { signal },
-  );
-  canvas.addEventListener(
-    'pointerup',
-    (event) => {
-      const from = down;
-      down = undefined;
-      if (!from || Math.hypot(event.clientX - from.clientX, event.clientY - from.clientY) > CLICK_PIXELS) return;
-      const hit = wb.viewport.pick(event.clientX, event.clientY);
+/** What the tool of the mode leaves alone picks. */
+function handTools(wb: Workbench, signal: AbortSignal): void {
+  listenToCanvas(
+    wb.viewport.canvas,
+    modeTools(wb),
+    ({ clientX, clientY }) => {
+      const hit = wb.viewport.pick(clientX, clientY);
       wb.store.select(hit ? { ...hit, characterId: withoutTwin(hit.characterId) } : NOTHING_SELECTED);
     },
-    { signal },
+    signal,
   );
 }
 

@@ -8,6 +8,7 @@ import type { Viewport } from '../view/viewport.ts';
 import type { KeptOffer } from './kept-offer.ts';
 import type { Messages } from './messages.ts';
 import type { Observable } from './observable.ts';
+import type { Posing } from './posing/posing.ts';
 import type { Settings } from './settings.ts';
 import type { Timeline } from './timeline/timeline.ts';
 
@@ -24,6 +25,13 @@ export type Stage = Pick<
   | 'cameraView'
   | 'setTheme'
   | 'character'
+  | 'hover'
+  | 'requestRender'
+  | 'addOverlay'
+  | 'placementOf'
+  | 'vertexAt'
+  | 'turnView'
+  | 'eye'
   | 'canvas'
   | 'stats'
 >;
@@ -36,6 +44,8 @@ export interface Workbench {
   readonly transport: Observable<Playback>;
   /** What the curve editor and the dope sheet show. */
   readonly timeline: Timeline;
+  /** How the viewport takes the hand. */
+  readonly posing: Posing;
   readonly settings: Observable<Settings>;
   readonly messages: Messages;
   /** A file on its way in. */

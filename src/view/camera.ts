@@ -195,6 +195,13 @@ export class CameraRig {
     this.go(to, true);
   }
 
+  /** About the target, at once; radians, above 0: as if the camera went to the right. */
+  turn(azimuth: number): void {
+    const to = this.goal();
+    to.azimuth += azimuth;
+    this.go(to, false);
+  }
+
   /** The first look at something: three quarters from the front, at once. */
   lookFirst(box: Box3): void {
     this.moving = undefined;

@@ -7,6 +7,7 @@
  * It gives back facts (what was hit, where joints are), never edits: it can't see how documents change.
  */
 import { Box3, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
+import type { Vec3 } from '../math/vec3.ts';
 import { hasBox } from '../model/boxes.ts';
 import type { Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
@@ -14,11 +15,13 @@ import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from 
 import { CameraRig, type CameraView, type Side } from './camera.ts';
 import { CharacterView } from './character-view.ts';
 import { type JointRef, sizesFor } from './drawn-skeletons.ts';
+import { Eye } from './eye.ts';
 import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
 import { JointFollower } from './joint-follower.ts';
 import { Labels } from './labels.ts';
 import { Orientation } from './orientation.ts';
+import { type Overlay, Overlays } from './overlay.ts';
 import { type DrawnSkin, type Hit, Picker, type PickScene } from './picking.ts';
 import { type Shown, ShownCharacters, vertexPosition } from './shown-characters.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
@@ -70,6 +73,9 @@ export class Viewport {
   private readonly labels = new Labels();
   private readonly orientation: Orientation;
   private readonly picker: Picker;
+  private readonly overlays: Overlays;
+  /** Between points of the page and of the scene. */
+  readonly eye: Eye;
   private readonly resizing: ResizeObserver;
   private readonly characters: ShownCharacters;
   private readonly listening = new AbortController();
@@ -117,7 +123,9 @@ export class Viewport {
     this.picker = new Picker(renderer);
     this.rig = new CameraRig(this.canvas, () => this.requestRender());
     this.orientation = new Orientation((side) => this.lookFrom(side));
+    this.eye = new Eye(this.canvas, this.rig);
     const { scene, content } = this.stage;
+    this.overlays = new Overlays(scene);
     this.characters = new ShownCharacters(
       content,
       (id) => this.createView(id),
@@ -246,6 +254,7 @@ export class Viewport {
     this.trail.setTheme(theme);
     this.ghosts.setTheme(theme);
     this.vertexMarker.setTheme(theme);
+    this.overlays.setTheme(theme);
     for (const { view } of this.characters.all) view.setTheme(name);
     this.showSkeletons();
     this.requestRender();
@@ -279,6 +288,38 @@ export class Viewport {
     return { drawCalls: calls, triangles };
   }
 
+  /** Draws what a tool has over the picture. Returns the way out, which disposes of it. */
+  addOverlay(overlay: Overlay): () => void {
+    const remove = this.overlays.add(overlay, STAGE_THEMES[this.themeName]);
+    this.requestRender();
+    return () => {
+      remove();
+      this.requestRender();
+    };
+  }
+
+  /**
+   * From a character's own space to the world, column-major, as the next picture has it; undefined where it is not
+   * shown. Filled anew by each picture: copy what is to be kept.
+   */
+  placementOf(characterId: string, placement: number): Float64Array | undefined {
+    const entry = this.characters.seen(characterId);
+    this.update();
+    return entry?.placements.subarray(16 * placement, 16 * placement + 16);
+  }
+
+  /** Where a vertex of a character's skin is drawn, in the world; undefined where there is none. */
+  vertexAt(characterId: string, vertex: number, placement: number): Vec3 | undefined {
+    const entry = this.characters.seen(characterId);
+    this.update();
+    return entry && vertexPosition(entry, vertex, placement, this.point) ? this.point.toArray() : undefined;
+  }
+
+  /** Turns the view about its target; radians, above 0: as if the camera went to the right. */
+  turnView(azimuth: number): void {
+    this.rig.turn(azimuth);
+  }
+
   /** Length between the labelled lines of the grid, as last drawn. */
   get gridSpacing(): number {
     return this.grid.spacing;
@@ -289,8 +330,9 @@ export class Viewport {
     cancelAnimationFrame(this.queued);
     this.listening.abort();
     this.resizing.disconnect();
-    const { characters, rig, grid, skeletons, trail, ghosts, vertexMarker, picker, stage } = this;
-    for (const part of [characters, rig, grid, skeletons, trail, ghosts, vertexMarker, picker, stage]) part.dispose();
+    const { characters, rig, grid, skeletons, trail, ghosts, vertexMarker, overlays, picker, stage } = this;
+    const parts = [characters, rig, grid, skeletons, trail, ghosts, vertexMarker, overlays, picker, stage];
+    for (const part of parts) part.dispose();
     this.renderer.dispose();
     for (const element of [this.canvas, this.labels.canvas, this.orientation.element]) element.remove();
   }
@@ -417,6 +459,7 @@ export class Viewport {
     stage.light(camera);
     stage.fitShadow(content);
     this.hoverPointer();
+    this.overlays.update(camera, this.height);
     renderer.info.reset();
     renderer.render(stage.scene, camera);
     this.labels.draw(camera, this.skeletons.positions);

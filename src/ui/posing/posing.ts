@@ -1,0 +1,21 @@
+/**
+ * How the viewport takes the hand, shared by its tools, the inspector and the keys. Beside the document: what is pinned
+ * or locked is in there (`model/ik.ts`).
+ */
+import { type Observable, observable } from '../observable.ts';
+
+/**
+ * `fk`: joints turn one by one. `ik`: points are pinned and dragged, and the joints follow. `rig`: the skeleton itself is
+ * changed.
+ */
+export const POSING_MODES = ['fk', 'ik', 'rig'] as const;
+export type PosingMode = (typeof POSING_MODES)[number];
+
+/** What the skin does when the skeleton is changed: it stays where it is, or follows as if posed. */
+export const RIG_SKINS = ['stays', 'follows'] as const;
+export type RigSkin = (typeof RIG_SKINS)[number];
+
+export class Posing {
+  readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
+  readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
+}
