@@ -145,6 +145,26 @@ export function localMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, ou
 /** Scratch, never escapes. */
 const local = new Float64Array(16);
 
+/**
+ * Both: each joint's matrix in its parent's space, and in the character's.
+ * @param known rotations that may be those of the same angles: see `known-rotations.ts`
+ */
+export function localAndWorldMatrices(
+  skeleton: CompiledSkeleton,
+  dofs: Float64Array,
+  locals: Float64Array,
+  world: Float64Array,
+  known?: Float64Array,
+): void {
+  const { parent, jointCount } = skeleton;
+  for (let j = 0; j < jointCount; j++) {
+    const o = 16 * j;
+    writeLocal(skeleton, j, dofs, locals, o, known);
+    if (parent[j] >= 0) multiplyAffine(world, 16 * parent[j], locals, o, world, o);
+    else for (let i = o; i < o + 16; i++) world[i] = locals[i];
+  }
+}
+
 /** Each joint's matrix in the character's space. */
 export function worldMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, world: Float64Array): void {
   const { parent, jointCount } = skeleton;
@@ -158,9 +178,16 @@ export function worldMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, wo
   }
 }
 
-function writeLocal(skeleton: CompiledSkeleton, j: number, dofs: Float64Array, out: Float64Array, o: number): void {
+function writeLocal(
+  skeleton: CompiledSkeleton,
+  j: number,
+  dofs: Float64Array,
+  out: Float64Array,
+  o: number,
+  known?: Float64Array,
+): void {
   const { offsets } = skeleton;
-  skeleton.motions[j].write(dofs, skeleton.firstDof[j], out, o);
+  skeleton.motions[j].write(dofs, skeleton.firstDof[j], out, o, known);
   out[o + 12] += offsets[3 * j];
   out[o + 13] += offsets[3 * j + 1];
   out[o + 14] += offsets[3 * j + 2];

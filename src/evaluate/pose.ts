@@ -12,13 +12,12 @@ import { type Channel, isSampled } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import { rootDofCount } from '../model/dofs.ts';
-import { compileClip } from './compiled-clip.ts';
+import { type CompiledClip, compileClip } from './compiled-clip.ts';
 import { evaluateClip } from './curves.ts';
-import { compileSkeleton, settleDofs } from './kinematics.ts';
-import { retargetPlan } from './retarget/make-plan.ts';
+import { drivenPose } from './driven-pose.ts';
+import { type CompiledSkeleton, compileSkeleton, settleDofs } from './kinematics.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
-import { retargetPose } from './retarget/retarget-pose.ts';
-import { sampledJoints } from './sampled-joints.ts';
+import { type SampledJoints, sampledJoints } from './sampled-joints.ts';
 import { samplePose } from './sampled-pose.ts';
 
 /** Times nearer than this are the same moment; seconds. */
@@ -31,35 +30,61 @@ export function dofCountOf(character: Character): number {
   return joints + morphs.length;
 }
 
+/** What posing a character looks up, found once for many moments. Of use as long as the character is the same object. */
+export interface PoseSource {
+  readonly character: Character;
+  /** DOFs, and how many of them have a channel in the clip shown. */
+  readonly count: number;
+  readonly driven: number;
+  readonly skeleton: CompiledSkeleton | undefined;
+  readonly curves: CompiledClip | undefined;
+  /** Where samples drive it. */
+  readonly joints: SampledJoints | undefined;
+}
+
+export function poseSource(character: Character): PoseSource {
+  const { skeleton } = character;
+  const clip = skeleton && shownClip(character);
+  const count = dofCountOf(character);
+  const curves = clip && compileClip(clip);
+  return {
+    character,
+    count,
+    driven: clip ? Math.min(clip.channels.length, count) : 0,
+    skeleton: skeleton && compileSkeleton(skeleton),
+    curves,
+    joints: curves?.samples && skeleton && sampledJoints(curves, skeleton),
+  };
+}
+
 /**
  * Writes the value of each of the character's DOFs (`model/dofs.ts`) to `out`, which has `dofCountOf` of them at least.
  * @param timeSeconds of the transport; the character's own offset is added here
  */
 export function poseAt(character: Character, timeSeconds: number, out: Float64Array): void {
-  const { pose, unkeyed, skeleton, driver } = character;
-  const count = dofCountOf(character);
-  const clip = skeleton && shownClip(character);
-  const driven = clip ? Math.min(clip.channels.length, count) : 0;
+  poseFrom(poseSource(character), timeSeconds, out);
+}
+
+/**
+ * `poseAt` for what was looked up before. Allocates nothing.
+ * @param known takes the rotations of joints that samples drive: see `known-rotations.ts`
+ */
+export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, known?: Float64Array): void {
+  const { character, count, driven, skeleton, curves, joints } = source;
+  const { pose, unkeyed, driver } = character;
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
-  if (clip) {
-    const compiled = compileClip(clip);
+  if (curves) {
     const time = timeSeconds + character.timeOffsetSeconds;
-    evaluateClip(compiled, time, out, driven);
-    const { samples } = compiled;
-    if (samples) samplePose(samples, compiled, sampledJoints(compiled, skeleton), time, out, driven);
+    evaluateClip(curves, time, out, driven);
+    if (curves.samples && joints) samplePose(curves.samples, curves, joints, time, out, driven, known);
   }
-  if (driver && skeleton) {
-    const plan = retargetPlan(driver, character, skeleton);
-    for (let d = 0; d < plan.restDofs.length; d++) out[d] = pose[d] ?? 0;
-    const clipSeconds = timeSeconds + character.timeOffsetSeconds + driver.source.timeOffsetSeconds;
-    retargetPose(plan, clipSeconds, out);
-  }
+  if (driver && character.skeleton) drivenPose(character, driver, character.skeleton, timeSeconds, out);
   if (unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT) {
     for (let i = 0; i < unkeyed.dofs.length; i++) {
       if (unkeyed.dofs[i] < count) out[unkeyed.dofs[i]] = unkeyed.values[i];
     }
   }
-  if (skeleton) settleDofs(compileSkeleton(skeleton), out, character.clampsToLimits);
+  if (skeleton) settleDofs(skeleton, out, character.clampsToLimits);
 }
 
 /** The channel that has the say over a DOF, whether it has keys or only stands at a value; none where another has. */

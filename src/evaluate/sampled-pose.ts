@@ -20,6 +20,7 @@ import { catmullRom, frameAt, sampleRow } from './sampling.ts';
 /**
  * Writes to `out` the first `count` DOFs, as far as they follow the clip's samples; others stay as they are.
  * @param joints of the same clip
+ * @param known takes the rotations of the joints, as far as they are known: see `known-rotations.ts`
  */
 export function samplePose(
   samples: Samples,
@@ -28,6 +29,7 @@ export function samplePose(
   timeSeconds: number,
   out: Float64Array,
   count: number,
+  known?: Float64Array,
 ): void {
   const frame = frameAt(samples, timeSeconds);
   const row = Math.floor(frame);
@@ -38,7 +40,7 @@ export function samplePose(
   }
   betweenPlain(samples, joints, row, part, out, count);
   betweenAngles(samples, joints, row, part, out);
-  betweenEulers(samples, joints, row, part, out);
+  betweenEulers(samples, joints, row, part, out, known);
   betweenQuaternions(samples, joints, row, part, out);
 }
 

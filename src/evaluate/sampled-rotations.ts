@@ -10,8 +10,8 @@
  * passes through all frames and has a steady speed there. (Shoemake's squad wants logarithms and three slerps for that,
  * and is no smoother.)
  *
- * Of the angles of a rotation those are chosen that are nearest to the frames' own. To stay with quaternions up to the
- * matrices would be faster; but a pose is its DOFs, for limits, couples, sliders and files alike.
+ * Of the angles of a rotation those are chosen that are nearest to the frames' own: a pose is its DOFs, for limits,
+ * couples, sliders and files alike. The quaternions are kept beside them, for whoever makes the matrices at once.
  */
 import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler } from '../math/euler.ts';
 import { slerpWeight } from '../math/slerp.ts';
@@ -34,6 +34,7 @@ export function betweenEulers(
   row: number,
   part: number,
   out: Float64Array,
+  known?: Float64Array,
 ): void {
   const { values, scales, frameCount, interpolation } = samples;
   const width = scales.length;
@@ -75,11 +76,23 @@ export function betweenEulers(
       quaternionsOfEulers(a0 / 2, b0 / 2, c0 / 2, a1 / 2, b1 / 2, c1 / 2, here, next);
       slerp(part);
       turnAngles(a1, b1, c1, part);
+      if (known) know(known, 8 * eulerDofs[3 * r]);
     }
     out[eulerDofs[3 * r]] = sign * angles[0];
     out[eulerDofs[3 * r + 1]] = sign * angles[1];
     out[eulerDofs[3 * r + 2]] = sign * angles[2];
   }
+}
+
+/** Puts down the rotation `turned`, of length 1, for `angles`. */
+function know(known: Float64Array, o: number): void {
+  known[o] = angles[0];
+  known[o + 1] = angles[1];
+  known[o + 2] = angles[2];
+  known[o + 3] = turned[0];
+  known[o + 4] = turned[1];
+  known[o + 5] = turned[2];
+  known[o + 6] = turned[3];
 }
 
 /** From the angles of `here`, which are in `angles`, to those of `turned`; α β γ are those of `next`. */

@@ -33,6 +33,9 @@ export class Scrubber {
   private channels: readonly ShownChannel[] = [];
   private colours: ScrubberColours | undefined;
   private stale = true;
+  /** CSS pixels. Asked for only when they change: in each frame, the page would have to be laid out before its time. */
+  private width = 0;
+  private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
   constructor(private readonly wb: Workbench) {
@@ -58,7 +61,11 @@ export class Scrubber {
     wb.settings.subscribe((now, before) => {
       if (now.timeDisplay !== before.timeDisplay) this.redraw();
     });
-    new ResizeObserver(() => this.redraw()).observe(this.element);
+    new ResizeObserver(() => {
+      this.width = this.element.clientWidth;
+      this.height = this.element.clientHeight;
+      this.redraw();
+    }).observe(this.element);
     this.listen();
   }
 
@@ -99,7 +106,7 @@ export class Scrubber {
   }
 
   private draw(): void {
-    const { clientWidth: width, clientHeight: height } = this.element;
+    const { width, height } = this;
     if (!width || !height) return;
     const ratio = window.devicePixelRatio;
     this.colours ??= readColours(this.element);

@@ -7,8 +7,8 @@
  * frame, for values that are known already.
  */
 import { Bone, type Matrix4 } from 'three';
-import { type CompiledSkeleton, compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
-import { multiplyAffine, setIdentity } from '../math/mat4.ts';
+import { type CompiledSkeleton, compileSkeleton, localAndWorldMatrices } from '../evaluate/kinematics.ts';
+import { setIdentity } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { hasBox } from '../model/boxes.ts';
 import type { Skeleton } from '../model/skeleton.ts';
@@ -148,15 +148,12 @@ export class Bones {
     }
   }
 
-  /** Poses the bones: both arrays, and with them every bone's matrices. */
-  pose(dofs: Float64Array): void {
-    const { compiled, local, world } = this;
-    localMatrices(compiled, dofs, local);
-    for (let j = 0; j < compiled.jointCount; j++) {
-      const parent = compiled.parent[j];
-      if (parent < 0) for (let i = 0; i < 16; i++) world[16 * j + i] = local[16 * j + i];
-      else multiplyAffine(world, 16 * parent, local, 16 * j, world, 16 * j);
-    }
+  /**
+   * Poses the bones: both arrays, and with them every bone's matrices.
+   * @param known rotations that may be those of the same angles: see `known-rotations.ts`
+   */
+  pose(dofs: Float64Array, known?: Float64Array): void {
+    localAndWorldMatrices(this.compiled, dofs, this.local, this.world, known);
   }
 }
 

@@ -162,7 +162,7 @@ export class CharacterView {
     player.seek(timeSeconds);
     const { dofs } = player;
     const firstMorph = dofs.length - shown.morphs.length;
-    boneSet?.pose(dofs);
+    boneSet?.pose(dofs, player.knownRotations);
     skin?.pose(dofs, firstMorph);
     if (this.display?.inPlace) this.placeGroups(shown);
 

@@ -45,6 +45,8 @@ export interface JointRef {
 export interface Nodes {
   readonly count: number;
   readonly jointCount: number;
+  /** Of each node the one that the bone to it starts from; -1 for a root. */
+  readonly parents: Int32Array;
   /** The joint that each End Site ends. */
   readonly owners: Int32Array;
   /** x y z of each End Site, in its joint's space. */
@@ -57,6 +59,7 @@ function nodesOf(skeleton: Skeleton): Nodes {
   return {
     count: jointCount + ends.length,
     jointCount,
+    parents: Int32Array.from([...skeleton.joints.map((j) => j.parent), ...ends.map((e) => e.joint)]),
     owners: Int32Array.from(ends, ({ joint }) => joint),
     ends: Float64Array.from(ends.flatMap(({ at }) => at)),
   };

@@ -12,6 +12,7 @@ import {
   type Material,
   ShaderMaterial,
 } from 'three';
+import { NodeMesh, type NodeShape } from './node-buffer.ts';
 import { ID_FRAGMENT } from './thick-lines.ts';
 
 /** Covered ones come after all that may cover them, and before the markers. */
@@ -23,6 +24,7 @@ export class InstancedKind {
   /** Drawn only where it is behind something opaque: bones show through a skin. */
   covered: InstancedMesh | undefined;
   private tint: InstancedBufferAttribute | undefined;
+  private capacity = 0;
 
   constructor(
     readonly geometry: BufferGeometry,
@@ -32,6 +34,8 @@ export class InstancedKind {
     parent: Group,
     private readonly coveredMaterial?: Material,
     private readonly lighter?: BufferGeometry,
+    /** Drawn from a `NodeBuffer`, which its owner fills; `matrices` then are none. */
+    private readonly shape?: NodeShape,
   ) {
     this.mesh = this.create(1);
     parent.add(this.mesh);
@@ -40,7 +44,7 @@ export class InstancedKind {
 
   /** Room for `count` instances. */
   resize(count: number): void {
-    if (count > this.mesh.instanceMatrix.count) {
+    if (count > this.capacity) {
       const { parent, visible, castShadow, renderOrder, geometry } = this.mesh;
       this.mesh.removeFromParent();
       this.mesh.dispose();
@@ -51,6 +55,11 @@ export class InstancedKind {
     }
     this.mesh.count = count;
     if (this.covered) this.covered.count = count;
+  }
+
+  /** All shapes that it may be drawn with. */
+  get geometries(): readonly BufferGeometry[] {
+    return this.lighter ? [this.geometry, this.lighter] : [this.geometry];
   }
 
   /** Draws with fewer triangles, where there is a lighter shape. */
@@ -106,7 +115,9 @@ export class InstancedKind {
   }
 
   private create(count: number): InstancedMesh {
-    const mesh = new InstancedMesh(this.geometry, this.material, count);
+    this.capacity = count;
+    const { geometry, material, shape } = this;
+    const mesh = shape ? new NodeMesh(geometry, material, count, shape) : new InstancedMesh(geometry, material, count);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     // Instances are all over the place: a sphere around the unit shape says nothing.
     mesh.frustumCulled = false;

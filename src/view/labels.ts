@@ -8,9 +8,9 @@ import { type Camera, Matrix4 } from 'three';
 import type { Display, Selection } from '../model/session.ts';
 import { placeName } from './character-names.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
+import { type Name, NameSprites } from './name-sprites.ts';
 import type { StageTheme } from './theme.ts';
 
-const FONT = '500 11px system-ui, -apple-system, "Segoe UI", sans-serif';
 /** CSS pixels. */
 const LINE_HEIGHT = 15;
 /** Heights tried for a character's name; who stands in a crowd has none. */
@@ -26,16 +26,11 @@ const MAX_LETTERS = 40;
 /** Of a character's before a joint's. */
 const MAX_BEFORE = 28;
 
-interface Name {
-  readonly text: string;
-  readonly width: number;
-}
-
 export class Labels {
   readonly canvas = document.createElement('canvas');
   private readonly pen: CanvasRenderingContext2D;
+  private readonly sprites = new NameSprites();
   private names: Name[] = [];
-  private readonly known = new Map<string, Name>();
   private drawn: readonly DrawnSkeleton[] = [];
   private width = 1;
   private height = 1;
@@ -63,7 +58,6 @@ export class Labels {
     const pen = this.canvas.getContext('2d');
     if (!pen) throw new Error('This browser gives no 2D canvas.');
     this.pen = pen;
-    this.dress();
     this.canvas.setAttribute('aria-hidden', 'true');
     this.canvas.style.cssText = 'position:absolute;inset:0;width:100%;height:100%;pointer-events:none';
   }
@@ -71,24 +65,16 @@ export class Labels {
   resize(width: number, height: number, ratio: number): void {
     this.width = width;
     this.height = height;
-    this.ratio = ratio;
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
     this.wrote = true;
-    this.dress();
-  }
-
-  /** What the pen keeps from frame to frame, and a canvas of another size forgets. Setting a font costs a parse. */
-  private dress(): void {
-    const { pen } = this;
-    pen.font = FONT;
-    pen.textBaseline = 'middle';
-    pen.lineJoin = 'round';
-    pen.lineWidth = 3;
+    if (ratio !== this.ratio) this.sprites.setRatio(ratio);
+    this.ratio = ratio;
   }
 
   setTheme(theme: StageTheme): void {
     this.theme = theme;
+    this.sprites.setHalo(theme.labelHalo);
   }
 
   /** After an edit. `hovered` is named too, wherever names are off. */
@@ -117,13 +103,11 @@ export class Labels {
     const { pen, theme } = this;
     const nothing = !this.showsAll && this.always.length === 0 && this.characterNames.length === 0;
     if (!theme || (nothing && !this.wrote)) return;
-    pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-    pen.clearRect(0, 0, this.width, this.height);
+    pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
     // A canvas that is cleared and gets nothing new may go on showing what it had in Chromium.
     this.canvas.style.visibility = nothing ? 'hidden' : '';
     this.wrote = !nothing;
     if (nothing) return;
-    pen.strokeStyle = theme.labelHalo;
     this.toClip.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
 
     this.written = 0;
@@ -143,7 +127,6 @@ export class Labels {
       firstName += skeleton.joints.length;
     }
     // Nearest first. Few enough to look for the next nearest each time.
-    pen.fillStyle = theme.label;
     for (let n = 0; n < count && this.written < LIMIT; n++) {
       let best = -1;
       for (let i = 0; i < count; i++) {
@@ -152,41 +135,43 @@ export class Labels {
       }
       if (best < 0) break;
       this.screen[3 * best + 2] = Infinity;
-      this.write(this.names[this.order[best]], this.screen[3 * best] + BESIDE, this.screen[3 * best + 1], false);
+      this.write(
+        this.names[this.order[best]],
+        this.screen[3 * best] + BESIDE,
+        this.screen[3 * best + 1],
+        theme.label,
+        false,
+      );
     }
   }
 
   private writeCharacters(positions: Float64Array, theme: StageTheme): void {
-    const { pen, characterNames: names, selectedCharacter: first } = this;
+    const { characterNames: names, selectedCharacter: first } = this;
     if (names.length === 0) return;
-    if (first >= 0) {
-      pen.fillStyle = theme.selectedLabel;
-      this.writeCharacter(first, positions);
-    }
+    if (first >= 0) this.writeCharacter(first, positions, theme.selectedLabel);
     for (let c = 0; c < names.length; c++) {
       if (c === first) continue;
       const { tint } = this.drawn[c];
-      pen.fillStyle = tint ? theme[tint] : theme.label;
-      this.writeCharacter(c, positions);
+      this.writeCharacter(c, positions, tint ? theme[tint] : theme.label);
     }
   }
 
-  private writeCharacter(c: number, positions: Float64Array): void {
+  private writeCharacter(c: number, positions: Float64Array, color: string): void {
     const { place } = this;
     if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
     const name = this.characterNames[c];
     // Where another's stands already, over it.
     for (let line = 0; line < NAME_LINES; line++) {
-      if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, false)) return;
+      if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, color, false)) return;
     }
   }
 
   private writeAlways(instance: number, positions: Float64Array, theme: StageTheme): void {
     const name = instance === this.hovered ? this.hoveredName : this.nameOf(instance);
     if (!name || !this.project(positions, instance, CANDIDATES - 1)) return;
-    this.pen.fillStyle = instance === this.selected ? theme.selectedLabel : theme.label;
+    const color = instance === this.selected ? theme.selectedLabel : theme.label;
     const o = 3 * (CANDIDATES - 1);
-    this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], true);
+    this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], color, true);
   }
 
   /** Where an instance is on screen, into slot `to`; false where it is out of the picture. */
@@ -207,7 +192,8 @@ export class Labels {
   }
 
   /** Whether there was room for it. @param x of the first letter @param y of the middle of the line */
-  private write({ text, width }: Name, x: number, y: number, overOthers: boolean): boolean {
+  private write(name: Name, x: number, y: number, color: string, overOthers: boolean): boolean {
+    const { text, width } = name;
     if (text === '' || this.written >= LIMIT) return false;
     const left = Math.round(x);
     const top = Math.round(y) - LINE_HEIGHT / 2;
@@ -223,20 +209,12 @@ export class Labels {
     boxes[o + 1] = top;
     boxes[o + 2] = left + width + 4;
     boxes[o + 3] = top + LINE_HEIGHT;
-    this.pen.strokeText(text, left, Math.round(y));
-    this.pen.fillText(text, left, Math.round(y));
+    this.sprites.draw(this.pen, name, color, left, Math.round(y));
     return true;
   }
 
   private measure(name: string, most = MAX_LETTERS): Name {
-    let known = this.known.get(name);
-    if (!known) {
-      const text = cut(name, most);
-      known = { text, width: this.pen.measureText(text).width };
-      if (this.known.size > 20000) this.known.clear();
-      this.known.set(name, known);
-    }
-    return known;
+    return this.sprites.name(cut(name, most));
   }
 
   /** `rokoko-dance · LeftUpLeg` where there are several characters. */

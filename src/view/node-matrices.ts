@@ -5,6 +5,7 @@
 import { multiplyAffine } from '../math/mat4.ts';
 import type { Nodes } from './drawn-skeletons.ts';
 import { boneMatrix, type JointSizes, sphereMatrix } from './joint-shapes.ts';
+import { NODE_STRIDE } from './node-buffer.ts';
 
 /**
  * Writes the matrices of all joints in the scene to `out`, 16 each, and after them those of the End Sites, of which only
@@ -29,6 +30,52 @@ export function placeNodes(
     out[o] = out[m] * x + out[m + 4] * y + out[m + 8] * z + out[m + 12];
     out[o + 1] = out[m + 1] * x + out[m + 5] * y + out[m + 9] * z + out[m + 13];
     out[o + 2] = out[m + 2] * x + out[m + 6] * y + out[m + 10] * z + out[m + 14];
+  }
+}
+
+/**
+ * Writes where all joints and End Sites are in the scene, x y z each from node `first` on: all that balls and bones are
+ * made of, and a third of the work.
+ * @param world 16 a joint, in the character's space
+ */
+export function placePositions(
+  { count, jointCount, owners, ends }: Nodes,
+  placements: Float64Array,
+  p: number,
+  world: Float64Array,
+  out: Float64Array,
+  first: number,
+): void {
+  const m0 = placements[p];
+  const m1 = placements[p + 1];
+  const m2 = placements[p + 2];
+  const m4 = placements[p + 4];
+  const m5 = placements[p + 5];
+  const m6 = placements[p + 6];
+  const m8 = placements[p + 8];
+  const m9 = placements[p + 9];
+  const m10 = placements[p + 10];
+  const m12 = placements[p + 12];
+  const m13 = placements[p + 13];
+  const m14 = placements[p + 14];
+  for (let n = 0; n < count; n++) {
+    const e = 3 * (n - jointCount);
+    const m = n < jointCount ? 16 * n : 16 * owners[n - jointCount];
+    let x = world[m + 12];
+    let y = world[m + 13];
+    let z = world[m + 14];
+    if (e >= 0) {
+      const a = ends[e];
+      const b = ends[e + 1];
+      const c = ends[e + 2];
+      x += world[m] * a + world[m + 4] * b + world[m + 8] * c;
+      y += world[m + 1] * a + world[m + 5] * b + world[m + 9] * c;
+      z += world[m + 2] * a + world[m + 6] * b + world[m + 10] * c;
+    }
+    const o = 3 * (first + n);
+    out[o] = m0 * x + m4 * y + m8 * z + m12;
+    out[o + 1] = m1 * x + m5 * y + m9 * z + m13;
+    out[o + 2] = m2 * x + m6 * y + m10 * z + m14;
   }
 }
 
@@ -99,5 +146,34 @@ export function fillBones(
     sphereMatrix(world[o + 12], world[o + 13], world[o + 14], radius * scale, balls, to);
     const thick = parent < 0 ? 0 : 0.8 * Math.min(radii[parent], 1.6 * radius) * scale;
     boneMatrix(world, 16 * Math.max(parent, 0), o, thick, bones, to);
+  }
+}
+
+/**
+ * `fillBones` for a `NodeBuffer`: the ball of every node and the bone that leads to it, from node `first` on.
+ * @param positions as `placePositions` gives them
+ */
+export function fillNodes(
+  { count, jointCount, parents }: Nodes,
+  { radii, endRadii }: JointSizes,
+  scale: number,
+  positions: Float64Array,
+  out: Float32Array,
+  first: number,
+): void {
+  for (let n = 0; n < count; n++) {
+    const radius = n < jointCount ? radii[n] : endRadii[n - jointCount];
+    const parent = parents[n];
+    const end = 3 * (first + n);
+    const start = parent < 0 ? end : 3 * (first + parent);
+    const o = NODE_STRIDE * (first + n);
+    out[o] = positions[end];
+    out[o + 1] = positions[end + 1];
+    out[o + 2] = positions[end + 2];
+    out[o + 3] = radius * scale;
+    out[o + 4] = positions[start];
+    out[o + 5] = positions[start + 1];
+    out[o + 6] = positions[start + 2];
+    out[o + 7] = parent < 0 ? 0 : 0.8 * Math.min(radii[parent], 1.6 * radius) * scale;
   }
 }

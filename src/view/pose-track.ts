@@ -18,9 +18,12 @@
  *    bounces and stops by itself; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
  */
 import { type AnimationAction, AnimationClip, AnimationMixer, Interpolant, NumberKeyframeTrack, Object3D } from 'three';
-import { type CompiledClip, compileClip } from '../evaluate/compiled-clip.ts';
-import { dofCountOf, poseAt } from '../evaluate/pose.ts';
+import { KnownRotations } from '../evaluate/known-rotations.ts';
+import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
 import { type Character, shownClip } from '../model/document.ts';
+
+/** One for all: a character's matrices are made right after its pose, while this is still in the cache. */
+const rotations = new KnownRotations();
 
 /** The property that the track drives. */
 class Dofs {
@@ -66,7 +69,7 @@ class PoseInterpolant extends Interpolant {
   override evaluate(timeSeconds: number): Float64Array {
     // The buffer is the constructor's above, or the mixer's, which is one of doubles too.
     const out = this.resultBuffer as Float64Array;
-    poseAt(this.player.character, timeSeconds, out);
+    poseFrom(this.player.source, timeSeconds, out, rotations.values);
     return out;
   }
 
@@ -78,30 +81,42 @@ class PoseInterpolant extends Interpolant {
 
 /** Plays one character. Made anew when its DOFs or its clip change; anything else is seen without. */
 export class PosePlayer {
-  /** The character whose pose and clip are read; replaced after an edit that keeps DOFs and clip. */
-  character: Character;
+  /** Of the character whose pose and clip are read. It holds the compiled clip, or each frame might have to make it. */
+  source: PoseSource;
   /** Each DOF's value at the time of the last `seek`, in the order of `model/dofs.ts`. */
   readonly dofs: Float64Array;
   readonly clip: AnimationClip;
-  readonly curves: CompiledClip | undefined;
   private readonly mixer: AnimationMixer;
   private readonly action: AnimationAction;
 
   constructor(character: Character) {
-    this.character = character;
-    const count = dofCountOf(character);
+    this.source = poseSource(character);
+    const { count } = this.source;
+    rotations.reserve(count);
     const track = new NumberKeyframeTrack(TRACK, [0], new Float32Array(count));
     // three.js declares the three methods it puts here one by one; it only ever calls this one.
     Object.assign(track, { createInterpolant: () => new PoseInterpolant(track.times, track.values, this) });
     const clip = shownClip(character);
-    // Held here, or each frame might have to compile it again.
-    this.curves = clip && compileClip(clip);
     const duration = clip ? clip.range[1] - clip.range[0] : 0;
     this.clip = new AnimationClip(clip?.name ?? 'pose', duration > 0 ? duration : 1, [track]);
     const posed = new Posed(count);
     this.dofs = posed.dofs.values;
     this.mixer = new AnimationMixer(posed);
     this.action = this.mixer.clipAction(this.clip).play();
+  }
+
+  /** Replaced after an edit that keeps DOFs and clip. */
+  set character(character: Character) {
+    this.source = poseSource(character);
+  }
+
+  get character(): Character {
+    return this.source.character;
+  }
+
+  /** Those of the last `seek`, of this character or of another one. */
+  get knownRotations(): Float64Array {
+    return rotations.values;
   }
 
   /** Whether this can go on playing the character after an edit. */

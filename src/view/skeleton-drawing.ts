@@ -16,7 +16,6 @@ import {
   SphereGeometry,
   type Vector3,
 } from 'three';
-import { compileSkeleton } from '../evaluate/kinematics.ts';
 import { hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
 import {
@@ -33,7 +32,8 @@ import {
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
 import { axesMatrix, boxMatrix } from './joint-shapes.ts';
-import { fillBones, placeNodes, placePoints, scaleOf } from './node-matrices.ts';
+import { drawnByNodes, NODE_STRIDE, NodeBuffer, type NodeShape } from './node-buffer.ts';
+import { fillNodes, placeNodes, placePositions, scaleOf } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
 import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
@@ -79,6 +79,8 @@ export class SkeletonDrawing {
   instanceCount = 0;
 
   private readonly kinds: Readonly<Record<KindName, InstancedKind>>;
+  /** Of balls and bones. */
+  private readonly nodes = new NodeBuffer();
   private readonly markers: JointMarkers;
   private readonly axisColors: BufferGeometry;
   /** Of each of `drawn`, whether its boxes and its bones are shown: asked in every frame, it is known from the edit on. */
@@ -95,21 +97,26 @@ export class SkeletonDrawing {
     const edges = segmentsGeometry(boxEdges());
     const axes = segmentsGeometry([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1], new Array(9).fill(1));
     this.axisColors = axes;
-    const lit = () => new MeshStandardMaterial({ roughness: 0.62, metalness: 0 });
+    const lit = (shape: NodeShape) => drawnByNodes(new MeshStandardMaterial({ roughness: 0.62, metalness: 0 }), shape);
     const behind = { transparent: true, depthFunc: GreaterDepth, depthWrite: false } as const;
-    const through = () =>
-      new MeshStandardMaterial({ roughness: 0.62, metalness: 0, opacity: COVERED_OPACITY, ...behind });
+    const through = (shape: NodeShape) => {
+      const material = { roughness: 0.62, metalness: 0, opacity: COVERED_OPACITY, ...behind };
+      return drawnByNodes(new MeshStandardMaterial(material), shape);
+    };
     const flat = new MeshStandardMaterial({ roughness: 0.75, metalness: 0, flatShading: true });
     const edgeLines = lineMaterial({ width: 1.25, tinted: true, lift: 2e-5 });
     const axisLines = { width: 1.75, segmentColors: true };
     const axesThrough = lineMaterial({ ...axisLines, opacity: COVERED_OPACITY }, behind);
     const ids = meshIdMaterial;
-    const ball = new SphereGeometry(1, 16, 10);
+    const ofNodes = (shape: NodeShape, geometry: BufferGeometry, lighter: BufferGeometry) => {
+      const idMaterial = drawnByNodes(ids(), shape);
+      return new InstancedKind(geometry, lit(shape), idMaterial, false, object, through(shape), lighter, shape);
+    };
     this.kinds = {
       edges: new InstancedKind(edges, edgeLines, lineIdMaterial(5, 2e-5), true, object),
       faces: new InstancedKind(new BoxGeometry(1, 1, 1), flat, ids(), false, object),
-      balls: new InstancedKind(ball, lit(), ids(), false, object, through(), new SphereGeometry(1, 10, 6)),
-      bones: new InstancedKind(boneGeometry(12), lit(), ids(), false, object, through(), boneGeometry(8)),
+      balls: ofNodes('ball', new SphereGeometry(1, 16, 10), new SphereGeometry(1, 10, 6)),
+      bones: ofNodes('bone', boneGeometry(12), boneGeometry(8)),
       axes: new InstancedKind(axes, lineMaterial(axisLines), undefined, false, object, axesThrough),
     };
     this.markers = new JointMarkers(object, segmentsGeometry(boxEdges()), axes);
@@ -135,6 +142,7 @@ export class SkeletonDrawing {
     axes.mesh.visible = display.axes;
     const isLight = this.instanceCount >= MANY_BALLS;
     for (const kind of [balls, bones]) kind.setLight(isLight);
+    if (balls.mesh.visible) this.nodes.resize(this.instanceCount, [...balls.geometries, ...bones.geometries]);
     for (const kind of Object.values(this.kinds)) {
       if (kind.mesh.visible) kind.resize(this.instanceCount);
       if (kind.covered) kind.covered.visible = kind.mesh.visible && this.isCovered;
@@ -159,22 +167,23 @@ export class SkeletonDrawing {
 
   /** Every frame in which a joint moved: matrices of all that is shown. Allocates nothing. */
   fill(): void {
-    const { edges, faces } = this.kinds;
+    const { edges, faces, balls } = this.kinds;
     for (let d = 0; d < this.drawn.length; d++) {
       for (let p = 0; p < this.drawn[d].placementCount; p++) this.fillPlacement(d, p);
     }
     if (edges.mesh.visible && faces.mesh.visible)
       faces.matrices.set(edges.matrices.subarray(0, 16 * this.instanceCount));
-    for (const name of KIND_NAMES) {
+    for (const name of WITH_MATRICES) {
       if (this.kinds[name].mesh.visible) this.kinds[name].mesh.instanceMatrix.needsUpdate = true;
     }
+    if (balls.mesh.visible) this.nodes.filled();
     this.markers.filled();
   }
 
   private fillPlacement(d: number, p: number): void {
     const drawn = this.drawn[d];
     const drawsBoxes = this.withBoxes[d];
-    const { edges, faces, balls, bones, axes } = this.kinds;
+    const { edges, faces, balls, axes } = this.kinds;
     const { sizes, placements, nodes, skeleton, firstInstance } = drawn;
     const { positions, scratch: world, selection } = this;
     const { joints } = skeleton;
@@ -184,21 +193,12 @@ export class SkeletonDrawing {
     const { joint } = selection;
     const isMarked = joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId;
     // Balls and bones say where joints are, everything else how they are turned too.
-    const place = drawsBoxes || isMarked || axes.mesh.visible ? placeNodes : placePoints;
-    place(nodes, placements, 16 * p, drawn.world, world);
-    for (let n = 0; n < count; n++) {
-      positions[3 * (first + n)] = world[16 * n + 12];
-      positions[3 * (first + n) + 1] = world[16 * n + 13];
-      positions[3 * (first + n) + 2] = world[16 * n + 14];
-    }
+    placePositions(nodes, placements, 16 * p, drawn.world, positions, first);
+    if (drawsBoxes || isMarked || axes.mesh.visible) placeNodes(nodes, placements, 16 * p, drawn.world, world);
     if (balls.mesh.visible) {
-      if (this.withBones[d]) {
-        const { parent } = compileSkeleton(skeleton);
-        fillBones(nodes, parent, sizes, scale, world, balls.matrices, bones.matrices, first);
-      } else {
-        balls.matrices.fill(0, 16 * first, 16 * (first + count));
-        bones.matrices.fill(0, 16 * first, 16 * (first + count));
-      }
+      const { values } = this.nodes;
+      if (this.withBones[d]) fillNodes(nodes, sizes, scale, positions, values, first);
+      else values.fill(0, NODE_STRIDE * first, NODE_STRIDE * (first + count));
     }
     if (edges.mesh.visible || faces.mesh.visible) {
       const boxes = edges.mesh.visible ? edges.matrices : faces.matrices;
@@ -353,4 +353,5 @@ export class SkeletonDrawing {
   }
 }
 
-const KIND_NAMES: readonly KindName[] = ['edges', 'faces', 'balls', 'bones', 'axes'];
+/** Balls and bones have a `NodeBuffer`. */
+const WITH_MATRICES: readonly KindName[] = ['edges', 'faces', 'axes'];

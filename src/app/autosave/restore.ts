@@ -54,6 +54,7 @@ export async function readSession(
   const arrays = await readArrays(id, store, head);
   options.signal.throwIfAborted();
   const { knownSkins = [], ...state } = decode(head.tree, files, arrays) as KeptState;
+  if (state.document.characters.some(({ driver }) => driver)) await import('../../evaluate/retarget/driving.ts');
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
   return {
     state,

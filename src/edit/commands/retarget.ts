@@ -5,6 +5,7 @@
  * and what it moves follows. Baking samples what is seen.
  */
 import { bakeClip, framesOf } from '../../evaluate/bake.ts';
+import '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { keylessChannel } from '../../model/clip.ts';
 import type { Character, Driver } from '../../model/document.ts';

@@ -1,4 +1,5 @@
 /** Small people to put takes onto each other: the same body under other names, in other poses, units and axes. */
+import '../../../src/evaluate/retarget/driving.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
 import type { Driver, Space } from '../../../src/model/document.ts';

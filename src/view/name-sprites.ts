@@ -1,0 +1,138 @@
+/**
+ * Names as pictures. To write a text with a halo takes the browser as long as to copy ten: so each name is written once
+ * in each of its colours, on a canvas that is never seen, and copied from there in every frame, pixel for pixel.
+ */
+import { Shelves } from './shelves.ts';
+
+const FONT = '500 11px system-ui, -apple-system, "Segoe UI", sans-serif';
+/** CSS pixels. Of a strip: a line of text with the halo's room above and below. */
+const STRIP_HEIGHT = 20;
+/** Around the text, for its halo. */
+const MARGIN = 4;
+const HALO_WIDTH = 3;
+/** CSS pixels. More than a frame has names, unless they are long; then the oldest make room. */
+const PICTURE_WIDTH = 1024;
+const PICTURE_HEIGHT = 512;
+
+/** A text, and where in the picture it is in which colour. */
+export interface Name {
+  readonly text: string;
+  /** CSS pixels. */
+  readonly width: number;
+  readonly sprites: Sprite[];
+}
+
+interface Sprite {
+  readonly color: string;
+  /** Of the picture that it is in: what has been cleared since has no sprites any more. */
+  generation: number;
+  /** Device pixels. */
+  x: number;
+  y: number;
+}
+
+export class NameSprites {
+  private readonly canvas = document.createElement('canvas');
+  private readonly pen: CanvasRenderingContext2D;
+  private readonly known = new Map<string, Name>();
+  private readonly corner = new Float64Array(2);
+  private shelves = new Shelves(0, 0, 1);
+  private generation = 0;
+  private ratio = 1;
+  private halo = '';
+
+  constructor() {
+    const pen = this.canvas.getContext('2d');
+    if (!pen) throw new Error('This browser gives no 2D canvas.');
+    this.pen = pen;
+    this.setRatio(1);
+  }
+
+  /** Device pixels a CSS pixel. */
+  setRatio(ratio: number): void {
+    this.ratio = ratio;
+    this.canvas.width = Math.round(PICTURE_WIDTH * ratio);
+    this.canvas.height = Math.round(PICTURE_HEIGHT * ratio);
+    this.shelves = new Shelves(this.canvas.width, this.canvas.height, Math.ceil(STRIP_HEIGHT * ratio));
+    this.clear();
+  }
+
+  setHalo(color: string): void {
+    this.halo = color;
+    this.clear();
+  }
+
+  /** The name that is written for this text, which is the same for the same text. */
+  name(text: string): Name {
+    let name = this.known.get(text);
+    if (!name) {
+      name = { text, width: this.pen.measureText(text).width, sprites: [] };
+      if (this.known.size > 20000) this.known.clear();
+      this.known.set(text, name);
+    }
+    return name;
+  }
+
+  /**
+   * Copies a name to a canvas, whose pen is in device pixels.
+   * @param left CSS pixels; of the first letter
+   * @param middle CSS pixels; of the line
+   */
+  draw(pen: CanvasRenderingContext2D, name: Name, color: string, left: number, middle: number): void {
+    const { ratio, shelves } = this;
+    const width = this.widthOf(name);
+    const height = shelves.shelfHeight;
+    const sprite = this.spriteOf(name, color, width);
+    // To whole pixels, or it would be blurred.
+    const x = Math.round((left - MARGIN) * ratio);
+    const y = Math.round((middle - STRIP_HEIGHT / 2) * ratio);
+    if (sprite) pen.drawImage(this.canvas, sprite.x, sprite.y, width, height, x, y, width, height);
+  }
+
+  private widthOf({ width }: Name): number {
+    return Math.min(this.shelves.width, Math.ceil((width + 2 * MARGIN) * this.ratio));
+  }
+
+  private spriteOf(name: Name, color: string, width: number): Sprite | undefined {
+    const { sprites } = name;
+    let sprite: Sprite | undefined;
+    for (let s = 0; s < sprites.length; s++) if (sprites[s].color === color) sprite = sprites[s];
+    if (sprite?.generation === this.generation) return sprite;
+    const { corner, shelves } = this;
+    if (!shelves.place(width, corner)) {
+      this.clear();
+      if (!shelves.place(width, corner)) return undefined;
+    }
+    if (!sprite) {
+      sprite = { color, generation: 0, x: 0, y: 0 };
+      sprites.push(sprite);
+    }
+    sprite.generation = this.generation;
+    [sprite.x, sprite.y] = corner;
+    this.write(name.text, sprite);
+    return sprite;
+  }
+
+  private write(text: string, { color, x, y }: Sprite): void {
+    const { pen, ratio } = this;
+    pen.setTransform(ratio, 0, 0, ratio, x, y);
+    pen.strokeStyle = this.halo;
+    pen.strokeText(text, MARGIN, STRIP_HEIGHT / 2);
+    pen.fillStyle = color;
+    pen.fillText(text, MARGIN, STRIP_HEIGHT / 2);
+  }
+
+  /** What was copied from it stays where it was copied to. */
+  private clear(): void {
+    const { pen, canvas } = this;
+    this.generation++;
+    this.shelves.clear();
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.clearRect(0, 0, canvas.width, canvas.height);
+    // A canvas of another size has forgotten these.
+    pen.font = FONT;
+    pen.textBaseline = 'middle';
+    pen.lineJoin = 'round';
+    pen.lineWidth = HALO_WIDTH;
+  }
+}

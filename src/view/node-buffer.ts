@@ -1,0 +1,132 @@
+/**
+ * Balls and bones of all nodes in one small buffer: 8 floats a node, from which the vertex shader makes the matrices.
+ * Written out on this side, they would be 32, to be made and to be brought to the GPU in every frame.
+ *
+ *     nodeEnd    x y z of the node, radius of its ball
+ *     nodeStart  x y z of where the bone to it starts, the bone's radius there
+ *
+ * Materials and meshes stay those of three.js for instances: `instanceMatrix` in their shaders is this one's.
+ */
+import {
+  type BufferGeometry,
+  DynamicDrawUsage,
+  InstancedBufferAttribute,
+  InstancedInterleavedBuffer,
+  InstancedMesh,
+  InterleavedBufferAttribute,
+  type Material,
+  type Matrix4,
+  MeshDepthMaterial,
+} from 'three';
+import { boneMatrix, sphereMatrix } from './joint-shapes.ts';
+
+export type NodeShape = 'ball' | 'bone';
+
+/** Floats a node. */
+export const NODE_STRIDE = 8;
+
+export class NodeBuffer {
+  private buffer = interleaved(1);
+
+  /** 8 a node, as above. */
+  get values(): Float32Array {
+    // Made below as a Float32Array; its type says any array.
+    return this.buffer.array as Float32Array;
+  }
+
+  /** Room for `count` nodes, and the buffer is what these shapes are drawn with. */
+  resize(count: number, geometries: readonly BufferGeometry[]): void {
+    if (count > this.buffer.count) this.buffer = interleaved(count);
+    for (const geometry of geometries) {
+      const attribute = geometry.attributes.nodeEnd;
+      if (attribute instanceof InterleavedBufferAttribute && attribute.data === this.buffer) continue;
+      geometry.setAttribute('nodeEnd', new InterleavedBufferAttribute(this.buffer, 4, 0));
+      geometry.setAttribute('nodeStart', new InterleavedBufferAttribute(this.buffer, 4, 4));
+    }
+  }
+
+  /** To the GPU, when it is drawn next. */
+  filled(): void {
+    this.buffer.needsUpdate = true;
+  }
+}
+
+function interleaved(count: number): InstancedInterleavedBuffer {
+  const buffer = new InstancedInterleavedBuffer(new Float32Array(NODE_STRIDE * count), NODE_STRIDE, 1);
+  buffer.setUsage(DynamicDrawUsage);
+  return buffer;
+}
+
+/** Scratch, never escapes: where a bone starts and ends, as matrices of which only the place is read. */
+const ends = new Float64Array(32);
+const made = new Float32Array(16);
+
+/** Balls or bones: as many instances as `count` says, without matrices of their own. */
+export class NodeMesh extends InstancedMesh {
+  constructor(
+    geometry: BufferGeometry,
+    material: Material,
+    capacity: number,
+    readonly shape: NodeShape,
+  ) {
+    super(geometry, material, 1);
+    this.instanceColor = new InstancedBufferAttribute(new Float32Array(3 * capacity).fill(1), 3);
+    this.customDepthMaterial = drawnByNodes(new MeshDepthMaterial(), shape);
+  }
+
+  /** What the shader makes of the buffer. */
+  override getMatrixAt(index: number, matrix: Matrix4): Matrix4 {
+    const { nodeEnd, nodeStart } = this.geometry.attributes;
+    for (let k = 0; k < 3; k++) {
+      ends[12 + k] = nodeStart.getComponent(index, k);
+      ends[28 + k] = nodeEnd.getComponent(index, k);
+    }
+    made.fill(0);
+    if (this.shape === 'ball') sphereMatrix(ends[28], ends[29], ends[30], nodeEnd.getW(index), made, 0);
+    else boneMatrix(ends, 0, 16, nodeStart.getW(index), made, 0);
+    return matrix.fromArray(made);
+  }
+
+  override dispose(): void {
+    this.customDepthMaterial?.dispose();
+    super.dispose();
+  }
+}
+
+/** `sphereMatrix` and `boneMatrix` of `joint-shapes.ts`. */
+const MATRICES: Readonly<Record<NodeShape, string>> = {
+  ball: /* glsl */ `
+    float r = nodeEnd.w;
+    nodeMatrix = mat4(r, 0.0, 0.0, 0.0, 0.0, r, 0.0, 0.0, 0.0, 0.0, r, 0.0, nodeEnd.xyz, 1.0);
+  `,
+  bone: /* glsl */ `
+    vec3 way = nodeEnd.xyz - nodeStart.xyz;
+    float span = length(way);
+    float r = nodeStart.w;
+    nodeMatrix = mat4(vec4(0.0), vec4(0.0), vec4(0.0), vec4(nodeStart.xyz, 1.0));
+    if (span > 0.0) {
+      vec3 d = way / span;
+      float s = d.y >= 0.0 ? 1.0 : -1.0;
+      float a = -1.0 / (s + d.y);
+      float b = d.x * d.z * a;
+      nodeMatrix[0].xyz = r * vec3(1.0 + s * d.x * d.x * a, -s * d.x, s * b);
+      nodeMatrix[1].xyz = way;
+      nodeMatrix[2].xyz = r * vec3(b, -d.z, s + d.z * d.z * a);
+    }
+  `,
+};
+
+/** The material, for a `NodeMesh` of this shape. */
+export function drawnByNodes<M extends Material>(material: M, shape: NodeShape): M {
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = /* glsl */ `
+      attribute vec4 nodeEnd;
+      attribute vec4 nodeStart;
+      mat4 nodeMatrix;
+      #define instanceMatrix nodeMatrix
+      ${shader.vertexShader.replace('void main() {', `void main() { {${MATRICES[shape]}}`)}
+    `;
+  };
+  material.customProgramCacheKey = () => `nodes as ${shape}`;
+  return material;
+}
