@@ -27,6 +27,14 @@ export interface Command<Args, Result extends Document | Edit = Document> {
 export interface Edit {
   readonly document: Document;
   readonly keys: readonly ChannelKeys[];
+  /** The character, and the joint of it, that are selected after it; absent: those that were. */
+  readonly selected?: SelectedJoint;
+}
+
+/** A joint that a change was about, by its index after the change; absent: the character, and none of its joints. */
+export interface SelectedJoint {
+  readonly characterId: string;
+  readonly joint?: number;
 }
 
 /** A command that can't be done, with a sentence for the person who asked for it. */
@@ -222,8 +230,24 @@ export function documentIn(change: Document | Edit): Document {
   return isEdit(change) ? change.document : change;
 }
 
+/** A document with what is selected in it after a change: what the change says, and else what is still there. */
+function stateAfter(before: State, change: Document | Edit): State {
+  const kept = stateKept(before, change);
+  const selected = isEdit(change) ? change.selected : undefined;
+  if (!selected || kept.document === before.document) return kept;
+  return { document: kept.document, selection: withJoint(kept.selection, selected) };
+}
+
+/** The same object where that joint, and no vertex, is selected already. Keys stay where the character is the same. */
+function withJoint(selection: Selection, { characterId, joint }: SelectedJoint): Selection {
+  const isSame = selection.characterId === characterId && selection.joint === joint;
+  if (isSame && selection.vertex === undefined) return selection;
+  const keys = selection.characterId === characterId ? selection.keys : undefined;
+  return { characterId, ...(joint !== undefined && { joint }), ...(keys && { keys }) };
+}
+
 /** A document with what is still selected in it. */
-function stateAfter({ document: before, selection }: State, change: Document | Edit): State {
+function stateKept({ document: before, selection }: State, change: Document | Edit): State {
   const edit = isEdit(change) ? change : undefined;
   const document = followSources(before, documentIn(change));
   const { characterId } = selection;

@@ -1,8 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
 import { removeCharacter, renameCharacter } from '../../src/edit/commands/characters.ts';
-import { Store } from '../../src/edit/store.ts';
-import { character, documentOf } from '../helpers/builders.ts';
+import { type Command, type Edit, Store } from '../../src/edit/store.ts';
+import { character, clip, documentOf } from '../helpers/builders.ts';
 
 const start = documentOf(character({ name: 'a' }));
 const rename = (name: string) => ({ characterId: 'c1', name });
@@ -222,5 +222,49 @@ describe('Store', () => {
         expect(store.redo()).toBe(false);
       }),
     );
+  });
+
+  it('selects the joint that a change says it was about, and takes it back with the change', () => {
+    const about = (joint: number | undefined, characterId = 'c1'): Command<{ readonly name: string }, Edit> => ({
+      ...renameCharacter,
+      run: (document, { name }) => ({
+        document: renameCharacter.run(document, rename(name)),
+        keys: [],
+        selected: { characterId, ...(joint !== undefined && { joint }) },
+      }),
+      label: () => 'Rename',
+    });
+    const played = documentOf(character({ name: 'a', clips: [clip('walk', [1])], shownClip: 0 }));
+    const store = new Store(played);
+    store.select({ characterId: 'c1', joint: 3, vertex: 5, keys: [{ channel: 0, indices: [0] }] });
+    const before = store.selection;
+    store.apply(about(2), { name: 'b' });
+    // Keys are the clip's, which is still the same; the vertex was another thing to look at.
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 2, keys: [{ channel: 0, indices: [0] }] });
+    const same = store.selection;
+    store.apply(about(2), { name: 'c' });
+    expect(store.selection).toBe(same);
+    store.apply(about(undefined), { name: 'd' });
+    expect(store.selection).toEqual({ characterId: 'c1', keys: [{ channel: 0, indices: [0] }] });
+    for (let step = 0; step < 3; step++) store.undo();
+    expect(store.selection).toBe(before);
+    store.apply(about(1), { name: 'a' });
+    expect(store.selection.joint).toBe(3);
+  });
+
+  it('selects what a preview is about, and what was selected again when that is given up', () => {
+    const store = new Store(start);
+    store.select({ characterId: 'c1', joint: 1 });
+    const drag = store.begin('Drag');
+    const to = (name: string, joint: number) => ({
+      document: renameCharacter.run(drag.base, rename(name)),
+      keys: [],
+      selected: { characterId: 'c1', joint },
+    });
+    drag.preview(to('b', 2));
+    drag.preview(to('c', 3));
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 3 });
+    drag.cancel();
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
   });
 });

@@ -1,0 +1,99 @@
+/** Coupled DOFs: one that follows another. They are the skeleton's, and saved in its `.skel`. */
+import { couplesOf } from '../../model/couples.ts';
+import type { Document } from '../../model/document.ts';
+import { type Couple, dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { finiteNumber, indexIn } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type Command, CommandError } from '../store.ts';
+
+export interface SetCouple {
+  readonly characterId: string;
+  /** Index. */
+  readonly joint: number;
+  /** The name of one of its DOFs. */
+  readonly dof: string;
+  /** What it follows from now on, instead of what it followed; null: it is its own again, where it was set last. */
+  readonly follows: FollowedDof | null;
+}
+
+export interface FollowedDof {
+  /** Index; may be the joint itself. */
+  readonly joint: number;
+  /** The name of one of that joint's DOFs. */
+  readonly dof: string;
+  /** Of the followed DOF's own unit: radians, or units of length. */
+  readonly gain: number;
+  /** In the unit of the DOF that follows. */
+  readonly offset: number;
+}
+
+/** Refuses what would make a DOF follow itself, by way of however many others. */
+export const setCouple: Command<SetCouple> = {
+  id: 'rig.setCouple',
+  label(document, { characterId, joint, dof, follows }) {
+    const own = jointName(requireCharacter(document, characterId).skeleton, joint);
+    return `${follows ? 'Couple' : 'Uncouple'} ${dof} of ${own}`;
+  },
+  run: (document: Document, { characterId, joint, dof, follows }) =>
+    changeCharacter(document, characterId, (character) => {
+      const { skeleton } = character;
+      if (!skeleton) throw new CommandError(`${character.name} has no skeleton.`);
+      const { joints } = skeleton;
+      indexIn(joint, 0, joints.length, 'joint');
+      const own = requireDof(skeleton, joint, dof);
+      const { couples: before = [], ...rest } = joints[joint];
+      const others = before.filter((couple) => couple.dof !== own);
+      const couple = follows && checkedCouple(skeleton, own, follows);
+      const now = before.find((one) => one.dof === own);
+      if (couple ? now && sameCouple(now, couple) : !now) return character;
+      const order = dofsOf(rest.motion).map(({ name }) => name);
+      const couples = (couple ? [...others, couple] : others).sort(
+        (a, b) => order.indexOf(a.dof) - order.indexOf(b.dof),
+      );
+      const changed = couples.length ? { ...rest, couples } : rest;
+      const next = { ...skeleton, joints: joints.map((one, j) => (j === joint ? changed : one)) };
+      if (couple) refuseCycle(next, joint, own);
+      return { ...character, skeleton: next };
+    }),
+};
+
+function checkedCouple(skeleton: Skeleton, dof: string, { joint, dof: followed, gain, offset }: FollowedDof): Couple {
+  indexIn(joint, 0, skeleton.joints.length, 'joint');
+  return {
+    dof,
+    joint,
+    follows: requireDof(skeleton, joint, followed),
+    gain: finiteNumber(gain, 'The gain'),
+    offset: finiteNumber(offset, 'The offset'),
+  };
+}
+
+function requireDof(skeleton: Skeleton, joint: number, name: unknown): string {
+  const dofs = dofsOf(skeleton.joints[joint].motion);
+  const found = dofs.find((dof) => dof.name === name);
+  if (found) return found.name;
+  const there = dofs.map((dof) => dof.name).join(', ') || 'none';
+  throw new CommandError(`${jointName(skeleton, joint)} has no DOF ${String(name)}; it has ${there}.`);
+}
+
+/** A couple that was circular before is no reason to refuse another one. */
+function refuseCycle(skeleton: Skeleton, joint: number, dof: string): void {
+  const start = { joint, dof };
+  let now = start;
+  for (let steps = 0; steps <= couplesOf(skeleton).circular.length; steps++) {
+    const couple = skeleton.joints[now.joint].couples?.find((one) => one.dof === now.dof);
+    if (!couple) return;
+    now = { joint: couple.joint, dof: couple.follows };
+    if (now.joint === start.joint && now.dof === start.dof) {
+      throw new CommandError(`${dof} of ${jointName(skeleton, joint)} would follow itself.`);
+    }
+  }
+}
+
+function sameCouple(a: Couple, b: Couple): boolean {
+  return a.joint === b.joint && a.follows === b.follows && a.gain === b.gain && a.offset === b.offset;
+}
+
+function jointName(skeleton: Skeleton | undefined, joint: number): string {
+  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+}

@@ -1,0 +1,182 @@
+/** What is said of one joint of a skeleton: its name, offset, motion, box, bone and file pose. */
+
+import type { Vec3 } from '../../math/vec3.ts';
+import { tipOf } from '../../model/bone-ends.ts';
+import type { Document } from '../../model/document.ts';
+import { firstDofs } from '../../model/dofs.ts';
+import { dofsOf, type Joint, type Motion } from '../../model/skeleton.ts';
+import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
+import { requireCharacter } from '../characters.ts';
+import { calledIn, findJoint, rigged, secondsOf, withJoint } from '../rig/apply.ts';
+import { checkedMotion, jointName, vector } from '../rig/checks.ts';
+import { changedJoints, type JointMap } from '../rig/joint-map.ts';
+import { intoSpace, pivotOf, turnedAs, withPivots } from '../rig/places.ts';
+import { restAtOffsets } from '../rig/remap-skin.ts';
+import type { RenameJoint, SetBox, SetFilePose, SetLength, SetMotion, SetOffset } from '../rig/rigging.ts';
+import { requireSkeleton, type Shown, shownAt } from '../rig/shown.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+
+export const renameJoint: Command<RenameJoint, Document | Edit> = {
+  id: 'rig.rename',
+  label(document, { characterId, joint, name }) {
+    const before = calledIn(document, characterId, joint);
+    return name ? `Rename ${before} to ${name}` : `Take the name off ${before}`;
+  },
+  run(document, args) {
+    const name = jointName(args.name);
+    return withJoint(document, args, (joint) => (joint.name === name ? joint : { ...joint, name }));
+  },
+};
+
+/**
+ * Where a joint's pivot is in its parent's space. Where position channels of BVH replace the offset, they move by as
+ * much. Children that stay keep their pivots, and its End Sites theirs, in the pose shown.
+ */
+export const setOffset: Command<SetOffset, Document | Edit> = {
+  id: 'rig.setOffset',
+  label: (document, { characterId, joint }) => `Place ${calledIn(document, characterId, joint)}`,
+  run(document, args) {
+    const { characterId, joint: index } = args;
+    const { character, skeleton, joint } = findJoint(document, characterId, index);
+    const offset = vector(args.offset, 'The offset');
+    const stays = oneOf(args.children, ['follow', 'stay'], '"children"') === 'stay';
+    if (same(offset, joint.offset)) return document;
+    if (!stays) return withJoint(document, args, (own) => ({ ...own, offset }));
+    const seconds = secondsOf(args);
+    const shown = shownAt(character, seconds);
+    const by: Vec3 = [offset[0] - joint.offset[0], offset[1] - joint.offset[1], offset[2] - joint.offset[2]];
+    const ends = joint.endSites && endsStaying(shown, joint, index, by);
+    const pivots = new Map<number, Vec3>();
+    skeleton.joints.forEach(({ parent }, j) => {
+      if (parent === index) pivots.set(j, pivotOf(shown, j));
+    });
+    return withJoint(
+      document,
+      args,
+      (own) => ({ ...own, offset, ...(ends && { endSites: ends }) }),
+      (next) => withPivots(next, characterId, pivots, seconds),
+    );
+  },
+};
+
+/** End Sites moved against their joint, so that they stay where they are while it moves by so much in its parent's space. */
+function endsStaying(shown: Shown, joint: Joint, index: number, by: Vec3): readonly Vec3[] {
+  const { world } = shown;
+  const o = 16 * joint.parent;
+  const along = (r: number) =>
+    joint.parent < 0 ? by[r] : world[o + r] * by[0] + world[o + 4 + r] * by[1] + world[o + 8 + r] * by[2];
+  const [x, y, z] = intoSpace(index, shown, [along(0), along(1), along(2)]);
+  return (joint.endSites ?? []).map((end): Vec3 => [end[0] - x, end[1] - y, end[2] - z]);
+}
+
+/**
+ * How a joint moves. DOFs that both motions have, by name, keep pose, limits, channels and couples. Where there are none
+ * among those that turn, the new ones turn the joint as it was turned in the pose shown, if they can do so exactly.
+ */
+export const setMotion: Command<SetMotion, Document | Edit> = {
+  id: 'rig.setMotion',
+  label: (document, { characterId, joint }) => `Set type of ${calledIn(document, characterId, joint)}`,
+  run(document, args) {
+    const { characterId, joint: index } = args;
+    const { character, skeleton, joint } = findJoint(document, characterId, index);
+    const motion = checkedMotion(args.motion);
+    if (sameMotion(motion, joint.motion)) return document;
+    const seconds = secondsOf(args);
+    const joints = skeleton.joints.map((one, j) => (j === index ? { ...one, motion } : one));
+    const map = changedJoints(skeleton, joints);
+    return rigged(document, args, map, index, (next) => {
+      const turned = turnsAnew(map, index)
+        ? turnedAs(next, character, shownAt(character, seconds), index, index, seconds)
+        : next;
+      // A position that replaced its offset is one, and no way from it.
+      if (index === 0 || !replaces(joint.motion) || replaces(motion)) return turned;
+      const pivot = pivotOf(shownAt(character, seconds), index);
+      return withPivots(turned, characterId, new Map([[index, pivot]]), seconds);
+    });
+  },
+};
+
+/** Whether none of the DOFs that turn a joint is one that it had. */
+function turnsAnew({ after, dofs }: JointMap, index: number): boolean {
+  const { motion } = after.joints[index];
+  const first = firstDofs(after)[index];
+  return dofsOf(motion).every(
+    ({ unit }, d) => !(unit === 'angle' || motion.kind === 'quaternion') || dofs[first + d].from < 0,
+  );
+}
+
+function replaces(motion: Motion): boolean {
+  return (
+    motion.kind === 'bvh' && motion.positions === 'replace' && motion.channels.some((name) => name.startsWith('t'))
+  );
+}
+
+/** The box drawn for a joint, in its own space; min above max occurs in files, and is taken here too. */
+export const setBox: Command<SetBox, Document | Edit> = {
+  id: 'rig.setBox',
+  label: (document, { characterId, joint }) => `Set box of ${calledIn(document, characterId, joint)}`,
+  run(document, args) {
+    const box = { min: vector(args.box?.min, 'The lower corner'), max: vector(args.box?.max, 'The upper corner') };
+    return withJoint(document, args, (joint) =>
+      same(joint.box.min, box.min) && same(joint.box.max, box.max) ? joint : { ...joint, box },
+    );
+  },
+};
+
+/** The length of a joint's own bone, along its +y. Children that stand at its tip go along with that. */
+export const setLength: Command<SetLength, Document | Edit> = {
+  id: 'rig.setLength',
+  label: (document, { characterId, joint }) => `Set bone of ${calledIn(document, characterId, joint)}`,
+  run(document, args) {
+    const { characterId, joint: index, length } = args;
+    const { skeleton, joint } = findJoint(document, characterId, index);
+    if (length !== null && finiteNumber(length, 'The length') < 0) {
+      throw new CommandError(`A length has to be 0 or more; ${length} was given.`);
+    }
+    if ((length ?? undefined) === joint.length) return document;
+    const tip = tipOf(joint);
+    const { length: _before, ...rest } = joint;
+    const changed: Joint = length === null ? rest : { ...rest, length };
+    const joints = skeleton.joints.map((one, j) => {
+      if (j === index) return changed;
+      const isAtTip = one.parent === index && tip !== undefined && length !== null && same(one.offset, tip);
+      return isAtTip ? { ...one, offset: [0, length, 0] as const } : one;
+    });
+    return rigged(document, args, changedJoints(skeleton, joints), index);
+  },
+};
+
+/** The pose of the file, of a joint or of all, from the pose shown or from every DOF at rest. What is shown stays. */
+export const setFilePose: Command<SetFilePose, Document | Edit> = {
+  id: 'rig.setFilePose',
+  label: (document, { characterId, joint }) =>
+    joint === undefined
+      ? `Set file pose of ${requireCharacter(document, characterId).name}`
+      : `Set file pose of ${calledIn(document, characterId, joint)}`,
+  run(document, args) {
+    const { characterId, joint: only } = args;
+    const character = requireCharacter(document, characterId);
+    const skeleton = requireSkeleton(character);
+    if (only !== undefined) indexIn(only, 0, skeleton.joints.length, 'joint');
+    const isShown = oneOf(args.from, ['shown', 'rest'], '"from"') === 'shown';
+    const seconds = secondsOf(args);
+    const values = isShown ? shownAt(character, seconds).dofs : restAtOffsets(skeleton);
+    const first = firstDofs(skeleton);
+    const joints = skeleton.joints.map((joint, j) => {
+      if (only !== undefined && j !== only) return joint;
+      const pose = joint.pose.map((_, d) => values[first[j] + d]);
+      return same(pose, joint.pose) ? joint : { ...joint, pose };
+    });
+    if (joints.every((joint, j) => joint === skeleton.joints[j])) return document;
+    return rigged(document, args, changedJoints(skeleton, joints), only);
+  },
+};
+
+function same(a: readonly number[], b: readonly number[]): boolean {
+  return a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
+}
+
+/** @param checked as `checkedMotion` gives it, whose order of fields is always the same */
+function sameMotion(checked: Motion, motion: Motion): boolean {
+  return JSON.stringify(checked) === JSON.stringify(checkedMotion(motion));
+}

@@ -1,0 +1,184 @@
+/**
+ * Skeletons made and taken apart: joints added, hung up elsewhere, removed and mirrored. All that goes by joints and
+ * DOFs follows (`rig/remap.ts`), and the skin stays or follows as is asked (`rig/rigging.ts`).
+ */
+import type { Document } from '../../model/document.ts';
+import { EMPTY_DOCUMENT } from '../../model/document.ts';
+import { indexIn, oneOf, text } from '../arguments.ts';
+import { newCharacter, withSkeleton } from '../assemble.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { placeBeside } from '../place-beside.ts';
+import { called, calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
+import { jointName, vector } from '../rig/checks.ts';
+import { changedTree } from '../rig/joint-map.ts';
+import { mirrored } from '../rig/mirror.ts';
+import { childName } from '../rig/names.ts';
+import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
+import { type Kept, keepPlaces } from '../rig/places.ts';
+import {
+  type AddJoint,
+  AXES,
+  type CreateRig,
+  type MirrorJoint,
+  type RemoveJoint,
+  type ReparentJoint,
+} from '../rig/rigging.ts';
+import { type Branch, branchesOf } from '../rig/tree.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+
+/** A character of one joint; or the first joint of one that has a skin or a take, but no skeleton yet. */
+export const createRig: Command<CreateRig, Document | Edit> = {
+  id: 'rig.create',
+  label: (document, { characterId }) =>
+    characterId === undefined ? 'New character' : `Begin skeleton of ${requireCharacter(document, characterId).name}`,
+  run(document, { name, characterId }) {
+    if (name !== undefined) text(name, 'The name');
+    if (characterId !== undefined) return begun(document, characterId);
+    // As files do: what is there only to be looked at gives way.
+    const { unused, charactersMade } = document;
+    const base = document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
+    const id = `c${charactersMade + 1}`;
+    const made = withSkeleton(newCharacter(id, name ?? 'character'), {
+      name: name ?? 'character',
+      joints: [newRoot('root')],
+    });
+    const placed = { ...made, placements: [placeBeside(base.characters, made)] };
+    const next = { ...base, characters: [...base.characters, placed], charactersMade: charactersMade + 1 };
+    return { document: next, keys: [], selected: { characterId: id, joint: 0 } };
+  },
+};
+
+function begun(document: Document, characterId: string): Edit {
+  const { skeleton, name } = requireCharacter(document, characterId);
+  if (skeleton) throw new CommandError(`${name} has a skeleton already: add joints to that.`);
+  const next = changeCharacter(document, characterId, (c) =>
+    withSkeleton(c, { name: c.name, joints: [newRoot('root')] }),
+  );
+  return { document: next, keys: [], selected: { characterId, joint: 0 } };
+}
+
+/**
+ * A child after the parent's last. One of a joint that ends in an End Site takes the place of that, and in the axis-angle
+ * form it begins at its parent's tip.
+ */
+export const addJoint: Command<AddJoint, Document | Edit> = {
+  id: 'rig.addJoint',
+  label: (document, { characterId, parent }) => `Add joint under ${calledIn(document, characterId, parent)}`,
+  run(document, args) {
+    const { characterId, parent } = args;
+    const { character, skeleton } = findJoint(document, characterId, parent);
+    const isNameless = skeleton.form === 'axis-angle';
+    const name = args.name === undefined ? (isNameless ? '' : childName(skeleton, parent)) : jointName(args.name);
+    const offset = args.offset === undefined ? undefined : vector(args.offset, 'The offset');
+    const joint = newChild(character, skeleton, parent, name, offset);
+    const branches = branchesOf(skeleton);
+    const above = branches[parent];
+    const made: Branch = { origin: -1, joint, children: [] };
+    if (above.children.length === 0) above.joint = continued(above.joint);
+    above.children.push(made);
+    const map = changedTree(skeleton, branches[0]);
+    return rigged(document, args, map, map.origins.indexOf(-1));
+  },
+};
+
+/**
+ * Hangs a joint, with all below it, on another one, or elsewhere among its siblings. Its pivot stays where it is in the
+ * pose shown, and so does how it is turned, if its rule can say that exactly, within its limits, and nothing drives it
+ * (keys, samples, another's take, a couple); else it is turned with what it hangs on now. Its channels stay its own.
+ */
+export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
+  id: 'rig.reparent',
+  label: (document, { characterId, joint, parent }) =>
+    `Move ${calledIn(document, characterId, joint)} under ${calledIn(document, characterId, parent)}`,
+  run(document, args) {
+    const { characterId, joint: index, parent, before } = args;
+    const { character, skeleton, joint } = findJoint(document, characterId, index);
+    const { joints } = skeleton;
+    indexIn(parent, 0, joints.length, 'joint');
+    if (index === 0) throw new CommandError(`${called(skeleton, 0)} is the root: all others hang on it.`);
+    for (let above = parent; above >= 0; above = joints[above].parent) {
+      if (above !== index) continue;
+      throw new CommandError(
+        `${called(skeleton, index)} can't hang on ${called(skeleton, parent)}, which is below it.`,
+      );
+    }
+    if (before !== undefined) {
+      indexIn(before, 0, joints.length, 'joint');
+      if (joints[before].parent !== parent) {
+        throw new CommandError(`${called(skeleton, before)} is no child of ${called(skeleton, parent)}.`);
+      }
+      if (before === index) return document;
+    }
+    const branches = branchesOf(skeleton);
+    const [own, from, to] = [branches[index], branches[joint.parent], branches[parent]];
+    from.children = from.children.filter((child) => child !== own);
+    const at = before === undefined ? to.children.length : to.children.indexOf(branches[before]);
+    to.children.splice(at, 0, own);
+    if (from.children.length === 0) from.joint = endedAt(character, from.joint, joint.offset);
+    const map = changedTree(skeleton, branches[0]);
+    if (parent === joint.parent && map.keepsJoints) return document;
+    const now = map.to[index];
+    const kept = parent === joint.parent ? [] : [{ joint: now, origin: index }];
+    return rigged(document, args, map, now, (next) => keepPlaces(next, character, kept, secondsOf(args)));
+  },
+};
+
+/**
+ * Takes a joint away: with all below it, or its children go to its parent, each standing as it stood (`rig.reparent`).
+ * Vertices go to the nearest joint above that is left.
+ */
+export const removeJoint: Command<RemoveJoint, Document | Edit> = {
+  id: 'rig.remove',
+  label(document, { characterId, joint, children }) {
+    const name = calledIn(document, characterId, joint);
+    return children === 'too' ? `Remove ${name} and all below` : `Remove ${name}`;
+  },
+  run(document, args) {
+    const { characterId, joint: index } = args;
+    const { character, skeleton, joint } = findJoint(document, characterId, index);
+    const staying = oneOf(args.children, ['too', 'stay'], '"children"') === 'stay';
+    const branches = branchesOf(skeleton);
+    const own = branches[index];
+    const children = staying ? own.children : [];
+    let root = branches[0];
+    if (index === 0) {
+      if (children.length !== 1) throw new CommandError(rootStays(staying, own.children.length));
+      [root] = children;
+    } else {
+      const above = branches[joint.parent];
+      const at = above.children.indexOf(own);
+      above.children.splice(at, 1, ...children);
+      if (above.children.length === 0) above.joint = endedAt(character, above.joint, joint.offset);
+    }
+    const map = changedTree(skeleton, root);
+    const kept = children.map(({ origin }): Kept => ({ joint: map.to[origin], origin }));
+    return rigged(document, args, map, map.heirs[index], (next) => keepPlaces(next, character, kept, secondsOf(args)));
+  },
+};
+
+function rootStays(staying: boolean, children: number): string {
+  if (!staying || children === 0) return 'The root is what all hangs on: remove the character instead.';
+  return `The root has ${children} children, and only one of them could be the root after it.`;
+}
+
+/**
+ * A joint with all below it on the other side of a plane through the root: made, or brought in step where it is there
+ * already (offset, motion, limits, box, couples; its pose and its keys stay). Names change sides. Weights are not made.
+ */
+export const mirrorJoint: Command<MirrorJoint, Document | Edit> = {
+  id: 'rig.mirror',
+  label: (document, { characterId, joint }) => `Mirror ${calledIn(document, characterId, joint)}`,
+  run(document, args) {
+    const { characterId, joint } = args;
+    const { skeleton } = findJoint(document, characterId, joint);
+    const across = AXES.indexOf(oneOf(args.across, AXES, '"across"'));
+    const { map, other, couple } = mirrored(skeleton, joint, across);
+    const edit = rigged(document, args, map, other, (next) => couple(next, characterId));
+    const now = requireCharacter(edit.document, characterId).skeleton;
+    return now && sameJoints(now.joints, skeleton.joints) ? document : edit;
+  },
+};
+
+function sameJoints(a: readonly object[], b: readonly object[]): boolean {
+  return a.length === b.length && a.every((joint, j) => joint === b[j]);
+}

@@ -1,0 +1,101 @@
+/**
+ * Skins bound anew, so that every vertex stays where it is while joints come to stand elsewhere:
+ *
+ *     W′ · B′⁻¹ = W · B⁻¹        so    B′ = B · W⁻¹ · W′
+ *
+ * Vertices of joints that are gone need more than that (`vertex-places.ts`).
+ */
+import { invertAffine, isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
+import type { Character } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { bindingCount, type Skin } from '../../model/skin.ts';
+import type { JointMap } from './joint-map.ts';
+import { bindNew } from './remap-skin.ts';
+import { requireSkeleton, type Shown, shownAt, sizeOf } from './shown.ts';
+import { VertexPlaces } from './vertex-places.ts';
+
+/** Parts of the size that a matrix may differ by and still be the same. */
+const SAME = 1e-13;
+
+/**
+ * The character after a change, with its skins where they were in the pose shown.
+ * @param map from the skeleton of `before` to joints as `after` has them
+ */
+export function withSkinsStaying(before: Character, after: Character, map: JointMap, timeSeconds: number): Character {
+  if (after.skins.length === 0) return after;
+  const was = shownAt(before, timeSeconds);
+  const is = shownAt(after, timeSeconds);
+  const moved = movedJoints(was, is, map);
+  const isGone = map.to.some((index) => index < 0);
+  const isNew = map.origins.some((origin) => origin < 0);
+  if (!moved.some((m) => m === 1) && !isGone) return after;
+  let { morphs } = after;
+  const skins = after.skins.map((skin, s) => {
+    const bound = skin.attachments
+      ? boundAgain(skin, is, was, map, moved, isNew ? requireSkeleton(after) : undefined)
+      : rootBoundAgain(before.skins[s], skin, is, was);
+    if (!isGone) return bound;
+    const places = new VertexPlaces(before.skins[s], bound, was, is, map);
+    // Morphs are those of the skin shown.
+    if (s === after.shownSkin) morphs = places.morphs(morphs);
+    return places.skin();
+  });
+  return { ...after, skins, morphs };
+}
+
+/** By joint after, whether it was there before and stands elsewhere now. */
+function movedJoints(was: Shown, is: Shown, { origins }: JointMap): Uint8Array {
+  const near = SAME * sizeOf(was.world);
+  return Uint8Array.from(origins, (origin, j) => {
+    if (origin < 0) return 0;
+    for (let k = 0; k < 16; k++) {
+      const allowed = k < 12 ? SAME : near;
+      if (!(Math.abs(was.world[16 * origin + k] - is.world[16 * j + k]) <= allowed)) return 1;
+    }
+    return 0;
+  });
+}
+
+/** @param grown the skeleton after, where it has new joints: their bindings follow their parents' */
+function boundAgain(
+  skin: Skin,
+  is: Shown,
+  was: Shown,
+  { origins }: JointMap,
+  moved: Uint8Array,
+  grown: Skeleton | undefined,
+): Skin {
+  const count = Math.min(bindingCount(skin), origins.length);
+  if (!moved.subarray(0, count).some((m) => m === 1)) return skin;
+  const bindings = skin.bindings.slice();
+  const known = new Uint8Array(bindings.length / 16).fill(1);
+  for (let j = 0; j < count; j++) {
+    if (origins[j] < 0) known[j] = 0;
+    else if (moved[j]) rebind(was.world, 16 * origins[j], is.world, 16 * j, bindings, 16 * j);
+  }
+  if (grown) bindNew(grown, bindings, known);
+  return { ...skin, bindings };
+}
+
+/** All of it hangs on the root, whichever joint that is by now. */
+function rootBoundAgain(before: Skin, skin: Skin, is: Shown, was: Shown): Skin {
+  const bindings = skin.bindings.length ? skin.bindings.slice() : new Float64Array(16);
+  if (before.bindings.length) bindings.set(before.bindings.subarray(0, 16));
+  else setIdentity(bindings);
+  rebind(was.world, 0, is.world, 0, bindings, 0);
+  return bindings.every((value, i) => value === skin.bindings[i]) ? skin : { ...skin, bindings };
+}
+
+/** B′ = B · W⁻¹ · W′, in place; B as it is where there is no way back, or no way out. */
+function rebind(was: Float64Array, w: number, is: Float64Array, i: number, bindings: Float64Array, b: number): void {
+  if (isSingular(was, w) || isSingular(is, i)) return;
+  invertAffine(was, w, inverse, 0);
+  multiplyAffine(inverse, 0, is, i, way, 0);
+  multiplyAffine(bindings, b, way, 0, next, 0);
+  bindings.set(next, b);
+}
+
+/** Scratch, never escapes. */
+const inverse = new Float64Array(16);
+const way = new Float64Array(16);
+const next = new Float64Array(16);

@@ -1,0 +1,106 @@
+/**
+ * From one skeleton to the next: which joint is which, which DOF is which, and the joints themselves made to fit. The
+ * one place where a change of rigging is worked out; skins, clips, poses and all else that goes by index follow it
+ * (`remap.ts`).
+ *
+ *     joints before   0 1 2 3 4          to   0 1 -1 2 3         heirs   0 1 1 2 3
+ *     joints after    0 1   2 3   4      origins   0 1 3 4 -1
+ */
+import { axisAngleObstacle, inHierarchyForm } from '../../model/axis-angle.ts';
+import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
+import { type Couple, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import { type DofSource, dofSources, fittedJoint } from './dof-sources.ts';
+import { type Branch, type Likeness, listJoints } from './tree.ts';
+
+export interface JointMap {
+  readonly before: Skeleton;
+  readonly after: Skeleton;
+  /** Of each joint after, its index before; -1 for a new one. */
+  readonly origins: Int32Array;
+  /** Of each joint before, its index after; -1 where it is gone. */
+  readonly to: Int32Array;
+  /** The same, but of one that is gone that of its nearest ancestor that is there; the root's where none is. */
+  readonly heirs: Int32Array;
+  /** Whether each joint is where it was in the list. */
+  readonly keepsJoints: boolean;
+  /** For each DOF after (`model/dofs.ts`, without morphs), where its values come from. */
+  readonly dofs: readonly DofSource[];
+  /** How many DOFs there were, without morphs. */
+  readonly dofsBefore: number;
+  /** Whether all DOFs are what they were. */
+  readonly keepsDofs: boolean;
+  /** By new joints: what they do as. */
+  readonly likes: ReadonlyMap<number, Likeness>;
+}
+
+/** The same joints, some of them changed; one for each of before. */
+export function changedJoints(before: Skeleton, joints: readonly Joint[]): JointMap {
+  const branches = joints.map((joint, origin): Branch => ({ origin, joint, children: [] }));
+  return mapOf(before, joints, branches);
+}
+
+/** The joints of a tree whose branches came from `before`. */
+export function changedTree(before: Skeleton, root: Branch): JointMap {
+  const { joints, branches } = listJoints(root);
+  return mapOf(before, joints, branches);
+}
+
+function mapOf(before: Skeleton, joints: readonly Joint[], branches: readonly Branch[]): JointMap {
+  const origins = Int32Array.from(branches, ({ origin }) => origin);
+  const to = new Int32Array(before.joints.length).fill(-1);
+  origins.forEach((origin, j) => {
+    if (origin >= 0) to[origin] = j;
+  });
+  const heirs = to.slice();
+  before.joints.forEach(({ parent }, j) => {
+    if (heirs[j] < 0) heirs[j] = parent < 0 ? 0 : heirs[parent];
+  });
+  const fitted = joints.map((joint, j) => (origins[j] < 0 ? joint : fittedJoint(before.joints[origins[j]], joint)));
+  const after = inForm({ ...before, joints: withCouples(before, fitted, origins, to) });
+  const likes = new Map(branches.flatMap(({ like }, j) => (like ? [[j, like] as const] : [])));
+  const dofs = dofSources(before, after, origins, likes);
+  const dofsBefore = rootDofCount(before) + jointDofCount(before);
+  return {
+    before,
+    after,
+    origins,
+    to,
+    heirs,
+    keepsJoints: origins.length === to.length && origins.every((origin, j) => origin === j),
+    dofs,
+    dofsBefore,
+    keepsDofs: dofs.length === dofsBefore && dofs.every(({ from, plus }, d) => from === d && plus === 0),
+    likes,
+  };
+}
+
+/** What the axis-angle form can't hold any more is no skeleton of that form. */
+function inForm(skeleton: Skeleton): Skeleton {
+  return skeleton.form && axisAngleObstacle(skeleton) ? inHierarchyForm(skeleton) : skeleton;
+}
+
+/** Couples by the joints' new indices. One that is about a DOF that is gone, or follows one, goes. */
+function withCouples(
+  before: Skeleton,
+  joints: readonly Joint[],
+  origins: Int32Array,
+  to: Int32Array,
+): readonly Joint[] {
+  const namesOf = (j: number) => dofsOf(joints[j].motion).map(({ name }) => name);
+  return joints.map((joint, j) => {
+    const { couples } = joint;
+    if (!couples) return joint;
+    const own = namesOf(j);
+    const kept = couples.flatMap((couple): Couple[] => {
+      const target = to[couple.joint];
+      if (target < 0 || !own.includes(couple.dof) || !namesOf(target).includes(couple.follows)) return [];
+      return [target === couple.joint ? couple : { ...couple, joint: target }];
+    });
+    if (kept.length === couples.length && kept.every((couple, i) => couple === couples[i])) {
+      if (origins[j] >= 0 && before.joints[origins[j]].motion === joint.motion) return joint;
+    }
+    const { couples: _before, ...rest } = joint;
+    const inOrder = own.flatMap((name) => kept.find(({ dof }) => dof === name) ?? []);
+    return inOrder.length ? { ...rest, couples: inOrder } : rest;
+  });
+}

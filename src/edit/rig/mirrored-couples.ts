@@ -1,0 +1,52 @@
+/**
+ * Couples of a branch that was mirrored, on its other side: with s and t the signs that the two DOFs have there,
+ *
+ *     φ = g·ψ + o        there  φ′ = s·φ, ψ′ = t·ψ        so  φ′ = (s·t·g)·ψ′ + s·o
+ *
+ * What is outside of the branch is followed on its own other side, or itself where it has none.
+ */
+import { type Couple, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import { mirroredMotion } from './mirrored-motion.ts';
+
+/** A joint's other side: its index after, and the signs of its DOFs there. */
+export interface Side {
+  readonly joint: number;
+  readonly signs: readonly number[];
+}
+
+/**
+ * The joints of `after` with the couples that those of `before` have; the very list where they have them.
+ * @param sides by joint of before, where what was mirrored is now
+ * @param elsewhere where the other side of any other joint is now, or the joint itself; -1 for nowhere
+ */
+export function mirroredCouples(
+  before: Skeleton,
+  after: Skeleton,
+  across: number,
+  sides: ReadonlyMap<number, Side>,
+  elsewhere: (joint: number) => number,
+): readonly Joint[] {
+  let joints = after.joints;
+  for (const [index, { joint: own, signs }] of sides) {
+    const { couples = [], motion } = before.joints[index];
+    const names = dofsOf(motion).map(({ name }) => name);
+    const made = couples.flatMap((couple): readonly Couple[] => {
+      const { motion: followed } = before.joints[couple.joint];
+      const side = sides.get(couple.joint);
+      const other = side?.joint ?? elsewhere(couple.joint);
+      if (other < 0) return [];
+      const { motion: there } = after.joints[other];
+      if (!dofsOf(there).some(({ name }) => name === couple.follows)) return [];
+      const theirs = side?.signs ?? mirroredMotion(followed, across, there).signs;
+      const at = dofsOf(followed).findIndex(({ name }) => name === couple.follows);
+      const sign = signs[names.indexOf(couple.dof)] ?? 1;
+      // −0 would be written with its sign.
+      const gain = sign * (theirs[at] ?? 1) * couple.gain + 0;
+      return [{ ...couple, joint: other, gain, offset: sign * couple.offset + 0 }];
+    });
+    if (JSON.stringify(joints[own].couples ?? []) === JSON.stringify(made)) continue;
+    const { couples: _before, ...rest } = joints[own];
+    joints = joints.map((joint, j) => (j !== own ? joint : made.length ? { ...rest, couples: made } : rest));
+  }
+  return joints;
+}

@@ -1,0 +1,114 @@
+/** Joints that are made, as their skeleton has others: where they go, how they move. */
+import type { Vec3 } from '../../math/vec3.ts';
+import { tipOf } from '../../model/bone-ends.ts';
+import { type Character, isBvh, shownSkin } from '../../model/document.ts';
+import {
+  type BvhChannel,
+  DEFAULT_BOX,
+  DEFAULT_MOTION,
+  dofsOf,
+  type Joint,
+  type Motion,
+  type Skeleton,
+  UNLIMITED,
+} from '../../model/skeleton.ts';
+
+/** Of a bone where nothing says how long they are. */
+const PLAIN_LENGTH = 0.5;
+/** Of a bone in a skin that has no bones yet, as a part of it. */
+const PART_OF_SKIN = 0.2;
+
+/** A root that nothing is known of. */
+export function newRoot(name: string): Joint {
+  return withMotion({ name, parent: -1, offset: [0, 0, 0], box: DEFAULT_BOX }, DEFAULT_MOTION);
+}
+
+/**
+ * A child, to go with the joints that are there: in BVH one of three rotations, in the order of its parent's, and with
+ * an End Site; in the axis-angle form a hinge with a bone; else a balljoint.
+ * @param offset in the parent's space; undefined: where `nextPlace` says
+ */
+export function newChild(character: Character, skeleton: Skeleton, parent: number, name: string, offset?: Vec3): Joint {
+  const above = skeleton.joints[parent];
+  const at = offset ?? nextPlace(character, skeleton, parent);
+  const plain = { name, parent, offset: at, box: DEFAULT_BOX };
+  if (isBvh(character)) {
+    const end: Vec3 = at.some((v) => v !== 0) ? at : [0, typicalLength(character, skeleton), 0];
+    return { ...withMotion(plain, rotationsLike(above.motion)), endSites: [end] };
+  }
+  if (skeleton.form === 'axis-angle' && above.motion.kind === 'hinge') {
+    return { ...withMotion(plain, above.motion), length: above.length ?? 0 };
+  }
+  return withMotion(plain, DEFAULT_MOTION);
+}
+
+function withMotion(joint: Omit<Joint, 'motion' | 'limits' | 'pose'>, motion: Motion): Joint {
+  const dofs = dofsOf(motion);
+  return { ...joint, motion, limits: dofs.map(() => UNLIMITED), pose: dofs.map(({ rest }) => rest) };
+}
+
+function rotationsLike(motion: Motion): Motion {
+  const own = motion.kind === 'bvh' ? motion.channels.filter((name) => name.startsWith('r')) : [];
+  const channels: readonly BvhChannel[] = own.length === 3 ? own : ['rz', 'rx', 'ry'];
+  return { kind: 'bvh', channels, positions: motion.kind === 'bvh' ? motion.positions : 'replace' };
+}
+
+/**
+ * Where a child continues its parent's bone: at the tip or the End Site that ends it, else as far on as the bone is long;
+ * from the root up. Beside the children that are there already.
+ */
+function nextPlace(character: Character, skeleton: Skeleton, parent: number): Vec3 {
+  const { joints } = skeleton;
+  const above = joints[parent];
+  const tip = tipOf(above);
+  if (tip) return tip;
+  const siblings = joints.filter((joint) => joint.parent === parent);
+  if (above.endSites?.length && siblings.length === 0) return above.endSites[0];
+  const length = typicalLength(character, skeleton);
+  const isBone = parent > 0 && above.offset.some((v) => v !== 0);
+  const isUpZ = character.space?.up === 'z';
+  let [x, y, z] = isBone ? above.offset : isUpZ ? [0, 0, length] : [0, length, 0];
+  while (siblings.some(({ offset }) => Math.hypot(offset[0] - x, offset[1] - y, offset[2] - z) < length / 100)) {
+    x += length / 2;
+  }
+  return [x, y, z];
+}
+
+/** The mean length of bones; a part of the skin's size where there are none. */
+function typicalLength(character: Character, { joints }: Skeleton): number {
+  const lengths = joints.flatMap(({ offset, parent }) => (parent < 0 ? [] : [Math.hypot(...offset)]));
+  const known = lengths.filter((length) => length > 0 && length < Infinity);
+  if (known.length) return known.reduce((sum, length) => sum + length, 0) / known.length;
+  const positions = shownSkin(character)?.positions ?? new Float64Array(0);
+  let size = 0;
+  for (let k = 0; k < 3; k++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let o = k; o < positions.length; o += 3) {
+      low = Math.min(low, positions[o]);
+      high = Math.max(high, positions[o]);
+    }
+    size = Math.max(size, high - low);
+  }
+  // Three digits do for a length that nobody asked for.
+  return size > 0 && size < Infinity ? Number((PART_OF_SKIN * size).toPrecision(3)) : PLAIN_LENGTH;
+}
+
+/**
+ * What a joint of BVH is when its last child goes: its bone ends where that was. The same joint where one ends already,
+ * and outside of BVH, which has no such thing.
+ */
+export function endedAt(character: Character, joint: Joint, at: Vec3): Joint {
+  if (!isBvh(character) || joint.endSites?.length || at.every((v) => v === 0)) return joint;
+  return { ...joint, endSites: [at] };
+}
+
+/** Without the End Site that a first child takes the place of. */
+export function continued(joint: Joint): Joint {
+  if (!joint.endSites) return joint;
+  const {
+    endSites: [, ...others],
+    ...rest
+  } = joint;
+  return others.length ? { ...rest, endSites: others } : rest;
+}

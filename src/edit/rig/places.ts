@@ -1,0 +1,206 @@
+/** Joints put back where they were, in the pose shown, after what they hang on has changed. */
+
+import { type CompiledSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { isDriven } from '../../evaluate/pose.ts';
+import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
+import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
+import { backMultiply3, rotationOf, setIdentity3 } from '../../evaluate/retarget/rotations.ts';
+import { invertAffine, isSingular } from '../../math/mat4.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { filePose } from '../../model/dofs.ts';
+import { dofsOf, type Joint } from '../../model/skeleton.ts';
+import { requireCharacter } from '../characters.ts';
+import { setDofs } from '../commands/pose.ts';
+import { CommandError, documentIn } from '../store.ts';
+import { changedJoints } from './joint-map.ts';
+import { withSkeletonChanged } from './remap.ts';
+import { requireSkeleton, type Shown, shownAt, sizeOf } from './shown.ts';
+
+/** Parts of the size: nearer than that a joint is where it should be. */
+const THERE = 1e-13;
+/** Of a rotation's entries: what counts as turned as it should be. */
+const TURNED = 1e-9;
+
+/** A joint that is to stand where a joint of an earlier character stood. */
+export interface Kept {
+  /** Index now. */
+  readonly joint: number;
+  /** Index then. */
+  readonly origin: number;
+}
+
+/** Position x y z of a joint's pivot. */
+export function pivotOf({ world }: Shown, joint: number): Vec3 {
+  const o = 16 * joint + 12;
+  return [world[o], world[o + 1], world[o + 2]];
+}
+
+/**
+ * The document with each of these joints as it stood before: its pivot, and if its rule allows exactly that, within
+ * limits and where nothing else (keys, samples, another's take, a couple) has the say over it, how it is turned. None of
+ * them is below another. Throws a `CommandError` where a pose leaves no room for a joint.
+ */
+export function keepPlaces(
+  document: Document,
+  before: Character,
+  kept: readonly Kept[],
+  timeSeconds: number,
+): Document {
+  const was = shownAt(before, timeSeconds);
+  const { id } = before;
+  let next = document;
+  for (const { joint, origin } of kept) next = turnedAs(next, before, was, joint, origin, timeSeconds);
+  const pivots = new Map(kept.map(({ joint, origin }) => [joint, pivotOf(was, origin)]));
+  return withPivots(next, id, pivots, timeSeconds);
+}
+
+/** The document with these joints' offsets so that their pivots are there. None of them is below another. */
+export function withPivots(
+  document: Document,
+  characterId: string,
+  pivots: ReadonlyMap<number, Vec3>,
+  timeSeconds: number,
+): Document {
+  const character = requireCharacter(document, characterId);
+  const skeleton = requireSkeleton(character);
+  const shown = shownAt(character, timeSeconds);
+  const joints = skeleton.joints.map((joint, j) => {
+    const pivot = pivots.get(j);
+    return pivot ? withPivot(joint, j, pivot, shown) : joint;
+  });
+  if (joints.every((joint, j) => joint === skeleton.joints[j])) return document;
+  return withSkeletonChanged(document, characterId, changedJoints(skeleton, joints));
+}
+
+function withPivot(joint: Joint, j: number, pivot: Vec3, shown: Shown): Joint {
+  const { world } = shown;
+  const size = sizeOf(world);
+  const now = pivotOf(shown, j);
+  if (now.every((v, k) => Math.abs(v - pivot[k]) <= THERE * size)) return joint;
+  const by = intoSpace(joint.parent, shown, [pivot[0] - now[0], pivot[1] - now[1], pivot[2] - now[2]]);
+  const { offset } = joint;
+  const at = (k: number) => (Math.abs(by[k]) <= THERE * size ? offset[k] : tidy(offset[k] + by[k], size));
+  return { ...joint, offset: [at(0), at(1), at(2)] };
+}
+
+/** A vector of the character's space in that of a joint; -1 for none. Throws where the joint's space is flat. */
+export function intoSpace(joint: number, { world }: Shown, [x, y, z]: Vec3): Vec3 {
+  if (joint < 0) return [x, y, z];
+  if (isSingular(world, 16 * joint)) {
+    throw new CommandError('A joint is scaled to nothing in the pose shown: nothing can be placed below it.');
+  }
+  invertAffine(world, 16 * joint, inverse, 0);
+  const along = (r: number) => inverse[r] * x + inverse[4 + r] * y + inverse[8 + r] * z;
+  return [along(0), along(1), along(2)];
+}
+
+/** Scratch, never escapes. */
+const inverse = new Float64Array(16);
+
+/** A number without the noise behind its twelfth digit, counted from the size of the whole: it stands in a file. */
+export function tidy(value: number, size: number): number {
+  const digits = Math.min(100, Math.max(0, 12 - Math.floor(Math.log10(size))));
+  // −0 is no place of its own.
+  return Number(value.toFixed(digits)) + 0;
+}
+
+/** The document with a joint turned as one of before was, where that can be; see `keepPlaces`. */
+export function turnedAs(
+  document: Document,
+  before: Character,
+  was: Shown,
+  joint: number,
+  origin: number,
+  timeSeconds: number,
+): Document {
+  const character = requireCharacter(document, before.id);
+  const skeleton = requireSkeleton(character);
+  const { motion } = skeleton.joints[joint];
+  const shown = shownAt(character, timeSeconds);
+  const { firstDof } = shown.compiled;
+  const turning = dofsOf(motion).flatMap(({ unit }, d) =>
+    unit === 'angle' || motion.kind === 'quaternion' ? [firstDof[joint] + d] : [],
+  );
+  const moved = movedDofs(character);
+  if (turning.some((dof) => isDriven(character, dof) || moved?.has(dof))) return document;
+  const clamps = character.clampsToLimits;
+  const values = dofsAs(shown.compiled, skeleton.joints[joint], joint, shown.dofs, was.world, origin, clamps);
+  let next = document;
+  if (values) {
+    const dofs = turning
+      .map((index) => ({ index, value: values[index] }))
+      .filter(({ index, value }) => value !== shown.dofs[index]);
+    if (dofs.length) next = documentIn(setDofs.run(document, { characterId: before.id, dofs, timeSeconds }));
+  }
+  return motion.kind === 'bvh' ? next : turnedInFile(next, before, joint, origin, turning);
+}
+
+/** The same in the file's pose, which limits don't change. */
+function turnedInFile(
+  document: Document,
+  before: Character,
+  joint: number,
+  origin: number,
+  turning: readonly number[],
+): Document {
+  const was = inFilePose(before);
+  const character = findCharacter(document, before.id) ?? before;
+  const skeleton = requireSkeleton(character);
+  const is = inFilePose(character);
+  const own = skeleton.joints[joint];
+  const values = dofsAs(is.compiled, own, joint, is.dofs, was.world, origin, false);
+  if (!values || turning.every((dof) => values[dof] === is.dofs[dof])) return document;
+  const first = is.compiled.firstDof[joint];
+  const pose = own.pose.map((value, d) => (turning.includes(first + d) ? values[first + d] : value));
+  const joints = skeleton.joints.map((other, j) => (j === joint ? { ...own, pose } : other));
+  return withSkeletonChanged(document, before.id, changedJoints(skeleton, joints));
+}
+
+function inFilePose(character: Character): Shown {
+  const shown = shownAt(character, 0);
+  const dofs = Float64Array.from(filePose(character.skeleton, character.morphs.length));
+  settleDofs(shown.compiled, dofs, false);
+  const world = new Float64Array(shown.world.length);
+  worldMatrices(shown.compiled, dofs, world);
+  return { compiled: shown.compiled, dofs, world };
+}
+
+/**
+ * All DOFs, with those of a joint such that it is turned as a joint of another pose; undefined where its rule, its limits
+ * or couples don't let it be just so, or it is so already.
+ * @param was world matrices of that pose
+ */
+function dofsAs(
+  compiled: CompiledSkeleton,
+  joint: Joint,
+  j: number,
+  dofs: Float64Array,
+  was: Float64Array,
+  origin: number,
+  clamps: boolean,
+): Float64Array | undefined {
+  const world = new Float64Array(16 * compiled.jointCount);
+  const isTurned = (at: Float64Array, within: number) => {
+    for (let k = 0; k < 12; k++) if (Math.abs(at[16 * j + k] - was[16 * origin + k]) > within) return false;
+    return true;
+  };
+  worldMatrices(compiled, dofs, world);
+  if (isTurned(world, THERE)) return undefined;
+  const first = compiled.firstDof[j];
+  // The angles that are nearest to those that it has.
+  const now = { ...joint, pose: joint.pose.map((_, d) => dofs[first + d]) };
+  const fit = jointFit(compiled, now, j, clamps);
+  if (!fit) return undefined;
+  const wanted = new Float64Array(27);
+  rotationOf(was, 16 * origin, wanted, 0);
+  if (joint.parent < 0) setIdentity3(wanted, 9);
+  else rotationOf(world, 16 * joint.parent, wanted, 9);
+  backMultiply3(wanted, 9, wanted, 0, wanted, 18);
+  const values = dofs.slice();
+  fitJoint(compiled, j, fit, wanted.subarray(18), new Float64Array(3), 0, values);
+  const settled = values.slice();
+  settleDofs(compiled, settled, clamps);
+  worldMatrices(compiled, settled, world);
+  return isTurned(world, TURNED) ? values : undefined;
+}

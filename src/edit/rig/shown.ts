@@ -1,0 +1,44 @@
+/** A character as it stands at a time: what rigging measures by, and keeps in place. */
+import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import type { Character } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { CommandError } from '../store.ts';
+
+export interface Shown {
+  readonly compiled: CompiledSkeleton;
+  /** Of all DOFs of the character, after limits and couples. */
+  readonly dofs: Float64Array;
+  /** 16 a joint, in the character's space. */
+  readonly world: Float64Array;
+}
+
+/** Throws a `CommandError` for a character without a skeleton. */
+export function shownAt(character: Character, timeSeconds: number): Shown {
+  const compiled = compileSkeleton(requireSkeleton(character));
+  const dofs = new Float64Array(dofCountOf(character));
+  poseAt(character, timeSeconds, dofs);
+  const world = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, dofs, world);
+  return { compiled, dofs, world };
+}
+
+export function requireSkeleton({ name, skeleton }: Character): Skeleton {
+  if (!skeleton) throw new CommandError(`${name} has no skeleton.`);
+  return skeleton;
+}
+
+/** How far the joints are spread: the larger side of their box, and what a character of one joint is taken for. */
+export function sizeOf(world: Float64Array): number {
+  let size = 0;
+  for (let k = 12; k < 15; k++) {
+    let low = Infinity;
+    let high = -Infinity;
+    for (let o = k; o < world.length; o += 16) {
+      low = Math.min(low, world[o]);
+      high = Math.max(high, world[o]);
+    }
+    size = Math.max(size, high - low);
+  }
+  return size > 0 && size < Infinity ? size : 1;
+}

@@ -1,0 +1,487 @@
+import { describe, expect, it } from 'vitest';
+import { saveCharacter } from '../../../src/app/saving.ts';
+import { addJoint, createRig, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
+import {
+  renameJoint,
+  setBox,
+  setFilePose,
+  setLength,
+  setMotion,
+  setOffset,
+} from '../../../src/edit/commands/rig-joint.ts';
+import { type Command, documentIn, type Edit, Store } from '../../../src/edit/store.ts';
+import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { readSkel } from '../../../src/formats/skel/read.ts';
+import { readSkin } from '../../../src/formats/skin/read.ts';
+import { keylessChannel } from '../../../src/model/clip.ts';
+import { type Character, type Document, isBvh } from '../../../src/model/document.ts';
+import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
+import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { character, clip, documentOf, joint, skeleton, skin } from '../../helpers/builders.ts';
+import { describeShared, sharedBytes } from '../../helpers/shared.ts';
+
+const NEAR = 1e-9;
+
+function done<A>(command: Command<A, Document | Edit>, document: Document, args: A): Character {
+  return documentIn(command.run(document, args)).characters[0];
+}
+
+function jointsOf({ skeleton: own }: Character): readonly Joint[] {
+  return own?.joints ?? [];
+}
+
+const named = (parent: number, name: string, more: Partial<Joint> = {}) => joint(parent, { name, ...more });
+
+/** hip – thigh – knee, and a tail. */
+const BODY: Skeleton = {
+  name: 'hero',
+  joints: [named(-1, 'hip'), named(0, 'thigh'), named(1, 'knee', { offset: [0, -1, 0] }), named(0, 'tail')],
+};
+const body = (more: Partial<Character> = {}) => documentOf(character({ skeleton: BODY, ...more }));
+const of = (index: number) => ({ characterId: 'c1', joint: index });
+const namesIn = (c: Character) => jointsOf(c).map(({ name }) => name);
+
+function worldOf(c: Character, index: number): Float64Array {
+  if (!c.skeleton) throw new Error('no skeleton');
+  const dofs = new Float64Array(dofCountOf(c));
+  poseAt(c, 0, dofs);
+  const world = new Float64Array(16 * c.skeleton.joints.length);
+  worldMatrices(compileSkeleton(c.skeleton), dofs, world);
+  return world.slice(16 * index, 16 * index + 16);
+}
+
+describe('rig.create', () => {
+  it('makes a character of one joint, which is selected', () => {
+    const store = new Store(documentOf());
+    store.apply(createRig, { name: 'crab' });
+    expect(store.document.characters.map(({ id, name }) => [id, name])).toEqual([['c1', 'crab']]);
+    expect(store.document.charactersMade).toBe(1);
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 0 });
+    expect(namesIn(store.document.characters[0])).toEqual(['root']);
+    expect(saveCharacter(store.document.characters[0], 'skel')[0].text).toContain('balljoint root');
+  });
+
+  it('drives the opening sample away, as files do, and stands beside others', () => {
+    const sample = { ...body(), isOpeningSample: true, charactersMade: 1 };
+    expect(documentIn(createRig.run(sample, {})).characters.map(({ id }) => id)).toEqual(['c2']);
+    const beside = documentIn(createRig.run({ ...sample, isOpeningSample: false }, {}));
+    expect(beside.characters[1].placements[0].position[0]).toBeGreaterThan(0);
+  });
+
+  it('begins the skeleton of a skin that waits for one', () => {
+    const waiting = { ...character({ skins: [skin()] }), skeleton: undefined, pose: [0, 0, 0] };
+    const { skeleton: _none, ...alone } = waiting;
+    const made = done(createRig, documentOf(alone), { characterId: 'c1' });
+    expect(namesIn(made)).toEqual(['root']);
+    expect(made.pose.length).toBe(6);
+    expect(() => createRig.run(body(), { characterId: 'c1' })).toThrow('has a skeleton already');
+  });
+});
+
+describe('rig.addJoint', () => {
+  it('adds a child behind the others, continuing the bone, selected', () => {
+    const store = new Store(body());
+    store.apply(addJoint, { characterId: 'c1', parent: 1 });
+    const [made] = store.document.characters;
+    expect(namesIn(made)).toEqual(['hip', 'thigh', 'knee', 'joint4', 'tail']);
+    expect(jointsOf(made)[3]).toMatchObject({ parent: 1, offset: [0, 1, 0], motion: { kind: 'ball', order: 'xyz' } });
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 3 });
+    expect(store.undoLabel).toBe('Add joint under thigh');
+  });
+
+  it('goes on counting where its parent has a number', () => {
+    const spine = documentOf(character({ skeleton: { name: 'x', joints: [named(-1, 'spine09')] } }));
+    expect(namesIn(done(addJoint, spine, { characterId: 'c1', parent: 0 }))).toEqual(['spine09', 'spine10']);
+  });
+
+  it('takes pose, clips, samples, couples, pins and weights behind it along', () => {
+    const coupled = { ...BODY, joints: [...BODY.joints] };
+    coupled.joints[3] = { ...BODY.joints[3], couples: [{ dof: 'rx', joint: 2, follows: 'ry', gain: 1, offset: 0 }] };
+    coupled.joints[0] = { ...BODY.joints[0], couples: [{ dof: 'rz', joint: 3, follows: 'rz', gain: 1, offset: 0 }] };
+    const pose = Array.from({ length: 15 }, (_, d) => d);
+    const samples = {
+      frameCount: 2,
+      frameSeconds: 1,
+      startSeconds: 0,
+      firstChannel: 9,
+      values: Float64Array.from({ length: 12 }, (_, i) => i),
+      scales: new Float64Array(6).fill(RADIANS_PER_DEGREE),
+      interpolation: 'linear' as const,
+    };
+    const sampled = { ...clip('walk', []), channels: pose.map((rest) => keylessChannel(rest)), samples };
+    const made = done(
+      addJoint,
+      documentOf(
+        character({
+          skeleton: coupled,
+          pose,
+          clips: [clip('hero_anim', pose), sampled],
+          shownClip: 0,
+          skins: [skin('hero', 3)],
+          unkeyed: { timeSeconds: 0, dofs: [2, 12], values: [7, 8] },
+          poses: [{ name: 'wave', values: pose }],
+          ik: {
+            pins: [{ id: 1, joint: 3, point: [0, 0, 0], weight: 1, holdsOrientation: false }],
+            stiff: [{ joint: 2 }, { joint: 3, stiffness: 4 }],
+            rootIsFree: true,
+          },
+        }),
+      ),
+      { characterId: 'c1', parent: 2, offset: [0, -1, 0] },
+    );
+    const grown = [...pose.slice(0, 12), 0, 0, 0, ...pose.slice(12)];
+    expect(made.pose).toEqual(grown);
+    expect(made.poses?.[0].values).toEqual(grown);
+    expect(made.clips[0].channels.map(({ values, rest = 0 }) => values[0] ?? rest)).toEqual(grown);
+    expect(made.clips[1].samples?.firstChannel).toBe(9);
+    expect([...(made.clips[1].samples?.values ?? [])]).toEqual([
+      0, 1, 2, 0, 0, 0, 3, 4, 5, 6, 7, 8, 0, 0, 0, 9, 10, 11,
+    ]);
+    expect(made.unkeyed).toEqual({ timeSeconds: 0, dofs: [2, 15], values: [7, 8] });
+    expect(made.ik?.pins[0].joint).toBe(4);
+    expect(made.ik?.stiff).toEqual([{ joint: 2 }, { joint: 4, stiffness: 4 }]);
+    expect(jointsOf(made).map(({ couples }) => couples?.[0].joint)).toEqual([4, undefined, undefined, undefined, 2]);
+    expect([...(made.skins[0].attachments?.joints ?? [])]).toEqual([4, 4, 4]);
+    expect(made.skins[0].bindings.length).toBe(16 * 5);
+  });
+
+  it('binds the joint so that vertices given to it stay where its parent has them', () => {
+    const made = done(addJoint, body({ skins: [skin('hero', 3)] }), {
+      characterId: 'c1',
+      parent: 1,
+      offset: [2, 3, 4],
+    });
+    // The parent's is the identity.
+    expect([...made.skins[0].bindings.slice(48, 64)]).toEqual([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 2, 3, 4, 1]);
+  });
+});
+
+const ZXY: Motion = { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' };
+const ROOT: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rx', 'ry', 'rz'], positions: 'replace' };
+const LEG: Skeleton = {
+  name: 'leg',
+  joints: [
+    named(-1, 'hips', { offset: [0, 0, 0], motion: ROOT, limits: Array(6).fill(UNLIMITED), pose: [0, 0, 0, 0, 0, 0] }),
+    named(0, 'thigh', { motion: ZXY, offset: [1, 0, 0] }),
+    named(1, 'shin', { motion: ZXY, offset: [0, -4, 0], endSites: [[0, -3, 0]] }),
+  ],
+};
+const leg = () => documentOf(character({ skeleton: LEG, pose: [1, 2, 3, 0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0] }));
+
+describe('joints of BVH', () => {
+  it('are added in the order of their parents, in place of the End Site, and can still be saved as .bvh', () => {
+    const made = done(addJoint, leg(), { characterId: 'c1', parent: 2, name: 'foot' });
+    expect(isBvh(made)).toBe(true);
+    expect(jointsOf(made)[2].endSites).toBeUndefined();
+    expect(jointsOf(made)[3]).toMatchObject({ motion: ZXY, offset: [0, -3, 0], endSites: [[0, -3, 0]] });
+    expect(saveCharacter(made, 'bvh')[0].text).toContain('JOINT foot');
+  });
+
+  it('leave an End Site where the last child was', () => {
+    const made = done(removeJoint, leg(), { ...of(2), children: 'too' });
+    expect(jointsOf(made)[1].endSites).toEqual([[0, -4, 0]]);
+  });
+
+  it('move by their position channels where those replace the offset', () => {
+    const made = done(setOffset, leg(), { ...of(0), offset: [0, 10, 0], children: 'follow' });
+    expect(made.pose.slice(0, 3)).toEqual([1, 12, 3]);
+    expect(jointsOf(made)[0].pose.slice(0, 3)).toEqual([0, 10, 0]);
+    expect([...worldOf(made, 0).slice(12, 15)]).toEqual([1, 12, 3]);
+  });
+});
+
+describe('a root of BVH', () => {
+  it('that has some position channels beside the root translation moves once, not twice', () => {
+    const root = named(-1, 'hips', {
+      offset: [0, 0, 2],
+      motion: { kind: 'bvh', channels: ['tz'], positions: 'replace' },
+    });
+    const hips = { name: 'x', joints: [{ ...root, limits: [UNLIMITED], pose: [2] }] };
+    const made = done(setOffset, documentOf(character({ skeleton: hips, pose: [0, 0, 1, 5] })), {
+      ...of(0),
+      offset: [0, 0, 3],
+      children: 'follow',
+    });
+    expect(made.pose).toEqual([0, 0, 1, 6]);
+  });
+
+  it('stands where it stood when it becomes another joint, and gives its channels to the root translation', () => {
+    const before = leg();
+    const made = done(setMotion, before, { ...of(0), motion: { kind: 'ball', order: 'xyz' } });
+    expect(made.pose.slice(0, 6)).toEqual([1, 2, 3, 0, 0, 0]);
+    expect([...worldOf(made, 2)]).toEqual([...worldOf(before.characters[0], 2)]);
+  });
+});
+
+describe('rig.rename', () => {
+  it('changes the one joint, and nothing where it is called so', () => {
+    const document = body();
+    const made = done(renameJoint, document, { ...of(0), name: 'pelvis {1}' });
+    expect(namesIn(made)[0]).toBe('pelvis {1}');
+    expect(jointsOf(made)[1]).toBe(BODY.joints[1]);
+    expect(renameJoint.label(document, { ...of(0), name: 'pelvis' })).toBe('Rename hip to pelvis');
+    expect(renameJoint.run(document, { ...of(0), name: 'hip' })).toBe(document);
+    expect(() => renameJoint.run(document, { ...of(9), name: 'a' })).toThrow('no joint number 9');
+    expect(() => renameJoint.run(documentOf(), { ...of(0), name: 'a' })).toThrow('no character');
+  });
+});
+
+describe('rig.remove', () => {
+  it('gives vertices of a joint to its parent, and merges what they have of both', () => {
+    const attachments = {
+      start: Uint32Array.of(0, 3, 4, 5),
+      joints: Uint32Array.of(2, 3, 1, 2, 3),
+      weights: Float64Array.of(0.5, 0.25, 0.25, 1, 1),
+    };
+    const made = done(removeJoint, body({ skins: [skin('hero', 3, { attachments })] }), { ...of(2), children: 'stay' });
+    expect(made.skins[0].attachments).toEqual({
+      start: Uint32Array.of(0, 2, 3, 4),
+      joints: Uint32Array.of(1, 2, 1, 2),
+      weights: Float64Array.of(0.75, 0.25, 1, 1),
+    });
+    expect(made.skins[0].bindings.length).toBe(16 * 3);
+  });
+
+  it('lets children stand as they stood, their channels their own', () => {
+    const pose = [0, 0, 0, 0, 0, 0.5, 0.25, 0, 0, 0, 0.75, 0, 0, 0, 0];
+    const before = body({ pose });
+    const made = done(removeJoint, before, { ...of(1), children: 'stay' });
+    expect(namesIn(made)).toEqual(['hip', 'knee', 'tail']);
+    const [was, is] = [worldOf(before.characters[0], 2), worldOf(made, 1)];
+    is.forEach((value, k) => {
+      expect(value).toBeCloseTo(was[k], 9);
+    });
+  });
+
+  it('lets couples, pins and pairs of others go with the joint', () => {
+    const followed = { ...BODY, joints: [...BODY.joints] };
+    followed.joints[3] = { ...BODY.joints[3], couples: [{ dof: 'rx', joint: 2, follows: 'ry', gain: 1, offset: 0 }] };
+    const hero = character({
+      skeleton: followed,
+      clips: [clip('hero_anim', Array(15).fill(0))],
+      shownClip: 0,
+      ik: {
+        pins: [{ id: 1, joint: 2, point: [0, 0, 0], weight: 1, holdsOrientation: false }],
+        stiff: [],
+        rootIsFree: true,
+      },
+    });
+    const { name, clips, pose, clampsToLimits, timeOffsetSeconds } = hero;
+    const bee: Character = {
+      ...character({ id: 'c2' }),
+      driver: {
+        sourceId: 'c1',
+        source: { name, skeleton: followed, clip: clips[0], pose, clampsToLimits, timeOffsetSeconds },
+        pairs: [
+          { target: 0, source: 2 },
+          { target: 1, source: 3 },
+        ],
+        options: { reference: 'rest', plantsFeet: false },
+      },
+    };
+    const store = new Store(documentOf(hero, bee));
+    store.apply(removeJoint, { ...of(2), children: 'too' });
+    const [made, follower] = store.document.characters;
+    expect(jointsOf(made)[2].couples).toBeUndefined();
+    expect(made.ik?.pins).toEqual([]);
+    expect(follower.driver?.pairs).toEqual([{ target: 1, source: 2 }]);
+    expect(follower.driver?.source.skeleton).toBe(made.skeleton);
+    expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
+  });
+
+  it('refuses to leave nothing, and lets an only child be the root', () => {
+    expect(() => removeJoint.run(body(), { ...of(0), children: 'too' })).toThrow('remove the character');
+    expect(() => removeJoint.run(body(), { ...of(0), children: 'stay' })).toThrow('has 2 children');
+    const chain = documentOf(character({ skeleton: skeleton(3) }));
+    const made = done(removeJoint, chain, { ...of(0), children: 'stay' });
+    expect(jointsOf(made).map(({ parent }) => parent)).toEqual([-1, 0]);
+    expect([...worldOf(made, 0).slice(12, 15)]).toEqual([0, 2, 0]);
+  });
+});
+
+describe('rig.reparent', () => {
+  it('keeps the pivot and, where the rule allows it, how the joint is turned', () => {
+    const pose = [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1];
+    const before = body({ pose });
+    const made = done(reparentJoint, before, { ...of(2), parent: 3 });
+    expect(namesIn(made)).toEqual(['hip', 'thigh', 'tail', 'knee']);
+    const [was, is] = [worldOf(before.characters[0], 2), worldOf(made, 3)];
+    was.forEach((value, k) => {
+      expect(Math.abs(value - is[k])).toBeLessThan(NEAR);
+    });
+  });
+
+  it('keeps the pivot only where keys drive how it is turned', () => {
+    const turned = clip('hero_anim', [0, 0, 0, 0.2, 0, 0, 0, 0.3, 0, 0.1, 0.2, 0.3, 0, 0, 1]);
+    const before = body({ clips: [turned], shownClip: 0 });
+    const made = done(reparentJoint, before, { ...of(2), parent: 3 });
+    expect(made.clips[0].channels.slice(12)).toEqual(turned.channels.slice(9, 12));
+    const [was, is] = [worldOf(before.characters[0], 2), worldOf(made, 3)];
+    for (let k = 12; k < 15; k++) expect(Math.abs(was[k] - is[k])).toBeLessThan(NEAR);
+    expect(Math.abs(was[0] - is[0])).toBeGreaterThan(0.01);
+  });
+
+  it('lets a channel that stands go on standing where it has come between sampled ones', () => {
+    const pose = Array.from({ length: 15 }, (_, d) => (d < 12 ? 0 : 0.5));
+    const walk = {
+      ...clip('walk', []),
+      channels: pose.map((rest) => keylessChannel(rest)),
+      samples: {
+        frameCount: 2,
+        frameSeconds: 1,
+        startSeconds: 0,
+        firstChannel: 6,
+        values: new Float64Array(12).fill(10),
+        scales: new Float64Array(6).fill(RADIANS_PER_DEGREE),
+        interpolation: 'linear' as const,
+      },
+    };
+    const made = done(reparentJoint, body({ pose, clips: [walk], shownClip: 0 }), { ...of(2), parent: 3 });
+    const shown = new Float64Array(15);
+    poseAt(made, 0, shown);
+    const ten = 10 * RADIANS_PER_DEGREE;
+    [0, 0, 0, 0, 0, 0, ten, ten, ten, 0.5, 0.5, 0.5, ten, ten, ten].forEach((value, dof) => {
+      expect(shown[dof]).toBeCloseTo(value, 12);
+    });
+  });
+
+  it('sorts siblings, and changes nothing where the joint stands there already', () => {
+    const document = body();
+    expect(namesIn(done(reparentJoint, document, { ...of(3), parent: 0, before: 1 }))).toEqual([
+      ...['hip', 'tail', 'thigh', 'knee'],
+    ]);
+    expect(reparentJoint.run(document, { ...of(3), parent: 0 })).toBe(document);
+    expect(reparentJoint.run(document, { ...of(1), parent: 0, before: 3 })).toBe(document);
+  });
+
+  it('refuses to hang a joint on what is below it', () => {
+    expect(() => reparentJoint.run(body(), { ...of(1), parent: 2 })).toThrow("can't hang on knee");
+    expect(() => reparentJoint.run(body(), { ...of(0), parent: 2 })).toThrow('is the root');
+    expect(() => reparentJoint.run(body(), { ...of(2), parent: 0, before: 2 })).toThrow('no child of hip');
+  });
+});
+
+describe('rig.setMotion', () => {
+  const pose = [1, 2, 3, 0.1, 0.2, 0.3, ...Array(9).fill(0)];
+
+  it('turns the root translation into the DOFs of a root that moves by itself, and back', () => {
+    const free: Motion = { kind: 'free', order: 'xyz' };
+    const before = body({ pose, clips: [clip('hero_anim', pose)], shownClip: 0 });
+    const made = done(setMotion, before, { ...of(0), motion: free });
+    expect(made.pose).toEqual(pose);
+    expect(made.clips[0].channels).toEqual(before.characters[0].clips[0].channels);
+    expect([...worldOf(made, 3)]).toEqual([...worldOf(before.characters[0], 3)]);
+    const back = done(setMotion, documentOf(made), { ...of(0), motion: { kind: 'ball', order: 'xyz' } });
+    expect(back.pose).toEqual(pose);
+    expect(back.skeleton?.joints[0].limits.length).toBe(3);
+  });
+
+  it('keeps pose, limits and channels of the DOFs that both have', () => {
+    const limited = { ...BODY, joints: [...BODY.joints] };
+    limited.joints[1] = { ...BODY.joints[1], limits: [UNLIMITED, { min: -1, max: 1 }, UNLIMITED] };
+    const values = pose.map((_, d) => d);
+    const made = done(setMotion, body({ skeleton: limited, pose: values, clips: [clip('a', values)], shownClip: 0 }), {
+      ...of(1),
+      motion: { kind: 'universal', order: 'yz' },
+    });
+    expect(made.pose).toEqual([0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 14]);
+    expect(made.clips[0].channels.map((c) => c.values[0])).toEqual(made.pose);
+    expect(jointsOf(made)[1].limits).toEqual([{ min: -1, max: 1 }, UNLIMITED]);
+  });
+
+  it('turns a hinge into a ball that is turned as it was', () => {
+    const hinged = { ...BODY, joints: [...BODY.joints] };
+    hinged.joints[1] = named(0, 'thigh', {
+      motion: { kind: 'hinge', axis: [0, 0, -2] },
+      limits: [UNLIMITED],
+      pose: [0.5],
+    });
+    const before = documentOf(character({ skeleton: hinged }));
+    const made = done(setMotion, before, { ...of(1), motion: { kind: 'ball', order: 'xyz' } });
+    expect(made.pose.slice(6, 9).map((v) => Number(v.toFixed(9)) + 0)).toEqual([0, 0, -0.5]);
+    const [was, is] = [worldOf(before.characters[0], 2), worldOf(made, 2)];
+    was.forEach((value, k) => {
+      expect(Math.abs(value - is[k])).toBeLessThan(NEAR);
+    });
+  });
+
+  it('changes nothing where it moves so already, and refuses what no joint does', () => {
+    const document = body();
+    expect(setMotion.run(document, { ...of(1), motion: { kind: 'ball', order: 'xyz' } })).toBe(document);
+    const set = (motion: object) => () => setMotion.run(document, { ...of(1), motion: motion as Motion });
+    expect(set({ kind: 'hinge', axis: [0, 0, 0] })).toThrow('0 0 0 has none');
+    expect(set({ kind: 'ball', order: 'xxy' })).toThrow('The order has to be one of');
+    expect(set({ kind: 'wheel' })).toThrow('The type of a joint has to be one of');
+    expect(set({ kind: 'compound', dofs: ['tx', 'tx'] })).toThrow('have tx twice');
+  });
+});
+
+describe('the axis-angle form', () => {
+  const hinge = (parent: number, offset: Joint['offset'], length: number) =>
+    named(parent, '', { motion: { kind: 'hinge', axis: [0, 0, 1] }, limits: [UNLIMITED], pose: [0], offset, length });
+  const arm: Skeleton = {
+    name: 'arm',
+    form: 'axis-angle',
+    joints: [hinge(-1, [0, 0, 0], 2), hinge(0, [0, 2, 0], 1)],
+  };
+  const document = documentOf(character({ skeleton: arm }));
+
+  it('is kept by a child at the tip, and by a bone whose children go along', () => {
+    const grown = done(addJoint, document, { characterId: 'c1', parent: 1 });
+    expect(jointsOf(grown)[2]).toMatchObject({ name: '', offset: [0, 1, 0], length: 1, motion: { axis: [0, 0, 1] } });
+    expect(grown.skeleton?.form).toBe('axis-angle');
+    const longer = done(setLength, document, { ...of(0), length: 3 });
+    expect(jointsOf(longer)[1].offset).toEqual([0, 3, 0]);
+    expect(longer.skeleton?.form).toBe('axis-angle');
+  });
+
+  it('is given up by what it can not hold', () => {
+    expect(
+      done(setOffset, document, { ...of(1), offset: [1, 2, 0], children: 'follow' }).skeleton?.form,
+    ).toBeUndefined();
+    expect(done(setLength, document, { ...of(0), length: null }).skeleton?.form).toBeUndefined();
+    expect(done(setMotion, document, { ...of(1), motion: { kind: 'fixed' } }).skeleton?.form).toBeUndefined();
+  });
+});
+
+describe('rig.setBox, rig.setLength and rig.setFilePose', () => {
+  it('change what they are about, and nothing where it is so', () => {
+    const document = body({ pose: [0, 0, 0, ...Array(12).fill(0.5)] });
+    const box = { min: [0, 0, 0], max: [1, 1, 1] } as const;
+    expect(jointsOf(done(setBox, document, { ...of(2), box }))[2].box).toEqual(box);
+    expect(setBox.run(document, { ...of(2), box: BODY.joints[2].box })).toBe(document);
+    expect(setLength.run(document, { ...of(2), length: null })).toBe(document);
+    expect(() => setLength.run(document, { ...of(2), length: -1 })).toThrow('0 or more');
+    const one = done(setFilePose, document, { ...of(2), from: 'shown' });
+    expect(jointsOf(one).map(({ pose }) => pose[0])).toEqual([0, 0, 0.5, 0]);
+    const all = documentIn(setFilePose.run(document, { characterId: 'c1', from: 'shown' }));
+    expect(jointsOf(all.characters[0]).map(({ pose }) => pose[0])).toEqual([0.5, 0.5, 0.5, 0.5]);
+    expect(all.characters[0].pose).toBe(document.characters[0].pose);
+    const back = done(setFilePose, all, { characterId: 'c1', from: 'rest' });
+    expect(jointsOf(back).map(({ pose }) => pose[0])).toEqual([0, 0, 0, 0]);
+    expect(setFilePose.run(document, { characterId: 'c1', from: 'rest' })).toBe(document);
+  });
+});
+
+describeShared('the wasp', () => {
+  const read = () => {
+    const [own] = readSkel(sharedBytes('data/cse169/wasp.skel'), 'wasp.skel').value ?? [];
+    const skinned = readSkin(sharedBytes('data/cse169/wasp.skin'), 'wasp.skin').value;
+    if (!own || !skinned) throw new Error('the wasp can not be read');
+    return documentOf(character({ skeleton: own, skins: [skinned] }));
+  };
+
+  it('is saved byte for byte after a joint was added and taken away again', () => {
+    const document = read();
+    const before = [...saveCharacter(document.characters[0], 'skel'), ...saveCharacter(document.characters[0], 'skin')];
+    const store = new Store(document);
+    store.apply(addJoint, { characterId: 'c1', parent: 4, skin: 'stays' });
+    const [added] = store.document.characters;
+    expect(saveCharacter(added, 'skin')[0].text).not.toBe(before[1].text);
+    store.apply(removeJoint, { ...of(store.selection.joint ?? -1), children: 'too', skin: 'stays' });
+    const [again] = store.document.characters;
+    const after = [...saveCharacter(again, 'skel'), ...saveCharacter(again, 'skin')];
+    expect(after.map(({ text }) => text)).toEqual(before.map(({ text }) => text));
+  });
+});

@@ -1,0 +1,222 @@
+/** What stays where it is, in the pose shown: vertices in bind mode, pivots that a change does not mean to move. */
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { CommandError, documentIn } from '../../../src/edit/store.ts';
+import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
+import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { determinant3 } from '../../../src/math/mat4.ts';
+import type { Character, Document } from '../../../src/model/document.ts';
+import { rootDofCount } from '../../../src/model/dofs.ts';
+import {
+  diceOf,
+  RIG_COMMANDS,
+  type RigCommand,
+  randomDocument,
+  rigArguments,
+  rigCommand,
+  seeds,
+} from './random-rig.ts';
+
+const SECONDS = 1;
+/** As a part of the size. */
+const STAYS = 1e-9;
+/** Of unit vectors, through matrices that stretch. */
+const TURNED = 1e-7;
+
+interface Stand {
+  readonly world: Float64Array;
+  /** x y z of every vertex of every skin. */
+  readonly vertices: readonly Float64Array[];
+  /** x y z alike. */
+  readonly normals: readonly Float64Array[];
+}
+
+function standOf(character: Character): Stand {
+  const { skeleton, skins, morphs, shownSkin } = character;
+  if (!skeleton) throw new Error('no skeleton');
+  const dofs = new Float64Array(dofCountOf(character));
+  poseAt(character, SECONDS, dofs);
+  const world = new Float64Array(16 * skeleton.joints.length);
+  worldMatrices(compileSkeleton(skeleton), dofs, world);
+  const deformed = skins.map((skin, s) => {
+    const compiled = compileSkin(skin);
+    const positions = skin.positions.slice();
+    const normals = compiled.normals.slice();
+    if (s === shownSkin) blendMorphs(compiled, morphs, dofs, dofs.length - morphs.length, positions, normals);
+    deform(compiled, world, positions, normals, positions, normals);
+    return { positions, normals };
+  });
+  return {
+    world,
+    vertices: deformed.map(({ positions }) => positions),
+    normals: deformed.map(({ normals }) => normals),
+  };
+}
+
+function farthest(a: Float64Array, b: Float64Array): number {
+  return a.reduce((most, value, i) => Math.max(most, Math.abs(value - b[i])), 0);
+}
+
+/** Whether nothing is scaled or sheared so far that digits are lost on the way back. */
+function isPlain({ world, vertices }: Stand): boolean {
+  for (let o = 0; o < world.length; o += 16) {
+    const d = Math.abs(determinant3(world, o));
+    const isLong = world.subarray(o, o + 11).some((v) => Math.abs(v) > 10);
+    if (isLong || !(d > 0.05 && d < 20)) return false;
+  }
+  return vertices.every((all) => all.every((v) => Math.abs(v) < 1e3));
+}
+
+/** The document after it; the same one where it is refused. */
+function done(document: Document, id: RigCommand, args: object): Document {
+  try {
+    return documentIn(rigCommand(id).run(document, args));
+  } catch (error) {
+    if (error instanceof CommandError) return document;
+    throw error;
+  }
+}
+
+const sizeOf = (world: Float64Array) =>
+  world.reduce((most, v, k) => (k % 16 >= 12 && k % 16 < 15 ? Math.max(most, Math.abs(v)) : most), 1);
+
+describe('bind mode', () => {
+  it('keeps every vertex where it is, whatever becomes of the joints', () => {
+    let moved = 0;
+    fc.assert(
+      fc.property(seeds, seeds, fc.constantFrom(...RIG_COMMANDS), (seed, thrown, id) => {
+        const document = randomDocument(seed);
+        const [hero] = document.characters;
+        const dice = diceOf(thrown);
+        const next = done(document, id, rigArguments(id, hero, dice, { skin: 'stays', timeSeconds: SECONDS }));
+        if (next === document) return;
+        const [was, is] = [standOf(hero), standOf(next.characters[0])];
+        fc.pre(isPlain(was) && isPlain(is));
+        if (was.world.length !== is.world.length || farthest(was.world, is.world) > STAYS) moved++;
+        const size = was.vertices.reduce(
+          (most, all) => all.reduce((m, v) => Math.max(m, Math.abs(v)), most),
+          sizeOf(was.world),
+        );
+        was.vertices.forEach((vertices, s) => {
+          expect(farthest(vertices, is.vertices[s])).toBeLessThan(STAYS * size);
+          expect(farthest(was.normals[s], is.normals[s])).toBeLessThan(TURNED);
+        });
+      }),
+      { numRuns: 150 },
+    );
+    expect(moved).toBeGreaterThan(20);
+  });
+
+  it('leaves bindings of joints that did not move as they are', () => {
+    const document = randomDocument(7);
+    const [hero] = document.characters;
+    const args = { characterId: 'c1', joint: 0, name: 'other', skin: 'stays', timeSeconds: 0 };
+    const [renamed] = done(document, 'rig.rename', args).characters;
+    expect(renamed.skins).toBe(hero.skins);
+  });
+});
+
+describe('pose mode', () => {
+  it('keeps the bindings, and the joints that are bound by them', () => {
+    fc.assert(
+      fc.property(seeds, seeds, (seed, thrown) => {
+        const document = randomDocument(seed);
+        const [hero] = document.characters;
+        const args = rigArguments('rig.setOffset', hero, diceOf(thrown), { skin: 'follows' });
+        const [next] = done(document, 'rig.setOffset', args).characters;
+        expect(next.skins).toBe(hero.skins);
+      }),
+      { numRuns: 30 },
+    );
+  });
+});
+
+/** The pivots of joints that are there in both, by the joints' names, which the characters made up have each once. */
+function pivots({ skeleton }: Character, { world }: Stand): ReadonlyMap<string, Float64Array> {
+  return new Map(
+    (skeleton?.joints ?? []).flatMap(({ name }, j) => (name ? [[name, world.slice(16 * j + 12, 16 * j + 15)]] : [])),
+  );
+}
+
+describe('pivots', () => {
+  it.each(['rig.reparent', 'rig.remove'] as const)('of the joints that are moved by %s stay where they are', (id) => {
+    fc.assert(
+      fc.property(seeds, seeds, (seed, thrown) => {
+        const document = randomDocument(seed);
+        const [hero] = document.characters;
+        const given = rigArguments(id, hero, diceOf(thrown), { timeSeconds: SECONDS, children: 'stay' });
+        const next = done(document, id, given);
+        if (next === document) return;
+        const { joint } = given as { readonly joint: number };
+        const [now] = next.characters;
+        const [was, is] = [standOf(hero), standOf(now)];
+        fc.pre(isPlain(was) && isPlain(is));
+        const places = pivots(now, is);
+        const before = pivots(hero, was);
+        for (const [j, { name, parent }] of (hero.skeleton?.joints ?? []).entries()) {
+          const isMoved = id === 'rig.reparent' ? j === joint : parent === joint;
+          const [a, b] = [before.get(name), places.get(name)];
+          if (!isMoved || !a || !b) continue;
+          expect(farthest(a, b)).toBeLessThan(STAYS * sizeOf(was.world));
+        }
+      }),
+      { numRuns: 120 },
+    );
+  });
+
+  it('of children stay while their joint is placed elsewhere, where they are to', () => {
+    fc.assert(
+      fc.property(seeds, seeds, (seed, thrown) => {
+        const document = randomDocument(seed);
+        const [hero] = document.characters;
+        const more = { timeSeconds: SECONDS, children: 'stay' };
+        const given = rigArguments('rig.setOffset', hero, diceOf(thrown), more);
+        const next = done(document, 'rig.setOffset', given);
+        const { joint } = given as { readonly joint: number };
+        const [now] = next.characters;
+        const [was, is] = [standOf(hero), standOf(now)];
+        fc.pre(isPlain(was) && isPlain(is));
+        for (const [j, { parent }] of (hero.skeleton?.joints ?? []).entries()) {
+          if (parent !== joint) continue;
+          const at = (s: Stand) => s.world.slice(16 * j + 12, 16 * j + 15);
+          expect(farthest(at(was), at(is))).toBeLessThan(STAYS * sizeOf(was.world));
+        }
+      }),
+      { numRuns: 100 },
+    );
+  });
+});
+
+describe('what is shown', () => {
+  it('is the same after a joint is added, renamed, or given a box or a file pose', () => {
+    fc.assert(
+      fc.property(
+        seeds,
+        seeds,
+        fc.constantFrom(
+          'rig.addJoint' as const,
+          'rig.rename' as const,
+          'rig.setBox' as const,
+          'rig.setFilePose' as const,
+        ),
+        (seed, thrown, id) => {
+          const document = randomDocument(seed);
+          const [hero] = document.characters;
+          const [now] = done(document, id, rigArguments(id, hero, diceOf(thrown))).characters;
+          const [was, is] = [standOf(hero), standOf(now)];
+          const places = pivots(now, is);
+          for (const [name, place] of pivots(hero, was)) {
+            const kept = places.get(name);
+            if (kept) expect(farthest(place, kept)).toBe(0);
+          }
+          was.vertices.forEach((vertices, s) => {
+            expect(farthest(vertices, is.vertices[s])).toBe(0);
+          });
+          expect(rootDofCount(now.skeleton)).toBe(rootDofCount(hero.skeleton));
+        },
+      ),
+      { numRuns: 100 },
+    );
+  });
+});
