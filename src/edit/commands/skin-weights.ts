@@ -1,0 +1,174 @@
+/**
+ * Automatic weights: which joints move each vertex of a skin, and how much, from nothing but where its bones are
+ * (`evaluate/weights/heat-weights.ts`). Weights and bindings that the skin has are replaced; its mesh stays, and so do the
+ * morphs that are made for it.
+ */
+import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { boneSegments } from '../../evaluate/weights/bones.ts';
+import { heatWeights } from '../../evaluate/weights/heat-weights.ts';
+import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
+import type { Character, Document } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
+import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { finished, type Steps } from '../samples/steps.ts';
+import { type Command, CommandError } from '../store.ts';
+
+/**
+ * Where mesh and skeleton meet. `bound`: where they were bound before, which keeps the bindings. `drawn`: as both are
+ * drawn now, so that nothing moves at that moment; for a skin that hangs on the root as a whole. `file`: the mesh as its
+ * file has it, around the skeleton as it is posed now.
+ */
+export const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
+export type BindPlace = (typeof BIND_PLACES)[number];
+
+export interface AutoWeights {
+  readonly characterId: string;
+  /** Index among the character's skins; the one that is shown where absent. */
+  readonly skin?: number | undefined;
+  /** Of the transport: the pose that `drawn` and `file` go by. */
+  readonly timeSeconds: number;
+  /** One of `bindPlaces`; the first of them where absent. */
+  readonly bind?: BindPlace | undefined;
+  /** Joints that move a vertex, at most: 1 to 16; 4 where absent. */
+  readonly mostInfluences?: number | undefined;
+}
+
+export const USUAL_INFLUENCES = 4;
+export const MOST_INFLUENCES = 16;
+
+/** What it came to. */
+export interface AutoWeighted {
+  readonly document: Document;
+  readonly skin: Skin;
+  /** Vertices whose weights are by distance alone. */
+  readonly byDistance: number;
+}
+
+export const autoWeights: Command<AutoWeights> = {
+  id: 'skin.autoWeights',
+  label(document, args) {
+    const { skins, shownSkin } = requireCharacter(document, args.characterId);
+    return `Automatic weights of ${skins[args.skin ?? shownSkin]?.name ?? 'the skin'}`;
+  },
+  run: (document, args) => finished(autoWeightsSteps(document, args)).document,
+};
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<AutoWeighted> {
+  const character = requireCharacter(document, args.characterId);
+  const { skeleton, skins } = character;
+  if (!skeleton) throw new CommandError(`${character.name} has no skeleton that could move its skin.`);
+  if (skins.length === 0) throw new CommandError(`${character.name} has no skin.`);
+  const index = indexIn(args.skin ?? character.shownSkin, 0, skins.length, 'skin');
+  const skin = skins[index];
+  const most = finiteNumber(args.mostInfluences ?? USUAL_INFLUENCES, '"mostInfluences"');
+  if (!Number.isInteger(most) || most < 1 || most > MOST_INFLUENCES) {
+    throw new CommandError(`A vertex follows 1 to ${MOST_INFLUENCES} joints; ${most} was given.`);
+  }
+  const seconds = finiteNumber(args.timeSeconds, '"timeSeconds"');
+  const places = bindPlaces(character, skin, seconds);
+  const place = oneOf<BindPlace>(args.bind ?? places[0], BIND_PLACES, '"bind"');
+  if (!places.includes(place)) throw new CommandError(`${skin.name} ${WHY_NOT[place]}`);
+  const bindings = place === 'bound' ? skin.bindings : framesAt(character, skeleton, skin, seconds, place);
+  for (let j = 0; j < skeleton.joints.length; j++) {
+    if (isSingular(bindings, 16 * j)) {
+      const name = skeleton.joints[j].name || `#${j}`;
+      throw new CommandError(`${name} is scaled to nothing as it is posed now, and nothing can be bound to it.`);
+    }
+  }
+  const { attachments, byDistance } = yield* heatWeights(skin, boneSegments(skeleton, bindings), most);
+  const weighted: Skin = { ...skin, attachments, bindings };
+  if (sameWeights(skin, weighted)) return { document, skin, byDistance };
+  const changed = changeCharacter(document, character.id, (c) => ({ ...c, skins: c.skins.with(index, weighted) }));
+  return { document: changed, skin: weighted, byDistance };
+}
+
+const WHY_NOT: Readonly<Record<BindPlace, string>> = {
+  bound: 'has no bindings for all joints to go by.',
+  drawn: 'has weights already: as it is drawn, it is bent, and can be bound only where its file has it.',
+  file: 'can not be bound there.',
+};
+
+/**
+ * Where a skin can be bound, the likeliest first: where it was; else, for one that hangs on the root, where its mesh and
+ * the skeleton lie over each other, as drawn or as in the file.
+ */
+export function bindPlaces(character: Character, skin: Skin, timeSeconds: number): readonly BindPlace[] {
+  const { skeleton } = character;
+  if (!skeleton) return [];
+  const before: BindPlace[] = isBound(skeleton, skin) ? ['bound'] : [];
+  if (skin.attachments) return [...before, 'file'];
+  const misfit = (place: BindPlace) => misfitOf(skin, framesAt(character, skeleton, skin, timeSeconds, place));
+  const [drawn, file] = [misfit('drawn'), misfit('file')];
+  return [...before, ...(drawn <= file ? (['drawn', 'file'] as const) : (['file', 'drawn'] as const))];
+}
+
+function isBound({ joints }: Skeleton, skin: Skin): boolean {
+  return bindingCount(skin) >= joints.length && joints.every((_, j) => !isSingular(skin.bindings, 16 * j));
+}
+
+/** World matrices of the joints at a time, seen from the mesh as its file has it. */
+function framesAt(
+  character: Character,
+  skeleton: Skeleton,
+  skin: Skin,
+  timeSeconds: number,
+  place: BindPlace,
+): Float64Array {
+  const dofs = new Float64Array(dofCountOf(character));
+  poseAt(character, timeSeconds, dofs);
+  const world = new Float64Array(16 * skeleton.joints.length);
+  worldMatrices(compileSkeleton(skeleton), dofs, world);
+  if (place !== 'drawn' || isSingular(world)) return world;
+  // What hangs on the root is drawn by M = W₀·B₀⁻¹. With B = M⁻¹·W = B₀·W₀⁻¹·W it stays there.
+  const back = new Float64Array(16);
+  invertAffine(world, 0, back, 0);
+  if (bindingCount(skin) > 0) {
+    const mesh = new Float64Array(16);
+    multiplyAffine(skin.bindings, 0, back, 0, mesh, 0);
+    back.set(mesh);
+  }
+  const frames = new Float64Array(world.length);
+  for (let o = 0; o < world.length; o += 16) multiplyAffine(back, 0, world, o, frames, o);
+  return frames;
+}
+
+/** How far the boxes around mesh and joints are apart: the distances of their lower and of their upper corners. */
+function misfitOf(skin: Skin, frames: Float64Array): number {
+  const mesh = boxOf(skin.positions, 0, 3);
+  const joints = boxOf(frames, 12, 16);
+  return [0, 1].reduce((sum, end) => sum + Math.hypot(...mesh[end].map((x, k) => x - joints[end][k])), 0);
+}
+
+function boxOf(values: Float64Array, first: number, stride: number): readonly (readonly number[])[] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let o = first; o < values.length; o += stride) {
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k], values[o + k]);
+      high[k] = Math.max(high[k], values[o + k]);
+    }
+  }
+  return [low, high];
+}
+
+function sameWeights(a: Skin, b: Skin): boolean {
+  const [x, y] = [a.attachments, b.attachments];
+  if (!x || !y || !same(a.bindings, b.bindings)) return false;
+  return same(x.start, y.start) && same(x.joints, y.joints) && same(x.weights, y.weights);
+}
+
+function same(a: Float64Array | Uint32Array, b: Float64Array | Uint32Array): boolean {
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+/** Joints that move a vertex, on average. */
+export function meanInfluences(skin: Skin): number {
+  return (skin.attachments?.joints.length ?? 0) / Math.max(1, vertexCount(skin));
+}

@@ -1,0 +1,61 @@
+/**
+ * In which order a mesh's vertices are eliminated so that the factor of its matrix stays sparse: nested dissection
+ * (A. George 1973), the mesh halved in space again and again. What separates two halves comes after both:
+ *
+ *     order   [ half, its halves likewise | other half | vertices of that one with neighbours in the first ]
+ *
+ * On a surface of n vertices the separators have about √n of them, and the factor n·log n entries.
+ */
+import type { Laplacian } from './laplacian.ts';
+import { longestAxis, selectMiddle } from './select.ts';
+
+/** Too few to be halved any more. */
+const LEAF = 24;
+/** Vertices sorted between two pauses. */
+const SORTED_A_STEP = 20000;
+
+/**
+ * The vertices in their order. Pauses every few milliseconds with the part that is done.
+ * @param positions x y z a vertex
+ */
+export function* eliminationOrder(matrix: Laplacian, positions: Float64Array): Generator<number, Uint32Array> {
+  const count = positions.length / 3;
+  const { start, columns } = matrix;
+  const order = Uint32Array.from({ length: count }, (_, v) => v);
+  /** Of each vertex, the halving in which it was in the first half last. */
+  const halving = new Uint32Array(count);
+  let halvings = 0;
+  let done = 0;
+  let work = 0;
+  const open = [0, count];
+  while (open.length > 0) {
+    const to = open.pop() ?? 0;
+    const from = open.pop() ?? 0;
+    work += to - from + LEAF;
+    if (work > SORTED_A_STEP) {
+      work = 0;
+      yield done / count;
+    }
+    if (to - from <= LEAF) {
+      done += to - from;
+      continue;
+    }
+    const half = (from + to) >> 1;
+    selectMiddle(order, positions, longestAxis(order, positions, from, to - 1), from, to - 1, half);
+    const mark = ++halvings;
+    for (let i = from; i < half; i++) halving[order[i]] = mark;
+    let end = to;
+    for (let i = half; i < end; ) {
+      const v = order[i];
+      let separates = false;
+      for (let e = start[v]; e < start[v + 1] && !separates; e++) separates = halving[columns[e]] === mark;
+      if (separates) {
+        order[i] = order[--end];
+        order[end] = v;
+      } else i++;
+    }
+    done += to - end;
+    open.push(half, end, from, half);
+  }
+  return order;
+}

@@ -1,0 +1,86 @@
+/** The few joints that move each vertex most, gathered one joint after another, and made the weights of a skin. */
+import type { Attachments } from '../../model/skin.ts';
+
+/** Less, beside all of a vertex's weight, moves nothing that anyone sees, and takes its place in the file. */
+const LEAST_PART = 0.004;
+/** Weights are written with so many decimals. */
+const SCALE = 1e4;
+
+export class Influences {
+  /** `most` a vertex, heaviest first; weight 0 where there are fewer. */
+  private readonly joints: Uint32Array;
+  private readonly weights: Float64Array;
+
+  constructor(
+    vertexCount: number,
+    private readonly most: number,
+  ) {
+    this.joints = new Uint32Array(vertexCount * most);
+    this.weights = new Float64Array(vertexCount * most);
+  }
+
+  /** Each joint once at most. */
+  add(vertex: number, joint: number, weight: number): void {
+    const { joints, weights, most } = this;
+    const from = vertex * most;
+    let at = from + most - 1;
+    if (!(weight > weights[at])) return;
+    for (; at > from && weights[at - 1] < weight; at--) {
+      weights[at] = weights[at - 1];
+      joints[at] = joints[at - 1];
+    }
+    weights[at] = weight;
+    joints[at] = joint;
+  }
+
+  has(vertex: number): boolean {
+    return this.weights[vertex * this.most] > 0;
+  }
+
+  /**
+   * Weights that sum to 1, in ten-thousandths; what rounding leaves goes to the heaviest. Joints ascend at each vertex.
+   * @param of the vertex here of each vertex of the skin
+   */
+  attachments(of: Uint32Array): Attachments {
+    const start = new Uint32Array(of.length + 1);
+    const joints = new Uint32Array(of.length * this.most);
+    const weights = new Float64Array(of.length * this.most);
+    const parts = new Float64Array(this.most);
+    let end = 0;
+    for (let v = 0; v < of.length; v++) {
+      const from = of[v] * this.most;
+      const count = this.rounded(from, parts);
+      for (let i = 0; i < count; i++) {
+        if (parts[i] <= 0) continue;
+        let at = end++;
+        for (; at > start[v] && joints[at - 1] > this.joints[from + i]; at--) {
+          joints[at] = joints[at - 1];
+          weights[at] = weights[at - 1];
+        }
+        joints[at] = this.joints[from + i];
+        weights[at] = parts[i] / SCALE;
+      }
+      start[v + 1] = end;
+    }
+    return { start, joints: joints.slice(0, end), weights: weights.slice(0, end) };
+  }
+
+  /** Whole numbers that sum to `SCALE`, heaviest first; gives how many there are. */
+  private rounded(from: number, parts: Float64Array): number {
+    const { weights, most } = this;
+    let all = 0;
+    for (let i = 0; i < most; i++) all += weights[from + i];
+    let kept = 0;
+    let count = 0;
+    while (count < most && weights[from + count] >= LEAST_PART * all && weights[from + count] > 0) {
+      kept += weights[from + count++];
+    }
+    let left = SCALE;
+    for (let i = 0; i < count; i++) {
+      parts[i] = Math.round((SCALE * weights[from + i]) / kept);
+      left -= parts[i];
+    }
+    if (count > 0) parts[0] += left;
+    return count;
+  }
+}

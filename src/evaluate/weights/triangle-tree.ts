@@ -1,0 +1,226 @@
+/**
+ * Which triangles a segment goes through: a tree of boxes over them, halved at the median of the longest side. Built in
+ * steps; asking allocates nothing.
+ *
+ * A regular grid is simpler, and slow where a mesh is dense in one place (a face on a body).
+ */
+import { longestAxis, selectMiddle } from './select.ts';
+import type { WeldedMesh } from './weld.ts';
+
+/** Triangles in a leaf. */
+const LEAF = 4;
+/** Nodes made between two pauses. */
+const NODES_A_STEP = 2000;
+/** Triangles sorted between two pauses. */
+const SORTED_A_STEP = 20000;
+
+export interface TriangleTree {
+  readonly mesh: WeldedMesh;
+  /** Triangles by number, those of a node together. */
+  readonly order: Uint32Array;
+  /** min x y z, max x y z a node. */
+  readonly boxes: Float64Array;
+  /** First and one past the last of `order` a node. */
+  readonly spans: Uint32Array;
+  /** The second child; the first one comes right after the node. 0 for a leaf. */
+  readonly second: Uint32Array;
+}
+
+/** Pauses with the part that is done. */
+export function* triangleTree(mesh: WeldedMesh): Generator<number, TriangleTree> {
+  const { positions, triangles } = mesh;
+  const count = triangles.length / 3;
+  const order = Uint32Array.from({ length: count }, (_, t) => t);
+  const middles = new Float64Array(3 * count);
+  for (let t = 0; t < count; t++) {
+    const a = 3 * triangles[3 * t];
+    const b = 3 * triangles[3 * t + 1];
+    const c = 3 * triangles[3 * t + 2];
+    for (let k = 0; k < 3; k++) middles[3 * t + k] = positions[a + k] + positions[b + k] + positions[c + k];
+  }
+  yield 0;
+  const room = Math.max(1, 2 * count);
+  const boxes = new Float64Array(6 * room);
+  const spans = new Uint32Array(2 * room);
+  const second = new Uint32Array(room);
+  let nodes = 0;
+  let done = 0;
+  let work = 0;
+  /** Spans that are still to be made nodes, each with the node that it is the second child of, or -1. */
+  const open = [0, count, -1];
+  while (open.length > 0) {
+    const parent = open.pop() ?? -1;
+    const to = open.pop() ?? 0;
+    const from = open.pop() ?? 0;
+    const node = nodes++;
+    if (parent >= 0) second[parent] = node;
+    spans[2 * node] = from;
+    spans[2 * node + 1] = to;
+    boxAround(mesh, order, from, to, boxes, 6 * node);
+    work += to - from;
+    if (to - from <= LEAF) done += to - from;
+    else {
+      const half = (from + to) >> 1;
+      selectMiddle(order, middles, longestAxis(order, middles, from, to - 1), from, to - 1, half);
+      open.push(half, to, node, from, half, -1);
+    }
+    if (work > SORTED_A_STEP || node % NODES_A_STEP === 0) {
+      work = 0;
+      yield count ? done / count : 1;
+    }
+  }
+  return { mesh, order, boxes, spans, second };
+}
+
+/** Hits of one segment, filled anew by each question. Grows. */
+export class Hits {
+  count = 0;
+  /** Where on the segment, 0 to 1, ascending. */
+  times = new Float64Array(32);
+  /** Triangles by number. */
+  triangles = new Uint32Array(32);
+  /** Whether it goes along with the triangle's normal (a, b, c counterclockwise seen from its tip). */
+  along = new Uint8Array(32);
+
+  add(time: number, triangle: number, along: boolean): void {
+    if (this.count === this.times.length) {
+      this.times = grown(this.times, new Float64Array(2 * this.count));
+      this.triangles = grown(this.triangles, new Uint32Array(2 * this.count));
+      this.along = grown(this.along, new Uint8Array(2 * this.count));
+    }
+    let at = this.count++;
+    for (; at > 0 && this.times[at - 1] > time; at--) {
+      this.times[at] = this.times[at - 1];
+      this.triangles[at] = this.triangles[at - 1];
+      this.along[at] = this.along[at - 1];
+    }
+    this.times[at] = time;
+    this.triangles[at] = triangle;
+    this.along[at] = along ? 1 : 0;
+  }
+}
+
+function grown<T extends Float64Array | Uint32Array | Uint8Array>(old: T, wide: T): T {
+  wide.set(old);
+  return wide;
+}
+
+const stack = new Uint32Array(128);
+
+/**
+ * All triangles between two points, but for those at a vertex.
+ * @param from x y z, and `to` likewise
+ */
+export function hitsBetween(
+  tree: TriangleTree,
+  from: ArrayLike<number>,
+  to: ArrayLike<number>,
+  vertex: number,
+  hits: Hits,
+): void {
+  hits.count = 0;
+  const { boxes, spans, second, order } = tree;
+  const ox = from[0];
+  const oy = from[1];
+  const oz = from[2];
+  const dx = to[0] - ox;
+  const dy = to[1] - oy;
+  const dz = to[2] - oz;
+  let depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const node = stack[--depth];
+    const o = 6 * node;
+    let near = 0;
+    let far = 1;
+    for (let k = 0; k < 3; k++) {
+      const start = from[k];
+      const d = to[k] - start;
+      if (d === 0) {
+        if (start < boxes[o + k] || start > boxes[o + 3 + k]) far = -1;
+        continue;
+      }
+      const a = (boxes[o + k] - start) / d;
+      const b = (boxes[o + 3 + k] - start) / d;
+      near = Math.max(near, Math.min(a, b));
+      far = Math.min(far, Math.max(a, b));
+    }
+    if (near > far + 1e-12) continue;
+    if (second[node] > 0) {
+      stack[depth++] = second[node];
+      stack[depth++] = node + 1;
+      continue;
+    }
+    for (let i = spans[2 * node]; i < spans[2 * node + 1]; i++) {
+      hitTriangle(tree.mesh, order[i], vertex, ox, oy, oz, dx, dy, dz, hits);
+    }
+  }
+}
+
+/** Möller and Trumbore's test. */
+function hitTriangle(
+  { positions: p, triangles }: WeldedMesh,
+  t: number,
+  vertex: number,
+  ox: number,
+  oy: number,
+  oz: number,
+  dx: number,
+  dy: number,
+  dz: number,
+  hits: Hits,
+): void {
+  const i = triangles[3 * t];
+  const j = triangles[3 * t + 1];
+  const k = triangles[3 * t + 2];
+  if (i === vertex || j === vertex || k === vertex) return;
+  const ax = p[3 * i];
+  const ay = p[3 * i + 1];
+  const az = p[3 * i + 2];
+  const ux = p[3 * j] - ax;
+  const uy = p[3 * j + 1] - ay;
+  const uz = p[3 * j + 2] - az;
+  const vx = p[3 * k] - ax;
+  const vy = p[3 * k + 1] - ay;
+  const vz = p[3 * k + 2] - az;
+  const qx = dy * vz - dz * vy;
+  const qy = dz * vx - dx * vz;
+  const qz = dx * vy - dy * vx;
+  const determinant = ux * qx + uy * qy + uz * qz;
+  if (determinant === 0) return;
+  const sx = ox - ax;
+  const sy = oy - ay;
+  const sz = oz - az;
+  const u = (sx * qx + sy * qy + sz * qz) / determinant;
+  // A hair wider than it is: nothing slips through between two.
+  if (u < -1e-9 || u > 1 + 1e-9) return;
+  const rx = sy * uz - sz * uy;
+  const ry = sz * ux - sx * uz;
+  const rz = sx * uy - sy * ux;
+  const v = (dx * rx + dy * ry + dz * rz) / determinant;
+  if (v < -1e-9 || u + v > 1 + 1e-9) return;
+  const time = (vx * rx + vy * ry + vz * rz) / determinant;
+  // The determinant is −d · (u × v).
+  if (time > 0 && time < 1) hits.add(time, t, determinant < 0);
+}
+
+function boxAround(
+  { positions, triangles }: WeldedMesh,
+  order: Uint32Array,
+  from: number,
+  to: number,
+  boxes: Float64Array,
+  o: number,
+): void {
+  boxes.fill(Infinity, o, o + 3);
+  boxes.fill(-Infinity, o + 3, o + 6);
+  for (let i = from; i < to; i++) {
+    for (let corner = 0; corner < 3; corner++) {
+      const at = 3 * triangles[3 * order[i] + corner];
+      for (let k = 0; k < 3; k++) {
+        if (positions[at + k] < boxes[o + k]) boxes[o + k] = positions[at + k];
+        if (positions[at + k] > boxes[o + 3 + k]) boxes[o + 3 + k] = positions[at + k];
+      }
+    }
+  }
+}

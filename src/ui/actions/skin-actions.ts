@@ -1,0 +1,27 @@
+/** What can be done to the skin that a character shows. */
+import { shownSkin } from '../../model/document.ts';
+import type { Workbench } from '../workbench.ts';
+import { type Action, currentCharacter } from './action.ts';
+
+const skinOf = (wb: Workbench) => {
+  const character = currentCharacter(wb);
+  return character && shownSkin(character);
+};
+
+export const SKIN_ACTIONS: readonly Action[] = [
+  {
+    id: 'skin.weights',
+    label: 'Automatic skin weights…',
+    detail: 'Which joints move each vertex, found from the bones',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 4,
+    enabled: (wb) => skinOf(wb) !== undefined && currentCharacter(wb)?.skeleton !== undefined,
+    whyNot(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return undefined;
+      return `${character.name} has no ${character.skeleton ? 'skin' : 'skeleton'}.`;
+    },
+    run: (wb) => wb.dialog.set('skinWeights'),
+  },
+];

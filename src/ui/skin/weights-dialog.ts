@@ -1,0 +1,81 @@
+/** What finding weights for a skin asks: how many joints may share a vertex, and where mesh and skeleton meet. */
+import {
+  type AutoWeights,
+  autoWeights,
+  autoWeightsSteps,
+  type BindPlace,
+  bindPlaces,
+  meanInfluences,
+  USUAL_INFLUENCES,
+} from '../../edit/commands/skin-weights.ts';
+import { shownSkin } from '../../model/document.ts';
+import { type Skin, vertexCount } from '../../model/skin.ts';
+import { currentCharacter } from '../actions/action.ts';
+import { type Asked, toolDialog } from '../curves/tool-dialog.ts';
+import type { DialogContent } from '../dialog.ts';
+import { element } from '../dom.ts';
+import { plural, shown } from '../number-text.ts';
+import type { Workbench } from '../workbench.ts';
+
+const TITLE = 'Automatic skin weights';
+
+const PLACES: Readonly<Record<BindPlace, string>> = {
+  bound: 'Where it was bound',
+  drawn: 'As it is drawn now',
+  file: 'Mesh as in its file, pose as shown',
+};
+
+export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
+  const character = currentCharacter(wb);
+  const skin = character && shownSkin(character);
+  if (!character?.skeleton || !skin) {
+    const said = element('p', {}, 'A character with a skeleton and a skin has to be there.');
+    return { title: TITLE, body: said, kind: 'tool-dialog' };
+  }
+  const { timeSeconds } = wb.transport.get();
+  const places = bindPlaces(character, skin, timeSeconds);
+  const replaces = skin.attachments ? ` It replaces those that ${skin.name} has.` : '';
+  return toolDialog<AutoWeights>(wb, close, {
+    name: 'skinWeights',
+    title: TITLE,
+    about:
+      'Heat that flows from the bones over the skin: each vertex follows the nearest bone that it sees through the ' +
+      `inside, blended where bones meet.${replaces}`,
+    asked: asked(places),
+    command: autoWeights,
+    args: (answers) => ({
+      characterId: character.id,
+      skin: character.shownSkin,
+      timeSeconds,
+      mostInfluences: answers.number('most'),
+      bind: places.find((place) => place === answers.choice('bind')) ?? places[0],
+    }),
+    *steps(document, args) {
+      const made = yield* autoWeightsSteps(document, args);
+      return { change: made.document, text: resultText(made.skin, made.byDistance) };
+    },
+    result: () => '',
+  });
+}
+
+function asked(places: readonly BindPlace[]): Asked[] {
+  const most: Asked = {
+    kind: 'number',
+    name: 'most',
+    label: 'Most joints a vertex',
+    value: USUAL_INFLUENCES,
+  };
+  if (places.length < 2) return [most];
+  const options = places.map((place) => [place, PLACES[place]] as const);
+  return [most, { kind: 'choice', name: 'bind', label: 'Bind', value: places[0], options }];
+}
+
+/** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
+export function resultText(skin: Skin, byDistance: number): string {
+  const joints = new Set(skin.attachments?.joints).size;
+  const each = joints > 1 ? `, ${shown(meanInfluences(skin), 1)} of them each` : '';
+  const apart = byDistance
+    ? ` ${plural(byDistance, 'vertex', 'vertices')} no bone is seen from: by distance alone.`
+    : '';
+  return `${plural(vertexCount(skin), 'vertex', 'vertices')} follow ${plural(joints, 'joint')}${each}.${apart}`;
+}
