@@ -1,6 +1,7 @@
 /** The characters that come with the page: a list, and the files of one of them. */
 import { fetchFiles } from '../io/address.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
+import type { SampleSwitches } from './sample-display.ts';
 
 export interface Sample {
   readonly id: string;
@@ -8,6 +9,7 @@ export interface Sample {
   readonly description: string;
   /** Names beside `samples.json`. */
   readonly files: readonly string[];
+  readonly shows?: SampleSwitches;
 }
 
 const FOLDER = 'samples/';

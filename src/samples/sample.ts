@@ -2,6 +2,7 @@
 import type { ChannelClip } from '../model/clip.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Rig } from '../model/rig.ts';
+import type { Display } from '../model/session.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Skin } from '../model/skin.ts';
 
@@ -15,5 +16,7 @@ export interface Sample {
   readonly morphs: readonly Morph[];
   readonly clip: ChannelClip;
   readonly rig: Rig;
+  /** What the page is to draw beside it, that it may not draw as it is set; nothing where absent. */
+  readonly shows?: Pick<Partial<Display>, 'names' | 'bones' | 'axes'>;
   readonly textures: readonly { readonly name: string; readonly bytes: Uint8Array }[];
 }

@@ -5,6 +5,7 @@ import { writeRig } from '../formats/rig/write.ts';
 import { writeSkel } from '../formats/skel/write.ts';
 import { writeSkin } from '../formats/skin/write.ts';
 import { crawlerSample } from './crawler/crawler.ts';
+import { jointsSample } from './joints/joints.ts';
 import { cubeSample } from './lessons/cube.ts';
 import { tangentsSample } from './lessons/tangents.ts';
 import type { Sample } from './sample.ts';
@@ -17,11 +18,12 @@ export interface SampleEntry {
   readonly description: string;
   /** Names in the same folder; given together they bind by the rig. */
   readonly files: readonly string[];
+  readonly shows?: Sample['shows'];
 }
 
 /** The default one first. */
 export function makeSamples(): readonly Sample[] {
-  return [walkerSample(), crawlerSample(), tangentsSample(), cubeSample()];
+  return [walkerSample(), crawlerSample(), jointsSample(), tangentsSample(), cubeSample()];
 }
 
 /** A sample's files by name, the rig first. */
@@ -42,8 +44,8 @@ export function sampleFolder(): Map<string, string | Uint8Array> {
   const files = new Map<string, string | Uint8Array>();
   for (const sample of makeSamples()) {
     const own = filesOf(sample);
-    const { id, label, description } = sample;
-    entries.push({ id, label, description, files: [...own.keys()] });
+    const { id, label, description, shows } = sample;
+    entries.push({ id, label, description, files: [...own.keys()], ...(shows && { shows }) });
     for (const [name, content] of own) files.set(name, content);
   }
   return new Map<string, string | Uint8Array>([['samples.json', `${JSON.stringify(entries, null, 2)}\n`], ...files]);

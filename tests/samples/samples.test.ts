@@ -5,10 +5,12 @@ import { describe, expect, it } from 'vitest';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { readMorph } from '../../src/formats/morph/read.ts';
 import { readRig } from '../../src/formats/rig/read.ts';
+import { JOINT_TYPES, jointTypeOfMotion } from '../../src/formats/skel/joint-types.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { readSkin } from '../../src/formats/skin/read.ts';
 import type { Diagnostic } from '../../src/model/diagnostic.ts';
 import { firstDofs, jointDofCount } from '../../src/model/dofs.ts';
+import { SCALE_MODES } from '../../src/model/skeleton.ts';
 import type { Sample } from '../../src/samples/sample.ts';
 import { filesOf, makeSamples, type SampleEntry, sampleFolder } from '../../src/samples/samples.ts';
 
@@ -35,16 +37,16 @@ describe('the folder of samples', () => {
     expect(Buffer.compare(readFileSync(FOLDER + name), made)).toBe(0);
   });
 
-  it('holds nothing else, and is under 300 kB', () => {
+  it('holds nothing else, and is under 400 kB', () => {
     expect(readdirSync(FOLDER).sort()).toEqual([...folder.keys()].sort());
     const bytes = [...folder.values()].reduce((sum, content) => sum + bytesOf(content).length, 0);
-    expect(bytes).toBeLessThan(300_000);
+    expect(bytes).toBeLessThan(400_000);
   });
 
   it('lists every file of every sample, the walker first', () => {
     // The list is JSON that the code itself wrote.
     const entries = JSON.parse(String(folder.get('samples.json'))) as SampleEntry[];
-    expect(entries.map((e) => e.id)).toEqual(['walker', 'crawler', 'tangents', 'cube']);
+    expect(entries.map((e) => e.id)).toEqual(['walker', 'crawler', 'joints', 'tangents', 'cube']);
     const listed = entries.flatMap((e) => e.files);
     expect(listed.toSorted()).toEqual([...folder.keys()].filter((n) => n !== 'samples.json').toSorted());
   });
@@ -152,5 +154,36 @@ describe('tangents', () => {
 describe('cube', () => {
   it('is one joint', () => {
     expect(samples.find((s) => s.id === 'cube')?.skeleton.joints.length).toBe(1);
+  });
+});
+
+describe('joint types', () => {
+  const sample = samples.find((s) => s.id === 'joints') ?? samples[0];
+  const { skeleton, clip } = sample;
+
+  it('are all there, every mode of a scale, a coupled DOF and a bone with a length too', () => {
+    const types = new Set(skeleton.joints.map(({ motion }) => jointTypeOfMotion(motion)));
+    expect(types).toEqual(new Set(JOINT_TYPES));
+    const modes = skeleton.joints.flatMap(({ motion }) => (motion.kind === 'scale' ? [motion.mode] : []));
+    expect(new Set(modes)).toEqual(new Set(SCALE_MODES));
+    expect(skeleton.joints.some((joint) => joint.couples)).toBe(true);
+    expect(skeleton.joints.some((joint) => joint.length !== undefined)).toBe(true);
+  });
+
+  it('move in every DOF, but for what carries them and what follows another', () => {
+    const first = firstDofs(skeleton);
+    skeleton.joints.forEach((joint, j) => {
+      const count = joint.motion.kind === 'fixed' ? 0 : joint.pose.length;
+      for (let d = 0; d < count && !joint.couples; d++) {
+        const { values } = clip.channels[first[j] + d];
+        expect(Math.max(...values) - Math.min(...values)).toBeGreaterThan(0.2);
+      }
+    });
+  });
+
+  it('ask for their names to be shown', () => {
+    const entries: SampleEntry[] = JSON.parse(String(folder.get('samples.json')));
+    expect(entries.find(({ id }) => id === 'joints')?.shows).toEqual({ names: true });
+    expect(new Set(skeleton.joints.map(({ name }) => name)).size).toBe(skeleton.joints.length);
   });
 });
