@@ -1,0 +1,123 @@
+/**
+ * A pin held over a range of time and baked into the take: *foot lock*. What it holds stays where it is at one moment, at
+ * every frame of the range, by inverse kinematics on each frame's own pose; see `hold/`.
+ */
+import { ikOf } from '../../evaluate/ik/set-up.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import { type Character, type Document, shownClip } from '../../model/document.ts';
+import type { Pin } from '../../model/ik.ts';
+import type { ChannelKeys } from '../../model/session.ts';
+import { finiteNumber, listOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type HeldTake, holding, placesAt } from '../hold/hold.ts';
+import type { HoldWindow } from '../hold/window.ts';
+import { rangeFrom } from '../key-dofs.ts';
+import { refuseMoved } from '../refuse-moved.ts';
+import { finished, type Steps } from '../samples/steps.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+import { requireTake, withChannels, withTake } from '../takes.ts';
+import { withUnkeyed } from '../unkeyed.ts';
+import { pinnedNames, requirePin } from './ik.ts';
+
+export interface HoldPins {
+  readonly characterId: string;
+  /** Ids; the character's other pins hold nothing here. */
+  readonly pins: readonly number[];
+  /** What is held, both ends included; seconds of the transport. Cut to what the take plays. */
+  readonly range: readonly [number, number];
+  /** The moment whose pose says where, as it is shown; seconds of the transport, inside of the range or not. */
+  readonly atSeconds: number;
+  /** Frames that are solved; a take of samples has frames of its own. */
+  readonly framesPerSecond: number;
+  /** How long the way to the held place takes before the range, and that back after it; 0.1 where absent. */
+  readonly easeSeconds?: number | undefined;
+  /** How far joints and pins may be off for the sake of few keys, in lengths; a thousandth of the reach where absent. */
+  readonly tolerance?: number | undefined;
+}
+
+const EASE_SECONDS = 0.1;
+
+/** Keys, or frames where the take has samples, with which the pins stay where they are. The new keys are selected. */
+export const holdPins: Command<HoldPins, Edit> = {
+  id: 'hold.pins',
+  label: (document, { characterId, pins }) => `Hold ${pinnedNames(requireCharacter(document, characterId), pins)}`,
+  run: (document, args) => finished(holdSteps(document, args)).edit,
+};
+
+/** What a hold came to, with the document as it is after it. */
+export interface Held {
+  readonly edit: Edit;
+  readonly report: HeldTake;
+}
+
+/** The same, pausing every few milliseconds with the part that is done. */
+export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
+  const { characterId } = args;
+  const character = requireCharacter(document, characterId);
+  const { skeleton } = character;
+  if (!skeleton) throw new CommandError(`${character.name} has no skeleton: there is nothing to hold.`);
+  refuseMoved(character);
+  if (!shownClip(character))
+    throw new CommandError(`${character.name} shows no take: nothing moves that could be held.`);
+  const pins = checkedPins(character, args.pins);
+  const [from, to] = rangeFrom(args.range, '"range"');
+  const at = finiteNumber(args.atSeconds, '"atSeconds"');
+  const framesPerSecond = above0(args.framesPerSecond, 'Frames per second');
+  const easeSeconds = finiteNumber(args.easeSeconds ?? EASE_SECONDS, '"easeSeconds"');
+  if (!(easeSeconds >= 0)) throw new CommandError(`A way takes 0 seconds or more; ${easeSeconds} was given.`);
+  const tolerance = args.tolerance === undefined ? undefined : above0(args.tolerance, 'A tolerance');
+
+  const range = [from + character.timeOffsetSeconds, to + character.timeOffsetSeconds] as const;
+  const { unkeyed: _byHand, ...taken } = withChannels(character, range);
+  const places = placesAt(character, skeleton, pins, at);
+  const options = { range, framesPerSecond, easeSeconds, tolerance };
+  const report = yield* holding(taken, skeleton, requireTake(taken), pins, places, options);
+  const { clip, channels, window } = report;
+  if (channels.length === 0) return { edit: { document, keys: [] }, report };
+  const held = changeCharacter(document, characterId, () =>
+    withoutHandOn(withTake(taken, taken.shownClip, clip), character, channels, window),
+  );
+  return { edit: { document: held, keys: keysIn(clip, channels, window) }, report };
+}
+
+function checkedPins(character: Character, given: unknown): readonly Pin[] {
+  const ik = ikOf(character);
+  const ids = new Set(listOf(given, '"pins"').map((id) => requirePin(ik, id)));
+  if (ids.size === 0) throw new CommandError('Which pins should hold? None was given.');
+  return ik.pins.filter((pin) => ids.has(pin));
+}
+
+function above0(value: unknown, what: string): number {
+  const checked = finiteNumber(value, what);
+  if (checked > 0) return checked;
+  throw new CommandError(`${what} has to be more than 0; ${checked} was given.`);
+}
+
+/** What was set by hand stays, but for what the hold has changed at that moment: the hold began at it. */
+function withoutHandOn(
+  held: Character,
+  { unkeyed }: Character,
+  channels: readonly number[],
+  { times }: HoldWindow,
+): Character {
+  if (!unkeyed) return held;
+  const seconds = unkeyed.timeSeconds + held.timeOffsetSeconds;
+  const isInside = seconds >= times[0] && seconds <= times[times.length - 1];
+  const gone = new Set(isInside ? channels : []);
+  const left = unkeyed.dofs.map((dof, i) => [dof, unkeyed.values[i]] as const).filter(([dof]) => !gone.has(dof));
+  return withUnkeyed(held, unkeyed.timeSeconds, new Map(left));
+}
+
+/** The keys of these channels in the window. */
+function keysIn(
+  { channels }: ChannelClip,
+  changed: readonly number[],
+  { times: [from], times }: HoldWindow,
+): readonly ChannelKeys[] {
+  const to = times[times.length - 1];
+  return changed.flatMap((channel) => {
+    const own = channels[channel].times;
+    const indices = [...own.keys()].filter((k) => own[k] >= from && own[k] <= to);
+    return indices.length > 0 ? [{ channel, indices }] : [];
+  });
+}

@@ -1,0 +1,230 @@
+/**
+ * What inverse kinematics holds on to in a character (`model/ik.ts`): pins, joints that are stiff or locked, and whether
+ * the whole may travel. Nothing moves by these; what a hand then does with them goes through `pose.setDofs`.
+ */
+import { ikOf, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Character, Document } from '../../model/document.ts';
+import { defaultIk, type IkSetup, type Pin, type StiffJoint } from '../../model/ik.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import { type Command, CommandError } from '../store.ts';
+
+interface OfIk {
+  readonly characterId: string;
+}
+
+export interface AddPin extends OfIk {
+  /** Index. */
+  readonly joint: number;
+  /** In the joint's space. */
+  readonly point: Vec3;
+  /** More than 0; 1 where absent. */
+  readonly weight?: number | undefined;
+  /** False where absent. */
+  readonly holdsOrientation?: boolean | undefined;
+}
+
+/** One pin more, the last of the setup's. Refuses a point that is pinned already. */
+export const pinPoint: Command<AddPin> = {
+  id: 'ik.pin',
+  label: (document, { characterId, joint }) => `Pin ${jointName(requireCharacter(document, characterId), joint)}`,
+  run: (document, { characterId, joint, point, weight = 1, holdsOrientation = false }) =>
+    change(document, characterId, (ik, skeleton) => {
+      const pin: Pin = {
+        id: 1 + ik.pins.reduce((most, { id }) => Math.max(most, id), 0),
+        joint: indexIn(joint, 0, skeleton.joints.length, 'joint'),
+        point: checkedPoint(point),
+        weight: checkedWeight(weight),
+        holdsOrientation: oneOf(holdsOrientation, [true, false], '"holdsOrientation"'),
+      };
+      refuseDouble(pin, ik.pins, skeleton);
+      return { ...ik, pins: [...ik.pins, pin] };
+    }),
+};
+
+export interface RemovePins extends OfIk {
+  /** Ids. */
+  readonly pins: readonly number[];
+}
+
+export const unpin: Command<RemovePins> = {
+  id: 'ik.unpin',
+  label: (document, { characterId, pins }) => `Let ${pinnedNames(requireCharacter(document, characterId), pins)} go`,
+  run: (document, { characterId, pins }) =>
+    change(document, characterId, (ik) => {
+      const gone = new Set(listOf(pins, '"pins"').map((id) => requirePin(ik, id).id));
+      return gone.size ? { ...ik, pins: ik.pins.filter(({ id }) => !gone.has(id)) } : ik;
+    }),
+};
+
+export const clearPins: Command<OfIk> = {
+  id: 'ik.clearPins',
+  label: () => 'Let all pins go',
+  run: (document, { characterId }) =>
+    change(document, characterId, (ik) => (ik.pins.length ? { ...ik, pins: [] } : ik)),
+};
+
+export interface ChangePin extends OfIk {
+  /** Its id; the pin keeps it. */
+  readonly pin: number;
+  /** What is absent stays. */
+  readonly weight?: number | undefined;
+  readonly holdsOrientation?: boolean | undefined;
+  readonly joint?: number | undefined;
+  /** In the joint's space; another joint takes the same numbers for a point of its own. */
+  readonly point?: Vec3 | undefined;
+}
+
+export const setPin: Command<ChangePin> = {
+  id: 'ik.setPin',
+  label(document, { characterId, pin, weight, holdsOrientation, joint, point }) {
+    const name = pinnedNames(requireCharacter(document, characterId), [pin]);
+    if (joint !== undefined || point !== undefined) return `Move the pin of ${name}`;
+    if (holdsOrientation !== undefined && weight === undefined) {
+      return holdsOrientation ? `Hold the orientation of ${name}` : `Let ${name} turn`;
+    }
+    return `Set the pin of ${name}`;
+  },
+  run: (document, { characterId, pin: id, weight, holdsOrientation, joint, point }) =>
+    change(document, characterId, (ik, skeleton) => {
+      const before = requirePin(ik, id);
+      const after: Pin = {
+        ...before,
+        ...(weight !== undefined && { weight: checkedWeight(weight) }),
+        ...(holdsOrientation !== undefined && {
+          holdsOrientation: oneOf(holdsOrientation, [true, false], '"holdsOrientation"'),
+        }),
+        ...(joint !== undefined && { joint: indexIn(joint, 0, skeleton.joints.length, 'joint') }),
+        ...(point !== undefined && { point: checkedPoint(point) }),
+      };
+      if (samePin(before, after)) return ik;
+      const others = ik.pins.filter((other) => other !== before);
+      if (joint !== undefined || point !== undefined) refuseDouble(after, others, skeleton);
+      return { ...ik, pins: ik.pins.map((other) => (other === before ? after : other)) };
+    }),
+};
+
+export interface SetStiffness extends OfIk {
+  /** Indices. */
+  readonly joints: readonly number[];
+  /** How unwilling they are to move: 1 is as usual, 4 half as far for the same need; at least 1. */
+  readonly stiffness: number | 'locked' | 'usual';
+}
+
+export const setStiffness: Command<SetStiffness> = {
+  id: 'ik.setStiffness',
+  label(document, { characterId, joints, stiffness }) {
+    const verb = stiffness === 'locked' ? 'Lock' : stiffness === 'usual' || stiffness === 1 ? 'Free' : 'Stiffen';
+    return `${verb} ${jointNames(requireCharacter(document, characterId), joints)}`;
+  },
+  run: (document, { characterId, joints, stiffness }) =>
+    change(document, characterId, (ik, skeleton) => {
+      const how = checkedStiffness(stiffness);
+      const chosen = new Set(
+        listOf(joints, '"joints"').map((joint) => indexIn(joint, 0, skeleton.joints.length, 'joint')),
+      );
+      const stiff = ik.stiff.filter(({ joint }) => !chosen.has(joint));
+      if (how !== 'usual')
+        for (const joint of chosen) stiff.push({ joint, ...(how !== 'locked' && { stiffness: how }) });
+      stiff.sort((a, b) => a.joint - b.joint);
+      return sameStiffness(stiff, ik.stiff) ? ik : { ...ik, stiff };
+    }),
+};
+
+export interface SetRootFree extends OfIk {
+  readonly isFree: boolean;
+}
+
+/** Whether what carries the whole character takes part. */
+export const setRootFree: Command<SetRootFree> = {
+  id: 'ik.setRootFree',
+  label: (document, { characterId, isFree }) =>
+    `${isFree ? 'Let' : 'Keep'} ${requireCharacter(document, characterId).name} ${isFree ? 'travel' : 'in place'}`,
+  run: (document, { characterId, isFree }) =>
+    change(document, characterId, (ik) => {
+      const rootIsFree = oneOf(isFree, [true, false], '"isFree"');
+      return rootIsFree === ik.rootIsFree ? ik : { ...ik, rootIsFree };
+    }),
+};
+
+/** The character with another setup; without one where that is what holds anyway. */
+function change(document: Document, characterId: string, make: (ik: IkSetup, skeleton: Skeleton) => IkSetup): Document {
+  return changeCharacter(document, characterId, (character) => {
+    const { skeleton, ik: _before, ...rest } = character;
+    if (!skeleton) throw new CommandError(`${character.name} has no skeleton: there is nothing to pin.`);
+    const before = ikOf(character);
+    const after = make(before, skeleton);
+    if (after === before) return character;
+    return isDefault(after, skeleton) ? { ...rest, skeleton } : { ...character, ik: after };
+  });
+}
+
+function isDefault({ pins, stiff, rootIsFree }: IkSetup, skeleton: Skeleton): boolean {
+  return pins.length === 0 && stiff.length === 0 && rootIsFree === defaultIk(skeleton).rootIsFree;
+}
+
+/** Points of a joint that are nearer than that part of the character's reach are one point. */
+const SAME_POINT = 1e-6;
+
+function refuseDouble({ joint, point }: Pin, others: readonly Pin[], skeleton: Skeleton): void {
+  const near = SAME_POINT * reachOfSkeleton(skeleton);
+  const there = others.some(
+    (other) => other.joint === joint && Math.hypot(...point.map((p, k) => p - other.point[k])) <= near,
+  );
+  if (there)
+    throw new CommandError(`That point of ${skeleton.joints[joint].name || `joint ${joint}`} is pinned already.`);
+}
+
+/** Refuses an id that no pin has. */
+export function requirePin({ pins }: Pick<IkSetup, 'pins'>, id: unknown): Pin {
+  const pin = pins.find((p) => p.id === id);
+  if (!pin)
+    throw new CommandError(`There is no pin ${String(id)}; there are ${pins.map((p) => p.id).join(', ') || 'none'}.`);
+  return pin;
+}
+
+function checkedPoint(point: unknown): Vec3 {
+  const numbers = listOf(point, '"point"').map((value) => finiteNumber(value, 'Each part of "point"'));
+  if (numbers.length !== 3) throw new CommandError(`"point" has three parts; ${numbers.length} were given.`);
+  return [numbers[0], numbers[1], numbers[2]];
+}
+
+function checkedWeight(weight: unknown): number {
+  const checked = finiteNumber(weight, 'The weight of a pin');
+  if (checked > 0) return checked;
+  throw new CommandError(`The weight of a pin is more than 0; ${checked} was given.`);
+}
+
+function checkedStiffness(stiffness: unknown): number | 'locked' | 'usual' {
+  if (stiffness === 'locked' || stiffness === 'usual') return stiffness;
+  if (typeof stiffness !== 'number') return oneOf(stiffness, ['locked', 'usual'] as const, '"stiffness"');
+  const factor = finiteNumber(stiffness, '"stiffness"');
+  if (factor >= 1) return factor === 1 ? 'usual' : factor;
+  throw new CommandError(`"stiffness" is 1 as usual, or more; ${factor} was given.`);
+}
+
+function samePin(a: Pin, b: Pin): boolean {
+  const samePoint = a.point.every((part, k) => part === b.point[k]);
+  return samePoint && a.joint === b.joint && a.weight === b.weight && a.holdsOrientation === b.holdsOrientation;
+}
+
+function sameStiffness(a: readonly StiffJoint[], b: readonly StiffJoint[]): boolean {
+  return a.length === b.length && a.every((one, i) => one.joint === b[i].joint && one.stiffness === b[i].stiffness);
+}
+
+/** `foot_l`, `2 pins`; labels have a word for what is not there too. */
+export function pinnedNames(character: Character, ids: readonly number[]): string {
+  const pinned = ikOf(character).pins.filter(({ id }) => ids.includes(id));
+  if (pinned.length === 1) return jointName(character, pinned[0].joint);
+  return `${pinned.length} pins`;
+}
+
+function jointNames(character: Character, joints: readonly number[]): string {
+  return joints.length === 1 ? jointName(character, joints[0]) : `${joints.length} joints`;
+}
+
+function jointName({ skeleton }: Character, joint: number): string {
+  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+}

@@ -1,0 +1,117 @@
+/**
+ * What was held frame by frame, put into the take: keys where there are keys, few of them; frames where there are frames.
+ *
+ * Keys are first made on every frame, and then thinned (`channels/simplify.ts`) with a tolerance for each DOF by how far
+ * it can move what hangs on it. Joints and pins are measured at all frames and halfway between them, with all keys and
+ * with few; what is further off than allowed gets less, until nothing is. As *convert to keys* does.
+ */
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
+import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import type { Pin } from '../../model/ik.ts';
+import { columnOf } from '../../model/samples.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { simplifyChannel } from '../channels/simplify.ts';
+import { replacingColumns } from '../samples/columns.ts';
+import { firstFrameFrom } from '../samples/frames.ts';
+import type { Steps } from '../samples/steps.ts';
+import type { HeldFrames } from './frames.ts';
+import { distances, withHalves } from './measure.ts';
+import { replaceStretch } from './replace-curve.ts';
+import type { HoldWindow } from './window.ts';
+
+/** What of the allowance a channel gets at first. */
+const FIRST_SHARE = 0.5;
+/** After so many rounds it goes faster, and after so many doubles are not as fine as what is asked. */
+const PATIENT_ROUNDS = 6;
+const MOST_ROUNDS = 20;
+
+/** The take with a key on every frame in place of what the DOFs had there; those of samples have other frames. */
+export function* bakingFrames(
+  clip: ChannelClip,
+  { times, weights, corners }: HoldWindow,
+  { held, width }: HeldFrames,
+  changed: readonly number[],
+): Steps<ChannelClip> {
+  const channels = [...clip.channels];
+  const columns = new Map<number, Float64Array>();
+  for (const dof of changed) {
+    const values = times.map((_, f) => held[f * width + dof]);
+    if (isSampled(clip, dof)) columns.set(columnOf(clip.samples, dof), values);
+    else {
+      const [startsOnCurve, endsOnCurve] = [weights[0] === 0, weights[weights.length - 1] === 0];
+      channels[dof] = replaceStretch(channels[dof], { times, values, corners, startsOnCurve, endsOnCurve }, clip.range);
+    }
+  }
+  const { samples } = clip;
+  if (!samples || columns.size === 0) return { ...clip, channels };
+  // A frame that gets nothing of the hold stays as it is, to the last bit.
+  const [from, to] = [weights[0] === 0 ? 1 : 0, times.length - (weights[weights.length - 1] === 0 ? 1 : 0)];
+  for (const [column, values] of columns) columns.set(column, values.subarray(from, to));
+  const first = firstFrameFrom(samples, times[from]);
+  return { ...clip, channels, samples: yield* replacingColumns(samples, columns, first) };
+}
+
+/** Fewer keys in the window, with no joint and no pin further from where it was than `tolerance`, in lengths. */
+export function* thinning(
+  character: Character,
+  skeleton: Skeleton,
+  pins: readonly Pin[],
+  dense: ChannelClip,
+  { times }: HoldWindow,
+  changed: readonly number[],
+  tolerance: number,
+): Steps<ChannelClip> {
+  const range = [times[0], times[times.length - 1]] as const;
+  const reach = reachBelow(skeleton, pins);
+  const dofs = characterDofs(skeleton, []);
+  const allowed = new Map(
+    changed
+      .filter((dof) => !isSampled(dense, dof))
+      .map((dof) => [dof, firstTolerance(dofs[dof].unit === 'length', reach[dofs[dof].joint], tolerance)]),
+  );
+  if (allowed.size === 0) return dense;
+  const seen = withHalves(times);
+  const channels = [...dense.channels];
+  let todo = [...allowed.keys()];
+  for (let round = 0; ; round++) {
+    for (const dof of todo) {
+      channels[dof] = simplifyChannel(dense.channels[dof], allowed.get(dof) ?? tolerance, range).channel;
+      yield 1 - 0.5 ** round;
+    }
+    const thin = { ...dense, channels: [...channels] };
+    const excess = belowIncluded(skeleton, distances(character, skeleton, pins, [dense, thin], seen));
+    todo = [];
+    for (const [dof, own] of allowed) {
+      const off = excess[dofs[dof].joint] / tolerance;
+      if (!(off > 1)) continue;
+      allowed.set(dof, own * (round < PATIENT_ROUNDS ? Math.max(0.3, 0.9 / off) : 0.1));
+      todo.push(dof);
+    }
+    if (todo.length === 0) return thin;
+    if (round === MOST_ROUNDS) return dense;
+  }
+}
+
+function firstTolerance(isLength: boolean, reach: number, tolerance: number): number {
+  return FIRST_SHARE * (isLength ? tolerance : tolerance / Math.max(reach, 1e-9 * tolerance));
+}
+
+/** By joint, how far away the furthest joint or pin below it can get: the lengths of the bones to it. */
+function reachBelow({ joints }: Skeleton, pins: readonly Pin[]): Float64Array {
+  const reach = new Float64Array(joints.length);
+  for (const { joint, point } of pins) reach[joint] = Math.max(reach[joint], Math.hypot(...point));
+  for (let j = joints.length - 1; j > 0; j--) {
+    const { parent, offset } = joints[j];
+    reach[parent] = Math.max(reach[parent], reach[j] + Math.hypot(...offset));
+  }
+  return reach;
+}
+
+/** By joint, the largest of its own and of all below it, in place. */
+function belowIncluded(skeleton: Skeleton, values: Float64Array): Float64Array {
+  const { parent } = compileSkeleton(skeleton);
+  for (let j = values.length - 1; j > 0; j--) values[parent[j]] = Math.max(values[parent[j]], values[j]);
+  return values;
+}

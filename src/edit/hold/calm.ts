@@ -1,0 +1,42 @@
+/**
+ * Where a pin can't be reached the nearest pose stretches all that there is, and a hair's breadth earlier nothing was
+ * stretched: exactly as near as can be would be a jerk. No pin is at its place there anyway, so changes of such frames
+ * come and go at a pace instead, from the frame before and to the one after.
+ */
+import { type CompiledSkeleton, settleDofs } from '../../evaluate/kinematics.ts';
+import type { HeldFrames } from './frames.ts';
+
+/** Radians, and reaches, in a second: about as fast as people and creatures move. */
+const FASTEST = 4;
+
+/**
+ * In place, for frames that are not reached; the others stay.
+ * @param units by DOF: radians, lengths of the reach and the like that 1 stands for
+ */
+export function calm(
+  { own, held, width, isReached }: HeldFrames,
+  times: Float64Array,
+  units: ArrayLike<number>,
+  compiled: CompiledSkeleton,
+  clamps: boolean,
+): void {
+  const follow = (f: number, other: number) => {
+    if (isReached[f]) return;
+    const [o, p] = [f * width, other * width];
+    let fastest = 0;
+    for (let d = 0; d < width; d++) {
+      const difference = held[o + d] - own[o + d] - (held[p + d] - own[p + d]);
+      fastest = Math.max(fastest, Math.abs(difference) * units[d]);
+    }
+    const most = FASTEST * Math.abs(times[f] - times[other]);
+    if (!(fastest > most)) return;
+    const part = most / fastest;
+    for (let d = 0; d < width; d++) {
+      const change = held[p + d] - own[p + d];
+      held[o + d] = own[o + d] + change + part * (held[o + d] - own[o + d] - change);
+    }
+    settleDofs(compiled, held.subarray(o, o + width), clamps);
+  };
+  for (let f = 1; f < times.length; f++) follow(f, f - 1);
+  for (let f = times.length - 2; f >= 0; f--) follow(f, f + 1);
+}

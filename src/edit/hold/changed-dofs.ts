@@ -1,0 +1,38 @@
+/** Which DOFs a hold has changed: only those are keyed. */
+import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import type { HeldFrames } from './frames.ts';
+
+/** Radians, factors, and parts of the reach: nobody sees less, and it would be keys for nothing. */
+const NOTHING = 1e-7;
+
+/**
+ * Ascending. A DOF that follows another is none of them, for its own value counts for nothing; the four parts of a
+ * quaternion are all of them or none.
+ * @param reach of the character, in its lengths
+ */
+export function changedDofs(skeleton: Skeleton, frames: HeldFrames, reach: number): number[] {
+  const compiled = compileSkeleton(skeleton);
+  const dofs = characterDofs(skeleton, []);
+  const follows = new Set(compiled.couples.map(({ dof }) => dof));
+  const isChanged = dofs.map(({ unit }, dof) => {
+    return !follows.has(dof) && largestChange(frames, dof) > NOTHING * (unit === 'length' ? reach : 1);
+  });
+  keepQuaternionsWhole(skeleton, compiled, isChanged);
+  return dofs.flatMap((_, dof) => (isChanged[dof] ? [dof] : []));
+}
+
+function largestChange({ own, held, width }: HeldFrames, dof: number): number {
+  let largest = 0;
+  for (let o = dof; o < own.length; o += width) largest = Math.max(largest, Math.abs(held[o] - own[o]));
+  return largest;
+}
+
+function keepQuaternionsWhole({ joints }: Skeleton, { firstDof }: CompiledSkeleton, isChanged: boolean[]): void {
+  joints.forEach(({ motion }, j) => {
+    if (motion.kind !== 'quaternion') return;
+    const isAny = [0, 1, 2, 3].some((k) => isChanged[firstDof[j] + k]);
+    if (isAny) isChanged.fill(true, firstDof[j], firstDof[j] + 4);
+  });
+}

@@ -1,0 +1,35 @@
+/**
+ * Where a take turns sharply: a foot that touches the ground, a hand that lets go. What holds a pin against it turns as
+ * sharply there, so those moments are frames of their own, and curves get a slope on either side of them.
+ */
+import { resolvedSlopes } from '../../evaluate/slopes.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import { bakeExtrapolation } from '../channels/bake-extrapolation.ts';
+
+/** Slopes that differ by less than that part of them, or change so little in a second, are one. */
+const SAME_SLOPE = 1e-3;
+
+/**
+ * The moments at which a curve of these channels has a slope of its own on either side; seconds of the clip, ascending.
+ * @param between only those strictly between
+ */
+export function cornerTimes(
+  clip: ChannelClip,
+  channels: readonly number[],
+  [from, to]: readonly [number, number],
+): number[] {
+  const found = new Set<number>();
+  for (const channel of channels) {
+    const own = clip.channels[channel];
+    if (own.times.length < 2) continue;
+    const curve = bakeExtrapolation(own, from, to).channel;
+    const slopes = resolvedSlopes(curve);
+    for (let k = 1; k + 1 < curve.times.length; k++) {
+      const time = curve.times[k];
+      if (time <= from || time >= to) continue;
+      const [a, b] = [slopes.in[k], slopes.out[k]];
+      if (Math.abs(b - a) > SAME_SLOPE * (1 + Math.max(Math.abs(a), Math.abs(b)))) found.add(time);
+    }
+  }
+  return [...found].sort((a, b) => a - b);
+}

@@ -1,0 +1,198 @@
+/**
+ * Inverse kinematics frame by frame: each frame's own pose, changed as little as brings the pins to where they are held.
+ *
+ * Every frame begins at its own pose, and its pins go from where they are there to their targets in a few equal parts:
+ * the pose that comes of it depends on the frame's own pose and the target alone, and smoothly, as both do from frame to
+ * frame. (Beginning at the frame before would carry on what that one came to in what the pins leave free, and drift.)
+ * It can jump where a limb bends the other way on the road. So where a frame's change is far from that of the one
+ * before, it is solved once more, from its own pose with the other's change added, and the nearer one is taken.
+ *
+ * What can't be reached is come as near to as can be from there, at a pace (`calm.ts`): no search elsewhere, which would
+ * jump.
+ */
+
+import type { Turn } from '../../evaluate/ik/pins.ts';
+import { ikProblem, movePin, turnPin } from '../../evaluate/ik/problem.ts';
+import { type PinTarget, pinTarget, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
+import { solve } from '../../evaluate/ik/solve.ts';
+import type { IkProblem } from '../../evaluate/ik/state.ts';
+import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { slerpWeight } from '../../math/slerp.ts';
+import type { Character } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import type { Pin } from '../../model/ik.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import type { Steps } from '../samples/steps.ts';
+import { calm } from './calm.ts';
+import type { HeldFrames } from './frames.ts';
+import type { HoldWindow } from './window.ts';
+
+export interface Holding {
+  /** Nothing set by hand over its take. */
+  readonly character: Character;
+  readonly skeleton: Skeleton;
+  readonly pins: readonly Pin[];
+  /** One for each pin. */
+  readonly targets: readonly PinTarget[];
+  readonly stiffness: Float64Array;
+}
+
+/** In how many parts pins go to their targets. */
+const PARTS = 8;
+/** How often a solution that isn't there yet is gone on with. */
+const MOST_TRIES = 4;
+/** Of the reach: joints that change so much less like in the frame before have jumped, unless the targets did. */
+const JUMP = 0.02;
+/** The same as a multiple of how the targets' distances changed. */
+const JUMP_OF_TARGET = 4;
+
+/** Pauses after each frame. */
+export function* holdingFrames(holding: Holding, { times, weights }: HoldWindow): Steps<HeldFrames> {
+  const { character, skeleton } = holding;
+  const width = dofCountOf(character);
+  const own = new Float64Array(times.length * width);
+  const held = new Float64Array(times.length * width);
+  const isReached = new Uint8Array(times.length);
+  const compiled = compileSkeleton(skeleton);
+  let before: Change | undefined;
+  for (let f = 0; f < times.length; f++) {
+    const pose = own.subarray(f * width, (f + 1) * width);
+    poseAt(character, times[f] - character.timeOffsetSeconds, pose);
+    const change = weights[f] > 0 ? changeOf(holding, compiled, pose, weights[f], before) : undefined;
+    held.set(change?.dofs ?? pose, f * width);
+    isReached[f] = change && !change.isReached ? 0 : 1;
+    before = change;
+    yield (f + 1) / times.length;
+  }
+  const frames = { width, own, held, isReached };
+  const reach = reachOfSkeleton(skeleton);
+  const units = characterDofs(skeleton, character.morphs).map(({ unit }) => (unit === 'length' ? 1 / reach : 1));
+  calm(frames, times, units, compiled, character.clampsToLimits);
+  keepSigns(skeleton, compiled, held, width);
+  return frames;
+}
+
+/** What became of a frame's pose. */
+interface Change {
+  readonly own: Float64Array;
+  readonly weight: number;
+  readonly dofs: Float64Array;
+  readonly isReached: boolean;
+  /** How far each joint was moved: x y z. */
+  readonly moved: Float64Array;
+  /** How far the pins were to go: x y z. */
+  readonly way: Float64Array;
+  /** How far from their targets they are, all together. */
+  readonly left: number;
+}
+
+function changeOf(
+  { character, skeleton, pins, targets, stiffness }: Holding,
+  compiled: CompiledSkeleton,
+  own: Float64Array,
+  weight: number,
+  before: Change | undefined,
+): Change {
+  const world = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, own, world);
+  const starts = pins.map((pin) => pinTarget(pin, world));
+  const ends = starts.map((start, p) => between(start, targets[p], weight));
+  const asked = pins.map(({ joint, point, weight: counts }, p) => ({
+    joint,
+    point,
+    weight: counts,
+    target: starts[p].position,
+    ...(starts[p].orientation && { orientation: starts[p].orientation }),
+  }));
+  // Made for each frame: lengths that the take changes are measured in it.
+  const problem = ikProblem(skeleton, asked, own, { clamps: character.clampsToLimits, stiffness });
+  const way = Float64Array.from(ends.flatMap(({ position }, p) => position.map((x, k) => x - starts[p].position[k])));
+  const dofs = own.slice();
+  for (let part = 1; part < PARTS; part++) {
+    aim(problem, starts, ends, part / PARTS);
+    solve(problem, dofs, 'drag');
+  }
+  const direct = finish(problem, dofs, starts, ends);
+  const change: Change = { ...direct, own, weight, way, moved: movedBy(compiled, direct.dofs, world) };
+  if (!before) return change;
+  const jump = apart(change.moved, before.moved);
+  if (jump <= JUMP * problem.reach + JUMP_OF_TARGET * apart(way, before.way)) return change;
+  const share = Math.min(1, weight / before.weight);
+  const carried = finish(
+    problem,
+    own.map((value, d) => value + share * (before.dofs[d] - before.own[d])),
+    starts,
+    ends,
+  );
+  const other: Change = { ...carried, own, weight, way, moved: movedBy(compiled, carried.dofs, world) };
+  const isAsGood = other.isReached || other.left <= 1.1 * change.left;
+  return isAsGood && apart(other.moved, before.moved) < jump / 2 ? other : change;
+}
+
+/** As near as can be from there, in place. */
+function finish(problem: IkProblem, dofs: Float64Array, starts: readonly PinTarget[], ends: readonly PinTarget[]) {
+  aim(problem, starts, ends, 1);
+  let { isSolved } = solve(problem, dofs, 'drag');
+  for (let tries = 1; tries < MOST_TRIES && !isSolved; tries++) isSolved = solve(problem, dofs, 'drag').isSolved;
+  // Where it is there already, settling looks nowhere else: it only takes the rest of the way.
+  if (isSolved) solve(problem, dofs, 'settle');
+  return { dofs, isReached: isSolved, left: problem.result.residuals.reduce((sum, residual) => sum + residual, 0) };
+}
+
+function aim(problem: IkProblem, starts: readonly PinTarget[], ends: readonly PinTarget[], part: number): void {
+  starts.forEach((start, p) => {
+    const { position, orientation } = between(start, ends[p], part);
+    movePin(problem, p, position[0], position[1], position[2]);
+    if (orientation) turnPin(problem, p, orientation);
+  });
+}
+
+/** A part of the way from one target to another; the orientation along the shortest arc. */
+export function between(a: PinTarget, b: PinTarget, part: number): PinTarget {
+  const mix = (k: number) => (part === 1 ? b.position[k] : a.position[k] + part * (b.position[k] - a.position[k]));
+  const position = [mix(0), mix(1), mix(2)] as const;
+  if (!a.orientation || !b.orientation) return { position };
+  return { position, orientation: turnBetween(a.orientation, b.orientation, part) };
+}
+
+function turnBetween(a: Turn, b: Turn, part: number): Turn {
+  const cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  const toA = slerpWeight(1 - part, Math.abs(cosine));
+  const toB = (cosine < 0 ? -1 : 1) * slerpWeight(part, Math.abs(cosine));
+  const mix = (k: number) => toA * a[k] + toB * b[k];
+  return [mix(0), mix(1), mix(2), mix(3)];
+}
+
+/** How far each joint is from where it was. */
+function movedBy(compiled: CompiledSkeleton, dofs: Float64Array, before: Float64Array): Float64Array {
+  const world = new Float64Array(before.length);
+  worldMatrices(compiled, dofs, world);
+  const moved = new Float64Array(3 * compiled.jointCount);
+  for (let i = 0; i < moved.length; i++) {
+    const at = 16 * Math.floor(i / 3) + 12 + (i % 3);
+    moved[i] = world[at] - before[at];
+  }
+  return moved;
+}
+
+/** The largest distance between two of the points, x y z each. */
+function apart(a: Float64Array, b: Float64Array): number {
+  let largest = 0;
+  for (let i = 0; i < a.length; i += 3) {
+    largest = Math.max(largest, Math.hypot(a[i] - b[i], a[i + 1] - b[i + 1], a[i + 2] - b[i + 2]));
+  }
+  return largest;
+}
+
+/** q and −q turn alike, but the way between them is no short one: each frame's takes the side of the one before. */
+function keepSigns({ joints }: Skeleton, { firstDof }: CompiledSkeleton, held: Float64Array, width: number): void {
+  joints.forEach(({ motion }, j) => {
+    if (motion.kind !== 'quaternion') return;
+    for (let o = width + firstDof[j]; o < held.length; o += width) {
+      let along = 0;
+      for (let k = o; k < o + 4; k++) along += held[k] * held[k - width];
+      if (along < 0) for (let k = o; k < o + 4; k++) held[k] = -held[k];
+    }
+  });
+}

@@ -1,0 +1,84 @@
+/** Where joints and pins are while something is held: what a hold is judged by. */
+
+import { type PinTarget, pointAt } from '../../evaluate/ik/set-up.ts';
+import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import type { Pin } from '../../model/ik.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { withTake } from '../takes.ts';
+
+/** Calls back with the world matrices of a character at each of the times, seconds of the clip; the same array each time. */
+export function eachPose(
+  character: Character,
+  skeleton: Skeleton,
+  times: Float64Array,
+  see: (world: Float64Array, at: number) => void,
+): void {
+  const compiled = compileSkeleton(skeleton);
+  const dofs = new Float64Array(dofCountOf(character));
+  const world = new Float64Array(16 * compiled.jointCount);
+  for (let f = 0; f < times.length; f++) {
+    poseAt(character, times[f] - character.timeOffsetSeconds, dofs);
+    worldMatrices(compiled, dofs, world);
+    see(world, f);
+  }
+}
+
+/** The times and those halfway between each and the next. */
+export function withHalves(times: Float64Array): Float64Array {
+  const out = new Float64Array(Math.max(0, 2 * times.length - 1));
+  for (let i = 0; i < out.length; i++) {
+    const f = i >> 1;
+    out[i] = i % 2 === 0 ? times[f] : times[f] + (times[f + 1] - times[f]) / 2;
+  }
+  return out;
+}
+
+/** By pin, how far its point gets from where it should be at any of the times; the character's lengths. */
+export function slides(
+  character: Character,
+  skeleton: Skeleton,
+  pins: readonly Pin[],
+  targets: readonly PinTarget[],
+  times: Float64Array,
+): number[] {
+  const worst = pins.map(() => 0);
+  eachPose(character, skeleton, times, (world) => {
+    pins.forEach(({ joint, point }, p) => {
+      const [x, y, z] = pointAt(world, joint, point);
+      const [tx, ty, tz] = targets[p].position;
+      worst[p] = Math.max(worst[p], Math.hypot(x - tx, y - ty, z - tz));
+    });
+  });
+  return worst;
+}
+
+/** By joint, how far apart two takes of a character put it, its own points that are pinned included. */
+export function distances(
+  character: Character,
+  skeleton: Skeleton,
+  pins: readonly Pin[],
+  [a, b]: readonly [ChannelClip, ChannelClip],
+  times: Float64Array,
+): Float64Array {
+  const points: (readonly [number, Vec3])[] = skeleton.joints.map((_, j) => [j, [0, 0, 0]]);
+  for (const { joint, point } of pins) points.push([joint, point]);
+  const seen = new Float64Array(3 * points.length * times.length);
+  const worst = new Float64Array(skeleton.joints.length);
+  eachPose(withTake(character, character.shownClip, a), skeleton, times, (world, f) => {
+    points.forEach(([joint, point], i) => {
+      seen.set(pointAt(world, joint, point), 3 * (f * points.length + i));
+    });
+  });
+  eachPose(withTake(character, character.shownClip, b), skeleton, times, (world, f) => {
+    points.forEach(([joint, point], i) => {
+      const o = 3 * (f * points.length + i);
+      const [x, y, z] = pointAt(world, joint, point);
+      worst[joint] = Math.max(worst[joint], Math.hypot(x - seen[o], y - seen[o + 1], z - seen[o + 2]));
+    });
+  });
+  return worst;
+}

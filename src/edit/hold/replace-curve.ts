@@ -1,0 +1,92 @@
+/**
+ * A stretch of a curve with other values, a key for each, and the curve on both sides as it was:
+ *
+ *     before   ─────────╮     ╭──────
+ *                        ╲___╱
+ *     after    ────────k k k k k─────        the outer keys are on the curve, with its slopes as numbers
+ *
+ * What repeats is written out over all that is played first, or every repetition would change with the stretch.
+ */
+import { resolvedSlopes } from '../../evaluate/slopes.ts';
+import { type Channel, type Extrapolation, FIXED, FLAT, SMOOTH } from '../../model/clip.ts';
+import { bakeExtrapolation } from '../channels/bake-extrapolation.ts';
+import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
+import { insertKey } from '../keys/insert.ts';
+import { findKey, sameTime } from '../keys/same-time.ts';
+
+export interface Stretch {
+  /** Seconds of the clip, ascending strictly; two at least. */
+  readonly times: Float64Array;
+  readonly values: Float64Array;
+  /** Of those in between, by number: where the curve has a slope of its own on either side. */
+  readonly corners: ReadonlySet<number>;
+  /** Whether the first and the last value stand beside what was there: then the curve goes through it smoothly. */
+  readonly startsOnCurve: boolean;
+  readonly endsOnCurve: boolean;
+}
+
+/**
+ * @param played of the clip, which the stretch lies in. The value at an end that is not on the curve jumps there: at the
+ * start the curve before it stays, and at the end what comes after it is led over to.
+ */
+export function replaceStretch(channel: Channel, stretch: Stretch, played: readonly [number, number]): Channel {
+  const { times, values, corners, startsOnCurve, endsOnCurve } = stretch;
+  const last = times.length - 1;
+  const written = withoutPeriods(bakeExtrapolation(channel, played[0], played[1]).channel, played);
+  const made = insertKey(insertKey(written, times[0]).channel, times[last]).channel;
+  const slopes = resolvedSlopes(made);
+  const from = findKey(made, times[0]);
+  let to = findKey(made, times[last]);
+  // Of a step at the end its first key is what the stretch goes to.
+  while (to - 1 > from && sameTime(made.times[to - 1], times[last])) to--;
+  const own = (k: number): Key => ({ ...keyAt(made, k), in: number(slopes.in[k]), out: number(slopes.out[k]) });
+
+  const keys: Key[] = [];
+  for (let k = 0; k < from; k++) keys.push(keyAt(made, k));
+  if (startsOnCurve) keys.push(own(from));
+  else {
+    if (from > 0) keys.push(own(from));
+    const slope = number(slopeAtEnd(times, values, 0, 1));
+    keys.push({ time: made.times[from], value: values[0], in: slope, out: slope });
+  }
+  for (let f = 1; f < last; f++) {
+    const isCorner = corners.has(f);
+    const side = (step: 1 | -1) => (isCorner ? number(slopeAtEnd(times, values, f, step)) : tangent(SMOOTH));
+    keys.push({ time: times[f], value: values[f], in: side(-1), out: side(1) });
+  }
+  if (endsOnCurve) keys.push(own(to));
+  else {
+    const slope = number(slopeAtEnd(times, values, last, -1));
+    keys.push({ time: made.times[to], value: values[last], in: slope, out: slope });
+  }
+  for (let k = to + 1; k < made.times.length; k++) keys.push(keyAt(made, k));
+  return withKeyList(made, keys);
+}
+
+/** What repeats keys at one moment only stands still, and would not with others beside them. */
+function withoutPeriods(channel: Channel, [from, to]: readonly [number, number]): Channel {
+  const { times, extrapolateIn, extrapolateOut } = channel;
+  const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
+  const endsBefore = repeats(extrapolateIn) && times[0] > from;
+  const endsAfter = repeats(extrapolateOut) && times[times.length - 1] < to;
+  if (!endsBefore && !endsAfter) return channel;
+  return {
+    ...channel,
+    extrapolateIn: endsBefore ? 'constant' : extrapolateIn,
+    extrapolateOut: endsAfter ? 'constant' : extrapolateOut,
+  };
+}
+
+/** A slope that asks no neighbour. */
+function number(slope: number): Tangent {
+  return slope === 0 ? tangent(FLAT) : tangent(FIXED, slope);
+}
+
+/** Of the parabola through a value and the next two on one side; of the line where there is one. */
+function slopeAtEnd(times: Float64Array, values: Float64Array, end: number, step: 1 | -1): number {
+  const [a, b, c] = [end, end + step, end + 2 * step];
+  const first = (values[b] - values[a]) / (times[b] - times[a]);
+  if (c < 0 || c >= times.length) return first;
+  const second = (values[c] - values[b]) / (times[c] - times[b]);
+  return first - ((second - first) / (times[c] - times[a])) * (times[b] - times[a]);
+}
