@@ -36,7 +36,7 @@ export interface FileGroup {
 
 export interface Grouping {
   readonly groups: readonly FileGroup[];
-  /** Skins, morphs and anims without a skeleton among the files. */
+  /** Skins, morphs and anims without a skeleton among the files, and all poses. */
   readonly loose: readonly GivenFile[];
   readonly textures: readonly GivenFile[];
   /** Rigs of which nothing was given, or that have errors. */
@@ -98,7 +98,8 @@ export function groupFiles(files: readonly GivenFile[]): Grouping {
   const loose: GivenFile[] = [];
   for (const file of files) {
     if (taken.has(file) || isSkeleton(file) || file.kind === 'rig' || file.kind === 'texture') continue;
-    const group = skeletonFor(file, groups);
+    // Poses say themselves by their joints whose they are.
+    const group = file.kind === 'pose' ? undefined : skeletonFor(file, groups);
     if (group) group.parts.push(file);
     else loose.push(file);
   }
@@ -159,6 +160,7 @@ const PART_NAMES = {
   anim: 'animation',
   bvh: 'motion capture',
   rig: 'rig',
+  pose: 'poses',
   texture: 'texture',
 };
 

@@ -19,6 +19,7 @@ import {
 import { checkParts, newCharacter, withFigure, withPart, withTextures } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } from './grouping.ts';
 import { placeBeside } from './place-beside.ts';
+import { fittingCharacter, givePoses, type PoseFile } from './pose/open.ts';
 
 export interface OpenResult {
   /** The very same document where nothing was opened. */
@@ -77,8 +78,10 @@ class Opening {
     for (const group of grouping.groups) this.openGroup(group);
     // Morphs last: the skin that they change may be among the files, and stand after them.
     const loose = grouping.loose.filter(isRead);
-    for (const file of loose) if (file.kind !== 'morph') this.openLoose(file);
+    for (const file of loose) if (file.kind !== 'morph' && file.kind !== 'pose') this.openLoose(file);
     for (const file of loose) if (file.kind === 'morph') this.openLoose(file);
+    // They go to what is there by now.
+    for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
     for (const rig of grouping.idleRigs.filter(isRead)) {
       this.unused.push({ file: rig, why: 'None of the files that it names was given.' });
     }
@@ -165,11 +168,33 @@ class Opening {
     else this.settle(undefined, withPart(this.make(stemOf(file.source)), file, undefined), [file]);
   }
 
+  /** Poses go into the library of a character that has their joints. */
+  private openPoses(file: PoseFile): void {
+    const { characters, base } = this;
+    const fresh = characters.filter((c) => this.opened.has(c.id));
+    const selected = findCharacter(base, this.selectedId);
+    const meant = selected && characters.find((c) => c.id === selected.id);
+    const target = fittingCharacter(file, [...(meant ? [meant] : []), ...fresh, ...characters]);
+    if (!target) {
+      this.unused.push({ file, why: 'No character here has the joints that its poses are of.' });
+      return;
+    }
+    const { character, diagnostics } = givePoses(target, file);
+    this.diagnostics.push(...diagnostics);
+    this.characters = characters.map((c) => (c === target ? character : c));
+    this.opened.add(target.id);
+    this.used.add(file);
+  }
+
   /** What lay unused goes to a character that was just opened, by its name; where it does not fit, it goes on waiting. */
   private takeUpWaiting(): void {
     for (const waiting of this.waiting) {
       const { file } = waiting;
       if (this.used.has(file) || file.kind === 'texture' || this.unused.some((u) => u.file === file)) continue;
+      if (file.kind === 'pose') {
+        this.openPoses(file);
+        continue;
+      }
       const fresh = this.characters.filter((c) => this.opened.has(c.id));
       const target = file.kind === 'morph' ? bySkinName(file.source, fresh) : undefined;
       const next = target && withPart(target, file, target);

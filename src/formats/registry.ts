@@ -6,6 +6,7 @@ import type { FileContent, FileKind } from '../model/files.ts';
 import { animReader } from './anim/read.ts';
 import { bvhReader } from './bvh/read.ts';
 import { morphReader } from './morph/read.ts';
+import { poseReader } from './pose/read.ts';
 import type { Reader } from './reader.ts';
 import { rigReader } from './rig/read.ts';
 import { skelReader } from './skel/read.ts';
@@ -59,6 +60,12 @@ export const FORMATS: readonly Format[] = [
     extensions: ['bvh'],
     label: 'motion capture',
     reader: (name, byteLength) => mapped(bvhReader(name, byteLength), (figures) => ({ kind: 'bvh', figures })),
+  },
+  {
+    kind: 'pose',
+    extensions: ['pose'],
+    label: 'poses',
+    reader: (name) => mapped(poseReader(name), (poses) => ({ kind: 'pose', poses })),
   },
 ];
 

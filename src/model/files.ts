@@ -1,6 +1,7 @@
 /** What reading gives: a model for each file, whatever its format. */
 import type { ChannelClip } from './clip.ts';
 import type { Morph } from './morph.ts';
+import type { PoseByNames } from './pose-by-names.ts';
 import type { Rig } from './rig.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
@@ -28,6 +29,7 @@ export type FileContent =
   | { readonly kind: 'anim'; readonly clip: ChannelClip }
   | { readonly kind: 'rig'; readonly rig: Rig }
   | { readonly kind: 'bvh'; readonly figures: readonly Figure[] }
+  | { readonly kind: 'pose'; readonly poses: readonly PoseByNames[] }
   | { readonly kind: 'texture'; readonly texture: Texture };
 
 /** One `ROOT` of a motion capture file: a skeleton, and how it moves; no clip where the file has no frames. */

@@ -24,6 +24,7 @@ describe('the list of formats', () => {
       { kind: 'anim', clip: clip('walk', [1]) },
       { kind: 'rig', rig: { name: 'x', morphs: [] } },
       { kind: 'bvh', figures: [] },
+      { kind: 'pose', poses: [] },
     ];
     expect(contents.map((c) => c.kind).sort()).toEqual(FORMATS.map((f) => f.kind).sort());
     for (const content of contents) expect(writeFile(content, `x.${content.kind}`)?.diagnostics).toEqual([]);

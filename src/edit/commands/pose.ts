@@ -48,7 +48,7 @@ export const setDofs: Command<SetDofs, Document | Edit> = {
     return dofs.length === 1 ? `${verb} ${dofName(character, dofs[0].index)}` : `${verb} pose`;
   },
   run: (document, { characterId, dofs, timeSeconds, key }) =>
-    set(document, characterId, timeSeconds, key, (character) => {
+    setValues(document, characterId, timeSeconds, key, (character) => {
       const all = characterDofs(character.skeleton, character.morphs);
       const values = new Map<number, number>();
       listOf(dofs, '"dofs"');
@@ -56,7 +56,7 @@ export const setDofs: Command<SetDofs, Document | Edit> = {
         const dof = all[index];
         if (!dof) throw new CommandError(`${character.name} has ${all.length} DOFs; there is no number ${index}.`);
         finiteNumber(value, `The value of DOF ${index}`);
-        values.set(index, character.clampsToLimits ? clamp(dof, value) : value);
+        values.set(index, character.clampsToLimits ? withinLimit(dof, value) : value);
       }
       return values;
     }),
@@ -75,7 +75,7 @@ export const resetPose: Command<ResetPose, Document | Edit> = {
   id: 'pose.reset',
   label: (_document, { to }) => (to === 'file' ? 'Reset to file pose' : 'Reset to zero pose'),
   run: (document, { characterId, to, timeSeconds, key }) =>
-    set(document, characterId, timeSeconds, key, (character) => {
+    setValues(document, characterId, timeSeconds, key, (character) => {
       const make = oneOf(to, ['file', 'zero'], '"to"') === 'file' ? filePose : restPose;
       return new Map(make(character.skeleton, character.morphs.length).entries());
     }),
@@ -108,8 +108,8 @@ export const dropUnkeyed: Command<DropUnkeyed> = {
   },
 };
 
-/** The document with a character's DOFs at these values, by whichever way they go. */
-function set(
+/** The document with a character's DOFs at the values that are given for it, by whichever way they go. */
+export function setValues(
   document: Document,
   characterId: string,
   timeSeconds: number,
@@ -161,7 +161,8 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   return handChanged ? withUnkeyed(next, timeSeconds, byHand) : next;
 }
 
-function clamp({ limit, unit }: CharacterDof, value: number): number {
+/** The value nearest to it that the DOF's limits allow. */
+export function withinLimit({ limit, unit }: CharacterDof, value: number): number {
   // Weights beyond 0 and 1 exaggerate a morph, which is wanted; crossed limits are none.
   if (unit === 'weight' || limit.min > limit.max) return value;
   return Math.min(limit.max, Math.max(limit.min, value));

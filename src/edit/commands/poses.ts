@@ -1,0 +1,267 @@
+/**
+ * Whole poses: mirrored, pasted from another moment or character, and the library of named ones. What they set goes the
+ * way of everything that is posed by hand (`pose.ts`): pose, unkeyed or keyed. DOFs that follow others are left to them.
+ */
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
+import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import type { Character, Document } from '../../model/document.ts';
+import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
+import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
+import type { NamedPose } from '../../model/poses.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
+import type { KeyOptions } from '../key-dofs.ts';
+import { blendPoses } from '../pose/blend.ts';
+import { takePose } from '../pose/by-names.ts';
+import { addPoses, freePoseName, nextPoseName, withPoses } from '../pose/library.ts';
+import { counterpartOf, mirroredPose } from '../pose/mirror.ts';
+import { partnersByName } from '../pose/sides.ts';
+import { type Command, CommandError, type Edit } from '../store.ts';
+import { setValues, withinLimit } from './pose.ts';
+
+interface AtMoment {
+  readonly characterId: string;
+  /** Of the transport. */
+  readonly timeSeconds: number;
+  /** Keys the DOFs at that moment instead: auto-key. */
+  readonly key?: KeyOptions | undefined;
+}
+
+export interface MirrorPose extends AtMoment {
+  /** On whose branch; absent: the whole character. */
+  readonly joint?: number | undefined;
+  /** `swap`: both sides take each other's pose; `toOther`: the joint's branch is copied onto the other side. */
+  readonly way: 'swap' | 'toOther';
+}
+
+export const mirrorPose: Command<MirrorPose, Document | Edit> = {
+  id: 'poses.mirror',
+  label(document, { characterId, joint, way }) {
+    const branch = joint === undefined ? undefined : requireSkeleton(document, characterId).joints[joint];
+    if (!branch) return 'Mirror pose';
+    const name = branch.name || `joint ${joint}`;
+    return way === 'swap' ? `Mirror pose of ${name}` : `Copy pose of ${name} to the other side`;
+  },
+  run(document, { characterId, joint, way, timeSeconds, key }) {
+    const skeleton = requireSkeleton(document, characterId);
+    oneOf(way, ['swap', 'toOther'], '"way"');
+    if (joint !== undefined) indexIn(joint, 0, skeleton.joints.length, 'joint');
+    if (way === 'toOther') checkSided(skeleton, joint);
+    return setValues(document, characterId, timeSeconds, key, (character) => {
+      const shown = shownAt(character, timeSeconds);
+      const { dofs, joints } = mirroredPose(skeleton, shown, character.clampsToLimits, {
+        ...{ joint, way, up: character.space?.up ?? 'y' },
+      });
+      const isWhole = way === 'swap' && (joint === undefined || joint === 0);
+      const values = new Map<number, number>();
+      const { firstDof } = compileSkeleton(skeleton);
+      if (isWhole) for (let d = 0; d < firstDof[0]; d++) values.set(d, dofs[d]);
+      for (const j of joints) for (let d = firstDof[j]; d < firstDof[j + 1]; d++) values.set(d, dofs[d]);
+      if (isWhole) swapWeights(character, shown, values);
+      return settled(character, shown, values, key !== undefined);
+    });
+  },
+};
+
+export interface PastePose extends AtMoment {
+  readonly pose: PoseByNames;
+}
+
+/** What the character has no joint, DOF or morph for is left out, and what the pose says nothing of stays. */
+export const pastePose: Command<PastePose, Document | Edit> = {
+  id: 'poses.paste',
+  label: () => 'Paste pose',
+  run: (document, { characterId, pose, timeSeconds, key }) =>
+    setValues(document, characterId, timeSeconds, key, (character) => {
+      const { values } = takePose(character, checkedPose(pose));
+      if (values.size === 0) throw new CommandError(`${character.name} has no joint that the pose is of.`);
+      return settled(character, shownAt(character, timeSeconds), values, key !== undefined);
+    }),
+};
+
+/** Keeps the pose shown in the library, under a name that is free. */
+export const keepPose: Command<{
+  readonly characterId: string;
+  readonly name?: string | undefined;
+  readonly timeSeconds: number;
+}> = {
+  id: 'poses.keep',
+  label: () => 'Keep pose',
+  run: (document, { characterId, name, timeSeconds }) =>
+    changeCharacter(document, characterId, (character) => {
+      finiteNumber(timeSeconds, '"timeSeconds"');
+      const poses = character.poses ?? [];
+      const free = name === undefined ? nextPoseName(poses) : freePoseName(poses, text(name, 'The name').trim());
+      return withPoses(character, [...poses, { name: free, values: Array.from(shownAt(character, timeSeconds)) }]);
+    }),
+};
+
+interface OfPose {
+  readonly characterId: string;
+  /** Index in the library. */
+  readonly pose: number;
+}
+
+export const renamePose: Command<OfPose & { readonly name: string }> = {
+  id: 'poses.rename',
+  label: (document, { characterId, pose }) => `Rename ${requirePose(document, characterId, pose).name}`,
+  run: (document, { characterId, pose, name }) =>
+    changeCharacter(document, characterId, (character) => {
+      const before = requirePose(document, characterId, pose);
+      const next = text(name, 'The name').trim();
+      if (next === before.name) return character;
+      const poses = character.poses ?? [];
+      if (poses.some((other) => other.name === next)) {
+        throw new CommandError(`${character.name} has a pose "${next}" already.`);
+      }
+      return withPoses(
+        character,
+        poses.map((p, i) => (i === pose ? { ...before, name: next } : p)),
+      );
+    }),
+};
+
+export const removePoses: Command<{ readonly characterId: string; readonly poses: readonly number[] }> = {
+  id: 'poses.remove',
+  label: (document, { characterId, poses }) =>
+    poses.length === 1 ? `Remove ${requirePose(document, characterId, poses[0]).name}` : `Remove ${poses.length} poses`,
+  run: (document, { characterId, poses }) =>
+    changeCharacter(document, characterId, (character) => {
+      const gone = new Set(listOf(poses, '"poses"'));
+      for (const pose of poses) requirePose(document, characterId, pose);
+      if (gone.size === 0) return character;
+      return withPoses(
+        character,
+        (character.poses ?? []).filter((_, i) => !gone.has(i)),
+      );
+    }),
+};
+
+export interface ApplyPose extends OfPose, AtMoment {
+  /** 1, the whole of it, where absent; 0 is the pose shown. */
+  readonly share?: number | undefined;
+  /** Only this joint and all below it; absent: the whole character. */
+  readonly joint?: number | undefined;
+}
+
+export const applyPose: Command<ApplyPose, Document | Edit> = {
+  id: 'poses.apply',
+  label(document, { characterId, pose, share = 1 }) {
+    const { name } = requirePose(document, characterId, pose);
+    return share === 1 ? `Take on ${name}` : `Blend to ${name}`;
+  },
+  run(document, { characterId, pose, share = 1, joint, timeSeconds, key }) {
+    const { values: kept } = requirePose(document, characterId, pose);
+    const part = finiteNumber(share, '"share"');
+    if (part < 0 || part > 1) throw new CommandError(`"share" has to be from 0 to 1; ${part} was given.`);
+    const { skeleton } = requireCharacter(document, characterId);
+    if (joint !== undefined) indexIn(joint, 0, skeleton?.joints.length ?? 0, 'joint');
+    return setValues(document, characterId, timeSeconds, key, (character) => {
+      const all = characterDofs(skeleton, character.morphs);
+      const target = all.map((dof, d) => kept[d] ?? dof.rest);
+      const shown = shownAt(character, timeSeconds);
+      const blended = blendPoses(skeleton, shown, target, part);
+      const compiled = skeleton && compileSkeleton(skeleton);
+      const isMeant = (d: number) => {
+        if (joint === undefined || !compiled) return true;
+        return d >= compiled.firstDof[joint] && d < compiled.firstDof[compiled.subtreeEnd[joint]];
+      };
+      const values = new Map([...blended.entries()].filter(([d]) => isMeant(d)));
+      return settled(character, shown, values, key !== undefined);
+    });
+  },
+};
+
+/** Poses from a file, for the library; those that are there already are not added again. */
+export const addToLibrary: Command<{ readonly characterId: string; readonly poses: readonly PoseByNames[] }> = {
+  id: 'poses.add',
+  label: (_document, { poses }) => (poses.length === 1 ? `Add pose ${poses[0].name}` : `Add ${poses.length} poses`),
+  run: (document, { characterId, poses }) =>
+    changeCharacter(document, characterId, (c) => addPoses(c, listOf(poses, '"poses"').map(checkedPose))),
+};
+
+/** All DOFs of a character, as they are shown. */
+function shownAt(character: Character, timeSeconds: number): Float64Array {
+  finiteNumber(timeSeconds, '"timeSeconds"');
+  const shown = new Float64Array(dofCountOf(character));
+  poseAt(character, timeSeconds, shown);
+  return shown;
+}
+
+/**
+ * Values as they go into the character: within its limits, without DOFs that follow others. Where nothing is keyed those
+ * that are shown so already are left, so that a pose that is half the same leaves no marks on that half.
+ */
+function settled(
+  character: Character,
+  shown: Float64Array,
+  values: ReadonlyMap<number, number>,
+  isKeyed: boolean,
+): ReadonlyMap<number, number> {
+  const { skeleton, morphs, clampsToLimits } = character;
+  const all = characterDofs(skeleton, morphs);
+  const follows = new Set(skeleton && compileSkeleton(skeleton).couples.map(({ dof }) => dof));
+  const out = new Map<number, number>();
+  for (const [d, value] of values) {
+    if (follows.has(d) || !all[d]) continue;
+    const next = clampsToLimits ? withinLimit(all[d], value) : value;
+    if (isKeyed || next !== shown[d]) out.set(d, next);
+  }
+  return out;
+}
+
+/** Weights of morphs that are each other's by name: `smile_L` and `smile_R`. */
+function swapWeights({ skeleton, morphs }: Character, shown: Float64Array, values: Map<number, number>): void {
+  const first = rootDofCount(skeleton) + jointDofCount(skeleton);
+  partnersByName(morphs.map(({ name }) => name)).forEach((other, m) => {
+    if (other >= 0) values.set(first + m, shown[first + other]);
+  });
+}
+
+function checkSided(skeleton: Skeleton, joint: number | undefined): void {
+  if (joint === undefined) throw new CommandError('Which joint? Its branch is copied onto the other side.');
+  const name = skeleton.joints[joint].name || `Joint ${joint}`;
+  const other = counterpartOf(skeleton, joint);
+  if (other === undefined) throw new CommandError(`${name} has no counterpart on another side, by name or by shape.`);
+  if (other === joint) throw new CommandError(`${name} is in the middle: choose a joint of one side.`);
+}
+
+function requireSkeleton(document: Document, characterId: string): Skeleton {
+  const { skeleton, name } = requireCharacter(document, characterId);
+  if (!skeleton) throw new CommandError(`${name} has no skeleton.`);
+  return skeleton;
+}
+
+function requirePose(document: Document, characterId: string, pose: number): NamedPose {
+  const { poses = [] } = requireCharacter(document, characterId);
+  return poses[indexIn(pose, 0, poses.length, 'pose')];
+}
+
+/** A pose by names may come from a script. */
+function checkedPose(given: unknown): PoseByNames {
+  if (!isRecord(given)) throw new CommandError('A pose has to have a name, joints and weights.');
+  const root = given.root === undefined ? undefined : listOf(given.root, 'The root of a pose');
+  if (root && root.length !== 3) throw new CommandError('The root of a pose has to be x, y and z.');
+  const [x, y, z] = (root ?? []).map((v) => finiteNumber(v, 'The root of a pose'));
+  return {
+    name: text(given.name, 'The name of a pose'),
+    ...(root && { root: [x, y, z] }),
+    joints: listOf(given.joints, 'The joints of a pose').map((joint): PosedJoint => {
+      if (!isRecord(joint)) throw new CommandError('A joint of a pose has to have a name and DOFs.');
+      return { name: String(joint.name ?? ''), dofs: namedValues(joint.dofs, 'The DOFs of a joint') };
+    }),
+    weights: namedValues(given.weights ?? [], 'The weights of a pose'),
+  };
+}
+
+function namedValues(given: unknown, what: string): NamedValue[] {
+  return listOf(given, what).map((value) => {
+    if (!isRecord(value)) throw new CommandError(`${what} have to be names with values.`);
+    return { name: text(value.name, 'The name of a DOF'), value: finiteNumber(value.value, String(value.name)) };
+  });
+}
+
+function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null;
+}

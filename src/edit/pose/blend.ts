@@ -1,0 +1,99 @@
+/**
+ * A pose between two: rotations along the shortest arc at an even pace (Shoemake 1985), three Euler angles by way of their
+ * quaternion and back to those that are nearest to where they began; everything else straight on.
+ */
+import { eulerDofs } from '../../evaluate/euler-dofs.ts';
+import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
+import { slerpWeight } from '../../math/slerp.ts';
+import { firstDofs } from '../../model/dofs.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+
+/**
+ * @param from the character's DOFs
+ * @param to as many
+ * @param share 0: the one, 1: the other, both exactly
+ */
+export function blendPoses(
+  skeleton: Skeleton | undefined,
+  from: ArrayLike<number>,
+  to: ArrayLike<number>,
+  share: number,
+): number[] {
+  if (share === 0 || share === 1) return Array.from(share === 0 ? from : to);
+  const out = Array.from(from, (value, d) => value + share * (to[d] - value));
+  if (!skeleton) return out;
+  const first = firstDofs(skeleton);
+  skeleton.joints.forEach(({ motion }, j) => {
+    const euler = eulerDofs(motion);
+    if (motion.kind === 'quaternion') blendQuaternions(from, to, share, first[j], out);
+    if (!euler) return;
+    const applied = [...euler.order].map(
+      (axis) => first[j] + (axis === 'x' ? euler.x : axis === 'y' ? euler.y : euler.z),
+    );
+    const isEven = euler.order === 'xyz' || euler.order === 'yzx' || euler.order === 'zxy';
+    blendEulers(from, to, share, applied, isEven ? 1 : -1, out);
+  });
+  return out;
+}
+
+/** Scratch, never escapes. */
+const p = new Float64Array(4);
+const q = new Float64Array(4);
+const angles = new Float64Array(3);
+
+function blendQuaternions(
+  from: ArrayLike<number>,
+  to: ArrayLike<number>,
+  share: number,
+  at: number,
+  out: number[],
+): void {
+  const lengths = [length4(from, at), length4(to, at)];
+  if (lengths[0] === 0 || lengths[1] === 0) return;
+  for (let k = 0; k < 4; k++) {
+    p[k] = from[at + k] / lengths[0];
+    q[k] = to[at + k] / lengths[1];
+  }
+  slerp(share);
+  // As long as both are, on the way from one length to the other.
+  const length = lengths[0] + share * (lengths[1] - lengths[0]);
+  for (let k = 0; k < 4; k++) out[at + k] = length * p[k];
+}
+
+/** `sign` makes the angles, in the order in which they are applied, those of Rz(γ)·Ry(β)·Rx(α) with the axes renamed. */
+function blendEulers(
+  from: ArrayLike<number>,
+  to: ArrayLike<number>,
+  share: number,
+  applied: readonly number[],
+  sign: number,
+  out: number[],
+): void {
+  const [a, b, c] = applied;
+  if (from[a] === to[a] && from[b] === to[b] && from[c] === to[c]) return;
+  const half = sign / 2;
+  quaternionOfEuler(half * from[a], half * from[b], half * from[c], p, 0);
+  quaternionOfEuler(half * to[a], half * to[b], half * to[c], q, 0);
+  slerp(share);
+  applied.forEach((dof, i) => {
+    angles[i] = sign * from[dof];
+  });
+  eulerNear(p, angles, 0);
+  applied.forEach((dof, i) => {
+    out[dof] = sign * angles[i];
+  });
+}
+
+/** p becomes what lies between p and q, or −q where that is nearer. */
+function slerp(share: number): void {
+  let cosine = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];
+  const side = cosine < 0 ? -1 : 1;
+  cosine = Math.min(1, Math.abs(cosine));
+  const own = slerpWeight(1 - share, cosine);
+  const other = side * slerpWeight(share, cosine);
+  for (let k = 0; k < 4; k++) p[k] = own * p[k] + other * q[k];
+}
+
+function length4(values: ArrayLike<number>, at: number): number {
+  return Math.hypot(values[at], values[at + 1], values[at + 2], values[at + 3]);
+}

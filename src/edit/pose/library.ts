@@ -1,0 +1,57 @@
+/** A character's library of poses: names that are its own, and what goes in. */
+import type { Character } from '../../model/document.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import type { PoseByNames } from '../../model/pose-by-names.ts';
+import type { NamedPose } from '../../model/poses.ts';
+import { poseByNames, takePose } from './by-names.ts';
+
+/** The name itself where no pose has it; else with the next number. */
+export function freePoseName(poses: readonly NamedPose[], name: string): string {
+  const taken = new Set(poses.map((pose) => pose.name));
+  if (!taken.has(name)) return name;
+  const stem = name.replace(/ \d+$/, '');
+  for (let n = 2; ; n++) if (!taken.has(`${stem} ${n}`)) return `${stem} ${n}`;
+}
+
+/** `pose 1`, `pose 2`. */
+export function nextPoseName(poses: readonly NamedPose[]): string {
+  const taken = new Set(poses.map((pose) => pose.name));
+  for (let n = poses.length + 1; ; n++) if (!taken.has(`pose ${n}`)) return `pose ${n}`;
+}
+
+/** The character with that library; none where it is empty. */
+export function withPoses(character: Character, poses: readonly NamedPose[]): Character {
+  const { poses: _before, ...rest } = character;
+  return poses.length ? { ...rest, poses } : rest;
+}
+
+/**
+ * The character with poses from a file or another character; the same one where it has all of them. What a pose says
+ * nothing of is at rest in it.
+ */
+export function addPoses(character: Character, added: readonly PoseByNames[]): Character {
+  const poses = [...(character.poses ?? [])];
+  const all = characterDofs(character.skeleton, character.morphs);
+  for (const pose of added) {
+    const taken = takePose(character, pose).values;
+    const values = all.map((dof, index) => taken.get(index) ?? dof.rest);
+    const isThere = poses.some(
+      (p) => p.name === pose.name && values.every((v, d) => v === (p.values[d] ?? all[d].rest)),
+    );
+    if (!isThere) poses.push({ name: freePoseName(poses, pose.name), values });
+  }
+  return poses.length === (character.poses?.length ?? 0) ? character : withPoses(character, poses);
+}
+
+/** Poses of a character that has another skeleton now, by the names of its joints; what is new in it is at rest. */
+export function movedPoses(
+  before: Pick<Character, 'skeleton' | 'morphs'>,
+  after: Pick<Character, 'skeleton' | 'morphs'>,
+  poses: readonly NamedPose[],
+): readonly NamedPose[] {
+  const all = characterDofs(after.skeleton, after.morphs);
+  return poses.map((pose) => {
+    const { values } = takePose(after, poseByNames(before, pose));
+    return { ...pose, values: all.map((dof, index) => values.get(index) ?? dof.rest) };
+  });
+}

@@ -1,0 +1,295 @@
+/**
+ * A pose's mirror image: of the whole figure, of one branch and its counterpart, or of one side onto the other.
+ *
+ * What is mirrored is what one sees: joint after joint from the root, the world rotation that belongs there, less what
+ * the joints above have by now. So where a joint can't turn as its counterpart did, those below make up for it as far as
+ * they can. DOFs that follow others are left to what they follow.
+ */
+import { rotationPart } from '../../evaluate/euler-angles.ts';
+import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
+import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
+import { isBvh } from '../../model/document.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { fitLocal } from './fit-local.ts';
+import { acrossPlane, localMirrored, type Reflection, reflectionOf, signed } from './reflection.ts';
+
+/** Which joints take whose pose. */
+export interface MirrorScope {
+  /** The joint on whose branch it is done; absent or the root: the whole figure, and where it stands. */
+  readonly joint?: number | undefined;
+  /** `swap`: each side takes the other's pose; `toOther`: the other side takes that of the joint's, which stays. */
+  readonly way: 'swap' | 'toOther';
+  /** Of the character's space; y where absent. */
+  readonly up?: 'y' | 'z';
+}
+
+export interface Mirrored {
+  /** The character's DOFs, without morphs. */
+  readonly dofs: Float64Array;
+  /** Joints that were given a pose, ascending. */
+  readonly joints: readonly number[];
+  /** Of the joints that were meant, those that have no counterpart, ascending; they keep their pose. */
+  readonly alone: readonly number[];
+}
+
+/** The joint's counterpart; itself in the middle, undefined where it has none. */
+export function counterpartOf(skeleton: Skeleton, joint: number): number | undefined {
+  const other = reflectionOf(skeleton).partner[joint];
+  return other >= 0 ? other : undefined;
+}
+
+/**
+ * @param dofs of the character as shown: within limits and with couples followed
+ * @param clamps whether limits hold
+ */
+export function mirroredPose(
+  skeleton: Skeleton,
+  dofs: ArrayLike<number>,
+  clamps: boolean,
+  scope: MirrorScope,
+): Mirrored {
+  const compiled = compileSkeleton(skeleton);
+  const count = compiled.firstDof[compiled.jointCount];
+  const from = Float64Array.from({ length: count }, (_, d) => dofs[d] ?? 0);
+  const out = from.slice();
+  const isWhole = scope.joint === undefined || scope.joint === 0;
+  const asFaced = isWhole && isBvh({ skeleton }) ? facing(skeleton, from, scope.up ?? 'y') : undefined;
+  const reflection = asFaced ?? reflectionOf(skeleton);
+  const { joints, alone } = jointsMeant(compiled, reflection, scope);
+  if (isWhole && scope.way === 'swap' && compiled.hasRootTranslation) mirrorTravel(reflection, from, out);
+  new Mirroring(skeleton, compiled, reflection, from, out, clamps).run(new Set(joints));
+  settleDofs(compiled, out, clamps);
+  return { dofs: out, joints, alone };
+}
+
+/**
+ * Motion capture faces anywhere, and its joints have axes of their own: the whole figure is mirrored across the upright
+ * plane of the character's space that is nearest to the one between its sides as it stands. So it stays where it looks.
+ */
+function facing(skeleton: Skeleton, dofs: Float64Array, up: 'y' | 'z'): Reflection | undefined {
+  const reflection = reflectionOf(skeleton);
+  const { lateral } = reflection;
+  if (!lateral) return undefined;
+  const compiled = compileSkeleton(skeleton);
+  const world = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, dofs, world);
+  const o = 16 * lateral.joint;
+  const [x, y, z] = lateral.direction;
+  const [ax, ay, az] = [0, 1, 2].map((k) => Math.abs(world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z));
+  const other = up === 'y' ? az : ay;
+  return acrossPlane(skeleton, reflection, other > ax ? (up === 'y' ? [0, 0, 1] : [0, 1, 0]) : [1, 0, 0]);
+}
+
+function jointsMeant(compiled: CompiledSkeleton, { partner }: Reflection, { joint = 0, way }: MirrorScope) {
+  const inBranch = (j: number, top: number) => top >= 0 && j >= top && j < compiled.subtreeEnd[top];
+  const other = partner[joint];
+  const joints: number[] = [];
+  const alone: number[] = [];
+  for (let j = 0; j < compiled.jointCount; j++) {
+    const isMeant = way === 'swap' ? inBranch(j, joint) || inBranch(j, other) : inBranch(j, other);
+    const source = partner[j];
+    if (isMeant && source >= 0 && (way === 'swap' || inBranch(source, joint))) joints.push(j);
+    else if (isMeant || inBranch(j, joint)) {
+      if (source < 0) alone.push(j);
+    }
+  }
+  return { joints, alone };
+}
+
+/** The root's translation, which is counted from where the plane goes through it. */
+function mirrorTravel({ matrix: m, reference }: Reflection, from: Float64Array, out: Float64Array): void {
+  const [x, y, z] = [from[0] - reference[0], from[1] - reference[1], from[2] - reference[2]];
+  // Without -0: nothing is as far to one side as to the other.
+  for (let k = 0; k < 3; k++) out[k] = reference[k] + (m[k] * x + m[3 + k] * y + m[6 + k] * z) + 0;
+}
+
+/** Farther than this from the rotation that it should have: those below make up for it. */
+const ASTRAY = 1e-7;
+
+class Mirroring {
+  private readonly bone = new Float64Array(3);
+  /** World rotations: of the pose that is mirrored, of that which is made, and as it should be; nine a joint. */
+  private readonly theirs: Float64Array;
+  private readonly made: Float64Array;
+  private readonly meant: Float64Array;
+  private readonly astray: Uint8Array;
+  /** Of each joint that is mirrored, from the world of its counterpart's branch to that of its own. */
+  private readonly across: (Float64Array | undefined)[];
+  private readonly wanted = new Float64Array(16);
+  private readonly local = new Float64Array(16);
+  private readonly a = new Float64Array(9);
+  private readonly b = new Float64Array(9);
+
+  constructor(
+    private readonly skeleton: Skeleton,
+    private readonly compiled: CompiledSkeleton,
+    private readonly reflection: Reflection,
+    private readonly from: Float64Array,
+    private readonly out: Float64Array,
+    private readonly clamps: boolean,
+  ) {
+    const { jointCount } = compiled;
+    this.theirs = new Float64Array(9 * jointCount);
+    this.made = new Float64Array(9 * jointCount);
+    this.meant = new Float64Array(9 * jointCount);
+    this.astray = new Uint8Array(jointCount);
+    this.across = new Array(jointCount).fill(undefined);
+    for (let j = 0; j < jointCount; j++) this.turn(j, from, this.theirs);
+  }
+
+  run(targets: ReadonlySet<number>): void {
+    const { compiled, reflection } = this;
+    for (let t = 0; t < compiled.jointCount; t++) {
+      if (targets.has(t)) this.mirror(t, reflection.partner[t], targets);
+      this.turn(t, this.out, this.made);
+      if (!targets.has(t)) continue;
+      for (let k = 0; k < 9; k++) {
+        if (Math.abs(this.made[9 * t + k] - this.meant[9 * t + k]) > ASTRAY) this.astray[t] = 1;
+      }
+    }
+  }
+
+  /** A joint's world rotation, its parent's being known. */
+  private turn(j: number, dofs: Float64Array, worlds: Float64Array): void {
+    const { compiled, local, a } = this;
+    compiled.motions[j].write(dofs, compiled.firstDof[j], local, 0);
+    if (compiled.motions[j].stretches) rotationPart(local, 0);
+    const above = compiled.parent[j];
+    take3(local, a);
+    if (above >= 0) multiply3(worlds, 9 * above, a, 0, worlds, 9 * j);
+    else worlds.set(a, 9 * j);
+  }
+
+  private mirror(t: number, s: number, targets: ReadonlySet<number>): void {
+    const { compiled, reflection } = this;
+    const above = compiled.parent[t];
+    const continues = above >= 0 && targets.has(above);
+    const isInStep = above < 0 || reflection.partner[above] === compiled.parent[s];
+    const across = (continues && this.across[above]) || this.acrossTo(t, s);
+    this.across[t] = across;
+    this.writeMeant(t, s, across);
+    const { signs, reference } = reflection;
+    const [first, end] = [compiled.firstDof[t], compiled.firstDof[t + 1]];
+    if (end === first) return;
+    const theirs = compiled.firstDof[s];
+    const bySigns = () => {
+      const values = new Float64Array(end - first);
+      for (let d = 0; d < values.length; d++) {
+        const value = this.from[theirs + d];
+        values[d] = signed(signs[first + d] || 1, reference[theirs + d], reference[first + d], value);
+      }
+      return values;
+    };
+    const hasSigns = signs[first] !== 0;
+    const isAstray = above >= 0 && this.astray[above] === 1;
+    if (hasSigns && isInStep && !isAstray) {
+      const values = bySigns();
+      if (this.isAllowed(t, values)) {
+        this.out.set(values, first);
+        return;
+      }
+    }
+    this.writeWanted(t, s, isInStep);
+    const sameCount = end - first === compiled.firstDof[s + 1] - theirs;
+    this.fit(t, hasSigns && sameCount ? bySigns() : undefined);
+  }
+
+  private isAllowed(t: number, values: Float64Array): boolean {
+    if (!this.clamps) return true;
+    const { lower, upper, firstDof } = this.compiled;
+    const at = firstDof[t] - firstDof[0];
+    return values.every((value, d) => value >= lower[at + d] && value <= upper[at + d]);
+  }
+
+  /**
+   * What takes world rotations of one branch to those of the other, where the branches begin: M for the whole figure; else
+   * what it is between the two joints that they hang on, which stay as they are.
+   */
+  private acrossTo(t: number, s: number): Float64Array {
+    const { compiled, a } = this;
+    const [above, theirs] = [compiled.parent[t], compiled.parent[s]];
+    const across = new Float64Array(9);
+    if (above < 0 || theirs < 0) {
+      across.set(this.reflection.matrix);
+      return across;
+    }
+    // R_a′ · K_a · R_a⁻¹
+    timesTransposed3(this.reflection.maps, 9 * theirs, this.theirs, 9 * theirs, a);
+    multiply3(this.made, 9 * above, a, 0, across, 0);
+    return across;
+  }
+
+  /** The world rotation that a joint should have: G · R_j · K_j⁻¹. */
+  private writeMeant(t: number, s: number, across: Float64Array): void {
+    const { a } = this;
+    const { maps } = this.reflection;
+    timesTransposed3(this.theirs, 9 * s, maps, 9 * s, a);
+    multiply3(across, 0, a, 0, this.meant, 9 * t);
+  }
+
+  /** The joint's own matrix that gives that: what the counterpart's is mirrored, led back where the parent went astray. */
+  private writeWanted(t: number, s: number, isInStep: boolean): void {
+    const { compiled, reflection, wanted, a, b } = this;
+    const above = compiled.parent[t];
+    localMirrored(compiled, reflection, s, this.from, wanted);
+    if (above < 0) return;
+    if (isInStep && this.astray[above] === 1) {
+      take3(wanted, a);
+      multiply3(this.meant, 9 * above, a, 0, b, 0);
+      backMultiply3(this.made, 9 * above, b, 0, a, 0);
+      put3(a, wanted);
+    } else if (!isInStep) {
+      backMultiply3(this.made, 9 * above, this.meant, 9 * t, a, 0);
+      put3(a, wanted);
+    }
+  }
+
+  private fit(t: number, guess: Float64Array | undefined): void {
+    const { compiled, skeleton, clamps, out, reflection, wanted, a } = this;
+    const [first, end] = [compiled.firstDof[t], compiled.firstDof[t + 1]];
+    const at = first - compiled.firstDof[0];
+    const before = out.slice(first, end);
+    const follows = new Set(compiled.couples.map(({ dof }) => dof));
+    const bound = (limits: Float64Array, none: number) =>
+      Float64Array.from(before, (value, d) => {
+        if (follows.has(first + d)) return value;
+        return clamps ? limits[at + d] : none;
+      });
+    const beginnings: ArrayLike<number>[] = guess ? [guess] : [];
+    const turns = jointFit(compiled, skeleton.joints[t], t, clamps);
+    if (turns) {
+      take3(wanted, a);
+      fitJoint(compiled, t, turns, a, this.bone, 0, out);
+      beginnings.push(out.slice(first, end));
+    }
+    beginnings.push(before, reflection.reference.slice(first, end));
+    fitLocal(
+      {
+        ...{ motion: compiled.motions[t], first, count: end - first, wanted, size: reflection.size },
+        ...{ lower: bound(compiled.lower, -Infinity), upper: bound(compiled.upper, Infinity) },
+      },
+      beginnings,
+      out,
+    );
+  }
+}
+
+/** `out = a · bᵀ` */
+function timesTransposed3(a: Float64Array, ao: number, b: Float64Array, bo: number, out: Float64Array): void {
+  for (let c = 0; c < 3; c++) {
+    for (let r = 0; r < 3; r++) {
+      let sum = 0;
+      for (let k = 0; k < 3; k++) sum += a[ao + 3 * k + r] * b[bo + 3 * k + c];
+      out[3 * c + r] = sum;
+    }
+  }
+}
+
+function take3(matrix: Float64Array, out: Float64Array): void {
+  for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) out[3 * c + r] = matrix[4 * c + r];
+}
+
+function put3(from: Float64Array, matrix: Float64Array): void {
+  for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) matrix[4 * c + r] = from[3 * c + r];
+}

@@ -1,0 +1,49 @@
+/** A file of poses on its way into a character's library. */
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import type { ParsedFile } from '../../model/files.ts';
+import { takePose } from './by-names.ts';
+import { addPoses } from './library.ts';
+
+export type PoseFile = Extract<ParsedFile, { readonly kind: 'pose' }>;
+
+/** A character has to have that part of a file's joints at least. */
+const FITS = 0.5;
+
+/** The first one of those that have the most of the joints that the poses are of; undefined where none has enough. */
+export function fittingCharacter({ poses }: PoseFile, characters: readonly Character[]): Character | undefined {
+  let best: Character | undefined;
+  let most = FITS;
+  for (const character of characters) {
+    let found = 0;
+    let all = 0;
+    for (const pose of poses) {
+      const taken = takePose(character, pose);
+      found += taken.found;
+      all += pose.joints.length;
+      // Poses of a face may be of morphs alone.
+      if (pose.joints.length === 0) {
+        all++;
+        if (taken.values.size > 0) found++;
+      }
+    }
+    const share = all > 0 ? found / all : 0;
+    if (best ? share <= most : share < most) continue;
+    best = character;
+    most = share;
+  }
+  return best;
+}
+
+/** The character with the file's poses, and what there is to say of them. */
+export function givePoses(character: Character, { poses, source }: PoseFile) {
+  const diagnostics: Diagnostic[] = [];
+  const missing = new Set(poses.flatMap((pose) => takePose(character, pose).missing));
+  if (missing.size > 0) {
+    const [first] = missing;
+    const others = missing.size > 1 ? ` and ${missing.size - 1} more` : '';
+    const message = `${character.name} has no joint "${first}"${others} that the poses are of.`;
+    diagnostics.push(withoutPlace('warning', 'pose-joint-missing', message, source.name, 'left out'));
+  }
+  return { character: addPoses(character, poses), diagnostics };
+}

@@ -1,0 +1,106 @@
+/** From where a small picture of a pose is taken: from the front and a little from the left and above. */
+import { readName } from '../../evaluate/retarget/names.ts';
+import { isBvh } from '../../model/document.ts';
+import { filePose } from '../../model/dofs.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import type { Shaded } from './rasterise.ts';
+import { type Solid, worldOf } from './solids.ts';
+
+const YAW = (-35 * Math.PI) / 180;
+const PITCH = (14 * Math.PI) / 180;
+/** Of the picture's sides, left free. */
+const MARGIN = 0.07;
+/** Where light comes from, as the eye sees it: from the upper left, and behind it. */
+const LIGHT = [-0.42, 0.62, 0.66];
+const LEAST_LIGHT = 0.12;
+
+/** A solid as it is seen in a picture of that size, as large as fits. */
+export function look(
+  solid: Solid,
+  up: 'y' | 'z',
+  front: readonly [number, number],
+  width: number,
+  height: number,
+): Shaded {
+  const { points, normals, triangles } = solid;
+  const turn = viewMatrix(up, front);
+  const count = points.length / 3;
+  const seen = new Float64Array(points.length);
+  const light = new Float64Array(count);
+  const [low, high] = [
+    [Infinity, Infinity],
+    [-Infinity, -Infinity],
+  ];
+  for (let v = 0; v < count; v++) {
+    const [x, y, z] = [points[3 * v], points[3 * v + 1], points[3 * v + 2]];
+    const [nx, ny, nz] = [normals[3 * v], normals[3 * v + 1], normals[3 * v + 2]];
+    let lit = 0;
+    let facing = 0;
+    for (let r = 0; r < 3; r++) {
+      seen[3 * v + r] = turn[r] * x + turn[3 + r] * y + turn[6 + r] * z;
+      const n = turn[r] * nx + turn[3 + r] * ny + turn[6 + r] * nz;
+      lit += n * LIGHT[r];
+      if (r === 2) facing = n;
+    }
+    // Files have normals that point inward: whatever is seen is seen from its outside.
+    const length = Math.hypot(nx, ny, nz) || 1;
+    const part = (facing < 0 ? -lit : lit) / length;
+    light[v] = LEAST_LIGHT + (1 - LEAST_LIGHT) * Math.min(1, Math.max(0, 0.5 + 0.5 * part) ** 1.3);
+    for (let k = 0; k < 2; k++) {
+      low[k] = Math.min(low[k], seen[3 * v + k]);
+      high[k] = Math.max(high[k], seen[3 * v + k]);
+    }
+  }
+  const inner = [width * (1 - 2 * MARGIN), height * (1 - 2 * MARGIN)];
+  const scale = Math.min(inner[0] / (high[0] - low[0] || 1), inner[1] / (high[1] - low[1] || 1));
+  for (let v = 0; v < count; v++) {
+    seen[3 * v] = width / 2 + scale * (seen[3 * v] - (low[0] + high[0]) / 2);
+    seen[3 * v + 1] = height / 2 - scale * (seen[3 * v + 1] - (low[1] + high[1]) / 2);
+  }
+  return { points: seen, light, triangles };
+}
+
+/** The character's axes as the eye sees them, nine numbers: x to the right, y up, z towards it. */
+function viewMatrix(up: 'y' | 'z', [fx, fz]: readonly [number, number]): Float64Array {
+  // The front towards the eye, then turned by the yaw.
+  const yaw = YAW - Math.atan2(fx, fz);
+  const [cy, sy] = [Math.cos(yaw), Math.sin(yaw)];
+  const [cp, sp] = [Math.cos(PITCH), Math.sin(PITCH)];
+  const out = new Float64Array(9);
+  for (let c = 0; c < 3; c++) {
+    const own = [c === 0 ? 1 : 0, c === 1 ? 1 : 0, c === 2 ? 1 : 0];
+    // (x, y, z) → (x, z, −y) where z is up.
+    const [x, y, z] = up === 'y' ? own : [own[0], own[2], -own[1]];
+    const turnedX = cy * x + sy * z;
+    const turnedZ = cy * z - sy * x;
+    out[3 * c] = turnedX;
+    out[3 * c + 1] = cp * y - sp * turnedZ;
+    out[3 * c + 2] = sp * y + cp * turnedZ;
+  }
+  return out;
+}
+
+/**
+ * Which way a character looks, as x and z with y up: at right angles to what lies between joints that are called left and
+ * right; along z where no names say it. Motion capture looks anywhere, so there it is the pose that counts; elsewhere a
+ * pose that turns the whole figure is seen as turned.
+ */
+export function frontOf(
+  skeleton: Skeleton | undefined,
+  values: ArrayLike<number>,
+  up: 'y' | 'z',
+): readonly [number, number] {
+  if (!skeleton) return [0, 1];
+  const world = worldOf(skeleton, isBvh({ skeleton }) ? values : filePose(skeleton, 0), false);
+  let x = 0;
+  let z = 0;
+  skeleton.joints.forEach(({ name }, j) => {
+    const { side } = readName(name);
+    if (side === 'middle') return;
+    const sign = side === 'left' ? 1 : -1;
+    x += sign * world[16 * j + 12];
+    z += sign * (up === 'y' ? world[16 * j + 14] : -world[16 * j + 13]);
+  });
+  // Left × up.
+  return Math.hypot(x, z) > 0 ? [-z, x] : [0, 1];
+}

@@ -1,0 +1,42 @@
+/** A small picture of a character in a pose, on a canvas: see-through where nothing is, in two colours of the page. */
+import { type Character, DEFAULT_SPACE } from '../../model/document.ts';
+import { frontOf, look } from './look.ts';
+import { type Rgb, rasterise } from './rasterise.ts';
+import { type Posed, solidOf } from './solids.ts';
+
+export interface ThumbnailColours {
+  readonly dark: Rgb;
+  readonly bright: Rgb;
+}
+
+/** Pixels drawn for one that is shown, each way: edges are smooth then. */
+const OVERSAMPLED = 2;
+
+/**
+ * Draws it as large as the canvas is; false where there is nothing to draw.
+ * @param values one for each of the character's DOFs
+ */
+export function drawPose(
+  canvas: HTMLCanvasElement,
+  character: Posed & Pick<Character, 'space'>,
+  values: ArrayLike<number>,
+  { dark, bright }: ThumbnailColours,
+): boolean {
+  const g = canvas.getContext('2d');
+  const { up } = character.space ?? DEFAULT_SPACE;
+  const solid = solidOf(character, values);
+  if (!g) return false;
+  g.clearRect(0, 0, canvas.width, canvas.height);
+  if (!solid || solid.points.length === 0) return false;
+  const [width, height] = [OVERSAMPLED * canvas.width, OVERSAMPLED * canvas.height];
+  const shaded = look(solid, up, frontOf(character.skeleton, values, up), width, height);
+  const large = document.createElement('canvas');
+  large.width = width;
+  large.height = height;
+  large
+    .getContext('2d')
+    ?.putImageData(new ImageData(rasterise(shaded, width, height, dark, bright), width, height), 0, 0);
+  g.imageSmoothingQuality = 'high';
+  g.drawImage(large, 0, 0, canvas.width, canvas.height);
+  return true;
+}

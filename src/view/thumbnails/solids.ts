@@ -1,0 +1,173 @@
+/**
+ * A posed character as triangles with normals, in its own space with y up: the skin that is shown, or boxes and bones
+ * where there is none. For small pictures: everything is plain arrays, and no GPU is needed.
+ */
+import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
+import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { boneEnds } from '../../model/bone-ends.ts';
+import { hasBox } from '../../model/boxes.ts';
+import type { Character } from '../../model/document.ts';
+import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+
+export interface Solid {
+  /** x y z a vertex. */
+  readonly points: Float64Array;
+  /** Of any length. */
+  readonly normals: Float64Array;
+  /** Three vertices each. */
+  readonly triangles: ArrayLike<number>;
+}
+
+/** A skin with more vertices than that is not deformed for a picture of that size: its bones stand for it. */
+const MOST_VERTICES = 150_000;
+
+export type Posed = Pick<Character, 'skeleton' | 'skins' | 'shownSkin' | 'morphs' | 'clampsToLimits'>;
+
+/**
+ * @param values one for each of the character's DOFs; absent ones are 0
+ * @returns undefined where there is nothing to see
+ */
+export function solidOf(character: Posed, values: ArrayLike<number>): Solid | undefined {
+  const { skeleton } = character;
+  const dofs = Float64Array.from(values);
+  const world = skeleton && worldOf(skeleton, dofs, character.clampsToLimits);
+  const skin = character.skins[character.shownSkin];
+  if (skin && skin.triangles.length > 0 && skin.positions.length / 3 <= MOST_VERTICES) {
+    const compiled = compileSkin(skin);
+    const points = new Float64Array(3 * compiled.vertexCount);
+    const normals = new Float64Array(3 * compiled.vertexCount);
+    const weights = rootDofCount(skeleton) + jointDofCount(skeleton);
+    const weighed = new Float64Array(weights + character.morphs.length);
+    weighed.set(dofs.subarray(0, weighed.length));
+    blendMorphs(compiled, character.morphs, weighed, weights, points, normals);
+    deform(compiled, world, points, normals, points, normals);
+    return { points, normals, triangles: skin.triangles };
+  }
+  return skeleton && world ? bonesOf(skeleton, world) : undefined;
+}
+
+/** 16 numbers a joint. */
+export function worldOf(skeleton: Skeleton, values: ArrayLike<number>, clamps: boolean): Float64Array {
+  const compiled = compileSkeleton(skeleton);
+  const dofs = new Float64Array(Math.max(values.length, compiled.firstDof[compiled.jointCount]));
+  dofs.set(values);
+  settleDofs(compiled, dofs, clamps);
+  const world = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, dofs, world);
+  return world;
+}
+
+/** As part of a bone's length, and of the whole figure. */
+const BONE_WIDTH = 0.09;
+const WIDEST = 0.032;
+const NARROWEST = 0.008;
+
+function bonesOf({ joints, ...skeleton }: Skeleton, world: Float64Array): Solid {
+  const made = new Solids();
+  const at = (j: number, [x, y, z]: readonly [number, number, number]) => {
+    const o = 16 * j;
+    return [0, 1, 2].map((k) => world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z + world[o + 12 + k]);
+  };
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let j = 0; j < joints.length; j++) {
+    for (let k = 0; k < 3; k++) {
+      low[k] = Math.min(low[k], world[16 * j + 12 + k]);
+      high[k] = Math.max(high[k], world[16 * j + 12 + k]);
+    }
+  }
+  const size = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
+  joints.forEach((joint, j) => {
+    if (joint.parent >= 0) made.bone(at(joint.parent, [0, 0, 0]), at(j, [0, 0, 0]), size);
+    if (hasBox(joint)) {
+      const { min, max } = joint.box;
+      const corner = (i: number) => at(j, [i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? max[2] : min[2]]);
+      made.box([0, 1, 2, 3, 4, 5, 6, 7].map(corner));
+    } else made.knob(at(j, [0, 0, 0]), 0.8 * WIDEST * size);
+  });
+  for (const end of boneEnds({ ...skeleton, joints })) made.bone(at(end.joint, [0, 0, 0]), at(end.joint, end.at), size);
+  return made.solid();
+}
+
+/** Each face has corners of its own, so that it is one colour. */
+class Solids {
+  private readonly points: number[] = [];
+  private readonly normals: number[] = [];
+  private readonly triangles: number[] = [];
+
+  solid(): Solid {
+    return {
+      points: Float64Array.from(this.points),
+      normals: Float64Array.from(this.normals),
+      triangles: this.triangles,
+    };
+  }
+
+  /** Four-sided, thickest near its beginning. */
+  bone(from: readonly number[], to: readonly number[], size: number): void {
+    const along = to.map((v, k) => v - from[k]);
+    const length = Math.hypot(...along);
+    if (!(length > 0)) return;
+    const axis = along.map((v) => v / length);
+    const width = Math.max(NARROWEST * size, Math.min(WIDEST * size, BONE_WIDTH * length));
+    // Across it, whichever way it points.
+    const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
+    const side = cross(
+      axis,
+      [0, 1, 2].map((k) => (k === least ? 1 : 0)),
+    );
+    const scale = 1 / (Math.hypot(...side) || 1);
+    const u = side.map((v) => v * scale);
+    const v = cross(axis, u);
+    const ring = [u, v, u.map((x) => -x), v.map((x) => -x)].map((d) =>
+      from.map((x, k) => x + 0.18 * along[k] + width * d[k]),
+    );
+    ring.forEach((corner, i) => {
+      const next = ring[(i + 1) % 4];
+      this.face([from, next, corner]);
+      this.face([corner, next, to]);
+    });
+  }
+
+  knob(at: readonly number[], radius: number): void {
+    const tip = (k: number, sign: number) => at.map((v, i) => (i === k ? v + sign * radius : v));
+    for (let i = 0; i < 8; i++) {
+      this.face([tip(0, i & 1 ? 1 : -1), tip(1, i & 2 ? 1 : -1), tip(2, i & 4 ? 1 : -1)]);
+    }
+  }
+
+  /** Corners numbered by bits: x, y, z. */
+  box(corners: readonly (readonly number[])[]): void {
+    for (const [a, b, c, d] of BOX_FACES) this.face([corners[a], corners[b], corners[c], corners[d]]);
+  }
+
+  /** Of three or four corners; seen from both sides alike. */
+  private face(corners: readonly (readonly number[])[]): void {
+    const [a, b, c] = corners;
+    const normal = cross(
+      b.map((v, k) => v - a[k]),
+      c.map((v, k) => v - a[k]),
+    );
+    const first = this.points.length / 3;
+    for (const corner of corners) {
+      this.points.push(...corner);
+      this.normals.push(...normal);
+    }
+    this.triangles.push(first, first + 1, first + 2);
+    if (corners.length > 3) this.triangles.push(first, first + 2, first + 3);
+  }
+}
+
+const BOX_FACES = [
+  [0, 1, 3, 2],
+  [4, 5, 7, 6],
+  [0, 1, 5, 4],
+  [2, 3, 7, 6],
+  [0, 2, 6, 4],
+  [1, 3, 7, 5],
+];
+
+function cross(a: readonly number[], b: readonly number[]): number[] {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}

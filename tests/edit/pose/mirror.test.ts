@@ -1,0 +1,345 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { counterpartOf, mirroredPose } from '../../../src/edit/pose/mirror.ts';
+import { reflectionOf } from '../../../src/edit/pose/reflection.ts';
+import { compileSkeleton, settleDofs, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { readSkel } from '../../../src/formats/skel/read.ts';
+import type { Vec3 } from '../../../src/math/vec3.ts';
+import { filePose, firstDofs, restPose } from '../../../src/model/dofs.ts';
+import { dofsOf, type Motion, type Skeleton } from '../../../src/model/skeleton.ts';
+import { joint } from '../../helpers/builders.ts';
+import { describeShared, sharedBytes } from '../../helpers/shared.ts';
+import { anyMotion, middleMotion, rigOf, symmetricRig, turningMotion } from './rigs.ts';
+
+/** Signs alone change nothing but the last bits of what is turned in the world. */
+const EXACT = 1e-9;
+/** Fitted joints come within a step of Levenberg and Marquardt's of the very best. */
+const FITTED = 1e-6;
+/** Rotations that are not the pose's own have passed through quaternions twice. */
+const TWICE = 1e-7;
+
+function worldOf(skeleton: Skeleton, dofs: ArrayLike<number>): Float64Array {
+  const compiled = compileSkeleton(skeleton);
+  const world = new Float64Array(16 * compiled.jointCount);
+  worldMatrices(compiled, Float64Array.from(dofs), world);
+  return world;
+}
+
+/** M·W·M, with the reflection across x. */
+function acrossX(world: Float64Array, j: number): number[] {
+  return Array.from({ length: 16 }, (_, k) => {
+    const isFlipped = (k % 4 === 0) !== (Math.floor(k / 4) === 0);
+    return world[16 * j + k] * (isFlipped ? -1 : 1);
+  });
+}
+
+function mostApart(a: ArrayLike<number>, b: ArrayLike<number>): number {
+  return Math.max(0, ...Array.from(a, (v, i) => Math.abs(v - b[i])));
+}
+
+/** A pose of any DOFs, away from rest by less than a right angle, or a unit of length. */
+function somePose(skeleton: Skeleton, seeds: readonly number[], reach = 1.2): number[] {
+  return restPose(skeleton, 0).map((rest, d) => rest + (seeds[d % seeds.length] - 0.5) * reach * (d % 2 ? 1 : 0.7));
+}
+
+const seeds = fc.array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 11, maxLength: 11 });
+
+describe('a mirrored pose', () => {
+  it('is the reflected one in the world, for every kind of joint', () => {
+    fc.assert(
+      fc.property(symmetricRig(anyMotion, middleMotion), seeds, ({ skeleton, partner }, values) => {
+        const pose = somePose(skeleton, values);
+        const { dofs } = mirroredPose(skeleton, pose, false, { way: 'swap' });
+        const [before, after] = [worldOf(skeleton, pose), worldOf(skeleton, dofs)];
+        partner.forEach((other, j) => {
+          const got = after.subarray(16 * other, 16 * other + 16);
+          expect(mostApart(got, acrossX(before, j))).toBeLessThan(EXACT * (1 + Math.hypot(...got)));
+        });
+      }),
+      { numRuns: 80 },
+    );
+  });
+
+  it('mirrored again is the pose itself, to the last bit', () => {
+    fc.assert(
+      fc.property(symmetricRig(anyMotion, middleMotion), seeds, ({ skeleton }, values) => {
+        const pose = somePose(skeleton, values);
+        const once = mirroredPose(skeleton, pose, false, { way: 'swap' }).dofs;
+        const twice = mirroredPose(skeleton, once, false, { way: 'swap' }).dofs;
+        expect(mostApart(twice, pose)).toBe(0);
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('leaves the pose of reference as it is', () => {
+    fc.assert(
+      fc.property(symmetricRig(anyMotion, middleMotion), ({ skeleton }) => {
+        const { reference } = reflectionOf(skeleton);
+        expect(mostApart(mirroredPose(skeleton, reference, false, { way: 'swap' }).dofs, reference)).toBe(0);
+      }),
+    );
+  });
+
+  it('stays within limits while they hold, and keeps what is coupled so', () => {
+    fc.assert(
+      fc.property(symmetricRig(turningMotion), seeds, ({ skeleton }, values) => {
+        const tight = {
+          ...skeleton,
+          joints: skeleton.joints.map((j, i) => ({
+            ...j,
+            limits: j.limits.map((_, d) => ({ min: -0.2 - 0.05 * ((i + d) % 5), max: 0.3 + 0.1 * ((i * d) % 3) })),
+          })),
+        };
+        const compiled = compileSkeleton(tight);
+        const pose = Float64Array.from(somePose(tight, values, 4));
+        settleDofs(compiled, pose, true);
+        const { dofs } = mirroredPose(tight, pose, true, { way: 'swap' });
+        const settled = dofs.slice();
+        settleDofs(compiled, settled, true);
+        expect(settled).toEqual(dofs);
+      }),
+      { numRuns: 30 },
+    );
+  });
+
+  it('turns as nearly as it can where the other side has joints of other kinds', () => {
+    const ball: Motion = { kind: 'ball', order: 'xyz' };
+    const { skeleton } = rigOf(
+      [{ motion: ball, offset: [0, 0, 0] }],
+      [
+        {
+          at: 0,
+          joints: [
+            { motion: ball, offset: [1, 0, 0] },
+            { motion: ball, offset: [1, 0, 0] },
+          ],
+        },
+      ],
+      (side, index) => `${side} ${index}`,
+    );
+    const asQuaternion = (order: Motion): Skeleton => ({
+      ...skeleton,
+      joints: skeleton.joints.map((j) =>
+        j.name.startsWith('right') ? { ...j, motion: order, pose: dofsOf(order).map(({ rest }) => rest) } : j,
+      ),
+    });
+    for (const motion of [
+      { kind: 'quaternion' },
+      { kind: 'ball', order: 'zxy' },
+      { kind: 'ball', order: 'yzx' },
+    ] as const) {
+      const mixed = asQuaternion(motion);
+      const pose = somePose(mixed, [0.9, 0.2, 0.7, 0.4, 0.1], 2);
+      const { dofs } = mirroredPose(mixed, pose, false, { way: 'swap' });
+      const [before, after] = [worldOf(mixed, pose), worldOf(mixed, dofs)];
+      for (const j of [1, 2, 3, 4]) {
+        const other = counterpartOf(mixed, j) ?? -1;
+        expect(mostApart(after.subarray(16 * other, 16 * other + 16), acrossX(before, j))).toBeLessThan(FITTED);
+      }
+      const twice = mirroredPose(mixed, dofs, false, { way: 'swap' }).dofs;
+      expect(mostApart(worldOf(mixed, twice), before)).toBeLessThan(TWICE);
+    }
+  });
+
+  it('is made up for below a joint that can not follow', () => {
+    const free: Motion = { kind: 'ball', order: 'xyz' };
+    const { skeleton } = rigOf(
+      [{ motion: free, offset: [0, 0, 0] }],
+      [
+        {
+          at: 0,
+          joints: [
+            { motion: free, offset: [1, 0, 0] },
+            { motion: free, offset: [1, 0, 0] },
+          ],
+        },
+      ],
+      (side, index) => `${side} ${index}`,
+    );
+    const joints = skeleton.joints.map((j) =>
+      j.name === 'right 0' ? { ...j, limits: j.limits.map(() => ({ min: -0.1, max: 0.1 })) } : j,
+    );
+    const limited = { ...skeleton, joints };
+    const [upper, lower] = ['left 0', 'left 1'].map((name) => joints.findIndex((j) => j.name === name));
+    const pose = restPose(limited, 0);
+    const first = firstDofs(limited);
+    pose[first[upper] + 2] = 0.8;
+    pose[first[lower] + 2] = 0.3;
+    const { dofs } = mirroredPose(limited, pose, true, { way: 'swap' });
+    const [before, after] = [worldOf(limited, pose), worldOf(limited, dofs)];
+    const other = counterpartOf(limited, lower) ?? -1;
+    // Its turn is right although that above is not.
+    const turn = (m: ArrayLike<number>, o: number) => [0, 1, 2, 4, 5, 6, 8, 9, 10].map((k) => m[o + k]);
+    expect(mostApart(turn(after, 16 * other), turn(acrossX(before, lower), 0))).toBeLessThan(FITTED);
+    const above = counterpartOf(limited, upper) ?? -1;
+    expect(mostApart(turn(after, 16 * above), turn(acrossX(before, upper), 0))).toBeGreaterThan(0.1);
+  });
+
+  it('carries the root to the other side of where it stands at rest', () => {
+    const { skeleton } = rigOf([{ motion: { kind: 'ball', order: 'xyz' }, offset: [0, 0, 0] }], [], () => 'root');
+    const { dofs } = mirroredPose(skeleton, [2, 3, 4, 0.1, 0.2, 0.3], false, { way: 'swap' });
+    expect([...dofs]).toEqual([-2, 3, 4, 0.1, -0.2, -0.3]);
+  });
+});
+
+describe('counterparts', () => {
+  const chain = (names: readonly string[]) => {
+    const offsets: readonly Vec3[] = [
+      [0, 0, 0],
+      [0, 1, 0],
+      [1, 0, 0],
+      [1, -1, 0],
+      [-1, 0, 0],
+      [-1, -1, 0],
+    ];
+    const parents = [-1, 0, 1, 2, 1, 4];
+    const joints = parents.map((parent, j) => joint(parent, { name: names[j], offset: offsets[j] }));
+    return [...reflectionOf({ name: 's', joints }).partner];
+  };
+
+  it.each([
+    [['hips', 'chest', 'LeftArm', 'LeftHand', 'RightArm', 'RightHand']],
+    [['hips', 'chest', 'L_arm', 'L_hand', 'R_arm', 'R_hand']],
+    [['hips', 'chest', 'arm.L', 'hand.L', 'arm.R', 'hand.R']],
+    [['hips', 'chest', 'lArm', 'lHand', 'rArm', 'rHand']],
+    [['hips', 'chest', 'arm_01_l', 'arm_02_l', 'arm_01_r', 'arm_02_r']],
+    [['hips', 'chest', 'lhumerus', 'lradius', 'rhumerus', 'rradius']],
+    [['m:Hips', 'm:Chest', 'm:LeftArm', 'm:LeftHand', 'm:RightArm', 'm:RightHand']],
+    // No sides in the names below: they go with what is above.
+    [['hips', 'chest', 'arm left', 'hand', 'arm right', 'hand']],
+    [['a', 'b', 'c', 'd', 'e', 'f']],
+    [['', '', '', '', '', '']],
+  ])('are found for %j', (names) => {
+    expect(chain(names)).toEqual([0, 1, 4, 5, 2, 3]);
+  });
+
+  it('are found by shape where all offsets of one side are the other one’s reflected, for any rig', () => {
+    fc.assert(
+      fc.property(symmetricRig(turningMotion), ({ skeleton, partner }) => {
+        const bare = { ...skeleton, joints: skeleton.joints.map((j) => ({ ...j, name: '' })) };
+        const { partner: found, normal } = reflectionOf(bare);
+        // Limbs that end where they begin have nothing to be told by, and a plane of limbs has two planes of symmetry.
+        fc.pre(normal[0] === 1);
+        const points = worldOf(skeleton, restPose(skeleton, 0));
+        found.forEach((other, j) => {
+          if (other < 0 || other === partner[j]) return;
+          const at = (i: number) => [12, 13, 14].map((k) => points[16 * i + k]);
+          // Another one may do as well, but none that is elsewhere by much.
+          expect(mostApart(at(other), at(partner[j]))).toBeLessThan(2);
+        });
+      }),
+    );
+  });
+
+  it('are none for a joint of one side whose name has no other', () => {
+    const joints = [joint(-1, { name: 'hips' }), joint(0, { name: 'sword_l', offset: [1, 0, 0] })];
+    expect([...reflectionOf({ name: 's', joints }).partner]).toEqual([0, -1]);
+    const pose = [0, 0, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+    const { dofs, alone } = mirroredPose({ name: 's', joints }, pose, false, { way: 'swap' });
+    expect([...dofs.subarray(6)]).toEqual([0.4, 0.5, 0.6]);
+    expect(alone).toEqual([1]);
+  });
+});
+
+describe('one side’s pose on the other', () => {
+  const ball: Motion = { kind: 'ball', order: 'xyz' };
+  const { skeleton, partner } = rigOf(
+    [
+      { motion: ball, offset: [0, 0, 0] },
+      { motion: ball, offset: [0, 1, 0] },
+    ],
+    [
+      {
+        at: 1,
+        joints: [
+          { motion: ball, offset: [1, 0, 0] },
+          { motion: ball, offset: [1, 0, 0] },
+        ],
+      },
+    ],
+    (side, index) => `${side} ${index}`,
+  );
+  const first = firstDofs(skeleton);
+  const arm = skeleton.joints.findIndex(({ name }) => name.startsWith('left'));
+  const pose = somePose(skeleton, [0.9, 0.3, 0.6, 0.1, 0.8], 2);
+
+  it('leaves the side it is of, and everything above, as they are', () => {
+    const { dofs, joints } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'toOther' });
+    expect(joints).toEqual([partner[arm], partner[arm + 1]].sort((a, b) => a - b));
+    pose.forEach((value, d) => {
+      const isOther = joints.some((j) => d >= first[j] && d < first[j] + 3);
+      if (!isOther) expect(dofs[d]).toBe(value);
+    });
+  });
+
+  it('is as it is on its own side, seen from the joint that both hang on', () => {
+    const { dofs } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'toOther' });
+    for (const j of [arm, arm + 1]) {
+      const [x, y, z] = [...dofs.subarray(first[partner[j]], first[partner[j]] + 3)];
+      expect([x, -y, -z]).toEqual(pose.slice(first[j], first[j] + 3));
+    }
+  });
+
+  it('swaps a branch alone', () => {
+    const { dofs } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'swap' });
+    const twice = mirroredPose(skeleton, dofs, false, { joint: arm, way: 'swap' }).dofs;
+    expect([...twice]).toEqual(pose);
+    expect([...dofs.subarray(0, first[arm])]).toEqual(pose.slice(0, first[arm]));
+    const whole = mirroredPose(skeleton, pose, false, { way: 'swap' }).dofs;
+    expect([...dofs.subarray(first[arm])]).toEqual([...whole.subarray(first[arm])]);
+  });
+});
+
+describe('joints with axes of their own', () => {
+  it('are mirrored by offsets, along the bone on one side and against it on the other', () => {
+    const bvh: Motion = { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' };
+    const place: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'replace' };
+    const none = (motion: Motion) => ({
+      motion,
+      pose: dofsOf(motion).map(() => 0),
+      limits: dofsOf(motion).map(() => ({ min: -1e5, max: 1e5 })),
+    });
+    const joints = [
+      joint(-1, { name: 'Hips', ...none(place) }),
+      joint(0, { name: 'LeftLeg', offset: [1, 0, 0], ...none(bvh) }),
+      joint(1, { name: 'LeftFoot', offset: [3, 0, 0], ...none(bvh) }),
+      joint(0, { name: 'RightLeg', offset: [-1, 0, 0], ...none(bvh) }),
+      joint(3, { name: 'RightFoot', offset: [3, 0, 0], ...none(bvh) }),
+    ];
+    const skeleton: Skeleton = { name: 's', joints };
+    // Hanging down on both sides, each by its own way to turn; and the left one forward.
+    const pose = filePose(skeleton, 0);
+    const first = firstDofs(skeleton);
+    pose[first[1]] = -Math.PI / 2;
+    pose[first[3]] = -Math.PI / 2;
+    pose[first[1] + 2] = 0.4;
+    const { dofs } = mirroredPose(skeleton, pose, false, { way: 'swap' });
+    const [before, after] = [worldOf(skeleton, pose), worldOf(skeleton, dofs)];
+    const at = (world: Float64Array, j: number) => [...world.subarray(16 * j + 12, 16 * j + 15)];
+    const [x, y, z] = at(before, 2);
+    expect(mostApart(at(after, 4), [-x, y, z])).toBeLessThan(FITTED);
+    const twice = mirroredPose(skeleton, dofs, false, { way: 'swap' }).dofs;
+    expect(mostApart(worldOf(skeleton, twice), before)).toBeLessThan(TWICE);
+  });
+});
+
+describeShared('mirroring the reference characters', () => {
+  it.each(['cse169/wasp.skel', 'cse169/dragon.skel', 'axis-skel/human.axskel', 'axis-skel/hexapod.axskel'])(
+    '%s',
+    (name) => {
+      const skeleton = readSkel(sharedBytes(`data/${name}`), name).value?.[0] ?? { name: '', joints: [] };
+      const pose = filePose(skeleton, 0).map((v, d) => v + 0.3 * Math.sin(7 * d + 1));
+      const { dofs } = mirroredPose(skeleton, pose, false, { way: 'swap' });
+      const { normal, partner, size } = reflectionOf(skeleton);
+      const [before, after] = [worldOf(skeleton, pose), worldOf(skeleton, dofs)];
+      partner.forEach((other, j) => {
+        expect(other).toBeGreaterThanOrEqual(0);
+        const p = [0, 1, 2].map((k) => before[16 * j + 12 + k]);
+        const beyond = 2 * (p[0] * normal[0] + p[1] * normal[1] + p[2] * normal[2]);
+        const mirrored = p.map((v, k) => v - beyond * normal[k]);
+        expect(mostApart(mirrored, after.subarray(16 * other + 12, 16 * other + 15))).toBeLessThan(EXACT * size);
+      });
+    },
+  );
+});
