@@ -15,7 +15,20 @@ export type PosingMode = (typeof POSING_MODES)[number];
 export const RIG_SKINS = ['stays', 'follows'] as const;
 export type RigSkin = (typeof RIG_SKINS)[number];
 
+/** The DOF that the bone turns when it is dragged. */
+export interface ChosenDof {
+  readonly characterId: string;
+  /** Into the character's DOFs. */
+  readonly dof: number;
+  /** `rx`: on another joint the DOF of that name is meant. */
+  readonly name: string;
+}
+
 export class Posing {
   readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
+  /** What the mode's tool puts beside the switch of modes (`mode-bar.ts`); the tool takes it away when it leaves. */
+  readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
+  /** Of FK; see `active-dof.ts`. */
+  readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
 }

@@ -59,7 +59,7 @@ export function listenToCanvas(
     const of = drag?.of;
     if (drag && canvas.hasPointerCapture(drag.pointerId)) canvas.releasePointerCapture(drag.pointerId);
     drag = undefined;
-    window.removeEventListener('keydown', onKey, true);
+    window.removeEventListener('keydown', onKey, { capture: true });
     return of;
   };
 
@@ -83,7 +83,7 @@ export function listenToCanvas(
       event.stopPropagation();
       drag = { of, pointerId: event.pointerId };
       canvas.setPointerCapture(event.pointerId);
-      window.addEventListener('keydown', onKey, true);
+      window.addEventListener('keydown', onKey, { capture: true });
     },
     { capture: true, signal },
   );

@@ -6,14 +6,7 @@ import { onDemand, whenIdle } from '../on-demand.ts';
 import type { PosingMode } from '../posing/posing.ts';
 import type { Workbench } from '../workbench.ts';
 import type { CanvasTool } from './canvas-tools.ts';
-
-/** A tool that can be put down, and what it draws with it. */
-export interface ModeTool extends CanvasTool {
-  /** Its mode was entered: what it draws comes. */
-  enter(): void;
-  /** Another mode was: what it draws goes. */
-  leave(): void;
-}
+import type { ModeTool } from './mode-tool.ts';
 
 async function load(wb: Workbench, mode: PosingMode): Promise<ModeTool> {
   switch (mode) {

@@ -1,0 +1,55 @@
+/**
+ * A drag of a handle or a bone, from the press to the release. Nothing happens until the pointer has moved: then what
+ * plays stands still, and the pose at that moment is the one that is changed. One undo step; Escape gives it up.
+ */
+import { setDofs } from '../../../edit/commands/pose.ts';
+import { HandEdit } from '../../hand-edit.ts';
+import { autoKey } from '../../pose-edits.ts';
+import { standStill } from '../../stand-still.ts';
+import type { Workbench } from '../../workbench.ts';
+import type { CanvasDrag, CanvasPointer } from '../canvas-tools.ts';
+import type { Moved, Mover } from './movers.ts';
+
+export interface HandDragEvents {
+  /** Makes the mover, in the pose as it stands. Undefined: nothing can be dragged after all. */
+  begin(): Mover | undefined;
+  /** After each move, with the document as it was left. */
+  moved(moved: Moved, at: CanvasPointer): void;
+  /** The release, or Escape. @param wentNowhere it was a click, so to say */
+  ended(at: CanvasPointer | undefined, wentNowhere: boolean): void;
+}
+
+export function handDrag(
+  wb: Workbench,
+  characterId: string,
+  from: CanvasPointer,
+  threshold: number,
+  events: HandDragEvents,
+): CanvasDrag {
+  const edit = new HandEdit(wb.store, wb.messages);
+  let mover: Mover | undefined;
+  let hasBegun = false;
+  return {
+    move(at) {
+      if (!hasBegun) {
+        if (Math.hypot(at.clientX - from.clientX, at.clientY - from.clientY) < threshold) return;
+        hasBegun = true;
+        standStill(wb);
+        mover = events.begin();
+      }
+      if (!mover) return;
+      const moved = mover(at);
+      const { timeSeconds } = wb.transport.get();
+      edit.preview(setDofs, { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) });
+      events.moved(moved, at);
+    },
+    end(at) {
+      edit.commit();
+      events.ended(at, !hasBegun);
+    },
+    cancel() {
+      edit.cancel();
+      events.ended(undefined, false);
+    },
+  };
+}

@@ -1,0 +1,186 @@
+/**
+ * Where in the world each of a joint's DOFs turns, slides and stretches, in the pose shown: what a gizmo has handles on.
+ *
+ *     W = F · J(φ)        F: what is above the joint, with its offset        J = A_d · M_d(φ_d) · …
+ *
+ * A_d is the joint's own DOFs to the left of DOF d: J with d and all to its right at rest. So the axis of d is that of
+ * ∂J/∂φ_d at rest, taken to the world by F · A_d: the rings of an Euler rotation are gimbal rings, each turned by those
+ * that are applied after it. What the derivative is like says what kind of handle it is, and no kind of joint is asked
+ * for.
+ */
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
+import { determinant3, multiplyAffine, setIdentity } from '../../math/mat4.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { rootDofCount } from '../../model/dofs.ts';
+import { dofsOf, type Skeleton, takesLimits } from '../../model/skeleton.ts';
+import { acrossOf, add, dot, moved, scaled, subtract, turned, unit } from './vectors.ts';
+
+/**
+ * turn: about the axis; a screw's too. slide: along it. stretch: along it, whatever happens across. grow: alike in all
+ * directions, it has no axis. shear: what lies on the arm goes along the axis.
+ */
+export type DofKind = 'turn' | 'slide' | 'stretch' | 'grow' | 'shear';
+
+export interface DofAxis {
+  /** Into the character's DOFs (`model/dofs.ts`). */
+  readonly dof: number;
+  /** `rx`. */
+  readonly name: string;
+  readonly kind: DofKind;
+  /** Of length 1, in the world; where there is none, no direction in particular. */
+  readonly axis: Vec3;
+  /** Where a handle goes, in the world: on the axis, as near the joint's origin as that is. */
+  readonly centre: Vec3;
+  /** Length in the world that 1 in the DOF slides, or that 1 along the axis has. */
+  readonly reach: number;
+  /** Of a turn: at right angles to the axis, a direction that stays where it is while the DOF turns. */
+  readonly zero?: Vec3;
+  /** Of a shear: what lies there, at a length of 1, goes by the value along the axis. */
+  readonly arm?: Vec3;
+  /** x, y or z: by its name, or the one that its axis is nearest to. */
+  readonly hue: 0 | 1 | 2;
+}
+
+/** How a DOF moves at rest, in its own factor's space. */
+interface AtRest {
+  readonly kind: DofKind;
+  readonly axis: Vec3;
+  readonly arm?: Vec3;
+}
+
+/**
+ * In the order of the DOFs; of the root its translation first. Those of a quaternion are none that turn by themselves
+ * and are left out, as is what has no length or direction left in the world.
+ * @param dofs the character's, as shown
+ * @param world 16 a joint, column-major, in the character's space
+ * @param placement 16, column-major, from there to the world
+ */
+export function dofAxes(
+  skeleton: Skeleton,
+  joint: number,
+  dofs: Float64Array,
+  world: Float64Array,
+  placement: Float64Array,
+): DofAxis[] {
+  const compiled = compileSkeleton(skeleton);
+  const { motion } = skeleton.joints[joint];
+  const pivot = moved(placement, [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]]);
+  const found: (DofAxis | undefined)[] = [];
+  if (joint === 0) {
+    for (let k = 0; k < rootDofCount(skeleton); k++) {
+      const along = { kind: 'slide', axis: unitAxis(k) } as const;
+      found.push(inWorld(along, k, `t${'xyz'[k]}`, placement, pivot));
+    }
+  }
+  if (!takesLimits(motion)) return found.filter((axis) => axis !== undefined);
+  const own = dofsOf(motion);
+  const rule = compiled.motions[joint];
+  const order = rule.screws?.map((screw) => screw.dof) ?? own.map((_, d) => d);
+  const frame = frameOf(skeleton, joint, dofs, world, placement);
+  const first = compiled.firstDof[joint];
+  const rest = Float64Array.from(own, (dof) => dof.rest);
+  const byDof: (DofAxis | undefined)[] = own.map(() => undefined);
+  const before = rest.slice();
+  const factor = new Float64Array(16);
+  const toWorld = new Float64Array(16);
+  for (const d of order) {
+    rule.writeDerivative(rest, 0, d, factor, 0);
+    const atRest = motionAtRest(factor);
+    if (atRest) {
+      rule.write(before, 0, factor, 0);
+      // A shear's DOFs are added, not multiplied: each moves as if it were alone.
+      if (atRest.kind === 'shear') setIdentity(factor);
+      multiplyAffine(frame, 0, factor, 0, toWorld, 0);
+      byDof[d] = inWorld(atRest, first + d, own[d].name, toWorld, pivot);
+    }
+    before[d] = dofs[first + d];
+  }
+  return [...found, ...byDof].filter((axis) => axis !== undefined);
+}
+
+/** Where a joint's own matrix J begins: what is above it, with its offset, in the world. */
+export function frameOf(
+  skeleton: Skeleton,
+  joint: number,
+  dofs: Float64Array,
+  world: Float64Array,
+  placement: Float64Array,
+): Float64Array {
+  const { offsets, parent, hasRootTranslation } = compileSkeleton(skeleton);
+  const frame = placement.slice(0, 16);
+  if (parent[joint] >= 0) multiplyAffine(placement, 0, world, 16 * parent[joint], frame, 0);
+  const moves = parent[joint] < 0 && hasRootTranslation;
+  const at: Vec3 = [0, 1, 2].map((k) => offsets[3 * joint + k] + (moves ? dofs[k] : 0)) as [number, number, number];
+  const origin = moved(frame, at);
+  frame.set(origin, 12);
+  return frame;
+}
+
+/**
+ * What a derivative at rest says. A turn is skew, a slide has nothing but its last column, a stretch is symmetric, and
+ * what is neither moves one axis along another.
+ */
+function motionAtRest(m: Float64Array): AtRest | undefined {
+  const turn = unit([m[6] - m[9], m[8] - m[2], m[1] - m[4]]);
+  const isSymmetric = m[1] === m[4] && m[2] === m[8] && m[6] === m[9];
+  const isHollow = m[0] === 0 && m[5] === 0 && m[10] === 0;
+  if (turn && Math.abs(m[1] + m[4]) + Math.abs(m[2] + m[8]) + Math.abs(m[6] + m[9]) < 1e-9) {
+    return { kind: 'turn', axis: turn };
+  }
+  if (isSymmetric && !(isHollow && m[1] === 0 && m[2] === 0 && m[6] === 0)) return stretchAtRest(m);
+  const slide = unit([m[12], m[13], m[14]]);
+  if (slide) return { kind: 'slide', axis: slide };
+  for (let c = 0; c < 3; c++) {
+    for (let r = 0; r < 3; r++) {
+      if (r !== c && m[4 * c + r] !== 0) return { kind: 'shear', axis: unitAxis(r), arm: unitAxis(c) };
+    }
+  }
+  return undefined;
+}
+
+/** a·aᵀ + p·(I − a·aᵀ): along a it is 1, across it p; without p·I the largest column is a. */
+function stretchAtRest(m: Float64Array): AtRest | undefined {
+  const across = (m[0] + m[5] + m[10] - 1) / 2;
+  let axis: Vec3 | undefined;
+  let largest = 1e-9;
+  for (let c = 0; c < 3; c++) {
+    const column: Vec3 = [m[4 * c], m[4 * c + 1], m[4 * c + 2]];
+    const own = add(column, unitAxis(c), -across);
+    if (Math.hypot(...own) <= largest) continue;
+    largest = Math.hypot(...own);
+    axis = unit(own);
+  }
+  return axis ? { kind: 'stretch', axis } : { kind: 'grow', axis: [1, 0, 0] };
+}
+
+function inWorld(
+  { kind, axis, arm }: AtRest,
+  dof: number,
+  name: string,
+  toWorld: Float64Array,
+  pivot: Vec3,
+): DofAxis | undefined {
+  const along = turned(toWorld, axis);
+  const reach = Math.hypot(...along);
+  const direction = unit(along);
+  if (!direction) return undefined;
+  // By its name where that says an axis, else by the axis.
+  const letter = 'xyz'.indexOf(name.at(1) ?? '-');
+  const sizes = axis.map(Math.abs);
+  const hue = (letter >= 0 ? letter : sizes.indexOf(Math.max(...sizes))) as 0 | 1 | 2;
+  const common = { dof, name, kind, reach, hue };
+  if (kind === 'turn') {
+    // A mirror turns the other way round.
+    const about = determinant3(toWorld) < 0 ? scaled(direction, -1) : direction;
+    const start: Vec3 = [toWorld[12], toWorld[13], toWorld[14]];
+    const across = turned(toWorld, acrossOf(axis));
+    const zero = unit(add(across, about, -dot(across, about))) ?? acrossOf(about);
+    return { ...common, axis: about, zero, centre: add(start, about, dot(subtract(pivot, start), about)) };
+  }
+  const made = { ...common, axis: direction, centre: pivot };
+  return arm ? { ...made, arm: turned(toWorld, arm) } : made;
+}
+
+function unitAxis(k: number): Vec3 {
+  return [k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0];
+}

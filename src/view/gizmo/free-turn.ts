@@ -1,0 +1,150 @@
+/**
+ * Turning a joint freely: by a rotation about any axis, taken apart into the DOFs that it has for it. Three angles are
+ * the nearest to those before, so that nothing flips; a quaternion stays on its side.
+ */
+import { eulerDofs } from '../../evaluate/euler-dofs.ts';
+import { compileSkeleton } from '../../evaluate/kinematics.ts';
+import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
+import { determinant3, invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import { coupleOf } from '../../model/couples.ts';
+import { dofsOf, type EulerOrder, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import { frameOf } from './dof-axes.ts';
+import { turned, unit } from './vectors.ts';
+
+/** The DOFs of a joint that make up a whole rotation, as indices into the character's. */
+export interface FreeTurn {
+  readonly joint: number;
+  /** Three angles about x, y and z, or the x y z w of a quaternion. */
+  readonly dofs: readonly number[];
+  /** In which the angles are applied; none for a quaternion. */
+  readonly order?: EulerOrder;
+}
+
+/** Undefined where a joint can't be turned about any axis, or one of those DOFs follows another. */
+export function freeTurn(skeleton: Skeleton, joint: number): FreeTurn | undefined {
+  const { motion } = skeleton.joints[joint];
+  const first = compileSkeleton(skeleton).firstDof[joint];
+  const euler = eulerDofs(motion);
+  if (!euler) return motion.kind === 'quaternion' ? { joint, dofs: [0, 1, 2, 3].map((d) => first + d) } : undefined;
+  const dofs = [euler.x, euler.y, euler.z].map((d) => first + d);
+  if (dofs.some((dof) => coupleOf(skeleton, dof))) return undefined;
+  return { joint, dofs, order: euler.order };
+}
+
+/** Which of these DOFs is applied last: what stands to its left in J stays where it is while all of them change. */
+function frameOfTurn(
+  skeleton: Skeleton,
+  { joint, dofs: turning }: FreeTurn,
+  dofs: Float64Array,
+  world: Float64Array,
+  placement: Float64Array,
+): Float64Array {
+  const { motions, firstDof } = compileSkeleton(skeleton);
+  const own = dofsOf(skeleton.joints[joint].motion);
+  const first = firstDof[joint];
+  const isTurning = own.map((_, d) => turning.includes(first + d));
+  const from = isTurning.indexOf(true);
+  // What is listed before the angles is multiplied before them; behind them nothing else counts.
+  const before = Float64Array.from(own, (dof, d) => (d < from ? dofs[first + d] : dof.rest));
+  const J = new Float64Array(16);
+  motions[joint].write(before, 0, J, 0);
+  const frame = frameOf(skeleton, joint, dofs, world, placement);
+  multiplyAffine(frame, 0, J, 0, frame, 0);
+  return frame;
+}
+
+/** A free turn under way: rotations add up, and the angles follow. */
+export class Turning {
+  /** x y z w, in the frame of the turn. */
+  private readonly q = new Float64Array(4);
+  private readonly values: Float64Array;
+  private readonly toFrame = new Float64Array(16);
+  private readonly isMirrored: boolean;
+
+  /** The pose as it is at the beginning, as `dofAxes` has it. */
+  constructor(
+    skeleton: Skeleton,
+    readonly turn: FreeTurn,
+    dofs: Float64Array,
+    world: Float64Array,
+    placement: Float64Array,
+  ) {
+    const frame = frameOfTurn(skeleton, turn, dofs, world, placement);
+    this.isMirrored = determinant3(frame) < 0;
+    // Where what is above is flat there is no way back: it turns as if there were nothing above.
+    if (isSingular(frame)) this.toFrame.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+    else invertAffine(frame, 0, this.toFrame, 0);
+    this.values = Float64Array.from(turn.dofs, (dof) => dofs[dof]);
+    this.readQuaternion();
+  }
+
+  /** @param axis of length 1, in the world @param angle radians */
+  by(axis: Vec3, angle: number): void {
+    const own = unit(turned(this.toFrame, axis));
+    if (!own) return;
+    const half = (this.isMirrored ? -angle : angle) / 2;
+    const s = Math.sin(half);
+    const [ax, ay, az, aw] = [own[0] * s, own[1] * s, own[2] * s, Math.cos(half)];
+    const [x, y, z, w] = this.q;
+    this.q[0] = aw * x + ax * w + ay * z - az * y;
+    this.q[1] = aw * y + ay * w + az * x - ax * z;
+    this.q[2] = aw * z + az * w + ax * y - ay * x;
+    this.q[3] = aw * w - ax * x - ay * y - az * z;
+    const length = Math.hypot(...this.q);
+    for (let k = 0; k < 4; k++) this.q[k] /= length;
+    this.writeValues();
+  }
+
+  /** What each of the turn's DOFs has come to, before limits. */
+  get result(): readonly number[] {
+    return [...this.values];
+  }
+
+  private readQuaternion(): void {
+    const { q, values, turn } = this;
+    if (!turn.order) {
+      const length = Math.hypot(...values);
+      for (let k = 0; k < 4; k++) q[k] = length > 0 ? values[k] / length : k === 3 ? 1 : 0;
+      return;
+    }
+    const { axes, sign } = renaming(turn.order);
+    const [a, b, c] = axes.map((axis) => (sign * values[axis]) / 2);
+    const renamed = new Float64Array(4);
+    quaternionOfEuler(a, b, c, renamed, 0);
+    axes.forEach((axis, k) => {
+      q[axis] = sign * renamed[k];
+    });
+    q[3] = renamed[3];
+  }
+
+  private writeValues(): void {
+    const { q, values, turn } = this;
+    if (!turn.order) {
+      const [x, y, z, w] = values;
+      const isFar = q[0] * x + q[1] * y + q[2] * z + q[3] * w < 0;
+      for (let k = 0; k < 4; k++) values[k] = isFar ? -q[k] : q[k];
+      return;
+    }
+    const { axes, sign } = renaming(turn.order);
+    const renamed = Float64Array.of(...axes.map((axis) => sign * q[axis]), q[3]);
+    const angles = Float64Array.from(axes, (axis) => sign * values[axis]);
+    eulerNear(renamed, angles, 0);
+    axes.forEach((axis, k) => {
+      values[axis] = sign * angles[k];
+    });
+  }
+}
+
+/**
+ * Any order is Rz·Ry·Rx with its axes renamed; where that mirrors space (xzy, yxz, zyx), rotations turn the other way.
+ */
+function renaming(order: EulerOrder): { readonly axes: readonly number[]; readonly sign: 1 | -1 } {
+  const axes = [...order].map((letter) => 'xyz'.indexOf(letter));
+  return { axes, sign: (axes[1] - axes[0] + 3) % 3 === 1 ? 1 : -1 };
+}
+
+/** Whether a joint has DOFs that only turn it together: those of a quaternion. */
+export function turnsOnlyFreely({ motion }: Pick<Joint, 'motion'>): boolean {
+  return motion.kind === 'quaternion';
+}

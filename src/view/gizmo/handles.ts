@@ -1,0 +1,133 @@
+/**
+ * What can be taken hold of at a joint: a handle for each DOF that is its own, and, where it can turn about any axis, a
+ * ring around them all that faces the viewer and the ball within.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import { coupleOf } from '../../model/couples.ts';
+import { characterDofs } from '../../model/dofs.ts';
+import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import { type DofAxis, dofAxes } from './dof-axes.ts';
+import { type FreeTurn, freeTurn, turnsOnlyFreely } from './free-turn.ts';
+import { acrossOf, add, cross, dot, moved, scaled, subtract, turned, unit } from './vectors.ts';
+
+/**
+ * A DOF by its index; `own`: turning freely about the joint's own x, y or z; `view`: about the line of sight; `ball`: as
+ * if a ball were rolled.
+ */
+export type HandleId =
+  | { readonly kind: 'dof'; readonly dof: number }
+  | { readonly kind: 'own'; readonly axis: 0 | 1 | 2 }
+  | { readonly kind: 'view' }
+  | { readonly kind: 'ball' };
+
+/** A range of a DOF, and where in it the DOF stands. Infinite where nothing holds it. */
+export interface HandleRange {
+  readonly value: number;
+  readonly min: number;
+  readonly max: number;
+}
+
+export interface Handle extends DofAxis {
+  readonly id: HandleId;
+  /** A turn's: where the bone points, at right angles to the axis. */
+  readonly mark: Vec3;
+  readonly range: HandleRange;
+}
+
+export interface JointHandles {
+  /** The joint's origin in the world. */
+  readonly pivot: Vec3;
+  readonly handles: readonly Handle[];
+  readonly freeTurn: FreeTurn | undefined;
+}
+
+export function sameHandle(a: HandleId | undefined, b: HandleId | undefined): boolean {
+  if (!a || !b) return a === b;
+  if (a.kind === 'dof') return b.kind === 'dof' && a.dof === b.dof;
+  if (a.kind === 'own') return b.kind === 'own' && a.axis === b.axis;
+  return a.kind === b.kind;
+}
+
+/**
+ * DOFs that follow others have none: nothing by hand moves them.
+ * @param dofs, world, placement as `dofAxes` has them
+ */
+export function jointHandles(
+  skeleton: Skeleton,
+  joint: number,
+  dofs: Float64Array,
+  world: Float64Array,
+  placement: Float64Array,
+): JointHandles {
+  const pivot = moved(placement, [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]]);
+  const bone = boneDirection(skeleton, joint, world, placement);
+  const all = characterDofs(skeleton, []);
+  const handles = dofAxes(skeleton, joint, dofs, world, placement)
+    .filter(({ dof }) => !coupleOf(skeleton, dof))
+    .map((axis): Handle => {
+      const { limit } = all[axis.dof];
+      const holds = limit.min <= limit.max && !isUnlimited(limit);
+      const [min, max] = holds ? [limit.min, limit.max] : [-Infinity, Infinity];
+      const range = { value: dofs[axis.dof], min, max };
+      const still = rotated(axis.zero ?? acrossOf(axis.axis), axis.axis, range.value);
+      return { ...axis, id: { kind: 'dof', dof: axis.dof }, mark: markOf(axis.axis, bone, still), range };
+    });
+  const turn = freeTurn(skeleton, joint);
+  if (turn && turnsOnlyFreely(skeleton.joints[joint])) handles.push(...ownRings(joint, turn, world, placement, pivot));
+  return { pivot, handles, freeTurn: turn };
+}
+
+/** About the joint's own axes, where no DOF turns about an axis of its own. */
+function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement: Float64Array, pivot: Vec3): Handle[] {
+  return ([0, 1, 2] as const).flatMap((k) => {
+    const axis = unit(
+      turned(placement, [world[16 * joint + 4 * k], world[16 * joint + 4 * k + 1], world[16 * joint + 4 * k + 2]]),
+    );
+    if (!axis) return [];
+    const range = { value: 0, min: -Infinity, max: Infinity };
+    const id = { kind: 'own', axis: k } as const;
+    const common = { dof: turn.dofs[k], name: 'xyz'[k], kind: 'turn', reach: 1, hue: k } as const;
+    return [{ ...common, id, axis, centre: pivot, mark: acrossOf(axis), range }];
+  });
+}
+
+/**
+ * Of length 1, at right angles to the axis: along the bone as nearly as that goes. Where the bone lies along the axis,
+ * another direction that turns with it.
+ */
+function markOf(axis: Vec3, bone: Vec3 | undefined, other: Vec3): Vec3 {
+  const across = bone && add(bone, axis, -dot(axis, bone));
+  return (across && Math.hypot(...across) > LEAST_ACROSS ? unit(across) : undefined) ?? other;
+}
+
+/** Of a bone of length 1: with less of it across the axis it points nowhere in particular. */
+const LEAST_ACROSS = 0.2;
+
+/** Of what stands at right angles to the axis. */
+function rotated(across: Vec3, axis: Vec3, angle: number): Vec3 {
+  return add(scaled(across, Math.cos(angle)), cross(axis, across), Math.sin(angle));
+}
+
+/** Where the joint's bone goes, of length 1, in the world: to its children, or its own end, or the middle of its box. */
+function boneDirection(
+  { joints }: Skeleton,
+  joint: number,
+  world: Float64Array,
+  placement: Float64Array,
+): Vec3 | undefined {
+  const { box, length, endSites } = joints[joint];
+  const ends: Vec3[] = [];
+  for (let j = joint + 1; j < joints.length && joints[j].parent >= joint; j++) {
+    if (joints[j].parent === joint) {
+      const own: Vec3 = [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]];
+      ends.push(subtract([world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]], own));
+    }
+  }
+  if (!ends.length) {
+    const tip: Vec3 | undefined = length !== undefined ? [0, length, 0] : endSites?.[0];
+    const middle: Vec3 = [0, 1, 2].map((k) => (box.min[k] + box.max[k]) / 2) as [number, number, number];
+    ends.push(turned(world, tip ?? middle, 16 * joint));
+  }
+  const sum = ends.reduce<Vec3>((all, end) => add(all, end), [0, 0, 0]);
+  return unit(turned(placement, sum));
+}

@@ -1,0 +1,95 @@
+/**
+ * The gizmo of a joint: what can be taken hold of, drawn over the picture.
+ *
+ * three.js's own (TransformControls) was looked at first, one for each DOF on a proxy whose x is the DOF's axis. For what
+ * a joint needs it is the worse one: a ring seen face on turns by the pointer's way along one line, so that it stands
+ * still under half of the hands that take it; the pointer leaves the place that it took hold of; nothing can be said of
+ * limits, or of what a drag has swept; and nine of them are some five hundred meshes with a plane of 100,000 units each,
+ * which in a scene of centimetres is too short. Its manners are kept: red, green and blue rings, arrows and boxes of the
+ * same size at any distance, the far half of a ring out of the way, a ring around them all for the line of sight.
+ *
+ * Drawn on a flat canvas as labels are: it is over everything anyway, its lines are smooth, and no picture that is taken
+ * of the scene has it in it. The canvas is as large as the gizmo and no larger.
+ */
+import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
+import type { Overlay } from '../overlay.ts';
+import type { StageTheme } from '../theme.ts';
+import { CameraProjection } from './camera-projection.ts';
+import { GizmoPen, type GizmoState } from './gizmo-pen.ts';
+import type { HandleId, JointHandles } from './handles.ts';
+import { handleAt, type Layout, layOut, RING_PIXELS } from './shapes.ts';
+
+/** CSS pixels: side of the canvas. */
+const SIDE = Math.ceil(2 * 1.5 * RING_PIXELS);
+const MOST_PIXELS_PER_PIXEL = 2;
+
+export interface GizmoSource {
+  /** What there is to take hold of now; asked before each picture. Undefined: nothing is drawn. */
+  handles(): JointHandles | undefined;
+  state(): GizmoState;
+}
+
+export class JointGizmo implements Overlay {
+  /** Nothing of it is in the scene. */
+  readonly object = new Group();
+  private readonly canvas = document.createElement('canvas');
+  private readonly pen: GizmoPen | undefined;
+  private readonly projection = new CameraProjection();
+  private layout: Layout | undefined;
+  private ratio = 0;
+
+  /** @param container the element that the viewport fills */
+  constructor(
+    private readonly container: HTMLElement,
+    private readonly source: GizmoSource,
+  ) {
+    this.canvas.className = 'joint-gizmo';
+    this.canvas.setAttribute('aria-hidden', 'true');
+    this.canvas.style.cssText = `position:absolute;left:0;top:0;width:${SIDE}px;height:${SIDE}px;pointer-events:none`;
+    this.canvas.hidden = true;
+    const context = this.canvas.getContext('2d');
+    this.pen = context ? new GizmoPen(context, SIDE) : undefined;
+    // Beneath what else stands over the picture: its labels and axes come after it.
+    container.querySelector('canvas')?.after(this.canvas);
+  }
+
+  update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
+    const handles = this.source.handles();
+    const width = this.container.clientWidth;
+    this.projection.look(camera, width, heightPx);
+    this.layout = handles && layOut(handles, this.projection);
+    const { layout, canvas, pen } = this;
+    canvas.hidden = layout === undefined;
+    if (!layout || !pen) return;
+    const ratio = Math.min(window.devicePixelRatio || 1, MOST_PIXELS_PER_PIXEL);
+    if (ratio !== this.ratio) {
+      this.ratio = ratio;
+      canvas.width = canvas.height = Math.round(SIDE * ratio);
+    }
+    // On whole pixels of the screen, or its lines would be blurred.
+    const snap = (at: number) => Math.round((at - SIDE / 2) * ratio) / ratio;
+    const [left, top] = [snap(layout.pivot[0]), snap(layout.pivot[1])];
+    canvas.style.transform = `translate(${left}px, ${top}px)`;
+    pen.draw(layout, this.source.state(), left, top, ratio);
+  }
+
+  /** What is under a point of the page, as last drawn. */
+  at(clientX: number, clientY: number, slack = 0): HandleId | undefined {
+    if (!this.layout) return undefined;
+    const { left, top } = this.container.getBoundingClientRect();
+    return handleAt(this.layout, clientX - left, clientY - top, slack);
+  }
+
+  /** Of the rings as last drawn, CSS pixels. */
+  get radius(): number {
+    return this.layout?.radius ?? RING_PIXELS;
+  }
+
+  setTheme(theme: StageTheme): void {
+    this.pen?.setTheme(theme);
+  }
+
+  dispose(): void {
+    this.canvas.remove();
+  }
+}

@@ -1,0 +1,210 @@
+/**
+ * Handles as they lie on the screen: lines of points, which of them are behind, and what is under the pointer. Sizes are
+ * pixels, whatever the distance.
+ *
+ *     ring         64 pieces, the first at the mark (where the bone points), by the right-hand rule
+ *     arrow, box   from the middle outwards along the axis
+ */
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Handle, HandleId, HandleRange, JointHandles } from './handles.ts';
+import { add, cross, dot, scaled, unit } from './vectors.ts';
+
+/** CSS pixels. */
+export const RING_PIXELS = 90;
+/** Of it, where rings are there too: outside of them. */
+const ARROW_PART = 1.25;
+export const VIEW_RING_PART = 1.2;
+/** The ball within the rings: between the two is nothing, so that the rings are met alone. */
+export const BALL_PART = 0.86;
+const PIECES = 64;
+/** How near is near enough. */
+const REACH_PIXELS = 7;
+/** What lies behind is met by those who mean it. */
+const BACK_REACH_PIXELS = 3;
+/** An axis shorter than this on the screen points at the viewer: there is no dragging along it. */
+const SHORTEST_PIXELS = 14;
+
+/** How points of the world come to the screen. */
+export interface Projection {
+  /** CSS pixels from the left top of the viewport, written to `out`; false where that is behind the viewer. */
+  project(point: Vec3, out: Float64Array, o: number): boolean;
+  /** From a point towards the viewer, of length 1. */
+  towardsViewer(point: Vec3): Vec3;
+  /** Length in the world of a CSS pixel, at a point. */
+  unitsPerPixel(point: Vec3): number;
+  /** CSS pixels. */
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Shape {
+  readonly id: HandleId;
+  readonly form: 'ring' | 'arrow' | 'box' | 'diamond' | 'disc';
+  /** x y each. */
+  readonly points: Float64Array;
+  /** Of each piece between two points, whether it is behind; a ring that faces the viewer has nothing behind. */
+  readonly isBehind: readonly boolean[];
+  readonly hue: 0 | 1 | 2 | undefined;
+  readonly range: HandleRange;
+  /** Points at the viewer: it is drawn faintly, and can't be dragged. */
+  readonly isAway: boolean;
+  /** Radians from one point of a ring to the next; of an arrow the DOF from its first to its last point. */
+  readonly step: number;
+}
+
+export interface Layout {
+  /** On the screen. */
+  readonly pivot: readonly [number, number];
+  readonly radius: number;
+  readonly shapes: readonly Shape[];
+}
+
+const FREE: HandleRange = { value: 0, min: -Infinity, max: Infinity };
+
+/** Undefined where the joint is behind the viewer. */
+export function layOut(joint: JointHandles, view: Projection): Layout | undefined {
+  const at = new Float64Array(2);
+  if (!view.project(joint.pivot, at, 0)) return undefined;
+  const radius = Math.min(RING_PIXELS, 0.24 * Math.min(view.width, view.height));
+  const hasRings = joint.handles.some(({ kind }) => kind === 'turn');
+  const shapes: Shape[] = [];
+  for (const handle of joint.handles) {
+    const shape = handle.kind === 'turn' ? ring(handle, view, radius) : straight(handle, view, radius, hasRings);
+    if (shape) shapes.push(shape);
+  }
+  if (joint.freeTurn) {
+    shapes.push(circle({ kind: 'view' }, 'ring', at, VIEW_RING_PART * radius));
+    shapes.push(circle({ kind: 'ball' }, 'disc', at, BALL_PART * radius));
+  }
+  return { pivot: [at[0], at[1]], radius, shapes };
+}
+
+function ring(handle: Handle, view: Projection, pixels: number): Shape | undefined {
+  const { axis, centre, mark, id, hue, range } = handle;
+  const size = pixels * view.unitsPerPixel(centre);
+  const side = cross(axis, mark);
+  const eye = view.towardsViewer(centre);
+  // Almost face on, nothing of it is behind.
+  const faces = Math.abs(dot(axis, eye)) > 0.96;
+  const points = new Float64Array(2 * (PIECES + 1));
+  const isBehind: boolean[] = [];
+  for (let i = 0; i <= PIECES; i++) {
+    const angle = (2 * Math.PI * i) / PIECES;
+    const out = add(scaled(mark, Math.cos(angle)), side, Math.sin(angle));
+    if (!view.project(add(centre, out, size), points, 2 * i)) return undefined;
+    if (i === PIECES) break;
+    const middle = angle + Math.PI / PIECES;
+    const away = add(scaled(mark, Math.cos(middle)), side, Math.sin(middle));
+    isBehind.push(!faces && dot(away, eye) < 0);
+  }
+  return { id, form: 'ring', points, isBehind, hue, range, isAway: false, step: (2 * Math.PI) / PIECES };
+}
+
+function straight(handle: Handle, view: Projection, pixels: number, hasRings: boolean): Shape | undefined {
+  const { kind, axis, centre, id, hue, range, reach, arm } = handle;
+  const size = pixels * view.unitsPerPixel(centre);
+  const points = new Float64Array(4);
+  if (!view.project(centre, points, 0)) return undefined;
+  if (kind === 'grow') {
+    // It has no axis: up to the right, whatever the view.
+    const out = (hasRings ? ARROW_PART : 0.8) * pixels * Math.SQRT1_2;
+    points.set([points[0] + out, points[1] - out], 2);
+    return { id, form: 'box', points, isBehind: [false], hue: undefined, range, isAway: false, step: size };
+  }
+  const length = (hasRings ? ARROW_PART : 1) * size;
+  let from = centre;
+  let to = add(centre, axis, length);
+  if (kind === 'shear') {
+    // What lies on the arm goes along the axis: the handle is there, and goes with it.
+    const far = shearPart(handle) * size;
+    const out = scaled(unit(arm ?? [0, 1, 0]) ?? [0, 1, 0], far);
+    const goes = (far / (Math.hypot(...(arm ?? [0, 1, 0])) || 1)) * reach * range.value;
+    from = centre;
+    to = add(add(centre, out), axis, goes);
+  }
+  if (!view.project(from, points, 0) || !view.project(to, points, 2)) return undefined;
+  const seen = Math.hypot(points[2] - points[0], points[3] - points[1]);
+  const across = kind === 'shear' ? acrossOnScreen(to, axis, size, view) : seen;
+  const form = kind === 'slide' ? 'arrow' : kind === 'shear' ? 'diamond' : 'box';
+  const step = kind === 'slide' ? length / (reach || 1) : 1;
+  return { id, form, points, isBehind: [false], hue, range, isAway: across < SHORTEST_PIXELS, step };
+}
+
+/** How far out on its arm a shear's handle is, as a part of a ring's radius: two share an arm, and are apart on it. */
+export function shearPart({ hue }: Pick<Handle, 'hue'>): number {
+  return 1 - 0.3 * hue;
+}
+
+/** Pixels that an axis of that length has on the screen. */
+function acrossOnScreen(from: Vec3, axis: Vec3, size: number, view: Projection): number {
+  const ends = new Float64Array(4);
+  if (!view.project(from, ends, 0) || !view.project(add(from, axis, size), ends, 2)) return 0;
+  return Math.hypot(ends[2] - ends[0], ends[3] - ends[1]);
+}
+
+function circle(id: HandleId, form: 'ring' | 'disc', at: Float64Array, radius: number): Shape {
+  const points = new Float64Array(2 * (PIECES + 1));
+  for (let i = 0; i <= PIECES; i++) {
+    const angle = (2 * Math.PI * i) / PIECES;
+    points.set([at[0] + radius * Math.cos(angle), at[1] - radius * Math.sin(angle)], 2 * i);
+  }
+  const isBehind = Array.from({ length: PIECES }, () => false);
+  return { id, form, points, isBehind, hue: undefined, range: FREE, isAway: false, step: (2 * Math.PI) / PIECES };
+}
+
+/**
+ * What is under a point of the viewport: the nearest line, in front before behind, and last the ball within them.
+ * @param slack further away than the mouse: a finger
+ */
+export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleId | undefined {
+  let found: HandleId | undefined;
+  let best = Infinity;
+  for (const shape of layout.shapes) {
+    if (shape.isAway || shape.form === 'disc') continue;
+    const { points, isBehind } = shape;
+    for (let i = 0; i < isBehind.length; i++) {
+      const reach = (isBehind[i] ? BACK_REACH_PIXELS : REACH_PIXELS) + slack;
+      let distance = distanceTo(points, 2 * i, x, y);
+      // An arrow is taken by its head first, and not at all in the middle, where all of them meet.
+      if (shape.form !== 'ring') distance = toHandle(points, x, y, distance);
+      if (distance > reach) continue;
+      const rank = distance + (isBehind[i] ? REACH_PIXELS : 0);
+      if (rank >= best) continue;
+      best = rank;
+      found = shape.id;
+    }
+  }
+  if (found) return found;
+  const ball = layout.shapes.find(({ form }) => form === 'disc');
+  const [px, py] = layout.pivot;
+  return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? ball.id : undefined;
+}
+
+/** Half the handle's head, in pixels. */
+const HEAD_PIXELS = 6;
+const MIDDLE_PIXELS = 16;
+
+function toHandle(points: Float64Array, x: number, y: number, distance: number): number {
+  if (Math.hypot(x - points[0], y - points[1]) < MIDDLE_PIXELS) return Infinity;
+  return Math.max(0, Math.min(distance, Math.hypot(x - points[2], y - points[3]) - HEAD_PIXELS));
+}
+
+function distanceTo(points: Float64Array, o: number, x: number, y: number): number {
+  const [ax, ay, bx, by] = [points[o], points[o + 1], points[o + 2], points[o + 3]];
+  const square = (bx - ax) ** 2 + (by - ay) ** 2;
+  const t = square > 0 ? Math.min(1, Math.max(0, ((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / square)) : 0;
+  return Math.hypot(x - ax - t * (bx - ax), y - ay - t * (by - ay));
+}
+
+/** Whether a ring has limits to be shown: a range that is less than a whole turn. */
+export function hasArc({ min, max }: HandleRange): boolean {
+  return Number.isFinite(min) && Number.isFinite(max) && max - min < 2 * Math.PI;
+}
+
+/** Whether a place on a ring, an angle from its mark, is one that the DOF may come to. */
+export function isAllowed({ value, min, max }: HandleRange, angle: number): boolean {
+  const turn = 2 * Math.PI;
+  // The first place of that kind from the lower end on.
+  const from = value + angle - min;
+  return from - turn * Math.floor(from / turn) <= max - min;
+}

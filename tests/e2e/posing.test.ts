@@ -1,0 +1,186 @@
+/** FK with the hands of a person: rings, bones, keys, and what stops them. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+
+type Point = { readonly x: number; readonly y: number };
+
+/** A ball of three joints, whose elbow has limits about x. */
+const ARM = `balljoint shoulder {
+  offset 0 0 0
+  boxmin -0.1 0 -0.1
+  boxmax 0.1 1 0.1
+  balljoint elbow {
+    offset 0 1 0
+    boxmin -0.1 0 -0.1
+    boxmax 0.1 1 0.1
+    rotxlimit -0.5 0.75
+  }
+}
+`;
+
+const dofs = (page: Page) => page.evaluate(() => window.marrow.characters()[0]?.dofs ?? []);
+const undo = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
+/** Where on the page a point beside the arm is: another place for every way the camera is turned. */
+const turnOfView = (page: Page) => page.evaluate(() => window.marrow.pointOnPage([1, 0, 0])?.x ?? Number.NaN);
+
+const readout = (page: Page) =>
+  page.evaluate(() => {
+    const line = document.querySelector<HTMLElement>('.hand-readout');
+    return line && !line.hidden ? (line.textContent ?? '') : '';
+  });
+
+/** Opens the arm, selects its elbow, and waits for its gizmo. */
+async function openArm(page: Page, joint = 'elbow'): Promise<void> {
+  await dropFiles(page, [{ name: 'arm.skel', bytes: ARM }]);
+  await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'arm');
+  await page
+    .getByRole('treeitem', { name: new RegExp(`^${joint}`) })
+    .first()
+    .click();
+  await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+  await page.getByRole('radio', { name: 'rx', exact: true }).waitFor();
+}
+
+/** Where the joint is on the page: the middle of its gizmo. */
+const middle = (page: Page): Promise<Point> =>
+  page.evaluate(() => {
+    const box = document.querySelector('.joint-gizmo')?.getBoundingClientRect();
+    return box ? { x: box.x + box.width / 2, y: box.y + box.height / 2 } : { x: Number.NaN, y: Number.NaN };
+  });
+
+/** Feels for a handle as a hand does: from the middle outwards, until its name stands beside the pointer. */
+async function feelFor(page: Page, name: string): Promise<Point> {
+  const { x, y } = await middle(page);
+  for (let angle = 0.3; angle < 2 * Math.PI; angle += 0.6) {
+    for (let radius = 20; radius <= 96; radius += 5) {
+      const at = { x: x + radius * Math.cos(angle), y: y + radius * Math.sin(angle) };
+      await page.mouse.move(at.x, at.y);
+      if ((await readout(page)).startsWith(`${name} `)) return at;
+    }
+  }
+  throw new Error(`There is no handle ${name} to be felt.`);
+}
+
+/** Round the middle from where the pointer is pressed, or straight to a place. */
+async function pressAndGo(page: Page, from: Point, way: readonly Point[]): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  for (const { x, y } of way) await page.mouse.move(x, y);
+}
+
+function around(centre: Point, from: Point, degrees: number): Point[] {
+  const [dx, dy] = [from.x - centre.x, from.y - centre.y];
+  return Array.from({ length: 12 }, (_, i) => {
+    const angle = ((i + 1) / 12) * degrees * (Math.PI / 180);
+    return {
+      x: centre.x + dx * Math.cos(angle) - dy * Math.sin(angle),
+      y: centre.y + dx * Math.sin(angle) + dy * Math.cos(angle),
+    };
+  });
+}
+
+it('turns a DOF by its ring, stops at its limit and says so, in one step', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    const before = await dofs(page);
+    const ring = await feelFor(page, 'rx');
+    const centre = await middle(page);
+    await pressAndGo(page, ring, around(centre, ring, 170));
+    expect(await readout(page)).toMatch(/^rx .*limit (42.97|−28.65)°$/);
+    await page.mouse.up();
+    const after = await dofs(page);
+    expect([-0.5, 0.75]).toContain(after[6]);
+    expect(after.filter((v, i) => v !== before[i])).toHaveLength(1);
+    expect(await readout(page)).toBe('');
+    expect(await undo(page)).toBe('Set rx of elbow');
+    await page.keyboard.press('Control+z');
+    expect(await dofs(page)).toEqual(before);
+  }));
+
+it('goes past a limit while the character’s switch is off', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    const limits = page.getByRole('button', { name: 'Limits' });
+    expect(await limits.getAttribute('aria-pressed')).toBe('true');
+    await limits.click();
+    expect(await limits.getAttribute('aria-pressed')).toBe('false');
+    const ring = await feelFor(page, 'rx');
+    await pressAndGo(page, ring, around(await middle(page), ring, 170));
+    expect(await readout(page)).toContain('past its limit');
+    await page.mouse.up();
+    expect(Math.abs((await dofs(page))[6])).toBeGreaterThan(0.8);
+  }));
+
+it('turns the active DOF by dragging the bone up and down, and gives it up at Escape', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    await page.getByRole('radio', { name: 'rz', exact: true }).click();
+    const bone = await middle(page);
+    // Two pixels a degree.
+    await pressAndGo(page, bone, [
+      { x: bone.x, y: bone.y - 30 },
+      { x: bone.x, y: bone.y - 60 },
+    ]);
+    expect((await dofs(page))[8]).toBeCloseTo(Math.PI / 6, 9);
+    await page.keyboard.press('Escape');
+    await page.mouse.up();
+    expect((await dofs(page))[8]).toBe(0);
+    expect(await undo(page)).toMatch(/^Open/);
+    await pressAndGo(page, bone, [{ x: bone.x, y: bone.y + 40 }]);
+    await page.mouse.up();
+    expect((await dofs(page))[8]).toBeCloseTo(-Math.PI / 9, 9);
+    expect(await undo(page)).toBe('Set rz of elbow');
+  }));
+
+it('leaves what it has no use for to the camera', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    const view = await turnOfView(page);
+    const before = await dofs(page);
+    const { x, y } = await middle(page);
+    await pressAndGo(page, { x: x + 150, y }, [{ x: x + 190, y: y + 5 }]);
+    await page.mouse.up();
+    expect(await turnOfView(page)).not.toBeCloseTo(view, 0);
+    expect(await dofs(page)).toEqual(before);
+  }));
+
+it('turns the view by the arrows while nothing plays, and switches modes by Space without a clip', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    const view = await turnOfView(page);
+    await page.locator('canvas[role=img]').focus();
+    await page.keyboard.press('ArrowRight');
+    const turned = await turnOfView(page);
+    expect(turned).not.toBeCloseTo(view, 0);
+    await page.keyboard.press('ArrowLeft');
+    expect(await turnOfView(page)).toBeCloseTo(view, 3);
+    const checked = page.locator('.mode-switch [aria-checked=true]');
+    expect(await checked.textContent()).toBe('FK');
+    await page.keyboard.press('Space');
+    expect(await checked.textContent()).toBe('IK');
+    await page.waitForFunction(() => !document.querySelector('.joint-gizmo'));
+    await page.keyboard.press('Escape');
+    expect(await checked.textContent()).toBe('FK');
+    await page.waitForFunction(() => document.querySelector('.joint-gizmo'));
+  }));
+
+describeShared('the dragon', () => {
+  it('has a shoulder that stops where its file says', () =>
+    withPage(async ({ page }) => {
+      const bytes = sharedBytes('data/cse169/dragon.skel');
+      await dropFiles(page, [{ name: 'dragon.skel', bytes }]);
+      await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'dragon');
+      await page
+        .getByRole('treeitem', { name: /^shoulder_right_1/ })
+        .first()
+        .click();
+      await page.waitForFunction(() => document.querySelector<HTMLElement>('.joint-gizmo')?.hidden === false);
+      await page.locator('canvas[role=img]').focus();
+      const ring = await feelFor(page, 'rx');
+      await pressAndGo(page, ring, around(await middle(page), ring, 175));
+      await page.mouse.up();
+      expect(Math.abs((await dofs(page))[6])).toBeCloseTo(2, 9);
+    }));
+});
