@@ -6,6 +6,7 @@ import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
 import { markUnsaved } from './app/leaving.ts';
 import { Opener } from './app/opening.ts';
+import { sampleDisplay } from './app/sample-display.ts';
 import { fetchSample, listSamples } from './app/samples.ts';
 import { scriptingApi } from './app/scripting.ts';
 import { Unsaved } from './app/unsaved.ts';
@@ -40,6 +41,8 @@ const samples = listSamples(document.baseURI);
 const unsaved = new Unsaved(store);
 const handles = new DiskHandles();
 
+const settings = rememberedSettings(() => localStorage);
+
 const workbench: Workbench = {
   store,
   viewport,
@@ -47,7 +50,7 @@ const workbench: Workbench = {
   transport,
   timeline: new Timeline(),
   posing: new Posing(),
-  settings: rememberedSettings(() => localStorage),
+  settings,
   messages,
   loading,
   dialog: observable<DialogName | undefined>(undefined),
@@ -56,6 +59,7 @@ const workbench: Workbench = {
     messages,
     opener,
     samples,
+    showSample: sampleDisplay(settings),
     unsaved,
     handles,
     disk: { ...disk, download },

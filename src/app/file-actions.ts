@@ -6,6 +6,7 @@ import type { FileActions, SampleEntry } from '../ui/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';
+import type { SampleSwitches } from './sample-display.ts';
 import { fetchSample, type Sample } from './samples.ts';
 import type { Disk, Saver } from './saver.ts';
 import type { Unsaved } from './unsaved.ts';
@@ -13,6 +14,8 @@ import type { Unsaved } from './unsaved.ts';
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly opener: Opener;
   readonly samples: Promise<readonly Sample[]>;
+  /** As a sample opens, with what it asks to be drawn. */
+  readonly showSample: (shows: SampleSwitches | undefined) => void;
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
   readonly disk: Disk;
@@ -50,7 +53,9 @@ export function fileActions(parts: Parts): FileActions {
       opener.open(async (signal) => {
         const sample = (await samples).find((s) => s.id === id);
         if (!sample) throw new Error(`There is no sample "${id}".`);
-        return fetchSample(sample, document.baseURI, signal);
+        const files = await fetchSample(sample, document.baseURI, signal);
+        parts.showSample(sample.shows);
+        return files;
       });
     },
     get samples() {

@@ -205,7 +205,7 @@ export class Saver {
   }
 
   private filesOf(character: Character, kind: SaveKind): readonly Job[] {
-    if (kind === 'rig') {
+    if (kind === 'rig' || kind === 'pose') {
       return saveCharacter(character, kind).map((file) => {
         return { name: file.name, holds: [], target: undefined, write: () => file };
       });

@@ -6,6 +6,7 @@
  * export of the other.
  */
 import { animOf, bvhOf, hasOwnRate, inPose, skelOf } from '../edit/convert/character-files.ts';
+import { poseByNames } from '../edit/pose/by-names.ts';
 import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
 import { writeFile } from '../formats/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
@@ -43,6 +44,7 @@ export function saveCharacter(
   kind: FormatKind,
   options: ExportOptions = {},
 ): readonly SavedFile[] {
+  if (kind === 'pose') return posesOf(character);
   if (kind === 'rig') return [write(`${character.name}.rig`, { kind, rig: rigOf(character) })];
   if (isExport(character, kind)) return exportCharacter(character, kind, options).map(asText);
   const parts = partsOf(character).filter((p) => p.kind === partKindOf(kind));
@@ -168,6 +170,12 @@ function write(name: string, content: FileContent): SavedFile {
   const written = writeFile(content, name);
   if (!written) throw new Error(`There is no format for ${name}.`);
   return { name, ...written };
+}
+
+/** The whole library as one file; none where it is empty. */
+function posesOf(character: Character): readonly SavedFile[] {
+  const poses = character.poses?.map((pose) => poseByNames(character, pose)) ?? [];
+  return poses.length ? [write(`${character.name}.pose`, { kind: 'pose', poses })] : [];
 }
 
 function rigOf(character: Character): Rig {

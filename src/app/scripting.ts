@@ -46,6 +46,18 @@ export interface KeyInfo {
   readonly slopeOut: number;
 }
 
+/** A point that is held by inverse kinematics. */
+export interface PinInfo {
+  readonly id: number;
+  readonly joint: number;
+  /** In the joint's space. */
+  readonly point: readonly number[];
+  /** As shown now, in the character's own space (without its placement). */
+  readonly position: readonly number[];
+  readonly weight: number;
+  readonly holdsOrientation: boolean;
+}
+
 export interface MarrowApi {
   /** Opens files as a drop of all of them at once would; gives what there is to say about them. */
   open(files: Iterable<ScriptFile> | ArrayLike<ScriptFile>): Promise<readonly Diagnostic[]>;
@@ -58,6 +70,8 @@ export interface MarrowApi {
   worldMatrices(character?: CharacterRef): number[][];
   /** Where the End Sites are, in the file's order, in the character's own space. */
   endSites(character?: CharacterRef): EndSitePosition[];
+  /** The points that are pinned, in the order in which they were made. */
+  pins(character?: CharacterRef): PinInfo[];
   /** x y z of every vertex as drawn: morphed and skinned, in the character's own space. */
   vertices(character?: CharacterRef): number[];
   /**
@@ -74,6 +88,11 @@ export interface MarrowApi {
    * Seconds of the transport.
    */
   placeOf(channel: number, seconds: number, value: number): { readonly x: number; readonly y: number } | undefined;
+  /** Where on the page a point of a character's own space is drawn, in CSS pixels; undefined where it is not shown. */
+  pointOnPage(
+    point: readonly [number, number, number],
+    character?: CharacterRef,
+  ): { readonly x: number; readonly y: number } | undefined;
   /** Of the last picture drawn. */
   stats(): FrameStats;
   /** Names of the steps that undo and redo would take; absent where there is none. */
@@ -118,16 +137,35 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
       const { skeleton } = resolve(store, character);
       return skeleton ? endSitePositions(skeleton, facts(character).worldMatrices()) : [];
     },
+    pins(character) {
+      const world = facts(character).worldMatrices();
+      return (resolve(store, character).ik?.pins ?? []).map((pin) => ({
+        ...pin,
+        position: [0, 1, 2].map((k) => transformed(world, 16 * pin.joint, pin.point, k)),
+      }));
+    },
     vertices: (character) => Array.from(facts(character).vertices()),
     run: (id, args = {}) => run(workbench, id, args),
     keys: (channel, character) => keysOf(resolve(store, character), channel),
     placeOf: (channel, seconds, value) => workbench.timeline.tab?.placeOf?.(channel, seconds, value),
+    pointOnPage(point, character) {
+      const placement = viewport.placementOf(resolve(store, character).id, 0);
+      if (!placement) return undefined;
+      const [x, y, z] = [0, 1, 2].map((k) => transformed(placement, 0, point, k));
+      const place = viewport.eye.toScreen([x, y, z]);
+      return { x: place.x, y: place.y };
+    },
     stats: () => viewport.stats(),
     steps: () => ({ undo: store.undoLabel, redo: store.redoLabel }),
     undo: () => store.undo(),
     redo: () => store.redo(),
     save: (name) => saveByName(store, name),
   };
+}
+
+/** A coordinate of a point that a matrix takes elsewhere. */
+function transformed(m: ArrayLike<number>, o: number, [x, y, z]: readonly number[], k: number): number {
+  return m[o + k] * x + m[o + 4 + k] * y + m[o + 8 + k] * z + m[o + 12 + k];
 }
 
 /** What a console gives is not typed: anything else is refused with a sentence. */
@@ -197,11 +235,12 @@ function apply(
   command: Command<never, Document | Edit>,
   args: Readonly<Record<string, unknown>>,
 ): void {
+  const named = asReference(args.characterId ?? args.character);
   const given = {
     timeSeconds: timeOf(transport),
     playedRange: transport.get().range,
     ...args,
-    characterId: resolve(store, asReference(args.characterId ?? args.character)).id,
+    ...(named === undefined && command.makesCharacter ? {} : { characterId: resolve(store, named).id }),
   };
   // Arguments from the console can't be typed; each command refuses what it can't use.
   store.apply(command, given as never);
@@ -215,7 +254,7 @@ function asReference(value: unknown): CharacterRef | undefined {
   return typeof value === 'string' || typeof value === 'number' ? value : undefined;
 }
 
-const KINDS: readonly FormatKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh'];
+const KINDS: readonly FormatKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
 
 /** The selected character's file of that name, or another's; else the selected character's first of that kind. */
 async function saveByName(store: Store, name: string): Promise<string> {

@@ -202,6 +202,7 @@ function contentOf(file: ParsedFile): readonly object[] {
     case 'bvh':
       return file.figures.flatMap(({ skeleton, clip }) => (clip ? [skeleton, clip] : [skeleton]));
     case 'rig':
+    case 'pose':
     case 'texture':
       return [];
   }

@@ -4,7 +4,7 @@ import type { Character } from '../model/document.ts';
 import { type FormatKind, isExport } from './parts.ts';
 import { saveCharacter } from './saving.ts';
 
-const KINDS: readonly FormatKind[] = ['bvh', 'skel', 'axskel', 'skin', 'morph', 'anim', 'rig'];
+const KINDS: readonly FormatKind[] = ['bvh', 'skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'pose'];
 
 /** Everything of a character in its own formats, its textures too: what opens again as it is. */
 export function zipCharacter(character: Character): { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> } {

@@ -7,6 +7,7 @@ import { filePose, jointDofCount, rootDofCount } from '../model/dofs.ts';
 import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
 import { positionsMeant, positionsTaken, withPositions } from '../model/position-channels.ts';
 import type { Skeleton } from '../model/skeleton.ts';
+import { movedPoses } from './pose/library.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
 
 export function newCharacter(id: string, name: string): Character {
@@ -32,7 +33,8 @@ export function withSkeleton(character: Character, skeleton: Skeleton): Characte
   const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
   const kept = rootDofCount(skeleton) === rootDofCount(character.skeleton) ? rootDofCount(skeleton) : 0;
   const pose = [...character.pose.slice(0, kept), ...filePose(skeleton, 0).slice(kept), ...weights];
-  return { ...withoutUnkeyed(character), skeleton, pose };
+  const next = { ...withoutUnkeyed(character), skeleton, pose };
+  return character.poses ? { ...next, poses: movedPoses(character, next, character.poses) } : next;
 }
 
 /**
@@ -60,6 +62,7 @@ export function withPart(character: Character, file: ParsedFile, before: Charact
     case 'skel':
     case 'bvh':
     case 'rig':
+    case 'pose':
     case 'texture':
       return next;
   }

@@ -17,6 +17,8 @@ import { History, type State } from './history.ts';
 export interface Command<Args, Result extends Document | Edit = Document> {
   /** Stable: `pose.setDof`. */
   readonly id: string;
+  /** It makes a character: where none is named, none is meant. */
+  readonly makesCharacter?: true;
   /** What the Edit menu says: "Set rx". */
   label(document: Document, args: Args): string;
   /** The document after the change; the very same object where nothing changes. Throws a `CommandError` to refuse. */

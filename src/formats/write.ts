@@ -6,6 +6,7 @@ import type { FileContent } from '../model/files.ts';
 import { writeAnim } from './anim/write.ts';
 import { writeBvh } from './bvh/write.ts';
 import { writeMorph } from './morph/write.ts';
+import { writePoses } from './pose/write.ts';
 import type { WriteResult } from './reader.ts';
 import { writeRig } from './rig/write.ts';
 import { writeSkel } from './skel/write.ts';
@@ -26,6 +27,8 @@ export function writeFile(content: FileContent, fileName: string): WriteResult |
       return writeRig(content.rig, fileName);
     case 'bvh':
       return writeBvh(content.figures, fileName);
+    case 'pose':
+      return writePoses(content.poses, fileName);
     case 'texture':
       return undefined;
   }

@@ -6,11 +6,16 @@ import type { Action } from './actions/action.ts';
 import { DOPE_ACTIONS } from './actions/dope-actions.ts';
 import { EDIT_ACTIONS } from './actions/edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './actions/file-actions.ts';
+import { IK_ACTIONS } from './actions/ik-actions.ts';
 import { KEY_ACTIONS } from './actions/key-actions.ts';
 import { KEYING_ACTIONS } from './actions/keying-actions.ts';
 import { PAGE_ACTIONS } from './actions/page-actions.ts';
 import { PLAY_ACTIONS } from './actions/play-actions.ts';
+import { POSE_ACTIONS } from './actions/pose-actions.ts';
+import { POSING_ACTIONS } from './actions/posing-actions.ts';
 import { RETARGET_ACTIONS } from './actions/retarget-actions.ts';
+import { RIG_ACTIONS } from './actions/rig-actions.ts';
+import { SKIN_ACTIONS } from './actions/skin-actions.ts';
 import { TAKE_ACTIONS } from './actions/take-actions.ts';
 import { TIMELINE_ACTIONS } from './actions/timeline-actions.ts';
 import { VIEW_ACTIONS } from './actions/view-actions.ts';
@@ -20,7 +25,12 @@ import type { Workbench } from './workbench.ts';
 export const ACTIONS: readonly Action[] = [
   ...FILE_ACTIONS,
   ...EDIT_ACTIONS,
+  ...POSE_ACTIONS,
+  ...POSING_ACTIONS,
+  ...IK_ACTIONS,
   ...RETARGET_ACTIONS,
+  ...SKIN_ACTIONS,
+  ...RIG_ACTIONS,
   ...KEYING_ACTIONS,
   ...KEY_ACTIONS,
   ...TIMELINE_ACTIONS,

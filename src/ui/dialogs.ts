@@ -26,6 +26,8 @@ const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
   smoothSamples: async () => (await sampleTools()).smoothDialog,
   resampleSamples: async () => (await sampleTools()).resampleSamplesDialog,
   retarget: async () => (await import('./retarget/dialog.ts')).retargetDialog,
+  holdPins: async () => (await import('./tools/ik/hold-dialog.ts')).holdDialog,
+  skinWeights: async () => (await import('./skin/weights-dialog.ts')).weightsDialog,
 };
 
 export function startDialogs(wb: Workbench, root: HTMLElement): void {

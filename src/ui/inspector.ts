@@ -11,10 +11,14 @@ import { HandEdit } from './hand-edit.ts';
 import { CharacterFolder } from './inspector/character-folder.ts';
 import { DofFolders } from './inspector/dof-folders.ts';
 import { flashDropped } from './inspector/dropped-rows.ts';
+import { IkFolder } from './inspector/ik-folder.ts';
 import { LiveRows } from './inspector/live-rows.ts';
 import { displayFolder, playbackFolder } from './inspector/page-folders.ts';
+import type { RigFolder } from './inspector/rig-folder.ts';
 import { jointFacts } from './joint-facts.ts';
 import { handleKey } from './keys.ts';
+import { onDemand } from './on-demand.ts';
+import type { PosingMode } from './posing/posing.ts';
 import type { Workbench } from './workbench.ts';
 
 /** @param panel empty, in its place (`inspector-panel.ts`) */
@@ -26,7 +30,9 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const folder = (id: string, title: string, open: boolean): GUI => rememberedFolder(wb, gui, id, title, open);
   const edit = new HandEdit(wb.store, wb.messages);
   const live = new LiveRows(gui.$children);
+  const rig = rigFolder(wb, edit, folder('rig', 'Rig', true));
   const dofs = new DofFolders({ wb, edit, live }, gui, folder);
+  const ik = new IkFolder(wb, folder('ik', 'IK', true));
   const facts = jointFacts(wb);
   const factsFolder = folder('facts', 'Numbers', true);
   factsFolder.$children.append(facts.element);
@@ -50,6 +56,8 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     shown = next;
     character.update(target);
     dofs.showUnkeyed(target);
+    ik.update();
+    rig(target, next.joint);
     facts.show();
     goBack?.();
     live.update();
@@ -77,6 +85,26 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
     if (event.target instanceof Element && event.target.closest('.lil-controller')) handleKey(wb, event);
   };
   panel.addEventListener('keydown', handOn, { capture: true });
+}
+
+/** Shown in rig mode, and fetched with it. */
+function rigFolder(wb: Workbench, edit: HandEdit, folder: GUI) {
+  let rows: RigFolder | undefined;
+  let shown: readonly [Character | undefined, number | undefined] = [undefined, undefined];
+  const show = async (mode: PosingMode) => {
+    folder.show(mode === 'rig');
+    if (mode !== 'rig') return;
+    if (rows) return rows.show(...shown);
+    const module = await onDemand(wb.messages, 'The folder of rigging', () => import('./inspector/rig-folder.ts'));
+    rows ??= module && new module.RigFolder(wb, edit, folder);
+    rows?.show(...shown);
+  };
+  wb.posing.mode.subscribe((mode) => void show(mode));
+  void show(wb.posing.mode.get());
+  return (character: Character | undefined, joint: number | undefined) => {
+    shown = [character, joint];
+    if (wb.posing.mode.get() === 'rig') rows?.show(character, joint);
+  };
 }
 
 /** What the rows depend on, by identity. */

@@ -9,6 +9,9 @@ import './styles/inspector.css';
 import './styles/facts.css';
 import './styles/transport.css';
 import './styles/stage.css';
+import './styles/posing.css';
+import './styles/ik.css';
+import './styles/rig.css';
 import './styles/kept.css';
 import './styles/timeline.css';
 import './styles/curves.css';
@@ -17,6 +20,7 @@ import './styles/tool-dialog.css';
 import './styles/retarget.css';
 import './styles/dope.css';
 import './styles/takes.css';
+import './styles/poses.css';
 import './styles/dialogs.css';
 import { startDialogs } from './dialogs.ts';
 import { dropTarget } from './drop-target.ts';
@@ -45,6 +49,8 @@ async function buildTab(wb: Workbench, name: TimelineTabName): Promise<TimelineT
       return (await import('./dope/panel.ts')).dopePanel(wb);
     case 'takes':
       return (await import('./takes/panel.ts')).takesPanel(wb);
+    case 'poses':
+      return (await import('./poses/panel.ts')).posesPanel(wb);
   }
 }
 

@@ -25,6 +25,48 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     ],
   },
   {
+    where: 'Mouse in IK mode',
+    lines: [
+      ['Pin a point, or let a pin go', 'click'],
+      ['Select a joint, or a pin', 'Shift+click'],
+      ['Move a pin', 'drag it'],
+      ['… nearer or further away', 'Alt+drag or right drag'],
+      ['Move any other point, the pins hold', 'drag it'],
+      ['Move the selected pin', '← → ↑ ↓, Shift further'],
+      ['… in depth', 'Alt+↑ ↓'],
+      ['Let the selected pin go', 'Delete'],
+      ['Give a drag up', 'Esc'],
+    ],
+  },
+  {
+    where: 'Mouse in rig mode',
+    lines: [
+      ['Select a joint', 'click it or its bone'],
+      ['Place it', 'drag'],
+      ['… in depth', 'right drag or Alt+drag'],
+      ['… finely', 'Shift+drag'],
+      ['… on round numbers, or opposite another joint', 'Ctrl+drag'],
+      ['Move it along an axis', 'drag an arrow'],
+      ['Size its box', 'drag a face’s dot'],
+      ['… both faces', 'Alt+drag a face’s dot'],
+      ['Add a child', 'Ctrl+click, or click while adding'],
+      ['Hang it elsewhere', 'drag its row in the tree'],
+      ['Give a drag up', 'Esc'],
+    ],
+  },
+  {
+    where: 'Mouse in FK, on the selected joint',
+    lines: [
+      ['Turn or move a DOF', 'drag its ring or arrow'],
+      ['Turn the active DOF', 'drag the bone up or down'],
+      ['Turn about the line of sight', 'drag the outer ring'],
+      ['Turn any way', 'drag within the rings'],
+      ['A tenth as far', 'Shift while dragging'],
+      ['In steps of 5°', 'Ctrl while dragging'],
+      ['Give a drag up', 'Esc'],
+    ],
+  },
+  {
     where: 'Mouse in the curves',
     lines: [
       ['Select a key, or all keys of a curve', 'click'],
@@ -48,6 +90,16 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['… off the frames', 'Shift+drag in the ruler'],
       ['Menu', 'right click'],
       ['Give a drag up', 'Esc'],
+    ],
+  },
+  {
+    where: 'Among the poses',
+    lines: [
+      ['Take a pose on', 'click or Enter'],
+      ['Blend to it', 'Alt+drag'],
+      ['Another card', '← → ↑ ↓'],
+      ['Rename it', 'F2 or double click on its name'],
+      ['Remove it', 'Delete'],
     ],
   },
   {

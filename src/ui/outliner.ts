@@ -5,7 +5,7 @@ import { setHidden } from '../edit/commands/spaces.ts';
 import { type Character, type Document, findCharacter } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
 import { currentCharacter } from './actions/action.ts';
-import { actionsOf } from './actions.ts';
+import { actionsOf, runAction } from './actions.ts';
 import { attempt } from './attempt.ts';
 import { element } from './dom.ts';
 import { filesAndMessages } from './files-and-messages.ts';
@@ -23,6 +23,8 @@ import {
   sameOutline,
 } from './outline-rows.ts';
 import { movedEntries } from './retarget/moved.ts';
+import { rigState } from './rig/rig-state.ts';
+import { jointEntries } from './rig/tree-menu.ts';
 import { splitter } from './splitter.ts';
 import { Tree } from './tree.ts';
 import type { PartKind, Workbench } from './workbench.ts';
@@ -57,9 +59,16 @@ export function outliner(wb: Workbench): HTMLElement {
   tree.element.dataset.panel = 'outliner';
   tree.element.addEventListener('keydown', (event) => {
     const row = tree.focused;
-    // With a joint in hand, Delete must not take the whole character.
-    if (event.key === 'Delete' && row?.kind !== 'character') event.preventDefault();
-    if (event.key !== 'F2' || (row?.kind !== 'character' && row?.kind !== 'clip')) return;
+    // With a joint in hand, Delete must not take the whole character; in rig mode it is the joint's.
+    const isJoint = row?.kind === 'joint' && wb.posing.mode.get() === 'rig';
+    if (event.key === 'Delete' && row?.kind !== 'character') {
+      event.preventDefault();
+      if (isJoint) {
+        select(wb, row);
+        void runAction(wb, event.shiftKey ? 'rigging.deleteBranch' : 'rigging.delete');
+      }
+    }
+    if (event.key !== 'F2' || !row || !canRename(row)) return;
     event.preventDefault();
     startRename(row);
   });
@@ -143,6 +152,15 @@ export function outliner(wb: Workbench): HTMLElement {
     if (!sameOutline(now.document, before.document)) show();
     const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
     if (now.selection !== before.selection || others) showSelection(now);
+  });
+  rigState(wb).renameAsked.subscribe(() => {
+    const { focused } = tree;
+    if (focused?.kind === 'joint') startRename(focused);
+  });
+  const stopWaiting = wb.posing.mode.subscribe(async (mode) => {
+    if (mode !== 'rig') return;
+    stopWaiting();
+    (await import('./rig/tree-drag.ts')).letJointsBeDragged(wb, tree);
   });
   wb.files.unsaved.subscribe(() => {
     // A name that is being typed stays.
@@ -239,8 +257,13 @@ function activate(wb: Workbench, row: OutlineRow): void {
   else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
 }
 
+function canRename({ kind }: OutlineRow): boolean {
+  return kind === 'character' || kind === 'clip' || kind === 'joint';
+}
+
 function rename(wb: Workbench, { kind, characterId, index }: OutlineRow, name: string): void {
-  if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
+  if (kind === 'joint') void import('./rig/rig-edits.ts').then((m) => m.renameIt(wb, characterId, index, name));
+  else if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
   else wb.store.apply(renameCharacter, { characterId, name });
 }
 
@@ -266,7 +289,10 @@ function rowMenu(
   const actions = actionsOf(wb);
   const pick = (id: string) => actions.filter((a) => a.id === id).map((a) => itemOf(wb, a));
   const entries = ids.flatMap(pick);
-  if (row.kind === 'joint') return void openMenu(at, entries, { label: row.label || 'Joint' });
+  if (row.kind === 'joint') {
+    const rigging = jointEntries(wb, character, row.index, () => rename(row));
+    return void openMenu(at, [...rigging, ...entries], { label: row.label || 'Joint' });
+  }
   const last = character.placements.length - 1;
   const removeLast = () => wb.store.apply(removeCopy, { characterId: character.id, index: last });
   openMenu(

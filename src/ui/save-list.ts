@@ -63,6 +63,8 @@ function contents(character: Character, kind: SaveKind, framesPerSecond: number)
       if (!clip) return 'the pose, 1 frame';
       return frames === undefined ? `at ${framesPerSecond} frames a second` : plural(frames, 'frame');
     }
+    case 'pose':
+      return plural(character.poses?.length ?? 0, 'pose');
     case 'rig':
       return 'which files belong together';
   }

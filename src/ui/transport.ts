@@ -66,7 +66,7 @@ function buttons(wb: Workbench): HTMLElement {
 /** A button for what may be impossible just now, such as a key to jump to. */
 function tryRun(wb: Workbench, id: string): void {
   const action = actionsOf(wb).find((a) => a.id === id);
-  if (action && (action.enabled?.(wb) ?? true)) action.run(wb);
+  if (action && (action.enabled?.(wb) ?? true)) action.run(wb, 'button');
 }
 
 function loopModes(wb: Workbench): HTMLElement {

@@ -184,6 +184,14 @@ export class Tree {
     }
   }
 
+  /** The row at that height of the page, with its element; none below the last. */
+  rowUnder(clientY: number): { readonly row: OutlineRow; readonly made: HTMLElement } | undefined {
+    const { top } = this.element.getBoundingClientRect();
+    const index = Math.floor((clientY - top + this.element.scrollTop) / this.rowHeight);
+    const made = this.drawn.get(index);
+    return made && { row: this.rows[index], made };
+  }
+
   private rowAt(event: Event): OutlineRow | undefined {
     const target = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-index]') : null;
     return target ? this.rows[Number(target.dataset.index)] : undefined;

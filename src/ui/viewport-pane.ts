@@ -14,6 +14,7 @@ import { keptSession } from './kept-session.ts';
 import { menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { messageLine } from './message-line.ts';
+import { modeBar } from './posing/mode-bar.ts';
 import { type Comparison, comparedIn, drawnDocument, withoutTwin } from './takes/takes.ts';
 import { listenToCanvas } from './tools/canvas-tools.ts';
 import { modeTools } from './tools/mode-tools.ts';
@@ -27,7 +28,10 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   viewportElement.classList.add('viewport');
   viewport.canvas.tabIndex = 0;
   viewport.canvas.setAttribute('role', 'img');
-  viewport.canvas.setAttribute('aria-label', 'Viewport. Arrow keys up and down go from joint to joint.');
+  viewport.canvas.setAttribute(
+    'aria-label',
+    'Viewport. Arrow keys up and down go from joint to joint, left and right turn the view while nothing plays.',
+  );
   const { takes } = wb.timeline;
   const show = () => {
     const { document, selection } = store;
@@ -58,7 +62,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
     viewportElement,
     emptyHint(wb),
-    displayStrip(wb),
+    element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb)),
     element('div', { class: 'stage-foot' }, missingNote(wb), keptSession(wb), messageLine(wb)),
   );
 }
@@ -142,11 +146,14 @@ function displayStrip(wb: Workbench): HTMLElement {
 function emptyHint(wb: Workbench): HTMLElement {
   const open = element('button', { type: 'button', class: 'link' }, 'open files');
   open.addEventListener('click', () => wb.files.open());
+  const start = element('button', { type: 'button', class: 'link' }, 'start a skeleton');
+  start.addEventListener('click', () => runAction(wb, 'rigging.new'));
   const hint = element(
     'div',
     { class: 'stage-hint' },
     element('p', {}, 'Drop character files here'),
     element('p', { class: 'faint' }, '.bvh .skel .skin .morph .anim .rig, a folder or a zip, or ', open),
+    element('p', { class: 'faint' }, 'or ', start),
   );
   const show = () => {
     hint.hidden = wb.store.document.characters.length > 0;

@@ -57,7 +57,15 @@ export interface Workbench {
   readonly kept: Observable<KeptOffer | undefined>;
 }
 
-export type DialogName = 'shortcuts' | 'search' | 'save' | 'about' | 'retarget' | CurveToolName;
+export type DialogName =
+  | 'shortcuts'
+  | 'search'
+  | 'save'
+  | 'about'
+  | 'retarget'
+  | 'holdPins'
+  | 'skinWeights'
+  | CurveToolName;
 /** The curve tools that ask for something. */
 export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
 /** Those for sampled motion that do. */
@@ -74,8 +82,8 @@ export interface Loading {
 }
 
 /** `skel` is the hierarchy form, `axskel` the axis-angle form. */
-export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh';
-export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh'];
+export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
+export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
 
 /** Kinds of files whose content can be changed here. */
 export type PartKind = 'skel' | 'skin' | 'morph' | 'anim' | 'bvh';

@@ -41,6 +41,9 @@ export interface StageTheme {
   /** The circle around a picked vertex: the accent, told apart from its joint's dot. */
   readonly vertex: string;
   readonly hovered: string;
+  /** Points that are held, and the way from one to where it should be. */
+  readonly pin: string;
+  readonly pinGap: string;
   /** Ghosts: earlier than now cool, later warm. */
   readonly ghostBefore: string;
   readonly ghostAfter: string;
@@ -74,6 +77,8 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     selectedLabel: '#ffad5e',
     vertex: '#a594ff',
     hovered: '#ffd9ad',
+    pin: '#5fd6c3',
+    pinGap: '#f2c14e',
     ghostBefore: '#6fb0ff',
     ghostAfter: '#ff9d6e',
     comparedFirst: '#56bdf2',
@@ -102,6 +107,8 @@ export const STAGE_THEMES: Readonly<Record<ThemeName, StageTheme>> = {
     selectedLabel: '#9c4600',
     vertex: '#5b46d6',
     hovered: '#f2a861',
+    pin: '#0a6b62',
+    pinGap: '#7d5700',
     ghostBefore: '#2f74d6',
     ghostAfter: '#d2582a',
     comparedFirst: '#1b6fa8',

@@ -4,7 +4,7 @@ import { CommandError, Store } from '../../src/edit/store.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 
 /** Commands that need no more than a character. */
-const COMPLETE = ['character.remove'];
+const COMPLETE = ['character.remove', 'ik.clearPins'];
 
 describe('commands called from the console', () => {
   it.each([...COMMANDS_BY_ID.keys()].filter((id) => !COMPLETE.includes(id)))(

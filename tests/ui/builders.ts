@@ -9,6 +9,7 @@ import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } fro
 import type { KeptOffer } from '../../src/ui/kept-offer.ts';
 import { Messages } from '../../src/ui/messages.ts';
 import { observable } from '../../src/ui/observable.ts';
+import { Posing } from '../../src/ui/posing/posing.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
 import { Timeline } from '../../src/ui/timeline/timeline.ts';
 import type { DialogName, Loading, Workbench } from '../../src/ui/workbench.ts';
@@ -89,6 +90,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     store: new Store(document),
     transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
     timeline: new Timeline(),
+    posing: new Posing(),
     settings: observable(DEFAULT_SETTINGS),
     messages: new Messages(),
     loading: observable<Loading | undefined>(undefined),

@@ -93,6 +93,8 @@ function counts(content: FileContent): Record<string, unknown> {
         ...(samples && range && { frameTime: samples.frameSeconds, duration: range[1] - range[0] }),
       };
     }
+    case 'pose':
+      return { poses: content.poses.length, names: content.poses.map(({ name }) => name) };
     case 'texture':
       return { mime: content.texture.mime, bytes: content.texture.bytes.length };
   }

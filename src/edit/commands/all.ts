@@ -3,7 +3,12 @@ import type { Document } from '../../model/document.ts';
 import type { Command, Edit } from '../store.ts';
 import { COMMANDS_AT_HAND } from './at-hand.ts';
 import { bakeExtrapolation, eulerFilter, makeLoop, resample, simplify } from './channels.ts';
+import { setCouple } from './couples.ts';
+import { holdPins } from './hold.ts';
+import { addToLibrary, applyPose, keepPose, mirrorPose, pastePose, removePoses, renamePose } from './poses.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from './retarget.ts';
+import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from './rig.ts';
+import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from './rig-joint.ts';
 import {
   convertToKeys,
   cropSamples,
@@ -13,6 +18,7 @@ import {
   splitSamples,
   trimSamples,
 } from './samples.ts';
+import { autoWeights } from './skin-weights.ts';
 
 /** Those that the page fetches first; by their ids it knows them (`isFetched`). */
 const FETCHED: readonly Command<never, Document | Edit>[] = [
@@ -32,6 +38,27 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   changeRetarget,
   clearRetarget,
   bakeRetarget,
+  mirrorPose,
+  pastePose,
+  keepPose,
+  renamePose,
+  removePoses,
+  applyPose,
+  addToLibrary,
+  holdPins,
+  createRig,
+  addJoint,
+  renameJoint,
+  reparentJoint,
+  removeJoint,
+  mirrorJoint,
+  setOffset,
+  setMotion,
+  setBox,
+  setLength,
+  setFilePose,
+  setCouple,
+  autoWeights,
 ];
 
 export const COMMANDS_BY_ID: ReadonlyMap<string, Command<never, Document | Edit>> = new Map([

@@ -16,6 +16,7 @@ import {
 } from './characters.ts';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
 import { setExtrapolation } from './extrapolation.ts';
+import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { keyPose } from './keying.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { clearLimit, setLimit } from './limits.ts';
@@ -32,6 +33,12 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setClamping,
   dropUnkeyed,
   keyPose,
+  pinPoint,
+  unpin,
+  clearPins,
+  setPin,
+  setStiffness,
+  setRootFree,
   createClip,
   renameClip,
   duplicateClip,
@@ -80,5 +87,5 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edi
 
 /** Whether a command of that id would be one of the others. */
 export function isFetched(id: string): boolean {
-  return /^(channels|samples|retarget)\./.test(id);
+  return /^(channels|samples|retarget|hold|poses|rig|skin)\./.test(id);
 }

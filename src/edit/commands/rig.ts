@@ -29,6 +29,7 @@ import { type Command, CommandError, type Edit } from '../store.ts';
 /** A character of one joint; or the first joint of one that has a skin or a take, but no skeleton yet. */
 export const createRig: Command<CreateRig, Document | Edit> = {
   id: 'rig.create',
+  makesCharacter: true,
   label: (document, { characterId }) =>
     characterId === undefined ? 'New character' : `Begin skeleton of ${requireCharacter(document, characterId).name}`,
   run(document, { name, characterId }) {

@@ -5,11 +5,23 @@ import type { Bindable } from '../shortcuts.ts';
 import type { Workbench } from '../workbench.ts';
 
 /** The menus, left to right. */
-export const MENUS = ['Open', 'Save', 'Samples', 'Edit', 'Keys', 'View', 'Play', 'Help'] as const;
+export const MENUS = ['Open', 'Save', 'Samples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'] as const;
 export type MenuName = (typeof MENUS)[number];
 
 /** The headings of the `?` page. */
-export const GROUPS = ['Files', 'Edit', 'Select', 'Keys', 'Curves', 'Play', 'Camera', 'Draw', 'Page'] as const;
+export const GROUPS = [
+  'Files',
+  'Edit',
+  'Select',
+  'Pose',
+  'Rig',
+  'Keys',
+  'Curves',
+  'Play',
+  'Camera',
+  'Draw',
+  'Page',
+] as const;
 export type GroupName = (typeof GROUPS)[number];
 
 export interface Action extends Bindable {

@@ -13,6 +13,7 @@ export const SAVE_LABELS: Readonly<Record<SaveKind, string>> = {
   anim: 'Animation (.anim)',
   rig: 'Rig (.rig)',
   bvh: 'Motion capture (.bvh)',
+  pose: 'Poses (.pose)',
 };
 
 /** Whether a character has anything to save as such a file. */
@@ -29,6 +30,8 @@ export function canSave(character: Character, kind: SaveKind): boolean {
       return character.morphs.length > 0;
     case 'anim':
       return shownClip(character) !== undefined;
+    case 'pose':
+      return (character.poses?.length ?? 0) > 0;
     case 'rig':
       return character.skeleton !== undefined || shownSkin(character) !== undefined;
   }

@@ -1,9 +1,11 @@
 /** The transport. */
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../edit/playback.ts';
+import { playingCharacters } from '../../model/document.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../shown-keys.ts';
 import { stopsOnFrame } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import type { Action } from './action.ts';
+import { switchKinematics } from './posing-actions.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
   once: 'Once',
@@ -20,12 +22,16 @@ export const PLAY_ACTIONS: readonly Action[] = [
   {
     id: 'play.toggle',
     name: 'Play or pause',
-    label: (wb) => (wb.transport.get().playing ? 'Pause' : 'Play'),
+    label(wb) {
+      if (switchesInstead(wb)) return wb.posing.mode.get() === 'fk' ? 'Switch to IK' : 'Switch to FK';
+      return wb.transport.get().playing ? 'Pause' : 'Play';
+    },
     group: 'Play',
     menu: 'Play',
     shortcuts: ['Space'],
     icon: 'play',
-    run(wb) {
+    run(wb, how) {
+      if (how !== 'button' && switchesInstead(wb)) return switchKinematics(wb);
       wb.transport.update((p) => (p.playing ? pause(p, stopsOnFrame(wb)) : play(p)));
     },
   },
@@ -115,6 +121,12 @@ export const PLAY_ACTIONS: readonly Action[] = [
     }),
   ),
 ];
+
+/** With nothing to play its key goes between FK and IK. The transport's own button plays all the same: time passes. */
+function switchesInstead(wb: Workbench): boolean {
+  const { document } = wb.store;
+  return !wb.transport.get().playing && document.characters.length > 0 && playingCharacters(document).length === 0;
+}
 
 /** `−½×`. */
 export function rateText(rate: number): string {

@@ -1,5 +1,5 @@
 /**
- * The panel below the transport: curve editor, dope sheet and takes as tabs, with the edge that sets its height. The tabs are
+ * The panel below the transport: curve editor, dope sheet, takes and poses as tabs, with the edge that sets its height. The tabs are
  * scripts of their own: the page shows its character without waiting for them.
  */
 import { button, element, keepsFocusElsewhere, setText } from '../dom.ts';
@@ -16,6 +16,7 @@ const LABELS: Readonly<Record<TimelineTabName, string>> = {
   curves: 'Curves',
   dope: 'Dope sheet',
   takes: 'Takes',
+  poses: 'Poses',
 };
 
 /**

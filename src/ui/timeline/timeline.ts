@@ -8,7 +8,7 @@ import { type Observable, observable } from '../observable.ts';
 import { Takes } from '../takes/takes.ts';
 import type { TimeWindow } from '../time-window.ts';
 
-export const TIMELINE_TABS = ['curves', 'dope', 'takes'] as const;
+export const TIMELINE_TABS = ['curves', 'dope', 'takes', 'poses'] as const;
 export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (its root translation with the root), all, or those pinned. */

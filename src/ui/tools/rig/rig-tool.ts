@@ -1,7 +1,235 @@
-/** The viewport's tool in this mode. */
+/**
+ * The viewport's tool in rig mode: joints are handles. A click picks one, a drag places it; arrows move it along axes,
+ * handles on its box's faces size that. While joints are added, a click on ground hangs a new one on the selected joint
+ * and selects it, so that the next click goes on from there; a click on a joint begins a branch.
+ */
+import { addJoint } from '../../../edit/commands/rig.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import type { Character } from '../../../model/document.ts';
+import { RigOverlay } from '../../../view/rig/rig-overlay.ts';
+import type { RigPart } from '../../../view/rig/rig-screen.ts';
+import { currentCharacter } from '../../actions/action.ts';
+import { attempt } from '../../attempt.ts';
+import { isTextField } from '../../focus.ts';
+import { rigControls } from '../../rig/bar-controls.ts';
+import { startSkeletonAt } from '../../rig/rig-edits.ts';
+import { rigState } from '../../rig/rig-state.ts';
+import { rigging } from '../../rig/rigging-args.ts';
+import { standStill } from '../../stand-still.ts';
+import { withoutTwin } from '../../takes/takes.ts';
 import type { Workbench } from '../../workbench.ts';
-import type { ModeTool } from '../mode-tools.ts';
+import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../canvas-tools.ts';
+import type { ModeTool } from '../mode-tool.ts';
+import { dragFace } from './box-drag.ts';
+import { partAt } from './hits.ts';
+import { dragAlong, dragFreely, placeForChild } from './joint-drags.ts';
+import { type Rigged, riggedNow, selectedJoint } from './rigged.ts';
 
-export function rigTool(_wb: Workbench): ModeTool {
-  return { press: () => undefined, enter() {}, leave() {} };
+export function rigTool(wb: Workbench): ModeTool {
+  const { store, viewport } = wb;
+  const state = rigState(wb);
+  let overlay: RigOverlay | undefined;
+  let stops: (() => void)[] = [];
+  let pointer: CanvasPointer | undefined;
+
+  const show = () => {
+    const character = currentCharacter(wb);
+    const skeleton = character?.isHidden ? undefined : character?.skeleton;
+    overlay?.show(
+      skeleton &&
+        character && {
+          skeleton,
+          world: () => viewport.character(character.id)?.worldMatrices(),
+          placement: () => viewport.placementOf(character.id, 0),
+          selected: selectedJoint(wb),
+          axes: state.axes.get(),
+          withArrows: !state.adding.get(),
+        },
+    );
+    showGhost();
+    viewport.requestRender();
+  };
+
+  const partUnder = (at: CanvasPointer): RigPart | undefined => {
+    const screen = overlay?.screen;
+    if (!screen) return undefined;
+    const { left, top } = viewport.canvas.getBoundingClientRect();
+    return partAt(screen, at.clientX - left, at.clientY - top, at.pointerType === 'touch');
+  };
+
+  /** Where a click would add a joint; nowhere over a joint, which it would pick. */
+  const showGhost = () => {
+    const parent = selectedJoint(wb);
+    const rigged = pointer && parent !== undefined && wantsJoint(pointer) ? riggedNow(wb) : undefined;
+    const place =
+      pointer && rigged && parent !== undefined && partUnder(pointer)?.kind !== 'joint'
+        ? placeForChild(wb, rigged, parent, pointer)
+        : undefined;
+    overlay?.showGhost(place && parent !== undefined ? { from: parent, at: place.scene } : undefined);
+  };
+  const wantsJoint = (at: CanvasPointer) => state.adding.get() || at.ctrlKey || at.metaKey;
+
+  const select = (joint: number) => {
+    const character = currentCharacter(wb);
+    if (character && selectedJoint(wb) !== joint) store.select({ characterId: character.id, joint });
+  };
+
+  const addAt = (at: CanvasPointer): void => {
+    const parent = selectedJoint(wb);
+    standStill(wb);
+    const rigged = riggedNow(wb);
+    const refuse = (why: string) => wb.messages.note(why, 'warning');
+    if (!rigged && currentCharacter(wb)?.skeleton) refuse('The character is hidden: show it first.');
+    else if (!rigged) startSkeletonAt(wb, at);
+    else if (parent === undefined) wb.messages.note('Pick the joint that the new one hangs on first.');
+    else {
+      const place = placeForChild(wb, rigged, parent, at);
+      if (!place) refuse('That joint flattens its space: nothing can be placed in it.');
+      else addTo(rigged.character, parent, place.offset);
+    }
+  };
+  const addTo = (character: Character, parent: number, offset: Vec3) => {
+    attempt(wb.messages, () => store.apply(addJoint, { ...rigging(wb, character), parent, offset }));
+  };
+
+  /** Nothing has happened until the pointer goes somewhere; until then it is a click. */
+  const onceMoved = (
+    at: CanvasPointer,
+    joint: number,
+    start: () => CanvasDrag | undefined,
+    clicked: (at: CanvasPointer) => void,
+  ): CanvasDrag => {
+    let drag: CanvasDrag | undefined;
+    let given = false;
+    return {
+      move(now) {
+        if (!given && Math.hypot(now.clientX - at.clientX, now.clientY - at.clientY) <= CLICK_PIXELS) return;
+        if (!given) {
+          given = true;
+          standStill(wb);
+          select(joint);
+          drag = start();
+        }
+        drag?.move(now);
+      },
+      end(now) {
+        if (given) drag?.end(now);
+        else clicked(now);
+      },
+      cancel: () => drag?.cancel(),
+    };
+  };
+
+  /** Escape ends the adding, and nothing else. */
+  const onKey = (event: KeyboardEvent) => {
+    if (event.key === 'Control' || event.key === 'Meta') followKeys(event);
+    if (event.type !== 'keydown' || event.key !== 'Escape' || !state.adding.get()) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (isTextField(target) || target.closest('[role=menu],dialog') || wb.dialog.get()) return;
+    event.preventDefault();
+    event.stopPropagation();
+    state.adding.set(false);
+  };
+  /** With Ctrl a click would add: what it would do is shown before the pointer moves again. */
+  const followKeys = ({ ctrlKey, metaKey }: KeyboardEvent) => {
+    if (!pointer) return;
+    const { clientX, clientY, button, altKey, shiftKey, pointerType } = pointer;
+    pointer = { clientX, clientY, button, altKey, shiftKey, pointerType, ctrlKey, metaKey };
+    showGhost();
+    viewport.requestRender();
+  };
+
+  return {
+    press(at) {
+      if (at.button !== 0 && at.button !== 2) return undefined;
+      const part = partUnder(at);
+      const byRight = at.button === 2;
+      const selected = selectedJoint(wb);
+      if (!part || (byRight && part.kind !== 'joint')) return undefined;
+      const drag = (joint: number, start: (rigged: Rigged) => CanvasDrag) =>
+        onceMoved(
+          at,
+          joint,
+          () => {
+            const rigged = riggedNow(wb);
+            return rigged && start(rigged);
+          },
+          // Arrows and faces are there to be dragged: a click goes through them.
+          (now) => (part.kind !== 'joint' && wantsJoint(now) ? addAt(now) : select(joint)),
+        );
+      switch (part.kind) {
+        case 'joint':
+          return drag(part.joint, (rigged) => dragFreely(wb, rigged, part.joint, at));
+        case 'arrow':
+          return selected === undefined
+            ? undefined
+            : drag(selected, (rigged) => dragAlong(wb, rigged, selected, part.axis, at));
+        case 'face':
+          return selected === undefined
+            ? undefined
+            : drag(selected, (rigged) => dragFace(wb, rigged, selected, part, at));
+        case 'bone':
+          return undefined;
+      }
+    },
+    click(at) {
+      if (wantsJoint(at)) {
+        addAt(at);
+        return true;
+      }
+      const part = partUnder(at);
+      if (part?.kind === 'bone') {
+        select(part.joint);
+        return true;
+      }
+      const hit = viewport.pick(at.clientX, at.clientY);
+      const current = currentCharacter(wb);
+      if (hit?.joint !== undefined) store.select({ characterId: withoutTwin(hit.characterId), joint: hit.joint });
+      // The character stays the one that is worked on.
+      else if (current) store.select({ characterId: current.id });
+      return true;
+    },
+    hover(at) {
+      pointer = at;
+      const part = at && partUnder(at);
+      const isLit = overlay?.light(part) ?? false;
+      const character = currentCharacter(wb);
+      const adds = at !== undefined && wantsJoint(at);
+      if (isLit && character) {
+        const joint = part?.kind === 'joint' || part?.kind === 'bone' ? part.joint : undefined;
+        viewport.hover(joint === undefined ? undefined : { characterId: character.id, placement: 0, joint });
+      }
+      showGhost();
+      if (isLit || state.adding.get() || adds) viewport.requestRender();
+      if (part) return part.kind === 'bone' ? 'pointer' : 'move';
+      return adds ? 'crosshair' : undefined;
+    },
+    enter() {
+      overlay = new RigOverlay();
+      stops = [
+        viewport.addOverlay(overlay),
+        store.subscribe((now, before) => {
+          if (now !== before) show();
+        }),
+        state.adding.subscribe(show),
+        state.axes.subscribe(show),
+      ];
+      window.addEventListener('keydown', onKey, true);
+      window.addEventListener('keyup', onKey, true);
+      wb.posing.controls.set(rigControls(wb));
+      show();
+    },
+    leave() {
+      for (const stop of stops) stop();
+      stops = [];
+      overlay = undefined;
+      pointer = undefined;
+      window.removeEventListener('keydown', onKey, true);
+      window.removeEventListener('keyup', onKey, true);
+      // The tool may be taken up anew in its own mode, as the page starts.
+      if (wb.posing.mode.get() !== 'rig') state.adding.set(false);
+      state.readout.set('');
+      wb.posing.controls.set(undefined);
+    },
+  };
 }

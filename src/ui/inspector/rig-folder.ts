@@ -1,0 +1,243 @@
+/**
+ * The selected joint as the skeleton has it, in rig mode: name, parent, type with all that belongs to that, offset,
+ * bone, limits, box, who follows whom, and the file's pose. Everything is one step of undo, and every number can be
+ * typed. Rows are made anew where there are others; a number that changes is only filled in, also while it is dragged.
+ */
+import type { GUI } from 'lil-gui';
+import { reparentJoint } from '../../edit/commands/rig.ts';
+import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from '../../edit/commands/rig-joint.ts';
+import type { Command, Edit } from '../../edit/store.ts';
+import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { dofsOf, type Joint, type Motion, takesLimits } from '../../model/skeleton.ts';
+import { attempt } from '../attempt.ts';
+import { button, element } from '../dom.ts';
+import type { HandEdit } from '../hand-edit.ts';
+import { lengthStep } from '../reach.ts';
+import { addCoupleRow, coupleRow } from '../rig/couple-rows.ts';
+import {
+  choiceRow,
+  type FolderContext,
+  type FolderRow,
+  heading,
+  numberRow,
+  textRow,
+  vectorRow,
+} from '../rig/folder-rows.ts';
+import { limitRow } from '../rig/limit-rows.ts';
+import { motionRows, motionShape } from '../rig/motion-rows.ts';
+import { possibleParents } from '../rig/parents.ts';
+import { rigState } from '../rig/rig-state.ts';
+import { rigging } from '../rig/rigging-args.ts';
+import { standStill } from '../stand-still.ts';
+import type { Workbench } from '../workbench.ts';
+import { emptyFolder } from './slider.ts';
+
+export class RigFolder {
+  private readonly context: FolderContext;
+  private rows: FolderRow[] = [];
+  private lines: HTMLElement[] = [];
+  private made = '';
+  private of: { readonly characterId: string; readonly joint: number } | undefined;
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly edit: HandEdit,
+    private readonly folder: GUI,
+  ) {
+    this.context = { wb, edit, folder };
+    folder.$children.dataset.empty = 'Pick a joint in the viewport or the tree to change it.';
+  }
+
+  /** After an edit, or another selection. */
+  show(character: Character | undefined, joint: number | undefined): void {
+    const made = character && joint !== undefined ? shapeOf(this.wb, character, joint) : '';
+    if (made !== this.made) this.rebuild(character, joint, made);
+    for (const row of this.rows) row.update();
+  }
+
+  private rebuild(character: Character | undefined, joint: number | undefined, made: string): void {
+    this.made = made;
+    emptyFolder(this.folder);
+    for (const line of this.lines) line.remove();
+    this.rows = [];
+    this.lines = [];
+    this.of = undefined;
+    const own = joint === undefined ? undefined : character?.skeleton?.joints[joint];
+    this.folder.title(own ? `Rig: ${own.name || `joint ${joint}`}` : 'Rig');
+    this.folder.domElement.classList.toggle('is-selected', own !== undefined);
+    if (!character?.skeleton || !own || joint === undefined) return;
+    this.of = { characterId: character.id, joint };
+    this.addPlace(character, own, joint);
+    this.addMotion(own);
+    this.addLimits(character, own, joint);
+    this.addBone(character, own);
+    this.addCouples(character, own, joint);
+    this.addPose(joint);
+  }
+
+  /** The joint as it is now. */
+  private readonly now = (): Joint | undefined => {
+    const { of } = this;
+    return of && findCharacter(this.wb.store.document, of.characterId)?.skeleton?.joints[of.joint];
+  };
+
+  private args() {
+    const { characterId = '', joint = 0 } = this.of ?? {};
+    return { ...rigging(this.wb, { id: characterId }), joint };
+  }
+
+  /** One step. */
+  private apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+    standStill(this.wb);
+    attempt(this.wb.messages, () => this.wb.store.apply(command, args));
+  }
+
+  /** Part of one step: a slider that is dragged, or a number that is typed. */
+  private preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+    standStill(this.wb);
+    this.edit.preview(command, args);
+  }
+
+  private put(row: FolderRow): void {
+    this.rows.push(row);
+    if (row.line) this.append(row.line);
+  }
+
+  private append(line: HTMLElement): void {
+    this.lines.push(line);
+    // Those of lil-gui stand there already: behind the others now.
+    this.folder.$children.append(line);
+  }
+
+  private addPlace(character: Character, own: Joint, joint: number): void {
+    const { joints = [] } = character.skeleton ?? {};
+    this.put(
+      textRow(
+        'Name',
+        () => this.now()?.name ?? '',
+        (name) => this.apply(renameJoint, { ...this.args(), name: name.trim() }),
+      ),
+    );
+    const parents = possibleParents(joints, joint).map((p) => [p, joints[p].name || `#${p}`] as const);
+    if (own.parent >= 0) {
+      this.put(
+        choiceRow(
+          'Parent',
+          parents,
+          () => this.now()?.parent,
+          (parent) => this.apply(reparentJoint, { ...this.args(), parent }),
+        ),
+      );
+    }
+    const step = lengthStep(character.skeleton);
+    this.put(
+      vectorRow(
+        this.context,
+        'Offset',
+        step,
+        () => this.now()?.offset,
+        (offset) => this.preview(setOffset, { ...this.args(), offset, children: rigState(this.wb).children.get() }),
+      ),
+    );
+  }
+
+  private addMotion(own: Joint): void {
+    const rows = motionRows(this.context, own.motion, () => this.now()?.motion, {
+      set: (motion: Motion) => this.apply(setMotion, { ...this.args(), motion }),
+      preview: (motion: Motion) => this.preview(setMotion, { ...this.args(), motion }),
+    });
+    for (const row of rows) this.put(row);
+  }
+
+  private addLimits({ id }: Character, { motion }: Joint, joint: number): void {
+    const dofs = dofsOf(motion);
+    if (!dofs.length || !takesLimits(motion)) return;
+    this.append(heading('Limits'));
+    dofs.forEach((dof, i) => {
+      this.put(limitRow(this.wb, id, joint, i, dof));
+    });
+  }
+
+  private addBone(character: Character, own: Joint): void {
+    const step = lengthStep(character.skeleton);
+    this.append(heading('Bone and box'));
+    const has = { bone: own.length !== undefined };
+    const row = this.folder.add(has, 'bone').name('Bone along y');
+    row.onChange((bone: boolean) => this.apply(setLength, { ...this.args(), length: bone ? usualLength(own) : null }));
+    if (own.length !== undefined) {
+      const bounds = [0, Number.POSITIVE_INFINITY] as const;
+      const write = (length: number) => {
+        if (length >= 0) this.preview(setLength, { ...this.args(), length });
+      };
+      this.put(numberRow(this.context, 'Length', step, () => this.now()?.length, write, bounds));
+    }
+    for (const [label, side] of [
+      ['Box from', 'min'],
+      ['Box to', 'max'],
+    ] as const) {
+      this.put(
+        vectorRow(
+          this.context,
+          label,
+          step,
+          () => this.now()?.box[side],
+          (corner) => {
+            const box = this.now()?.box;
+            if (box) this.preview(setBox, { ...this.args(), box: { ...box, [side]: corner } });
+          },
+        ),
+      );
+    }
+  }
+
+  private addCouples({ id, skeleton }: Character, own: Joint, joint: number): void {
+    const dofs = dofsOf(own.motion);
+    if (!dofs.length || !skeleton) return;
+    this.append(heading('Follows'));
+    for (const { dof: name } of own.couples ?? []) {
+      const dof = dofs.find((one) => one.name === name);
+      if (dof) this.put(coupleRow(this.wb, id, skeleton, joint, dof));
+    }
+    const add = addCoupleRow(this.wb, id, skeleton, joint);
+    if (add) this.append(add);
+  }
+
+  private addPose(joint: number): void {
+    this.append(heading('The file’s pose'));
+    const take = (label: string, text: string, from: 'shown' | 'rest', of?: number) =>
+      button(label, { class: 'plain' }, text, () => {
+        const { skin, timeSeconds, characterId } = this.args();
+        this.apply(setFilePose, { characterId, skin, timeSeconds, from, joint: of });
+      });
+    this.append(
+      element(
+        'div',
+        { class: 'rig-row rig-buttons' },
+        take('Take the joint’s pose as shown for the file’s', 'As shown', 'shown', joint),
+        take('Make the joint’s pose in the file zero', 'Zero', 'rest', joint),
+        take('Take the pose of all joints as shown for the file’s', 'All as shown', 'shown'),
+      ),
+    );
+  }
+}
+
+/** A bone to begin with: as long as the joint's offset. */
+function usualLength({ offset }: Joint): number {
+  return Number(Math.hypot(...offset).toPrecision(4)) || 1;
+}
+
+/** What the rows depend on, numbers apart. */
+function shapeOf(wb: Workbench, { id, skeleton }: Character, joint: number): string {
+  const own = skeleton?.joints[joint];
+  if (!skeleton || !own) return '';
+  const { motion, couples = [], length } = own;
+  return JSON.stringify([
+    id,
+    joint,
+    motionShape(motion),
+    couples.map(({ dof, joint: other, follows }) => [dof, other, follows]),
+    length !== undefined,
+    wb.settings.get().angles,
+    skeleton.joints.map(({ name, parent, motion: { kind } }) => [name, parent, kind]),
+  ]);
+}

@@ -1,0 +1,82 @@
+/** A joint's context menu, as far as it changes the skeleton. */
+import type { Character } from '../../model/document.ts';
+import { runAction } from '../actions.ts';
+import type { MenuEntry } from '../menu.ts';
+import { shortcutsFor, shortcutText } from '../shortcuts.ts';
+import type { Workbench } from '../workbench.ts';
+import { possibleParents } from './parents.ts';
+import { rigState } from './rig-state.ts';
+
+const edits = () => import('./rig-edits.ts');
+
+/**
+ * In rig mode all of it; else only what is no more than a name, and the way there.
+ * @param joint index; the row's, which need not be selected yet
+ */
+export function jointEntries(
+  wb: Workbench,
+  character: Character,
+  joint: number,
+  rename: () => void,
+): readonly MenuEntry[] {
+  const item = (label: string, run: () => void, shortcut?: string): MenuEntry => ({
+    kind: 'item',
+    label,
+    enabled: true,
+    shortcut,
+    run,
+  });
+  const keyOf = (id: string, key: string) => {
+    const [own] = shortcutsFor({ id, shortcuts: [key] }, wb.settings.get());
+    return own && shortcutText(own, false);
+  };
+  const select = () => wb.store.select({ characterId: character.id, joint });
+  const naming = item('Rename', rename, 'F2');
+  if (wb.posing.mode.get() !== 'rig') {
+    const rig = () => {
+      select();
+      runAction(wb, 'posing.rig');
+    };
+    return [naming, item('Change the skeleton here (rig mode)', rig)];
+  }
+  const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
+    item(label, () => void edits().then(run), shortcut);
+  const joints = character.skeleton?.joints ?? [];
+  const nameOf = (j: number) => joints[j].name || `#${j}`;
+  const parents: MenuEntry = {
+    kind: 'menu',
+    label: 'Move under',
+    entries: () => [
+      ...possibleParents(joints, joint).map(
+        (parent): MenuEntry => ({
+          kind: 'item',
+          label: nameOf(parent),
+          detail: undefined,
+          enabled: true,
+          radio: true,
+          checked: parent === joints[joint].parent,
+          run: () => void edits().then((m) => m.moveUnder(wb, character.id, { joint, parent })),
+        }),
+      ),
+    ],
+  };
+  const isRoot = joint === 0;
+  return [
+    naming,
+    doing('Add a child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild', 'Shift+C')),
+    item('Add joints by clicking', () => {
+      select();
+      rigState(wb).adding.set(true);
+    }),
+    doing('Mirror the branch across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x', 'Shift+M')),
+    ...(isRoot ? [] : [parents]),
+    { kind: 'line' },
+    doing('Delete; its children stay', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete', 'Delete')),
+    doing(
+      'Delete with all below it',
+      (m) => m.removeIt(wb, 'too', joint),
+      keyOf('rigging.deleteBranch', 'Shift+Delete'),
+    ),
+    { kind: 'line' },
+  ];
+}

@@ -1,0 +1,177 @@
+/**
+ * Rigging with the mouse and the keyboard of a person: a creature from nothing, named, mirrored, hinged, saved, read
+ * back and undone; and a skin that stays where it is while its joints are moved, or follows.
+ */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { readSkel } from '../../src/formats/skel/read.ts';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+
+/** What vertices may move in bind mode: parts of the character's size. */
+const STILL = 1e-9;
+
+const joints = (page: Page) =>
+  page.evaluate(() => (window.marrow.characters()[0]?.joints ?? []).map((j) => `${j.name} ${j.parent}`));
+const vertices = (page: Page) => page.evaluate(() => window.marrow.vertices());
+const text = (page: Page, name: string) => page.evaluate((n) => window.marrow.save(n), name);
+const undoAll = (page: Page) =>
+  page.evaluate(() => {
+    let steps = 0;
+    while (window.marrow.undo()) steps++;
+    return steps;
+  });
+
+async function canvasMiddle(page: Page): Promise<{ x: number; y: number }> {
+  const box = await page.locator('canvas[role=img]').boundingBox();
+  if (!box) throw new Error('There is no viewport.');
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+/** A click of the mouse, from the middle of the viewport; waits until there are so many joints. */
+async function clickAt(page: Page, dx: number, dy: number, count: number): Promise<void> {
+  const { x, y } = await canvasMiddle(page);
+  await page.mouse.move(x + dx, y + dy);
+  await page.mouse.click(x + dx, y + dy);
+  await page.waitForFunction((n) => window.marrow.characters()[0]?.joints.length === n, count);
+}
+
+/** Where a handle is: the pointer is moved until the cursor says so; again, until they are drawn. */
+async function findHandle(page: Page): Promise<{ x: number; y: number }> {
+  const found = await page.waitForFunction(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>('canvas[role=img]');
+    if (!canvas) return undefined;
+    const { left, top, width, height } = canvas.getBoundingClientRect();
+    for (let y = top + 0.35 * height; y < top + height - 20; y += 5) {
+      for (let x = left + 0.2 * width; x < left + 0.8 * width; x += 5) {
+        const at = { clientX: x, clientY: y, bubbles: true, isPrimary: true, buttons: 0 };
+        canvas.dispatchEvent(new PointerEvent('pointermove', at));
+        if (canvas.style.cursor === 'move') return { x, y };
+      }
+    }
+    return undefined;
+  });
+  const point = await found.jsonValue();
+  if (!point) throw new Error('There is no handle in the viewport.');
+  return point;
+}
+
+async function drag(page: Page, from: { x: number; y: number }, dx: number, dy: number): Promise<void> {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  for (const part of [0.25, 0.5, 0.75, 1]) await page.mouse.move(from.x + part * dx, from.y + part * dy);
+  await page.mouse.up();
+}
+
+it('builds a creature from nothing by clicking, and takes all of it back', () =>
+  withPage(async ({ page }) => {
+    await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+    const before = await joints(page);
+    await page.getByRole('menuitem', { name: 'Rig', exact: true }).click();
+    await page.getByRole('menuitem', { name: /^New skeleton/ }).click();
+    await page.getByRole('button', { name: 'Add joints', pressed: true }).waitFor();
+    // Up the spine; back to the root, and down a leg.
+    await clickAt(page, 0, -40, 2);
+    await clickAt(page, 0, -80, 3);
+    await clickAt(page, 0, 0, 3);
+    await clickAt(page, 40, 30, 4);
+    await clickAt(page, 45, 90, 5);
+    expect(await joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0', 'joint4 3']);
+    // Escape ends the adding, and not the mode.
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Add joints', pressed: false }).waitFor();
+    expect(await page.getByRole('radio', { name: 'Rig', exact: true }).getAttribute('aria-checked')).toBe('true');
+
+    await clickAt(page, 40, 30, 5);
+    await page.getByText('Rig: joint3').waitFor();
+    await page.keyboard.press('F2');
+    await page.keyboard.type('leg_l');
+    await page.keyboard.press('Enter');
+    await page.getByText('Rig: leg_l').waitFor();
+    await page.getByRole('combobox', { name: 'Type' }).selectOption({ label: 'Hinge: about an axis' });
+    await page.getByRole('button', { name: 'Axis along z' }).click();
+    const lower = page.getByRole('textbox', { name: 'Lower limit of r' });
+    await lower.fill('-30');
+    await lower.press('Enter');
+    await page.getByRole('textbox', { name: 'Offset x' }).fill('0.25');
+    await page.getByRole('textbox', { name: 'Offset x' }).press('Enter');
+    await page.locator('canvas[role=img]').focus();
+    await page.keyboard.press('Shift+M');
+    await page.waitForFunction(() => window.marrow.characters()[0]?.joints.length === 7);
+
+    const saved = await text(page, 'creature.skel');
+    const { value, diagnostics } = readSkel(saved, 'creature.skel');
+    expect(diagnostics).toEqual([]);
+    const read = value?.[0].joints ?? [];
+    expect(read.map((j) => `${j.name} ${j.parent}`)).toEqual(await joints(page));
+    const [left, right] = ['leg_l', 'leg_r'].map((name) => read.find((j) => j.name === name));
+    expect(left).toMatchObject({ motion: { kind: 'hinge', axis: [0, 0, 1] } });
+    expect(left?.offset[0]).toBe(0.25);
+    expect(left?.limits[0].min).toBeCloseTo(-Math.PI / 6, 12);
+    expect(right?.offset[0]).toBe(-0.25);
+
+    await undoAll(page);
+    expect(await joints(page)).toEqual(before);
+  }));
+
+it('adds a child with Ctrl, and removes a joint with Delete so that its children stay', () =>
+  withPage(async ({ page }) => {
+    await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+    await page.evaluate(() => window.marrow.run('rigging.new'));
+    await page.getByRole('button', { name: 'Add joints', pressed: true }).waitFor();
+    await clickAt(page, 60, 0, 2);
+    await page.keyboard.press('Escape');
+    await page.keyboard.down('Control');
+    await clickAt(page, 120, 0, 3);
+    await page.keyboard.up('Control');
+    const tip = await page.evaluate(() => window.marrow.worldMatrices()[2].slice(12, 15));
+    await clickAt(page, 60, 0, 3);
+    await page.keyboard.press('Delete');
+    await page.waitForFunction(() => window.marrow.characters()[0]?.joints.length === 2);
+    expect(await joints(page)).toEqual(['root -1', 'joint2 0']);
+    const stayed = await page.evaluate(() => window.marrow.worldMatrices()[1].slice(12, 15));
+    stayed.forEach((part, k) => {
+      expect(Math.abs(part - tip[k])).toBeLessThan(STILL);
+    });
+  }));
+
+describeShared('a skin and its joints', () => {
+  const wasp = ['wasp.skel', 'wasp.skin'].map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) }));
+
+  it('stays in bind mode, follows in pose mode, and either is undone to the last letter', () =>
+    withPage(async ({ page }) => {
+      await dropFiles(page, wasp);
+      await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'wasp');
+      await page.evaluate(() => {
+        const dofs = Array.from({ length: 60 }, (_, i) => ({ index: 6 + i, value: 0.1 * Math.sin(i) }));
+        window.marrow.run('pose.setDofs', { dofs });
+      });
+      await page.locator('canvas[role=img]').focus();
+      await page.keyboard.press('Shift+E');
+      await page.getByRole('button', { name: 'Add joints' }).waitFor();
+      const files = async () => [await text(page, 'wasp.skel'), await text(page, 'wasp.skin')];
+      const [before, saved] = [await vertices(page), await files()];
+      const size = Math.max(...before.map(Math.abs));
+      const moved = async () => {
+        const now = await vertices(page);
+        return Math.max(...now.map((value, i) => Math.abs(value - before[i]))) / size;
+      };
+      const handle = await findHandle(page);
+      await drag(page, handle, 40, -30);
+      expect(await page.evaluate(() => window.marrow.steps().undo)).toMatch(/^Place /);
+      expect(await moved()).toBeLessThan(STILL);
+      const bound = await files();
+      expect(bound[0]).not.toBe(saved[0]);
+      expect(bound[1]).not.toBe(saved[1]);
+      await page.evaluate(() => window.marrow.undo());
+      expect(await files()).toEqual(saved);
+
+      await page.getByRole('radio', { name: 'Skin: follows' }).click();
+      await drag(page, handle, 40, -30);
+      expect(await moved()).toBeGreaterThan(0.01);
+      expect((await files())[1]).toBe(saved[1]);
+      await page.evaluate(() => window.marrow.undo());
+      expect(await files()).toEqual(saved);
+      expect(await moved()).toBe(0);
+    }));
+});
