@@ -25,17 +25,24 @@ const NAMES: Readonly<Record<PosingMode, string>> = { fk: 'Posing', ik: 'Inverse
 export function modeTools(wb: Workbench): () => CanvasTool | undefined {
   const loaded = new Map<PosingMode, Promise<ModeTool | undefined>>();
   let current: ModeTool | undefined;
+  let entered: PosingMode | undefined;
   const enter = async (mode: PosingMode) => {
+    // The idle page comes to a mode that a person was quicker to enter.
+    if (entered === mode) return;
+    entered = mode;
     current?.leave();
     current = undefined;
     const loading = loaded.get(mode) ?? onDemand(wb.messages, NAMES[mode], () => load(wb, mode));
     loaded.set(mode, loading);
     const tool = await loading;
-    // What could not be fetched is asked for again the next time.
-    if (!tool) loaded.delete(mode);
-    if (wb.posing.mode.get() !== mode || current === tool) return;
-    current = tool;
-    tool?.enter();
+    if (!tool) {
+      // What could not be fetched is asked for again the next time.
+      loaded.delete(mode);
+      if (entered === mode) entered = undefined;
+    } else if (entered === mode && current !== tool) {
+      current = tool;
+      tool.enter();
+    }
   };
   wb.posing.mode.subscribe((mode) => void enter(mode));
   whenIdle(wb, () => void enter(wb.posing.mode.get()));

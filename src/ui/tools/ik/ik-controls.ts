@@ -1,0 +1,55 @@
+/** Beside the switch of modes: whether the whole may travel, letting go of all pins, and what to do first. */
+import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import { currentCharacter } from '../../actions/action.ts';
+import { runAction } from '../../actions.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../dom.ts';
+import { oncePerFrame } from '../../frame.ts';
+import { keepTooltip } from '../../tooltips.ts';
+import type { Workbench } from '../../workbench.ts';
+import { ikInHand } from './in-hand.ts';
+
+/** Made once: it goes on following the page while it is not shown. */
+export function ikControls(wb: Workbench): HTMLElement {
+  const root = keepsFocusElsewhere(
+    button('Root travels', { class: 'tool' }, 'Root travels', () => runAction(wb, 'ik.rootFree')),
+  );
+  const rootTitle = keepTooltip(wb, root, 'ik.rootFree', () => {
+    const character = currentCharacter(wb);
+    if (!character) return 'Whether the whole character travels';
+    return ikOf(character).rootIsFree
+      ? `${character.name} travels as a whole where a pin asks for it`
+      : `${character.name} stays where it is: only its joints bend`;
+  });
+  const all = keepsFocusElsewhere(
+    button('Let all pins go', { class: 'tool' }, 'Let all go', () => runAction(wb, 'ik.letAllGo')),
+  );
+  keepTooltip(wb, all, 'ik.letAllGo', () => 'Let all pins of the character go');
+  const hint = element('span', { class: 'ik-hint', role: 'note' });
+  const tools = element('div', { class: 'ik-tools tools' }, root, all);
+  const inHand = ikInHand(wb);
+  const show = () => {
+    const character = currentCharacter(wb);
+    const setup = character?.skeleton && ikOf(character);
+    root.disabled = setup === undefined;
+    all.disabled = !setup?.pins.length;
+    setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
+    setText(root, setup?.rootIsFree === false ? 'Root stays' : 'Root travels');
+    rootTitle();
+    setText(hint, hintText(setup?.pins.length ?? 0));
+    hint.hidden = inHand.hasDragged.get() || setup === undefined;
+  };
+  const showSoon = oncePerFrame(show);
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters || now.selection !== before.selection) showSoon();
+  });
+  inHand.hasDragged.subscribe(show);
+  show();
+  return element('div', { class: 'ik-controls' }, tools, hint);
+}
+
+/** What to do first, and what next. */
+function hintText(pins: number): string {
+  if (pins === 0) return 'Click a point of the character to pin it; drag any point, and the pins hold';
+  const held = pins === 1 ? 'the pin holds' : `the ${pins} pins hold`;
+  return `Drag any point, ${held}; click a pin to let it go`;
+}

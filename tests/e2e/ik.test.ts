@@ -1,0 +1,204 @@
+/** Inverse kinematics by hand on the built page: pins made by clicking, points dragged by the mouse, one undo step each. */
+import type { Page } from 'playwright-core';
+import { expect, it } from 'vitest';
+import { dropFiles, withPage } from '../helpers/page.ts';
+import { describeShared, sharedBytes } from '../helpers/shared.ts';
+
+type Point = readonly [number, number, number];
+
+/** A leg of three bones that hangs from above, with knees that bend one way only. */
+const LEG = `balljoint hip {
+  offset 0 2 0
+  boxmin -0.1 -0.8 -0.1
+  boxmax 0.1 0 0.1
+  balljoint knee_l {
+    offset 0 -0.8 0
+    boxmin -0.1 -0.5 -0.1
+    boxmax 0.1 0 0.1
+    rotxlimit 0 2
+    rotylimit 0 0
+    rotzlimit 0 0
+    pose 0.4 0 0
+    balljoint foot_l {
+      offset 0 -0.8 0
+      boxmin -0.1 -0.1 -0.1
+      boxmax 0.1 0.1 0.1
+    }
+  }
+}
+`;
+
+const drawn = (page: Page) =>
+  page.evaluate(async () => {
+    for (let i = 0; i < 3; i++) await new Promise((next) => requestAnimationFrame(next));
+  });
+
+/** The camera has come to where it was going. */
+async function standing(page: Page): Promise<void> {
+  const places = () => page.evaluate(() => JSON.stringify([0, 1].map((y) => window.marrow.pointOnPage([y, y, y]))));
+  for (let before = '', now = await places(); now !== before; ) {
+    before = now;
+    await drawn(page);
+    now = await places();
+  }
+}
+
+async function intoIk(page: Page): Promise<void> {
+  await page.evaluate(() => window.marrow.run('posing.ik'));
+  await page.getByRole('button', { name: 'Let all pins go' }).waitFor();
+}
+
+const jointPlace = (page: Page, name: string): Promise<Point> =>
+  page.evaluate((wanted) => {
+    const at = window.marrow.characters()[0].joints.findIndex((joint) => joint.name === wanted);
+    const [x, y, z] = window.marrow.worldMatrices()[at].slice(12, 15);
+    return [x, y, z] as const;
+  }, name);
+
+async function onPage(page: Page, point: Point): Promise<{ x: number; y: number }> {
+  const place = await page.evaluate((p) => window.marrow.pointOnPage(p), point);
+  if (!place) throw new Error('The character is not shown.');
+  return place;
+}
+
+async function click(page: Page, point: Point): Promise<void> {
+  const { x, y } = await onPage(page, point);
+  await page.mouse.click(x, y);
+  await drawn(page);
+}
+
+const pins = (page: Page) => page.evaluate(() => window.marrow.pins());
+const undoLabel = (page: Page) => page.evaluate(() => window.marrow.steps().undo);
+const apart = (a: readonly number[], b: readonly number[]) => Math.hypot(...a.map((v, k) => v - b[k]));
+
+it('pins a joint by a click, lets it go by another, and drags it as one undo step', () =>
+  withPage(async ({ page }) => {
+    await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+    await drawn(page);
+    await intoIk(page);
+    const foot = await jointPlace(page, 'foot_l');
+    await click(page, foot);
+    expect((await pins(page)).map(({ joint, point }) => [joint, ...point])).toEqual([[2, 0, 0, 0]]);
+    expect(await undoLabel(page)).toBe('Pin foot_l');
+    await click(page, foot);
+    expect(await pins(page)).toEqual([]);
+
+    await page.evaluate(() => window.marrow.run('ik.setRootFree', { isFree: false }));
+    await click(page, foot);
+    const from = await onPage(page, foot);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 20, from.y - 15, { steps: 5 });
+    await page.mouse.move(from.x + 30, from.y - 30, { steps: 5 });
+    await drawn(page);
+    const there = await onPage(page, await jointPlace(page, 'foot_l'));
+    expect(Math.hypot(there.x - from.x - 30, there.y - from.y + 30)).toBeLessThan(1.5);
+    await page.mouse.up();
+    expect(await undoLabel(page)).toBe('Drag foot_l');
+    await page.evaluate(() => window.marrow.undo());
+    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
+    expect(await undoLabel(page)).toBe('Pin foot_l');
+  }));
+
+it('draws what can’t be reached and names the limit, until it is reached or given up', () =>
+  withPage(async ({ page }) => {
+    await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+    await drawn(page);
+    await intoIk(page);
+    await page.evaluate(() => {
+      window.marrow.run('ik.setRootFree', { isFree: false });
+      window.marrow.run('ik.setStiffness', { joints: [0], stiffness: 'locked' });
+      window.marrow.run('view.right');
+    });
+    await standing(page);
+    const foot = await jointPlace(page, 'foot_l');
+    await click(page, foot);
+    const from = await onPage(page, foot);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    // Forward of where the shin is straight: the knee does not bend that way, and the hip is locked.
+    const ahead = await onPage(page, [0, 0.5, 0.5]);
+    await page.mouse.move(ahead.x, ahead.y, { steps: 10 });
+    await drawn(page);
+    const gap = page.locator('.ik-label[data-kind="gap"]:visible');
+    await gap.waitFor();
+    expect(await gap.textContent()).toBe('foot_l: knee_l rx at its limit');
+    expect(await page.evaluate(() => window.marrow.characters()[0].dofs[6])).toBe(0);
+    await page.mouse.move(from.x, from.y, { steps: 10 });
+    await drawn(page);
+    expect(await gap.count()).toBe(0);
+    await page.keyboard.press('Escape');
+    await drawn(page);
+    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
+    await page.mouse.up();
+    expect(await undoLabel(page)).toBe('Pin foot_l');
+  }));
+
+const WASP = ['data/cse169/wasp.skel', 'data/cse169/wasp.skin'] as const;
+/** From its wings to its feet and from front to back, the longest of these. */
+const SIZE = 2.85;
+/** Of its size. */
+const FEET_HOLD = 1e-3;
+
+describeShared('the wasp of data/cse169', () => {
+  it('moves the wasp’s body by hand while its six feet stay', () =>
+    withPage(async ({ page }) => {
+      await dropFiles(
+        page,
+        WASP.map((path) => ({ name: path.slice(path.lastIndexOf('/') + 1), bytes: sharedBytes(path) })),
+      );
+      await page.waitForFunction(() => window.marrow.characters()[0]?.vertexCount === 694);
+      await drawn(page);
+      await intoIk(page);
+      // The lowest vertices far from the middle are the ends of its legs, one on each side and in each third.
+      const vertices = await page.evaluate(() => window.marrow.vertices());
+      const points: Point[] = [];
+      for (let v = 0; v < vertices.length; v += 3) points.push([vertices[v], vertices[v + 1], vertices[v + 2]]);
+      const low = points.map(([, y]) => y).sort((a, b) => a - b)[0];
+      const feet = [-1, 1].flatMap((side) =>
+        [-0.68, 0.13, 1.18].map((z) => {
+          const near = points.filter((p) => p[0] * side > 0.5 && Math.abs(p[2] - z) < 0.3 && p[1] < low + 0.12);
+          return near.reduce((a, b) => (b[1] < a[1] ? b : a));
+        }),
+      );
+      // From below every foot is seen.
+      for (const view of ['view.front', 'view.left', 'view.right', 'view.back', 'view.bottom']) {
+        await page.evaluate((id) => window.marrow.run(id), view);
+        await standing(page);
+        for (const foot of feet) {
+          const held = await pins(page);
+          if (held.some(({ position }) => apart(position, foot) < 0.15)) continue;
+          await click(page, foot);
+          const made = (await pins(page)).find(({ id }) => !held.some((before) => before.id === id));
+          // Another part of the body is in front of it.
+          if (made && apart(made.position, foot) > 0.15) await page.evaluate(() => window.marrow.undo());
+        }
+      }
+      const held = await pins(page);
+      expect(held).toHaveLength(6);
+
+      await page.evaluate(() => window.marrow.run('view.left'));
+      await standing(page);
+      const body = await jointPlace(page, 'root');
+      const { x, y } = await onPage(page, body);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      let moved = 0;
+      for (let i = 1; i <= 24; i++) {
+        const turn = (i / 24) * 2 * Math.PI;
+        await page.mouse.move(x + 25 * Math.sin(turn), y - 12 * (1 - Math.cos(turn)));
+        await drawn(page);
+        for (const [p, { position }] of (await pins(page)).entries())
+          expect(apart(position, held[p].position)).toBeLessThan(FEET_HOLD * SIZE);
+        moved = Math.max(moved, apart(await jointPlace(page, 'root'), body));
+      }
+      expect(moved).toBeGreaterThan(0.1);
+      await page.mouse.up();
+      expect(await undoLabel(page)).toMatch(/^Drag /);
+      await page.evaluate(() => window.marrow.undo());
+      expect(apart(await jointPlace(page, 'root'), body)).toBeLessThan(1e-9);
+      expect(await pins(page)).toHaveLength(6);
+    }));
+});
