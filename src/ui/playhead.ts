@@ -22,6 +22,23 @@ export interface PlayheadColours {
   readonly font: string;
 }
 
+/** By font and text; digits are all taken to be as wide as 0, which a label has room for. */
+const widths = new Map<string, number>();
+/** Fonts change with the theme at most, and texts by their length: it is never so many. */
+const MOST_WIDTHS = 256;
+
+/** CSS pixels. Asked in every frame, and measuring text is slow. */
+function widthOf(g: CanvasRenderingContext2D, font: string, text: string): number {
+  const key = `${font} ${text.replace(/\d/g, '0')}`;
+  let width = widths.get(key);
+  if (width === undefined) {
+    if (widths.size >= MOST_WIDTHS) widths.clear();
+    width = g.measureText(text).width;
+    widths.set(key, width);
+  }
+  return width;
+}
+
 export function drawPlayheadAt(
   g: CanvasRenderingContext2D,
   { x, text, lineWidth, bottom }: Playhead,
@@ -29,7 +46,7 @@ export function drawPlayheadAt(
   colours: PlayheadColours,
 ): void {
   g.font = colours.font;
-  const half = Math.ceil(g.measureText(text).width / 2) + 5;
+  const half = Math.ceil(widthOf(g, colours.font, text) / 2) + 5;
   if (x < -half || x > width + half) return;
   const end = rulerHeight - 1 - inset;
   g.fillStyle = colours.playhead;

@@ -29,6 +29,11 @@ export interface GizmoSource {
   state(): GizmoState;
 }
 
+function aspectOf(camera: PerspectiveCamera | OrthographicCamera): number {
+  if ('aspect' in camera) return camera.aspect;
+  return (camera.right - camera.left) / (camera.top - camera.bottom);
+}
+
 export class JointGizmo implements Overlay {
   /** Nothing of it is in the scene. */
   readonly object = new Group();
@@ -55,11 +60,11 @@ export class JointGizmo implements Overlay {
 
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
     const handles = this.source.handles();
-    const width = this.container.clientWidth;
-    this.projection.look(camera, width, heightPx);
+    // The width by the camera: asking the page for it in every frame would have it laid out anew in every frame.
+    this.projection.look(camera, heightPx * aspectOf(camera), heightPx);
     this.layout = handles && layOut(handles, this.projection);
     const { layout, canvas, pen } = this;
-    canvas.hidden = layout === undefined;
+    if (canvas.hidden !== (layout === undefined)) canvas.hidden = layout === undefined;
     if (!layout || !pen) return;
     const ratio = Math.min(window.devicePixelRatio || 1, MOST_PIXELS_PER_PIXEL);
     if (ratio !== this.ratio) {
