@@ -68,6 +68,8 @@ export default defineConfig(({ mode }) => {
             include: ['tests/**/*.test.ts'],
             exclude: ['tests/e2e/**'],
             sequence: { groupOrder: 0 },
+            // Properties try hundreds of cases, which takes a busy machine longer than it takes this one.
+            testTimeout: 30_000,
           },
         },
         {

@@ -6,7 +6,7 @@ import { fileActions } from './app/file-actions.ts';
 import { followRange } from './app/follow-range.ts';
 import { markUnsaved } from './app/leaving.ts';
 import { Opener } from './app/opening.ts';
-import { sampleDisplay } from './app/sample-display.ts';
+import { SampleDisplay } from './app/sample-display.ts';
 import { fetchSample, listSamples } from './app/samples.ts';
 import { scriptingApi } from './app/scripting.ts';
 import { Unsaved } from './app/unsaved.ts';
@@ -41,7 +41,11 @@ const samples = listSamples(document.baseURI);
 const unsaved = new Unsaved(store);
 const handles = new DiskHandles();
 
-const settings = rememberedSettings(() => localStorage);
+const settings = rememberedSettings(
+  () => localStorage,
+  (now) => sampleDisplay.without(now),
+);
+const sampleDisplay = new SampleDisplay(settings, store);
 
 const workbench: Workbench = {
   store,
@@ -59,7 +63,7 @@ const workbench: Workbench = {
     messages,
     opener,
     samples,
-    showSample: sampleDisplay(settings),
+    showSample: (shows) => sampleDisplay.show(shows),
     unsaved,
     handles,
     disk: { ...disk, download },
@@ -73,7 +77,8 @@ opener.subscribe(({ given, files }) => {
   handles.note(given);
   const replaced = unsaved.opened(files);
   if (replaced.length) {
-    messages.note(`Unsaved changes of ${replaced.join(', ')} were replaced; undo brings them back.`, 'warning');
+    const text = `Unsaved changes of ${replaced.join(', ')} were replaced; undo brings them back.`;
+    messages.note(text, 'warning', 'until read');
   }
 });
 markUnsaved(workbench.files, window);

@@ -6,6 +6,7 @@
  * A character's own files are those that it came from, or would be opened from: a figure of motion capture is a `.bvh` a
  * take, with skeleton and motion in one; every other character has its skeleton in a `.skel` and its takes in `.anim`s.
  */
+import { poseByNames } from '../edit/pose/by-names.ts';
 import { channelOf } from '../evaluate/pose.ts';
 import { savesAsAxisAngle } from '../model/axis-angle.ts';
 import type { ChannelClip } from '../model/clip.ts';
@@ -13,6 +14,8 @@ import { type Character, isBvh } from '../model/document.ts';
 import { jointDofCount, rootDofCount } from '../model/dofs.ts';
 import { type Figure, type FileKind, type SourceFile, sameName, stemOf } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
+import type { PoseByNames } from '../model/pose-by-names.ts';
+import type { NamedPose } from '../model/poses.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Skin } from '../model/skin.ts';
 
@@ -22,17 +25,25 @@ export interface BvhTake extends Figure {
   readonly name: string;
 }
 
+/** A character's library of poses, which one `.pose` holds, by the names of what they are of. */
+export interface PoseLibrary extends Pick<Character, 'skeleton' | 'morphs'> {
+  /** The same for all: a character has one. */
+  readonly name: 'poses';
+  readonly poses: readonly NamedPose[];
+}
+
 /** One of a character's parts, with the kind of file that holds it. */
 export type Part =
   | { readonly kind: 'skel'; readonly part: Skeleton }
   | { readonly kind: 'skin'; readonly part: Skin }
   | { readonly kind: 'morph'; readonly part: Morph }
   | { readonly kind: 'anim'; readonly part: ChannelClip }
-  | { readonly kind: 'bvh'; readonly part: BvhTake };
+  | { readonly kind: 'bvh'; readonly part: BvhTake }
+  | { readonly kind: 'pose'; readonly part: PoseLibrary };
 
 /** All that a character is made of, in the order in which one would open it. */
 export function partsOf(character: Character): readonly Part[] {
-  const { skeleton, skins, morphs, clips } = character;
+  const { skeleton, skins, morphs, clips, poses } = character;
   const isTake = (clip: ChannelClip) => isBvh(character) && !isFromAnim(character, clip);
   const takes = skeleton && isBvh(character) ? takesOf(skeleton, clips.filter(isTake)) : undefined;
   return [
@@ -41,6 +52,7 @@ export function partsOf(character: Character): readonly Part[] {
     ...skins.map((part) => ({ kind: 'skin', part }) as const),
     ...morphs.map((part) => ({ kind: 'morph', part }) as const),
     ...clips.filter((clip) => !isTake(clip)).map((part) => ({ kind: 'anim', part }) as const),
+    ...(poses ? [{ kind: 'pose', part: libraryOf(character, poses) } as const] : []),
   ];
 }
 
@@ -66,6 +78,22 @@ function takeOf(skeleton: Skeleton, clip: ChannelClip | undefined): BvhTake {
   return take;
 }
 
+/** As with takes: the same object as long as the poses, and what they are of, are. */
+const libraries = new WeakMap<readonly NamedPose[], PoseLibrary>();
+
+function libraryOf({ skeleton, morphs }: Character, poses: readonly NamedPose[]): PoseLibrary {
+  const known = libraries.get(poses);
+  if (known && known.skeleton === skeleton && known.morphs === morphs) return known;
+  const library: PoseLibrary = { name: 'poses', ...(skeleton && { skeleton }), morphs, poses };
+  libraries.set(poses, library);
+  return library;
+}
+
+/** What of a library its file holds. */
+export function posesByNames(library: PoseLibrary): readonly PoseByNames[] {
+  return library.poses.map((pose) => poseByNames(library, pose));
+}
+
 /**
  * The file that a part came from; undefined where it came from none, or where several have its name and a guess would
  * overwrite the wrong one.
@@ -76,10 +104,10 @@ export function sourceOf({ sources }: Character, { kind, part }: Part): SourceFi
   const isRootOf = (s: SourceFile) =>
     kind === 'bvh' && part.name === part.skeleton.name && part.name.startsWith(stemOf(s));
   const fits = sources.filter(
-    // Several roots of one `.skel` are several characters, whose skeletons have names of their own.
+    // Several roots of one `.skel` are several characters, whose skeletons have names of their own; poses have none.
     (s) =>
       endings.some((e) => s.name.toLowerCase().endsWith(e)) &&
-      (kind === 'skel' || stemOf(s) === part.name || isRootOf(s)),
+      (kind === 'skel' || kind === 'pose' || stemOf(s) === part.name || isRootOf(s)),
   );
   return fits.length === 1 ? fits[0] : undefined;
 }
@@ -90,8 +118,8 @@ export function fileNameOf(character: Character, part: Part): string {
 }
 
 /** The axis-angle form may be called either: as its file is, or by its own ending. */
-export function nameOf({ sources }: Character, { kind, part }: Part): string {
-  const name = `${part.name}.${kind}`;
+export function nameOf({ name: own, sources }: Character, { kind, part }: Part): string {
+  const name = `${kind === 'pose' ? own : part.name}.${kind}`;
   if (kind !== 'skel' || !savesAsAxisAngle(part)) return name;
   return sources.some((s) => sameName(s.name, name)) ? name : `${part.name}.axskel`;
 }

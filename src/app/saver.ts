@@ -205,7 +205,7 @@ export class Saver {
   }
 
   private filesOf(character: Character, kind: SaveKind): readonly Job[] {
-    if (kind === 'rig' || kind === 'pose') {
+    if (kind === 'rig') {
       return saveCharacter(character, kind).map((file) => {
         return { name: file.name, holds: [], target: undefined, write: () => file };
       });

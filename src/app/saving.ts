@@ -6,7 +6,6 @@
  * export of the other.
  */
 import { animOf, bvhOf, hasOwnRate, inPose, skelOf } from '../edit/convert/character-files.ts';
-import { poseByNames } from '../edit/pose/by-names.ts';
 import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
 import { writeFile } from '../formats/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
@@ -15,7 +14,17 @@ import type { Character } from '../model/document.ts';
 import type { FileContent } from '../model/files.ts';
 import type { Rig } from '../model/rig.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { type BvhTake, type FormatKind, isExport, jointPose, nameOf, type Part, partKindOf, partsOf } from './parts.ts';
+import {
+  type BvhTake,
+  type FormatKind,
+  isExport,
+  jointPose,
+  nameOf,
+  type Part,
+  partKindOf,
+  partsOf,
+  posesByNames,
+} from './parts.ts';
 
 export interface SavedFile {
   readonly name: string;
@@ -44,7 +53,6 @@ export function saveCharacter(
   kind: FormatKind,
   options: ExportOptions = {},
 ): readonly SavedFile[] {
-  if (kind === 'pose') return posesOf(character);
   if (kind === 'rig') return [write(`${character.name}.rig`, { kind, rig: rigOf(character) })];
   if (isExport(character, kind)) return exportCharacter(character, kind, options).map(asText);
   const parts = partsOf(character).filter((p) => p.kind === partKindOf(kind));
@@ -162,6 +170,8 @@ function contentOf({ kind, part }: Exclude<Part, { kind: 'bvh' }>, pose: readonl
       return { kind, morph: part };
     case 'anim':
       return { kind, clip: part };
+    case 'pose':
+      return { kind, poses: posesByNames(part) };
   }
 }
 
@@ -170,12 +180,6 @@ function write(name: string, content: FileContent): SavedFile {
   const written = writeFile(content, name);
   if (!written) throw new Error(`There is no format for ${name}.`);
   return { name, ...written };
-}
-
-/** The whole library as one file; none where it is empty. */
-function posesOf(character: Character): readonly SavedFile[] {
-  const poses = character.poses?.map((pose) => poseByNames(character, pose)) ?? [];
-  return poses.length ? [write(`${character.name}.pose`, { kind: 'pose', poses })] : [];
 }
 
 function rigOf(character: Character): Rig {

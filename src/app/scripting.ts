@@ -8,6 +8,7 @@ import { type Playback, play } from '../edit/playback.ts';
 import type { Command, Edit, Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
 import { resolvedSlopes } from '../evaluate/slopes.ts';
+import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, shownClip } from '../model/document.ts';
 import { runAction } from '../ui/actions.ts';
@@ -77,8 +78,8 @@ export interface MarrowApi {
   /**
    * Runs a command on the document (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …).
    * `characterId`, `timeSeconds` and `playedRange` default to the selected character, the moment shown and the range.
-   * Commands for whole curves, samples and other characters' takes (`channels.…`, `samples.…`, `retarget.…`), and actions
-   * that use them, are fetched first: for those it gives a promise.
+   * Commands for whole curves, samples, other characters' takes, pins and skeletons (`channels.…`, `samples.…`,
+   * `retarget.…`, `ik.…`, `rig.…`), and actions that use such, are fetched first: for those it gives a promise.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): Promise<void> | undefined;
   /** The keys of a channel of the shown clip: seconds of the clip, values, and the slopes that their tangents come to. */
@@ -141,7 +142,7 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
       const world = facts(character).worldMatrices();
       return (resolve(store, character).ik?.pins ?? []).map((pin) => ({
         ...pin,
-        position: [0, 1, 2].map((k) => transformed(world, 16 * pin.joint, pin.point, k)),
+        position: transformPoint(world, pin.point, 16 * pin.joint),
       }));
     },
     vertices: (character) => Array.from(facts(character).vertices()),
@@ -151,8 +152,7 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
     pointOnPage(point, character) {
       const placement = viewport.placementOf(resolve(store, character).id, 0);
       if (!placement) return undefined;
-      const [x, y, z] = [0, 1, 2].map((k) => transformed(placement, 0, point, k));
-      const place = viewport.eye.toScreen([x, y, z]);
+      const place = viewport.eye.toScreen(transformPoint(placement, point));
       return { x: place.x, y: place.y };
     },
     stats: () => viewport.stats(),
@@ -161,11 +161,6 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
     redo: () => store.redo(),
     save: (name) => saveByName(store, name),
   };
-}
-
-/** A coordinate of a point that a matrix takes elsewhere. */
-function transformed(m: ArrayLike<number>, o: number, [x, y, z]: readonly number[], k: number): number {
-  return m[o + k] * x + m[o + 4 + k] * y + m[o + 8 + k] * z + m[o + 12 + k];
 }
 
 /** What a console gives is not typed: anything else is refused with a sentence. */

@@ -4,6 +4,7 @@
  *
  * A skeleton's file holds the pose of its joints too, which the document keeps beside the skeleton; see `poseToSave`.
  */
+import { addPoses } from '../edit/pose/library.ts';
 import type { Store } from '../edit/store.ts';
 import type { Character } from '../model/document.ts';
 import { findCharacter } from '../model/document.ts';
@@ -11,7 +12,7 @@ import { filePose, rootDofCount } from '../model/dofs.ts';
 import { type ParsedFile, sameName } from '../model/files.ts';
 import { type Observable, observable } from '../ui/observable.ts';
 import type { PartKind, UnsavedPart } from '../ui/workbench.ts';
-import { fileNameOf, type Part, partsOf, poseToSave } from './parts.ts';
+import { fileNameOf, type Part, partsOf, posesByNames, poseToSave } from './parts.ts';
 import { sameData } from './same-data.ts';
 
 /** What of a character is in files. Parts are those of documents, by identity, so keeping them costs nothing more. */
@@ -62,9 +63,12 @@ export class Unsaved {
     // The list is that of before still: it follows at the end of the task.
     const unsavedBefore = this.parts.get();
     const replaced = files.filter(({ source }) => unsavedBefore.some((part) => sameName(part.name, source.name)));
-    const fresh = new Set<object>([...files, ...this.waiting].flatMap(contentOf));
+    const given = [...files, ...this.waiting];
+    const fresh = new Set<object>(given.flatMap(contentOf));
     for (const character of this.store.document.characters) {
-      const read = partsOf(character).filter((part) => piecesOf(part).every((piece) => fresh.has(piece)));
+      const read = partsOf(character).filter((part) =>
+        part.kind === 'pose' ? isLibraryOf(character, given) : piecesOf(part).every((piece) => fresh.has(piece)),
+      );
       if (read.length) this.mark(character, read, filePoseOfJoints(character));
     }
     this.waiting = this.store.document.unused.map(({ file }) => file);
@@ -141,7 +145,7 @@ export class Unsaved {
     const known = this.lists.get(character);
     if (known) return known;
     const baseline = this.baselines.get(character.id);
-    const counts: Record<PartKind, number> = { skel: 0, skin: 0, morph: 0, anim: 0, bvh: 0 };
+    const counts: Record<PartKind, number> = { skel: 0, skin: 0, morph: 0, anim: 0, bvh: 0, pose: 0 };
     const list: UnsavedPart[] = [];
     for (const part of partsOf(character)) {
       const index = counts[part.kind]++;
@@ -152,13 +156,12 @@ export class Unsaved {
     return list;
   }
 
-  private isSaved({ parts, isSaved }: Baseline, { kind, part }: Part): boolean {
+  private isSaved({ parts, isSaved }: Baseline, own: Part): boolean {
+    const { kind, part } = own;
     let saved = isSaved.get(part);
     if (saved === undefined) {
       const alike = parts.filter((p) => p.kind === kind && p.part.name === part.name);
-      saved =
-        alike.some((p) => p.part === part) ||
-        alike.some((p) => sameData(contentInFile(p), contentInFile({ kind, part })));
+      saved = alike.some((p) => p.part === part) || alike.some((p) => sameData(contentInFile(p), contentInFile(own)));
       isSaved.set(part, saved);
     }
     return saved;
@@ -176,11 +179,23 @@ function piecesOf({ kind, part }: Part): readonly object[] {
   return part.clip ? [part.skeleton, part.clip] : [part.skeleton];
 }
 
-/** A part without what its file can't hold: a `.bvh` says neither what of it is played nor how between its frames. */
-function contentInFile({ kind, part }: Pick<Part, 'kind' | 'part'>): unknown {
-  if (kind !== 'bvh' || !('skeleton' in part) || !part.clip?.samples) return part;
+/** What the file of a part holds: a `.bvh` says neither what of it is played nor how between its frames. */
+function contentInFile({ kind, part }: Part): unknown {
+  if (kind === 'pose') return posesByNames(part);
+  if (kind !== 'bvh' || !part.clip?.samples) return part;
   const { interpolation: _, ...samples } = part.clip.samples;
   return { ...part, clip: { ...part.clip, range: [], samples } };
+}
+
+/** Whether a character's poses are those of one of these files that it has, and no others. */
+function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolean {
+  const { poses: _, ...without } = character;
+  return files.some(
+    (file) =>
+      file.kind === 'pose' &&
+      character.sources.includes(file.source) &&
+      sameData(addPoses(without, file.poses).poses, character.poses),
+  );
 }
 
 /** One value for each DOF of the joints. */

@@ -7,7 +7,7 @@ import { filePose, jointDofCount, rootDofCount } from '../model/dofs.ts';
 import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
 import { positionsMeant, positionsTaken, withPositions } from '../model/position-channels.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { movedPoses } from './pose/library.ts';
+import { carriedOver, lostOver } from './carried-over.ts';
 import { withoutUnkeyed } from './unkeyed.ts';
 
 export function newCharacter(id: string, name: string): Character {
@@ -28,13 +28,12 @@ export function newCharacter(id: string, name: string): Character {
   };
 }
 
-/** The new skeleton's own pose; root translation and morph weights stay. */
+/** The new skeleton's own pose; root translation and morph weights stay, and what else goes by joints goes along. */
 export function withSkeleton(character: Character, skeleton: Skeleton): Character {
   const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
   const kept = rootDofCount(skeleton) === rootDofCount(character.skeleton) ? rootDofCount(skeleton) : 0;
   const pose = [...character.pose.slice(0, kept), ...filePose(skeleton, 0).slice(kept), ...weights];
-  const next = { ...withoutUnkeyed(character), skeleton, pose };
-  return character.poses ? { ...next, poses: movedPoses(character, next, character.poses) } : next;
+  return carriedOver(character, { ...withoutUnkeyed(character), skeleton, pose });
 }
 
 /**
@@ -131,6 +130,10 @@ function asMeant({ skeleton, clip }: Figure): Figure {
 export function checkParts(before: Character | undefined, after: Character): Diagnostic[] {
   const problems: Diagnostic[] = [];
   const newSkeleton = before?.skeleton !== after.skeleton;
+  if (before && newSkeleton && after.skeleton) {
+    const source = after.sources.find(({ name }) => /\.(skel|axskel|bvh)$/i.test(name));
+    problems.push(...lostOver(before, after, source?.name ?? `${after.skeleton.name}.skel`));
+  }
   if (newSkeleton && after.skeleton && positionsTaken(after.skeleton) === 'replace') {
     if (positionsMeant(after.skeleton, shownClip(after)) === 'add') {
       const message =

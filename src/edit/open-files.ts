@@ -20,6 +20,8 @@ import { checkParts, newCharacter, withFigure, withPart, withTextures } from './
 import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } from './grouping.ts';
 import { placeBeside } from './place-beside.ts';
 import { fittingCharacter, givePoses, type PoseFile } from './pose/open.ts';
+import { sameJoints } from './pose/same-joints.ts';
+import { withSourcePairs } from './rig/by-joint.ts';
 
 export interface OpenResult {
   /** The very same document where nothing was opened. */
@@ -47,7 +49,10 @@ export function openFiles(
 
 /** One opening under way: what has become of the files so far. */
 class Opening {
-  /** What was there, without the opening sample: it makes way, and nothing attaches to it. */
+  /**
+   * What was there, without the opening sample: it makes way, and nothing attaches to it. But poses alone are for someone
+   * who is there.
+   */
   private readonly base: Document;
   /** Lay unused until now; one of these files may be what they were missing. */
   private readonly waiting: readonly UnusedFile[];
@@ -66,7 +71,8 @@ class Opening {
     private readonly selectedId: string | undefined,
   ) {
     const { unused, charactersMade } = document;
-    this.base = document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
+    const makesWay = document.isOpeningSample && !isOfPosesAlone([...files, ...broken]);
+    this.base = makesWay ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
     this.characters = this.base.characters;
     this.made = charactersMade;
     this.waiting = unused.filter(({ file }) => !files.some((f) => f.source.path === file.source.path));
@@ -174,7 +180,8 @@ class Opening {
     const fresh = characters.filter((c) => this.opened.has(c.id));
     const selected = findCharacter(base, this.selectedId);
     const meant = selected && characters.find((c) => c.id === selected.id);
-    const target = fittingCharacter(file, [...(meant ? [meant] : []), ...fresh, ...characters]);
+    const known = characters.filter((c) => hasSource(c, file.source));
+    const target = fittingCharacter(file, [...known, ...(meant ? [meant] : []), ...fresh, ...characters]);
     if (!target) {
       this.unused.push({ file, why: 'No character here has the joints that its poses are of.' });
       return;
@@ -232,6 +239,10 @@ class Opening {
     const { characters } = this;
     const next = before ? dressed : { ...dressed, placements: [placeBeside(characters, dressed)] };
     this.characters = before ? characters.map((c) => (c === before ? next : c)) : [...characters, next];
+    if (before?.skeleton && next.skeleton && before.skeleton !== next.skeleton) {
+      const to = sameJoints(before.skeleton, next.skeleton);
+      this.characters = withSourcePairs(this.characters, next.id, before.skeleton, to);
+    }
     this.opened.add(next.id);
     for (const part of parts) this.used.add(part);
   }
@@ -255,6 +266,11 @@ class Opening {
     // With a skin or an animation of its own the group is complete, and takes nobody else's.
     return byName ?? (waiting.length === 1 && group.parts.length === 0 ? waiting[0] : undefined);
   }
+}
+
+/** Poses and nothing else: they show nothing by themselves. */
+function isOfPosesAlone(files: readonly { readonly source: SourceFile }[]): boolean {
+  return files.length > 0 && files.every(({ source }) => /\.pose$/i.test(source.name));
 }
 
 /** What a file brings that has skeletons; no clips where it is a skeleton alone. */

@@ -1,5 +1,5 @@
 /** Where a posed skeleton's bones end: BVH's End Sites, and the tips of bones along +y. */
-import type { Vec3 } from '../math/vec3.ts';
+import { transformPoint, type Vec3 } from '../math/vec3.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
 export interface EndSitePosition {
@@ -23,10 +23,8 @@ export function endSitePositions({ joints }: Skeleton, world: Float64Array): End
  * Of one End Site, which is at `end` in its joint's space.
  * @param world as above
  */
-export function endSitePosition([x, y, z]: Vec3, world: Float64Array, joint: number): Vec3 {
-  const o = 16 * joint;
-  const along = (k: number) => world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z + world[o + 12 + k];
-  return [along(0), along(1), along(2)];
+export function endSitePosition(end: Vec3, world: Float64Array, joint: number): Vec3 {
+  return transformPoint(world, end, 16 * joint);
 }
 
 /**

@@ -8,8 +8,8 @@
  * that stand for a rotation, and all whole turns of each, the one nearest to the angles before is taken: what lies
  * between frames doesn't spin.
  */
+import { turnedNear } from '../math/euler.ts';
 
-const TURN = 2 * Math.PI;
 const LOCKED = 1e-12;
 
 /**
@@ -24,21 +24,32 @@ export function zxyAngles(m: Float64Array, o: number, angles: Float64Array, at: 
   const c = cosB > LOCKED ? Math.atan2(-m20, m22) : beforeC;
   const [cosC, sinC] = [Math.cos(c), Math.sin(c)];
   const a = Math.atan2(m[o + 1] * cosC + m[o + 9] * sinC, m[o] * cosC + m[o + 8] * sinC);
-
-  const [a1, b1, c1] = [near(a, beforeA), near(b, beforeB), near(c, beforeC)];
-  const [a2, b2, c2] = [near(a + Math.PI, beforeA), near(Math.PI - b, beforeB), near(c + Math.PI, beforeC)];
-  const plain = (a1 - beforeA) ** 2 + (b1 - beforeB) ** 2 + (c1 - beforeC) ** 2;
-  const other = (a2 - beforeA) ** 2 + (b2 - beforeB) ** 2 + (c2 - beforeC) ** 2;
-  const flips = other < plain - 1e-9;
-  angles[at] = flips ? a2 : a1;
-  angles[at + 1] = flips ? b2 : b1;
-  angles[at + 2] = flips ? c2 : c1;
+  writeNearestForm(a, b, c, beforeA, beforeB, beforeC, angles, at);
 }
 
-/** The angle, whole turns away, nearest to another one. */
-function near(angle: number, to: number): number {
-  const turns = Math.round((to - angle) / TURN);
-  return turns === 0 ? angle : angle + TURN * turns;
+/**
+ * Of a rotation by three angles, each about another axis: the form that is nearest to other angles, whole turns and
+ * (a + π, π − b, c + π) included.
+ * @param out where the three are written, at `at`
+ */
+export function writeNearestForm(
+  a: number,
+  b: number,
+  c: number,
+  a0: number,
+  b0: number,
+  c0: number,
+  out: Float64Array,
+  at: number,
+): void {
+  const [pa, pb, pc] = [turnedNear(a, a0), turnedNear(b, b0), turnedNear(c, c0)];
+  const [fa, fb, fc] = [turnedNear(a + Math.PI, a0), turnedNear(Math.PI - b, b0), turnedNear(c + Math.PI, c0)];
+  const plain = (pa - a0) ** 2 + (pb - b0) ** 2 + (pc - c0) ** 2;
+  const flipped = (fa - a0) ** 2 + (fb - b0) ** 2 + (fc - c0) ** 2;
+  const isFlipped = flipped < plain - 1e-9;
+  out[at] = isFlipped ? fa : pa;
+  out[at + 1] = isFlipped ? fb : pb;
+  out[at + 2] = isFlipped ? fc : pc;
 }
 
 /**

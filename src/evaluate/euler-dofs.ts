@@ -38,6 +38,26 @@ function listedAngles(names: readonly CompoundDof[]): EulerDofs | undefined {
   return { x, y, z, order: axes.reverse().join('') as EulerOrder };
 }
 
+/** A rotation by Euler angles as Rz(γ)·Ry(β)·Rx(α) with the axes renamed: what `math/euler.ts` is about. */
+export interface RenamedAxes {
+  /** Which of x, y, z (0, 1, 2) α, β and γ turn about: the order in which they are applied. */
+  readonly axes: readonly [number, number, number];
+  /** −1 where the new names mirror space (xzy, yxz, zyx): there rotations turn the other way. */
+  readonly sign: 1 | -1;
+}
+
+export function renamedAxes(order: EulerOrder): RenamedAxes {
+  const [i, j, k] = [0, 1, 2].map((at) => 'xyz'.indexOf(order[at]));
+  return { axes: [i, j, k], sign: (j - i + 3) % 3 === 1 ? 1 : -1 };
+}
+
+/** The DOFs of α, β and γ among the joint's. */
+export function appliedDofs({ x, y, z, order }: EulerDofs): readonly [number, number, number] {
+  const [i, j, k] = renamedAxes(order).axes;
+  const dofs = [x, y, z];
+  return [dofs[i], dofs[j], dofs[k]];
+}
+
 /** Of each DOF of a joint, whether a whole turn more of it changes nothing. */
 export function turningDofs(motion: Motion): readonly boolean[] {
   // A turn of a screw goes somewhere.

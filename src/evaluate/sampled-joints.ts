@@ -2,7 +2,7 @@
 import { firstDofs } from '../model/dofs.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { CompiledClip } from './compiled-clip.ts';
-import { eulerDofs, turningDofs } from './euler-dofs.ts';
+import { appliedDofs, eulerDofs, renamedAxes, turningDofs } from './euler-dofs.ts';
 
 /** DOFs in the character's order, and beside each list the columns that drive them. */
 export interface SampledJoints {
@@ -60,11 +60,8 @@ function sort({ columns }: CompiledClip, skeleton: Skeleton): SampledJoints {
   skeleton.joints.forEach(({ motion }, j) => {
     const euler = eulerDofs(motion);
     if (euler) {
-      const applied = [...euler.order].map(
-        (axis) => first[j] + (axis === 'x' ? euler.x : axis === 'y' ? euler.y : euler.z),
-      );
-      const isEven = euler.order === 'xyz' || euler.order === 'yzx' || euler.order === 'zxy';
-      if (take(applied, eulers)) signs.push(isEven ? 1 : -1);
+      const applied = appliedDofs(euler).map((dof) => first[j] + dof);
+      if (take(applied, eulers)) signs.push(renamedAxes(euler.order).sign);
     }
     if (motion.kind === 'quaternion')
       take(

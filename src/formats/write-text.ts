@@ -6,6 +6,7 @@
  * needs two passes, makes files a third larger, and the shortest decimals would not line up by their points anyway.
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
+import { oneToken, restOfLine, wellFormed } from '../model/written-names.ts';
 import { NOWHERE } from './places.ts';
 import type { WriteResult } from './reader.ts';
 import { Report } from './report.ts';
@@ -64,11 +65,7 @@ export class Text {
   /** A name as the rest of its line, with the blank before it; nothing for an empty one. */
   lineName(name: string, what: string): string {
     if (name === '') return '';
-    // Blanks inside are fine; those at an end would be taken for none of it.
-    const fit = wellFormed(name)
-      .replace(/[\r\n{}]/g, '_')
-      .replace(/^[ \t]+|[ \t]+$/g, (blanks) => '_'.repeat(blanks.length));
-    return ` ${this.changed(name, fit, what)}`;
+    return ` ${this.changed(name, restOfLine(name), what)}`;
   }
 
   /** A file name: as it is where one token can hold it, else in quotes. */
@@ -109,14 +106,4 @@ export class Text {
     const diagnostics: readonly Diagnostic[] = this.report.finish();
     return { text, diagnostics };
   }
-}
-
-/** A name as it is written where it has to be one token. */
-export function oneToken(name: string): string {
-  return wellFormed(name).replace(/[ \t\r\n{}]/g, '_');
-}
-
-/** Half a surrogate pair has no UTF-8. */
-function wellFormed(name: string): string {
-  return name.replace(/\p{Surrogate}/gu, '_');
 }

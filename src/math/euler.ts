@@ -221,7 +221,7 @@ function smallCosine(x: number): number {
   return 1 - s * (1 / 2) * (1 - s * (1 / 12) * (1 - s * (1 / 30) * (1 - s * (1 / 56))));
 }
 
-/** An angle, whole turns added so that it is the nearest to another one. */
+/** An angle, whole turns added so that it is the nearest to another one; by none it stays the very number (−0 is 0). */
 export function turnedNear(angle: number, near: number): number {
   return angle + TURN * Math.round((near - angle) / TURN);
 }

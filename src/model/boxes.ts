@@ -16,6 +16,15 @@ export function hasAllBoxes({ joints }: Skeleton): boolean {
   return joints.every(hasBox);
 }
 
+/**
+ * Whether most boxes are the small cubes that stand for none: those of joints that were just made, and of files that say
+ * nothing of boxes. They show where joints are, and not what hangs on what.
+ */
+export function areBoxesPlain({ joints }: Skeleton): boolean {
+  const plain = joints.filter((joint) => !hasOwnBox(joint)).length;
+  return joints.length > 1 && 2 * plain > joints.length;
+}
+
 export function hasBoxes({ joints }: Skeleton): boolean {
   return joints.some(hasBox);
 }

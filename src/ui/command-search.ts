@@ -43,7 +43,12 @@ export function commandSearch(wb: Workbench, close: () => void): DialogContent {
   };
   const show = () => {
     const all = actionsOf(wb).filter((a) => isEnabled(wb, a) && a.id !== 'help.search');
-    found = findActions(all, input.value, (a) => longLabel(wb, a)).slice(0, MOST_SHOWN);
+    found = findActions(
+      all,
+      input.value,
+      (a) => longLabel(wb, a),
+      (a) => TRAVELS.includes(a.id),
+    ).slice(0, MOST_SHOWN);
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
     if (!found.length) list.append(element('li', { class: 'empty' }, 'No command is called that.'));
     choose(0);
@@ -73,13 +78,25 @@ function row(wb: Workbench, action: Action, run: () => void): HTMLElement {
   return made;
 }
 
+/** Their labels have the name of another command in them, which is not what they are found by. */
+const TRAVELS: readonly string[] = ['edit.undo', 'edit.redo'];
+
 /** With the menu it stands in: "Hidden" alone says nothing. */
 function longLabel(wb: Workbench, action: Action): string {
-  return `${action.menu?.replace('/', ' ') ?? action.group} ${actionLabel(wb, action)}`;
+  const label = (TRAVELS.includes(action.id) && action.name) || actionLabel(wb, action);
+  return `${action.menu?.replace('/', ' ') ?? action.group} ${label}`;
 }
 
-/** Actions whose label has every word that was typed, those whose words begin so first. */
-export function findActions<A>(actions: readonly A[], typed: string, label: (action: A) => string): A[] {
+/**
+ * Actions whose label has every word that was typed, those whose words begin so first.
+ * @param isLast comes after others that are found as well: nobody should take a step back who meant to do something
+ */
+export function findActions<A>(
+  actions: readonly A[],
+  typed: string,
+  label: (action: A) => string,
+  isLast: (action: A) => boolean = () => false,
+): A[] {
   const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
   const scored: { readonly action: A; readonly score: number }[] = [];
   for (const action of actions) {
@@ -88,5 +105,6 @@ export function findActions<A>(actions: readonly A[], typed: string, label: (act
     const begins = words.filter((word) => text.split(/[^\p{L}\p{N}]+/u).some((part) => part.startsWith(word))).length;
     scored.push({ action, score: begins });
   }
-  return scored.sort((a, b) => b.score - a.score).map(({ action }) => action);
+  const place = ({ action }: { readonly action: A }) => (words.length && isLast(action) ? 1 : 0);
+  return scored.sort((a, b) => b.score - a.score || place(a) - place(b)).map(({ action }) => action);
 }

@@ -29,7 +29,11 @@ export function filesAndMessages(wb: Workbench): HTMLElement {
   };
   for (const name of ['files', 'messages'] as const) {
     const other = name === 'files' ? 'messages' : 'files';
-    tabs[name].button.addEventListener('click', () => choose(name));
+    tabs[name].button.addEventListener('click', () => {
+      choose(name);
+      // There they stand: read.
+      if (name === 'messages') wb.messages.markAllRead();
+    });
     tabs[name].button.addEventListener('keydown', (event) => {
       if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
       event.preventDefault();

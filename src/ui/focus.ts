@@ -44,3 +44,24 @@ export function watchTyping(signal: AbortSignal): void {
 export function isTypedIn(field: Element): boolean {
   return typedIn === field;
 }
+
+/**
+ * A button or a box that was clicked with the mouse does not keep the focus, until the signal says otherwise: the next
+ * Space is meant for what one works at, and plays. What the click has given the focus to, or what stands in a dialog,
+ * keeps it, and so does whatever was gone to with Tab.
+ */
+export function letGoOfClicked(signal: AbortSignal): void {
+  window.addEventListener(
+    'click',
+    ({ target, detail }) => {
+      const { activeElement } = document;
+      // Keys click too, with a detail of 0.
+      if (detail === 0 || !(activeElement instanceof HTMLElement) || !(target instanceof Element)) return;
+      if (!activeElement.matches(CLICKED) || activeElement.closest('dialog,[role=menu]')) return;
+      // A label's click is its box's.
+      if (activeElement.contains(target) || target.closest('label')?.contains(activeElement)) letGo(activeElement);
+    },
+    { signal },
+  );
+}
+const CLICKED = 'button,summary,[role=button],input[type=checkbox],input[type=radio]';

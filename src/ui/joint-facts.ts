@@ -7,13 +7,15 @@ import { compileSkeleton, localMatrices } from '../evaluate/kinematics.ts';
 import { determinant3 } from '../math/mat4.ts';
 import { type Character, shownSkin } from '../model/document.ts';
 import { firstDofs, rootDofs } from '../model/dofs.ts';
-import { dofsOf, type Motion, UNLIMITED } from '../model/skeleton.ts';
+import { jointName } from '../model/joint-name.ts';
+import { dofsOf, UNLIMITED } from '../model/skeleton.ts';
 import { currentCharacter } from './actions/action.ts';
 import { shownPerUnit, withoutNoise } from './angles.ts';
 import { element } from './dom.ts';
 import { endSiteTables } from './end-site-facts.ts';
 import { FactList, type FactView } from './fact-list.ts';
 import { atMostEvery } from './frame.ts';
+import { motionText } from './motion-text.ts';
 import { movedVertices } from './moved-vertices.ts';
 import { plural, shown } from './number-text.ts';
 import { vertexFacts } from './vertex-facts.ts';
@@ -85,7 +87,7 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
   const { skeleton, id } = character;
   if (!skeleton) throw new Error('A joint without a skeleton.');
   const joint = skeleton.joints[index];
-  const list = new FactList(joint.name || `#${index}`);
+  const list = new FactList(jointName(skeleton, index));
   list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
   list.fact('Type', motionText(joint.motion));
   list.fact('Parent', joint.parent < 0 ? 'none, it is the root' : parentLink(wb, character, joint.parent));
@@ -163,49 +165,11 @@ function dofTable(wb: Workbench, character: Character, index: number, list: Fact
   };
 }
 
-function motionText(motion: Motion): string {
-  switch (motion.kind) {
-    case 'ball':
-      return `balljoint, order ${motion.order}`;
-    case 'hinge':
-      return `hingejoint, axis ${motion.axis.join(' ')}`;
-    case 'universal':
-      return `universaljoint, order ${motion.order}`;
-    case 'quaternion':
-      return 'quaternionjoint';
-    case 'prismatic':
-      return `prismaticjoint, axis ${motion.axis.join(' ')}`;
-    case 'translational':
-      return 'translationaljoint';
-    case 'free':
-      return `freejoint, order ${motion.order}`;
-    case 'screw':
-      return `screwjoint, axis ${motion.axis.join(' ')}, ${motion.pitch} a turn`;
-    case 'scale': {
-      const isAlong = motion.mode === 'axis' || motion.mode === 'volume';
-      return `scalejoint, mode ${motion.mode}${isAlong ? `, axis ${motion.axis.join(' ')}` : ''}`;
-    }
-    case 'shear':
-      return 'shearjoint';
-    case 'fixed':
-      return 'fixedjoint';
-    case 'compound':
-      return motion.dofs.length ? `compoundjoint, ${motion.dofs.join(' ')}` : 'compoundjoint without DOFs';
-    case 'bvh':
-      return bvhText(motion);
-  }
-}
-
-function bvhText({ channels, positions }: Extract<Motion, { kind: 'bvh' }>): string {
-  if (channels.length === 0) return 'BVH joint without channels';
-  const moves = channels.some((channel) => channel.startsWith('t'));
-  const meaning = positions === 'add' ? ', added to its offset' : ', in place of its offset';
-  return `BVH joint, channels ${channels.join(' ')}${moves ? meaning : ''}`;
-}
-
 function parentLink(wb: Workbench, character: Character, parent: number): HTMLElement {
-  const name = character.skeleton?.joints[parent]?.name;
-  const made = element('button', { type: 'button', class: 'link' }, name ? `${name} (${parent})` : `#${parent}`);
+  const { skeleton } = character;
+  const name = jointName(skeleton, parent);
+  const text = skeleton?.joints[parent]?.name ? `${name} (${parent})` : name;
+  const made = element('button', { type: 'button', class: 'link' }, text);
   made.addEventListener('click', () => wb.store.select({ characterId: character.id, joint: parent }));
   return made;
 }

@@ -1,7 +1,7 @@
 /** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
 import { type Action, actionLabel, isEnabled } from './actions/action.ts';
 import { actionsOf } from './actions.ts';
-import { isTextField, isTypedIn, watchTyping } from './focus.ts';
+import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from './focus.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -10,6 +10,7 @@ export const isMac = /mac|iphone|ipad/i.test(globalThis.navigator?.userAgent ?? 
 /** Listens until the signal says otherwise. */
 export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
   watchTyping(signal);
+  letGoOfClicked(signal);
   window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
 }
 
@@ -33,8 +34,13 @@ export function handleKey(wb: Workbench, event: KeyboardEvent): void {
   if (target.closest('[role=menu],dialog')) return;
   if (swallows(focusKind(target), event, isMac)) return;
   const panel = target.closest<HTMLElement>('[data-panel]')?.dataset.panel;
-  const action = actionFor(shortcutsOf(event, isMac), actionsOf(wb), panel, wb.settings.get());
-  if (!action) return;
+  const pressed = shortcutsOf(event, isMac);
+  const action = actionFor(pressed, actionsOf(wb), panel, wb.settings.get());
+  if (!action) {
+    // The browser would select every text on the page; it may where one is meant to be copied.
+    if (pressed.includes('Ctrl+A') && !isInCopiedText(target)) event.preventDefault();
+    return;
+  }
   // Ours also where it can't run just now: Ctrl+S never opens the browser's dialog.
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
@@ -55,8 +61,17 @@ export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
   }
 }
 
+/** Whether the focus is in text that is there to be copied, or some of it is selected. */
+function isInCopiedText(target: Element): boolean {
+  const { anchorNode = null } = document.getSelection() ?? {};
+  const selected = anchorNode instanceof Element ? anchorNode : anchorNode?.parentElement;
+  return [target, selected].some((one) => one?.closest(COPIED_TEXT));
+}
+const COPIED_TEXT = '.messages-list,.facts';
+
 function focusKind(target: Element): FocusKind {
   if (isTextField(target)) return isTypedIn(target) ? 'text' : 'untyped';
   if (target instanceof HTMLSelectElement) return 'select';
+  if (target instanceof HTMLInputElement && target.type === 'range') return 'range';
   return target.matches('input,button,a[href],summary,[role=button]') ? 'press' : 'none';
 }

@@ -8,7 +8,7 @@ import type { Workbench } from './workbench.ts';
 
 /** A menu's entries as things are now: build them when it opens. */
 export function menuEntries(wb: Workbench, menu: MenuName): MenuEntry[] {
-  const actions = actionsOf(wb).filter((a) => a.menu === menu || a.menu?.startsWith(`${menu}/`));
+  const actions = actionsOf(wb).flatMap((action) => inMenu(action, menu));
   if (!actions.length) return [{ kind: 'note', text: `No ${menu.toLowerCase()} came with this page.` }];
   const entries: MenuEntry[] = [];
   const subMenus = new Set<string>();
@@ -27,6 +27,13 @@ export function menuEntries(wb: Workbench, menu: MenuName): MenuEntry[] {
     entries.push({ kind: 'menu', label: path.slice(menu.length + 1), entries: () => itemsOf(wb, within) });
   }
   return entries;
+}
+
+/** The action as it stands in this menu; none where it does not. */
+function inMenu(action: Action, menu: MenuName): Action[] {
+  if (action.menu === menu || action.menu?.startsWith(`${menu}/`)) return [action];
+  const { alsoIn } = action;
+  return alsoIn?.menu === menu ? [{ ...action, menu, section: alsoIn.section ?? 0 }] : [];
 }
 
 /** A menu within takes the place of its first entry, and the section that this has outside. */

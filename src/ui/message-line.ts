@@ -1,13 +1,14 @@
 /**
- * The newest message that nobody has read, as a line over the viewport's foot. It stays until it is put away; only a
- * confirmation goes by itself.
+ * The newest message that nobody has read, as a line over the viewport's foot. It stays until it is put away, a refusal
+ * until something else is done (`stale-messages.ts`); only a confirmation goes by itself.
  */
 import { button, element } from './dom.ts';
 import { icon } from './icons.ts';
 import { plural } from './number-text.ts';
+import { PassingTime } from './passing-time.ts';
 import type { Workbench } from './workbench.ts';
 
-const PASSING_MS = 4000;
+const PASSING_MS = 10_000;
 
 export function messageLine(wb: Workbench): HTMLElement {
   const { messages } = wb;
@@ -20,7 +21,11 @@ export function messageLine(wb: Workbench): HTMLElement {
     region.hidden = first === undefined && passing === undefined;
     if (passing !== undefined) {
       region.className = 'message-line severity-info';
-      region.replaceChildren(icon('info'), element('span', { class: 'message-text' }, passing));
+      region.replaceChildren(
+        icon('info'),
+        element('span', { class: 'message-text' }, passing),
+        button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.passing.set(undefined)),
+      );
       return;
     }
     if (!first) {
@@ -43,12 +48,14 @@ export function messageLine(wb: Workbench): HTMLElement {
     );
   };
   messages.list.subscribe(show);
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  const time = new PassingTime(PASSING_MS, () => messages.passing.set(undefined));
   messages.passing.subscribe((text) => {
-    clearTimeout(timer);
-    if (text !== undefined) timer = setTimeout(() => messages.passing.set(undefined), PASSING_MS);
+    if (text === undefined) time.end();
+    else time.begin();
     show();
   });
+  region.addEventListener('pointerenter', () => time.hold(true));
+  region.addEventListener('pointerleave', () => time.hold(false));
   show();
   return region;
 }

@@ -16,7 +16,12 @@ export interface Message {
   readonly fate?: string;
   /** Still shown in the line over the viewport. */
   readonly unread: boolean;
+  /** A step that is made after it takes it out of the line: it was about what one did before. */
+  readonly isRefusal?: boolean;
 }
+
+/** How long a warning stays in the line: one that refuses something until something else is done. */
+type Lasting = 'until a step' | 'until read';
 
 export class Messages {
   /** Oldest first. */
@@ -27,10 +32,29 @@ export class Messages {
   readonly listAsked: Observable<number> = observable(0);
   private nextId = 1;
 
-  /** A notice in one sentence. A mere info passes by itself; anything worse is listed. */
-  note(text: string, severity: Severity = 'info'): void {
+  /**
+   * A notice in one sentence. A mere info passes by itself; anything worse is listed.
+   * @param lasting of a warning; an error stays in the line until it is read
+   */
+  note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
     if (severity === 'info') this.passing.set(text);
-    else this.add({ text, severity, diagnostics: [] });
+    else {
+      const isRefusal = severity === 'warning' && lasting === 'until a step';
+      this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
+    }
+  }
+
+  /** What has been said so far, to tell it from what is said later. */
+  get said(): Said {
+    return { lastId: this.nextId - 1, passing: this.passing.get() };
+  }
+
+  /** Something was done: what was refused before, and what was said in passing, is not about that. It stays listed. */
+  leaveBehind({ lastId, passing }: Said): void {
+    if (passing !== undefined && this.passing.get() === passing) this.passing.set(undefined);
+    const isLeft = (m: Message) => m.unread && m.isRefusal === true && m.id <= lastId;
+    if (!this.list.get().some(isLeft)) return;
+    this.list.update((all) => all.map((m) => (isLeft(m) ? { ...m, unread: false } : m)));
   }
 
   /**
@@ -82,13 +106,22 @@ export class Messages {
   private add(message: Omit<Message, 'id' | 'unread'>, unread = true): void {
     const id = this.nextId++;
     if (unread) this.passing.set(undefined);
+    // Who is refused something else has gone on from what was refused before.
+    const isLeft = (m: Message) => message.isRefusal === true && m.isRefusal === true && m.unread;
+    const others = this.list.get().map((m) => (isLeft(m) ? { ...m, unread: false } : m));
     // The same notice again is not two, and a file that is read again is judged anew.
-    this.list.update((all) => [...all.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
+    this.list.set([...others.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
   }
 
   private keep(wanted: (message: Message) => boolean): void {
     if (!this.list.get().every(wanted)) this.list.update((all) => all.filter(wanted));
   }
+}
+
+/** A moment in the course of messages. */
+export interface Said {
+  readonly lastId: number;
+  readonly passing: string | undefined;
 }
 
 const RISING: readonly Severity[] = ['info', 'warning', 'error'];

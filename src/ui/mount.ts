@@ -31,6 +31,7 @@ import { menuBar } from './menu-bar.ts';
 import { outliner } from './outliner.ts';
 import { startPlayer } from './player.ts';
 import { Scrubber } from './scrubber.ts';
+import { leaveRefusalsBehind } from './stale-messages.ts';
 import { followTheme } from './theme.ts';
 import { followCharacter } from './timeline/follow-character.ts';
 import { timelinePanel } from './timeline/panel.ts';
@@ -59,7 +60,7 @@ async function buildTab(wb: Workbench, name: TimelineTabName): Promise<TimelineT
  * and system. `signal` takes the listeners on window and document away again.
  */
 export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new AbortController().signal): void {
-  const stopFollowing = [followCharacter(wb), followPeriods(wb)];
+  const stopFollowing = [leaveRefusalsBehind(wb), followCharacter(wb), followPeriods(wb)];
   signal.addEventListener('abort', () => {
     for (const stop of stopFollowing) stop();
   });

@@ -32,6 +32,7 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
       ['Move a pin', 'drag it'],
       ['… nearer or further away', 'Alt+drag or right drag'],
       ['Move any other point, the pins hold', 'drag it'],
+      ['… nearer or further away (right drag pans there)', 'Alt+drag'],
       ['Move the selected pin', '← → ↑ ↓, Shift further'],
       ['… in depth', 'Alt+↑ ↓'],
       ['Let the selected pin go', 'Delete'],

@@ -2,6 +2,7 @@
  * A number to read and to type: rounded while it is only looked at, exact once it has the focus. Enter takes what was
  * typed and lets go, Escape lets go without.
  */
+import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
 import { letGo } from './focus.ts';
 import { exact, notANumber, parseNumber } from './number-text.ts';
@@ -17,6 +18,8 @@ export interface NumberFieldOptions {
   refuse(reason: string): void;
   /** What an arrow key adds. */
   readonly step?: number;
+  /** What may be typed behind a number. */
+  units?(): Units;
 }
 
 export class NumberField {
@@ -96,11 +99,15 @@ export class NumberField {
     const text = this.element.value;
     if (text === this.own) return;
     this.own = text;
-    const typed = parseNumber(text);
+    const typed = this.parse(text);
     if (typed === undefined) {
       // Emptied and left: given up, not mistyped.
       if (text.trim()) this.options.refuse(notANumber(this.options.label, text));
     } else if (typed !== this.value) this.options.commit(typed);
+  }
+
+  private parse(text: string): number | undefined {
+    return parseNumber(text, this.options.units?.());
   }
 
   private onKey(event: KeyboardEvent): void {
@@ -113,7 +120,7 @@ export class NumberField {
       letGo(this.element);
     } else if (step && (event.key === 'ArrowUp' || event.key === 'ArrowDown')) {
       const sign = event.key === 'ArrowUp' ? 1 : -1;
-      const typed = parseNumber(this.element.value) ?? this.value;
+      const typed = this.parse(this.element.value) ?? this.value;
       if (Number.isNaN(typed)) return;
       const next = Number((typed + sign * step * (event.shiftKey ? 10 : 1)).toPrecision(12));
       this.write(exact(next));

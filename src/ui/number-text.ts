@@ -2,6 +2,7 @@
  * Numbers as text, and back. Two manners: *exact*, the shortest decimal that reads back the same (copied, typed over),
  * and *shown*, cut to what a column has room for (never wider while a character plays).
  */
+import { type Units, workedOut } from './arithmetic.ts';
 
 /** The shortest decimal that reads back as the same double. Minus zero is 0. */
 export function exact(value: number): string {
@@ -52,13 +53,14 @@ export function duration(lengthSeconds: number): string {
   return `${shown(lengthSeconds, 2)} s`;
 }
 
-/** A number typed by a person: blanks around it, a comma as decimal sign, and nothing else. Undefined if it is none. */
-export function parseNumber(text: string): number | undefined {
-  const cleaned = text.trim().replace('−', '-').replace(',', '.');
-  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(cleaned)) return undefined;
-  const value = Number(cleaned);
-  return Number.isFinite(value) ? value : undefined;
+/**
+ * A number typed by a person: a decimal number, with a point or a comma, or something to be worked out (`20+5`, `-3/4`,
+ * `2*(1-0.5)`), and with units where there are some. Undefined if it is none.
+ */
+export function parseNumber(text: string, units: Units = NO_UNITS): number | undefined {
+  return workedOut(text, units);
 }
+const NO_UNITS: Units = {};
 
 /** Why a field shows what it showed before: `Frame: “ten” is not a number.` */
 export function notANumber(label: string, typed: string): string {

@@ -176,7 +176,8 @@ function alternatives(character: Character, kind: 'skin' | 'clip' | 'morph'): Al
     case 'skin':
       return character.skins.map((skin, index) => ({
         label: skin.name,
-        detail: plural(vertexCount(skin), 'vertex', 'vertices'),
+        detail:
+          character.skeleton && !skin.attachments ? 'no weights' : plural(vertexCount(skin), 'vertex', 'vertices'),
         index,
         shown: index === character.shownSkin,
       }));

@@ -12,6 +12,7 @@ import { filesAndMessages } from './files-and-messages.ts';
 import { icon } from './icons.ts';
 import { type MenuEntry, openMenu } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
+import { onDemand } from './on-demand.ts';
 import {
   characterKey,
   groupKey,
@@ -24,7 +25,6 @@ import {
 } from './outline-rows.ts';
 import { movedEntries } from './retarget/moved.ts';
 import { rigState } from './rig/rig-state.ts';
-import { jointEntries } from './rig/tree-menu.ts';
 import { splitter } from './splitter.ts';
 import { Tree } from './tree.ts';
 import type { PartKind, Workbench } from './workbench.ts';
@@ -284,14 +284,19 @@ function rowMenu(
 ): void {
   const character = findCharacter(wb.store.document, row.characterId);
   if (character && row.kind === 'clip') return void openMenu(at, takeEntries(wb, row, rename), { label: row.label });
+  if (character && row.kind === 'skin') return void openMenu(at, skinEntries(wb, row), { label: row.label });
   if (!character || (row.kind !== 'character' && row.kind !== 'joint')) return;
   const ids = row.kind === 'joint' ? JOINT_ACTIONS : CHARACTER_ACTIONS;
   const actions = actionsOf(wb);
   const pick = (id: string) => actions.filter((a) => a.id === id).map((a) => itemOf(wb, a));
   const entries = ids.flatMap(pick);
   if (row.kind === 'joint') {
-    const rigging = jointEntries(wb, character, row.index, () => rename(row));
-    return void openMenu(at, [...rigging, ...entries], { label: row.label || 'Joint' });
+    void onDemand(wb.messages, 'The menu of a joint', () => import('./rig/tree-menu.ts')).then((module) => {
+      // Where it can't be fetched there is still the rest.
+      const rigging = module?.jointEntries(wb, character, row.index, () => rename(row)) ?? [];
+      openMenu(at, [...rigging, ...entries], { label: row.label || 'Joint' });
+    });
+    return;
   }
   const last = character.placements.length - 1;
   const removeLast = () => wb.store.apply(removeCopy, { characterId: character.id, index: last });
@@ -307,6 +312,28 @@ function rowMenu(
     ],
     { label: character.name },
   );
+}
+
+function skinEntries(wb: Workbench, row: OutlineRow): MenuEntry[] {
+  const { characterId, index } = row;
+  /** What it is about is what is shown, of the character that is selected. */
+  const showIt = () => {
+    if (currentCharacter(wb)?.id !== characterId) wb.store.select({ characterId });
+    if (findCharacter(wb.store.document, characterId)?.shownSkin === index) return;
+    wb.store.apply(showSkin, { characterId, skin: index });
+  };
+  const weights = actionsOf(wb).filter((a) => a.id === 'skin.weights');
+  return [
+    { kind: 'item', label: 'Show', enabled: !row.shown, run: showIt },
+    ...weights.map((action): MenuEntry => {
+      const hasSkeleton = findCharacter(wb.store.document, characterId)?.skeleton !== undefined;
+      const run = () => {
+        showIt();
+        void runAction(wb, action.id);
+      };
+      return { ...itemOf(wb, action), enabled: hasSkeleton, run };
+    }),
+  ];
 }
 
 function takeEntries(wb: Workbench, row: OutlineRow, rename: (row: OutlineRow) => void): MenuEntry[] {

@@ -67,14 +67,20 @@ const KEY = 'marrow.settings';
 /** Writing waits this long, so that a drag of a splitter is one write. */
 const WRITE_DELAY_MS = 250;
 
-/** The settings that were kept, and every later change kept too. */
-export function rememberedSettings(storage: () => Storage): Observable<Settings> {
+/**
+ * The settings that were kept, and every later change kept too.
+ * @param kept what of them is to be remembered
+ */
+export function rememberedSettings(
+  storage: () => Storage,
+  kept: (settings: Settings) => Settings = (settings) => settings,
+): Observable<Settings> {
   const settings = observable(parseSettings(read(storage)));
   let timer: ReturnType<typeof setTimeout> | undefined;
   const write = () => {
     timer = undefined;
     try {
-      storage().setItem(KEY, JSON.stringify(settings.get()));
+      storage().setItem(KEY, JSON.stringify(kept(settings.get())));
     } catch {
       // Forbidden or full: this visit goes on without memory.
     }

@@ -49,14 +49,18 @@ function switches(wb: Workbench, said: HTMLElement, refresh: Refresh): HTMLEleme
   );
 }
 
+/** One section a group; what holds in one panel alone stands together under its name. */
 function groups(wb: Workbench, refresh: Refresh): HTMLElement[] {
-  const actions = actionsOf(wb);
-  return GROUPS.map((group) => {
+  const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
+  return GROUPS.flatMap((group) => {
+    const own = actions.filter((action) => action.group === group);
     const section = element('section', {}, element('h3', {}, group));
-    for (const action of actions) {
-      if (action.group === group && action.shortcuts?.length) section.append(line(wb, action, refresh));
+    for (const panel of new Set([undefined, ...own.map((action) => action.panel)])) {
+      const held = own.filter((action) => action.panel === panel);
+      if (panel !== undefined) section.append(element('h4', {}, `In the ${panel}`));
+      section.append(...held.map((action) => line(wb, action, refresh)));
     }
-    return section;
+    return own.length > 0 ? [section] : [];
   });
 }
 
@@ -79,8 +83,7 @@ function line(wb: Workbench, action: Action, refresh: Refresh): HTMLElement {
     });
     cell.append(back);
   }
-  const where = action.panel ? ` (in the ${action.panel})` : '';
-  return element('div', { class: 'shortcut-line' }, element('span', {}, `${label}${where}`), cell);
+  return element('div', { class: 'shortcut-line' }, element('span', {}, label), cell);
 }
 
 /** A key that waits for another one once it is pressed. */

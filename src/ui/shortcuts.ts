@@ -142,20 +142,26 @@ export function withKeys<A extends Bindable>(
 }
 
 /** What kind of control has the focus, as far as keys go; `untyped` is a text field where nothing was typed as yet. */
-export type FocusKind = 'text' | 'untyped' | 'select' | 'press' | 'none';
+export type FocusKind = 'text' | 'untyped' | 'select' | 'range' | 'press' | 'none';
 
 /** Commands that a text field has itself, with Ctrl. */
 const TEXT_COMMANDS = new Set(['A', 'C', 'V', 'X', 'Z', 'Y', 'Left', 'Right', 'Up', 'Down', 'Home', 'End']);
+
+/** What moves a slider. */
+const RANGE_KEYS = new Set(['Left', 'Right', 'Up', 'Down', 'Home', 'End', 'PageUp', 'PageDown']);
 
 /** Whether the focused control uses the key itself, so that nobody else may have it. */
 export function swallows(focus: FocusKind, event: KeyLike, mac: boolean): boolean {
   if (focus === 'none') return false;
   const key = NAMES[event.key] ?? event.key;
+  if (focus === 'range') return RANGE_KEYS.has(key) && !event.ctrlKey && !event.metaKey && !event.altKey;
   if (focus === 'press') return key === 'Space' || key === 'Enter';
   if (/^F\d+$/.test(key)) return false;
   const command = mac ? event.metaKey : event.ctrlKey;
   // AltGr types characters, and browsers report it as Ctrl+Alt.
   if (!command || event.altKey) return true;
+  // A list of choices has nothing to copy, paste or undo.
+  if (focus === 'select') return RANGE_KEYS.has(key);
   const name = key.length === 1 ? key.toUpperCase() : key;
   // With nothing typed there is nothing of the field's to undo: the person means what they did last.
   if (focus === 'untyped' && (name === 'Z' || name === 'Y')) return false;

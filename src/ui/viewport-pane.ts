@@ -3,9 +3,10 @@
  * the message line over its foot. What the hand does in it is for the tool of the mode (`tools/`); what that leaves alone
  * picks, or is the camera's.
  */
-import { type Document, shownSkin } from '../model/document.ts';
+import { type Character, type Document, shownSkin } from '../model/document.ts';
 import { type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { NO_TINTS, type Tints } from '../view/theme.ts';
+import { currentCharacter } from './actions/action.ts';
 import { areBoxesVisible, BOX_STYLES, isSkinVisible, NO_BOXES, NO_SKIN, SKIN_STYLES } from './actions/view-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setText } from './dom.ts';
@@ -63,7 +64,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     viewportElement,
     emptyHint(wb),
     element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb)),
-    element('div', { class: 'stage-foot' }, missingNote(wb), keptSession(wb), messageLine(wb)),
+    element('div', { class: 'stage-foot' }, missingNote(wb), weightsNote(wb), keptSession(wb), messageLine(wb)),
   );
 }
 
@@ -81,12 +82,16 @@ function tintsOf(document: Document, comparison: Comparison | undefined): Tints 
 function handTools(wb: Workbench, signal: AbortSignal): void {
   listenToCanvas(
     wb.viewport.canvas,
-    modeTools(wb),
+    modeTools(wb, signal),
     ({ clientX, clientY }) => {
       const hit = wb.viewport.pick(clientX, clientY);
-      wb.store.select(hit ? { ...hit, characterId: withoutTwin(hit.characterId) } : NOTHING_SELECTED);
+      // On the ground the joint is let go of; the character stays the one that is worked on.
+      const { characterId } = wb.store.selection;
+      const otherwise = characterId === undefined ? NOTHING_SELECTED : { characterId };
+      wb.store.select(hit ? { ...hit, characterId: withoutTwin(hit.characterId) } : otherwise);
     },
     signal,
+    (isTools) => wb.viewport.takePointer(isTools),
   );
 }
 
@@ -175,6 +180,41 @@ function missingNote(wb: Workbench): HTMLElement {
   wb.settings.subscribe(show);
   show();
   return note;
+}
+
+/** A skin that hangs on the root as a whole looks like one that is broken: what it wants is said, with the way there. */
+function weightsNote(wb: Workbench): HTMLElement {
+  const text = element('span');
+  const find = element('button', { type: 'button', class: 'link' }, 'Automatic skin weights…');
+  find.addEventListener('click', () => {
+    const character = withoutWeights(wb.store.document, wb.store.selection);
+    if (!character) return;
+    if (currentCharacter(wb) !== character) wb.store.select({ characterId: character.id });
+    runAction(wb, 'skin.weights');
+  });
+  const note = element('p', { class: 'stage-note' }, text, ' ', find);
+  const show = () => {
+    const { document, selection } = wb.store;
+    const character = withoutWeights(document, selection);
+    const skin = character && shownSkin(character);
+    note.hidden = skin === undefined;
+    setText(text, skin ? `${skin.name} has no weights: it follows the root alone.` : '');
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters || now.selection !== before.selection) show();
+  });
+  show();
+  return note;
+}
+
+/** A character whose joints move nothing of the skin that it shows, for that has no weights; the one that is selected first. */
+export function withoutWeights({ characters }: Document, { characterId }: Selection): Character | undefined {
+  const waits = (character: Character) => {
+    const { skeleton, isHidden } = character;
+    const skin = shownSkin(character);
+    return !isHidden && skeleton !== undefined && skeleton.joints.length > 1 && skin && !skin.attachments;
+  };
+  return characters.find((c) => c.id === characterId && waits(c)) ?? characters.find(waits);
 }
 
 /** A sentence, or nothing. */

@@ -26,9 +26,11 @@ export type Stage = Pick<
   | 'setTheme'
   | 'character'
   | 'hover'
+  | 'takePointer'
   | 'requestRender'
   | 'addOverlay'
   | 'placementOf'
+  | 'holdTravel'
   | 'vertexAt'
   | 'turnView'
   | 'eye'
@@ -86,13 +88,13 @@ export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | '
 export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
 
 /** Kinds of files whose content can be changed here. */
-export type PartKind = 'skel' | 'skin' | 'morph' | 'anim' | 'bvh';
+export type PartKind = 'skel' | 'skin' | 'morph' | 'anim' | 'bvh' | 'pose';
 
 /** A part of a character that is not as it was opened, or last saved. */
 export interface UnsavedPart {
   readonly characterId: string;
   readonly kind: PartKind;
-  /** Into the character's skins, morphs or clips; 0 for its skeleton. */
+  /** Into the character's skins, morphs or clips; 0 for its skeleton and its library of poses. */
   readonly index: number;
   /** Of its file: `wasp_walk.anim`. */
   readonly name: string;

@@ -68,6 +68,8 @@ export class CharacterView {
   private theme: ThemeName = 'dark';
   private tint: Tint | undefined;
   private timeSeconds = 0;
+  /** See `holdTravel`. */
+  private heldTravel: Float64Array | undefined;
   private player: PosePlayer | undefined;
   private boneSet: Bones | undefined;
   private groups: readonly Group[] = [];
@@ -184,6 +186,7 @@ export class CharacterView {
   travel(inPlace: boolean): Float64Array {
     const { boneSet, shown, dofs } = this;
     if (!inPlace) return NO_TRAVEL;
+    if (this.heldTravel) return this.heldTravel;
     if (boneSet && shown) {
       groundTravel(boneSet.compiled, shown.space, carrierOf(shown), dofs, boneSet.world, travelled);
     } else {
@@ -192,6 +195,13 @@ export class CharacterView {
       travelled[upAxis(shown?.space)] = 0;
     }
     return travelled;
+  }
+
+  /** Stands still in the picture where it does now, however its root is moved; until it is told otherwise. */
+  holdTravel(holds: boolean): void {
+    this.heldTravel = undefined;
+    if (holds) this.heldTravel = this.travel(true).slice();
+    else if (this.shown && this.display?.inPlace) this.placeGroups(this.shown);
   }
 
   /** Around all placements, in the scene's space, from the joints. Empty for a character without skin and skeleton. */

@@ -34,6 +34,13 @@ export interface DrawnSkeleton extends PosedSkeleton {
   readonly placementCount: number;
 }
 
+/** Whether an index means the same joint in both: else what is known by index, as what is under the pointer, is gone. */
+export function haveSameJoints(a: Skeleton | undefined, b: Skeleton | undefined): boolean {
+  if (a === b) return true;
+  if (!a || !b || a.joints.length !== b.joints.length) return false;
+  return a.joints.every(({ name, parent }, j) => name === b.joints[j].name && parent === b.joints[j].parent);
+}
+
 /** One joint of one placement. */
 export interface JointRef {
   readonly characterId: string;

@@ -7,6 +7,7 @@
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
 import type { CameraRig } from './camera.ts';
+import { CameraProjection } from './camera-projection.ts';
 
 export interface Ray {
   readonly origin: Vec3;
@@ -14,7 +15,7 @@ export interface Ray {
   readonly direction: Vec3;
 }
 
-/** A point of the page, and how far from the camera it is that is seen there. */
+/** A point of the page, and how far from the camera it is that is seen there. NaN where that is behind the viewer. */
 export interface OnScreen {
   readonly x: number;
   readonly y: number;
@@ -28,6 +29,8 @@ export class Eye {
   private readonly point = new Vector3();
   private readonly ahead = new Vector3();
   private readonly plane = new Plane();
+  private readonly projection = new CameraProjection();
+  private readonly pixels = new Float64Array(2);
 
   constructor(
     private readonly canvas: HTMLElement,
@@ -36,13 +39,11 @@ export class Eye {
 
   /** Where on the page a point of the world is. */
   toScreen(world: Vec3): OnScreen {
-    const { point, ahead } = this;
-    const { camera } = this.rig;
-    camera.updateMatrixWorld();
-    const depth = camera.getWorldDirection(ahead).dot(point.set(...world).sub(camera.position));
-    point.set(...world).project(camera);
+    const { projection, pixels } = this;
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
-    return { x: left + ((point.x + 1) / 2) * width, y: top + ((1 - point.y) / 2) * height, depth };
+    projection.look(this.rig.camera, height, width);
+    projection.project(world, pixels, 0);
+    return { x: left + pixels[0], y: top + pixels[1], depth: projection.depthAt(...world) };
   }
 
   /** What lies under a point of the page, from near to far. */
@@ -74,11 +75,8 @@ export class Eye {
 
   /** Length in the world, at `anchor`, that a CSS pixel shows. */
   unitsPerPixel(anchor: Vec3): number {
-    const { camera } = this.rig;
-    const height = this.canvas.clientHeight || 1;
-    if ('isOrthographicCamera' in camera) return (camera.top - camera.bottom) / camera.zoom / height;
-    const { depth } = this.toScreen(anchor);
-    return (2 * Math.max(depth, camera.near) * Math.tan((camera.fov * Math.PI) / 360)) / height;
+    this.projection.look(this.rig.camera, this.canvas.clientHeight || 1);
+    return this.projection.unitsPerPixel(anchor);
   }
 
   private cast(clientX: number, clientY: number): Raycaster {

@@ -16,7 +16,7 @@ import {
   SphereGeometry,
   type Vector3,
 } from 'three';
-import { hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
+import { areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
 import {
   boneOwner,
@@ -288,9 +288,11 @@ export class SkeletonDrawing {
     return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton);
   }
 
-  /** A skeleton of which a joint has no box is drawn as bones where its boxes would be. */
+  /** Where boxes are asked for, a skeleton is drawn as bones too if a joint has no box, or they are a cloud of cubes. */
   private drawsBones(drawn: PosedSkeleton): boolean {
-    return this.display.bones || (this.asksForBoxes(drawn) && !hasAllBoxes(drawn.skeleton));
+    if (this.display.bones) return true;
+    const { skeleton } = drawn;
+    return this.asksForBoxes(drawn) && (!hasAllBoxes(skeleton) || (!drawn.hasSkin && areBoxesPlain(skeleton)));
   }
 
   /** Whether a skin hides joints. */

@@ -38,7 +38,7 @@ export interface StageTheme {
   readonly boxEdgeOpacity: number;
   readonly selected: string;
   readonly selectedLabel: string;
-  /** The circle around a picked vertex: the accent, told apart from its joint's dot. */
+  /** The circle around a picked vertex, and a DOF's handle that goes by no axis: the accent. */
   readonly vertex: string;
   readonly hovered: string;
   /** Points that are held, and the way from one to where it should be. */

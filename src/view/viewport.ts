@@ -14,7 +14,7 @@ import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { CameraRig, type CameraView, type Side } from './camera.ts';
 import { CharacterView } from './character-view.ts';
-import { type JointRef, sizesFor } from './drawn-skeletons.ts';
+import { haveSameJoints, type JointRef, type PosedSkeleton, sizesFor } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
 import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
@@ -38,7 +38,12 @@ export type { Hit } from './picking.ts';
 export interface CharacterFacts {
   /** Every DOF (see `model/dofs.ts`), clamped. Filled anew by each `seek`: copy what is to be kept. */
   readonly dofs: Float64Array;
-  /** 16 numbers a joint, column-major, in the character's own space; a copy. */
+  /**
+   * 16 numbers a joint, column-major, in the character's own space: for drawing, and not to be written to. Filled anew by
+   * each `seek`: copy what is to be kept.
+   */
+  readonly worlds: Float64Array;
+  /** A copy of `worlds`. */
   worldMatrices(): Float64Array;
   /** The skin's vertices as drawn, x y z each, in the character's own space; a copy. Empty without a skin. */
   vertices(): Float64Array;
@@ -99,6 +104,7 @@ export class Viewport {
   /** Ids of what is to be framed where it is not seen well. */
   private revealing: readonly string[] = [];
   private hovered: JointRef | undefined;
+  private isPointerTaken = false;
   private pointer: { x: number; y: number } | undefined;
   private readonly box = new Box3();
   private readonly ownBox = new Box3();
@@ -198,6 +204,12 @@ export class Viewport {
     this.requestRender();
   }
 
+  /** Says whether the pointer is a tool's: no joint lights up under it meanwhile. */
+  takePointer(isTaken: boolean): void {
+    this.isPointerTaken = isTaken;
+    if (isTaken) this.hover(undefined);
+  }
+
   /** Everything there is. */
   frameAll(): void {
     if (this.framing === 'no') this.framing = 'smoothly';
@@ -280,7 +292,8 @@ export class Viewport {
   character(id: string): CharacterFacts | undefined {
     const view = this.characters.get(id)?.view;
     if (!view) return undefined;
-    return { dofs: view.dofs, worldMatrices: () => view.worldMatrices.slice(), vertices: () => view.vertices() };
+    const { dofs, worldMatrices: worlds } = view;
+    return { dofs, worlds, worldMatrices: () => worlds.slice(), vertices: () => view.vertices() };
   }
 
   stats(): FrameStats {
@@ -306,6 +319,20 @@ export class Viewport {
     const entry = this.characters.seen(characterId);
     this.update();
     return entry?.placements.subarray(16 * placement, 16 * placement + 16);
+  }
+
+  /**
+   * For a drag: what carries the character over the ground is cancelled as it is now, even if it is dragged about, until
+   * the way out that comes back is called. Only *in place* cancels anything.
+   */
+  holdTravel(characterId: string): () => void {
+    const view = this.characters.get(characterId)?.view;
+    view?.holdTravel(true);
+    return () => {
+      view?.holdTravel(false);
+      this.posesChanged = true;
+      this.requestRender();
+    };
   }
 
   /** Where a vertex of a character's skin is drawn, in the world; undefined where there is none. */
@@ -404,8 +431,16 @@ export class Viewport {
   }
 
   private showSkeletons(): void {
-    const { skeletons, display, selection } = this;
-    skeletons.show(this.characters.posedSkeletons(this.tints), display, selection, STAGE_THEMES[this.themeName]);
+    const { skeletons, display, selection, hovered } = this;
+    const posed = this.characters.posedSkeletons(this.tints);
+    const ofHovered = (all: readonly PosedSkeleton[]) =>
+      all.find(({ characterId }) => characterId === hovered?.characterId)?.skeleton;
+    // By its index another joint would light up.
+    if (hovered && !haveSameJoints(ofHovered(skeletons.drawn), ofHovered(posed))) {
+      this.hovered = undefined;
+      skeletons.hover(undefined);
+    }
+    skeletons.show(posed, display, selection, STAGE_THEMES[this.themeName]);
     this.labels.show(skeletons.drawn, display, selection, this.hovered);
     this.posesChanged = true;
   }
@@ -518,7 +553,7 @@ export class Viewport {
   private hoverPointer(): void {
     const { pointer } = this;
     this.pointer = undefined;
-    if (!pointer || this.rig.handling || !this.canHover) return;
+    if (!pointer || this.isPointerTaken || this.rig.handling || !this.canHover) return;
     const scene = this.pickScene();
     if (!scene) return;
     const triangles = scene.skins.reduce((sum, { mesh }) => sum + mesh.gpu.skin.triangles.length / 3, 0);

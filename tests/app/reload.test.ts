@@ -170,6 +170,22 @@ describe('reloading', () => {
     expect(here.names()).toEqual(['hero_walk.anim']);
   });
 
+  it('reads a library of poses again', async () => {
+    const poses = (...values: number[]) =>
+      saveCharacter(character({ poses: values.map((v) => ({ name: `pose ${v}`, values: [v] })) }), 'pose')[0].text;
+    const here = await page({ ...HERO, 'hero.pose': poses(1, 2) });
+    const names = () => here.own().poses?.map(({ name }) => name);
+    expect(names()).toEqual(['pose 1', 'pose 2']);
+    here.edit('hero.pose', poses(2, 3));
+    await here.reloadIt();
+    expect(names()).toEqual(['pose 2', 'pose 3']);
+    expect(here.names()).toEqual([]);
+    here.change(({ poses: [first] = [], ...c }) => ({ ...c, poses: [{ ...first, name: 'mine' }] }));
+    await here.reloadIt();
+    expect(names()).toEqual(['pose 2', 'pose 3']);
+    expect(here.own().sources.filter(({ name }) => name === 'hero.pose')).toHaveLength(1);
+  });
+
   it('says that nothing has changed', async () => {
     const here = await page();
     const before = here.store.document;

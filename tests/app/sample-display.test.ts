@@ -1,14 +1,24 @@
 import { describe, expect, it } from 'vitest';
-import { sampleDisplay } from '../../src/app/sample-display.ts';
+import { SampleDisplay } from '../../src/app/sample-display.ts';
+import { Store } from '../../src/edit/store.ts';
+import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { observable } from '../../src/ui/observable.ts';
 import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
+import { character } from '../ui/builders.ts';
 
 describe('what a sample asks to be drawn', () => {
   const settings = () => {
     const all = observable(DEFAULT_SETTINGS);
+    const store = new Store();
+    const display = new SampleDisplay(all, store);
     const names = () => all.get().display.names;
     const setNames = (on: boolean) => all.update((now) => ({ ...now, display: { ...now.display, names: on } }));
-    return { all, names, setNames, open: sampleDisplay(all) };
+    const show = (...ids: string[]) => {
+      const known = new Map(store.document.characters.map((c) => [c.id, c]));
+      const characters = ids.map((id) => known.get(id) ?? character({ id }));
+      store.apply({ id: 'test', label: () => 'Open', run: () => ({ ...EMPTY_DOCUMENT, characters }) }, undefined);
+    };
+    return { all, names, setNames, store, show, display, open: display.show.bind(display) };
   };
 
   it('is drawn from then on, until another sample opens', () => {
@@ -18,6 +28,38 @@ describe('what a sample asks to be drawn', () => {
     open();
     expect(names()).toBe(false);
     expect(all.get().display).toEqual(DEFAULT_SETTINGS.display);
+  });
+
+  it('is put back when any other character opens', () => {
+    const { names, open, show } = settings();
+    show('a');
+    open({ names: true });
+    show('a', 'sample');
+    expect(names()).toBe(true);
+    show('a', 'sample', 'b');
+    expect(names()).toBe(false);
+  });
+
+  it('is put back when the sample goes, and not when others do', () => {
+    const { names, open, show, store } = settings();
+    show('a');
+    open({ names: true });
+    show('a', 'sample');
+    show('sample');
+    expect(names()).toBe(true);
+    store.undo();
+    store.undo();
+    expect(names()).toBe(false);
+  });
+
+  it('is not remembered', () => {
+    const { all, names, setNames, open, display } = settings();
+    open({ names: true });
+    expect(names()).toBe(true);
+    expect(display.without(all.get())).toEqual(DEFAULT_SETTINGS);
+    open();
+    setNames(true);
+    expect(display.without(all.get()).display.names).toBe(true);
   });
 
   it('stays as a person has set it', () => {

@@ -75,6 +75,26 @@ describe('saving what changed', () => {
     expect(page.text('mine.anim')).toContain('range 0 7');
   });
 
+  it('writes the library of poses, into its own file where it came from one', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = page.disk.put('hero.pose', '');
+    page.change((c) => ({ ...c, poses: [{ name: 'sit', values: c.pose.map(() => 0.5) }] }));
+    expect(page.names()).toEqual(['hero.pose']);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['hero.pose']);
+    const written = page.text('hero.pose') ?? '';
+    expect(written).toContain('sit');
+    expect(page.names()).toEqual([]);
+
+    const next = await pageWith({ ...HERO, 'kept.pose': written });
+    expect(next.names()).toEqual([]);
+    next.change((c) => ({ ...c, poses: [{ name: 'squat', values: c.pose.map(() => 0.25) }] }));
+    await next.saver.saveChanged();
+    expect(next.text('kept.pose')).toContain('squat');
+    expect(said(next)).toBe('Saved kept.pose.');
+    expect(next.names()).toEqual([]);
+  });
+
   it('keeps the mark where the person gives up', async () => {
     const page = await pageWith(HERO, false);
     page.disk.picks = 'give up';
@@ -147,6 +167,14 @@ describe('saving as', () => {
     await page.saver.saveChanged();
     expect(page.text('copy.anim')).toContain('range 0 9');
     expect(page.text('hero_walk.anim')).toBe(ANIM);
+  });
+
+  it('counts poses as saved', async () => {
+    const page = await pageWith(HERO, false);
+    page.change((c) => ({ ...c, poses: [{ name: 'sit', values: [1] }] }));
+    await page.saver.saveAs('c1', 'pose');
+    expect(page.disk.downloads).toEqual(['hero.pose']);
+    expect(page.names()).toEqual([]);
   });
 
   it('says what is not there', async () => {

@@ -6,12 +6,14 @@ import { sameData } from '../../src/app/same-data.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
 import { renameCharacter } from '../../src/edit/commands/characters.ts';
 import { setDofs } from '../../src/edit/commands/pose.ts';
+import { keepPose, renamePose } from '../../src/edit/commands/poses.ts';
 import { openFiles } from '../../src/edit/open-files.ts';
+import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { ChannelClip } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { animFile, clip, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../helpers/builders.ts';
+import { animFile, clip, file, morph, morphFile, skeleton, skelFile, skin, skinFile } from '../helpers/builders.ts';
 
 /** A page on which files were opened as the opener opens them. */
 function opened(...files: ParsedFile[]) {
@@ -123,6 +125,57 @@ describe('what is unsaved', () => {
     store.apply(renameCharacter, { characterId: 'c1', name: 'someone' });
     change((c) => ({ ...c, shownClip: 1, timeOffsetSeconds: 2 }));
     expect(names()).toEqual([]);
+  });
+
+  it('is the library of poses, as long as it is in no file or another', () => {
+    const { store, open, names, change } = opened(...hero());
+    store.apply(keepPose, { characterId: 'c1', timeSeconds: 0 });
+    expect(names()).toEqual(['hero.pose']);
+    store.undo();
+    expect(names()).toEqual([]);
+    const [sit, stand] = ['sit', 'stand'].map((name, n) =>
+      poseByNames(store.document.characters[0], { name, values: [n] }),
+    );
+    open(file('kept.pose', { kind: 'pose', poses: [sit, stand] }));
+    expect(names()).toEqual([]);
+    expect(store.document.characters[0].sources.map(({ name }) => name)).toContain('kept.pose');
+    store.apply(renamePose, { characterId: 'c1', pose: 0, name: 'squat' });
+    expect(names()).toEqual(['kept.pose']);
+    store.apply(renamePose, { characterId: 'c1', pose: 0, name: 'sit' });
+    expect(names()).toEqual([]);
+    // What its joints are called is in the file too, and nothing else of the skeleton.
+    change((c) => ({ ...c, skeleton: { ...skeleton(), name: 'other' } }));
+    expect(names()).toEqual(['hero.skel']);
+    const joints = skeleton().joints.map((one, j) => (j === 1 ? { ...one, name: 'knee' } : one));
+    change((c) => ({ ...c, skeleton: { ...skeleton(), joints } }));
+    expect(names()).toEqual(['hero.skel', 'kept.pose']);
+  });
+
+  it('is the library where a second file of poses was added to it', () => {
+    const { store, open, names } = opened(...hero());
+    const poseFile = (path: string, name: string) =>
+      file(path, { kind: 'pose', poses: [poseByNames(store.document.characters[0], { name, values: [1] })] });
+    open(poseFile('a.pose', 'sit'));
+    open(poseFile('b.pose', 'stand'));
+    expect(names()).toEqual(['hero.pose']);
+  });
+
+  it('is a library that happens to be as in a file that another character has', () => {
+    const { store, open, names } = opened(
+      skelFile('hero.skel', skeleton()),
+      skelFile('twin.skel', skeleton(2, 'twin')),
+    );
+    store.apply(keepPose, { characterId: 'c2', name: 'sit', timeSeconds: 0 });
+    store.select({ characterId: 'c1' });
+    const values = store.document.characters[1].poses?.[0].values ?? [];
+    open(
+      file('sit.pose', {
+        kind: 'pose',
+        poses: [poseByNames(store.document.characters[0], { name: 'sit', values })],
+      }),
+    );
+    expect(store.document.characters.map(({ poses }) => poses?.length)).toEqual([1, 1]);
+    expect(names()).toEqual(['twin.pose']);
   });
 
   it('is told by character, kind and index', () => {

@@ -107,9 +107,9 @@ it('draws what can’t be reached and names the limit, until it is reached or gi
     await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
     await drawn(page);
     await intoIk(page);
-    await page.evaluate(() => {
-      window.marrow.run('ik.setRootFree', { isFree: false });
-      window.marrow.run('ik.setStiffness', { joints: [0], stiffness: 'locked' });
+    await page.evaluate(async () => {
+      await window.marrow.run('ik.setRootFree', { isFree: false });
+      await window.marrow.run('ik.setStiffness', { joints: [0], stiffness: 'locked' });
       window.marrow.run('view.right');
     });
     await standing(page);

@@ -88,7 +88,7 @@ it('builds a creature from nothing by clicking, and takes all of it back', () =>
     await page.keyboard.type('leg_l');
     await page.keyboard.press('Enter');
     await page.getByText('Rig: leg_l').waitFor();
-    await page.getByRole('combobox', { name: 'Type' }).selectOption({ label: 'Hinge: about an axis' });
+    await page.getByRole('combobox', { name: 'Type' }).selectOption({ label: 'Hinge' });
     await page.getByRole('button', { name: 'Axis along z' }).click();
     const lower = page.getByRole('textbox', { name: 'Lower limit of r' });
     await lower.fill('-30');

@@ -44,6 +44,8 @@ export const ABOUT_NO_FILE: readonly string[] = [
   'rig.setLength',
   'rig.setFilePose',
   'rig.setCouple',
+  'rig.setLimit',
+  'rig.clearLimit',
 ];
 
 interface Situation {

@@ -345,6 +345,33 @@ describe('files opened later', () => {
     expect(document.isOpeningSample).toBe(false);
   });
 
+  describe('of poses alone', () => {
+    const sample = { ...hero, isOpeningSample: true };
+    const ofJoints = (...names: readonly string[]) => {
+      const joints = names.map((name) => ({ name, dofs: [{ name: 'rx', value: 0.5 }] }));
+      return file('kept.pose', { kind: 'pose', poses: [{ name: 'kept', joints, weights: [] }] });
+    };
+    const own = only(sample).skeleton?.joints.map(({ name }) => name) ?? [];
+
+    it('go to the opening sample, which is worked on from then on', () => {
+      const { document, diagnostics } = open([ofJoints(...own)], sample);
+      expect(only(document)).toMatchObject({ id: 'c1', poses: [{ name: 'kept' }] });
+      expect(document.isOpeningSample).toBe(false);
+      expect(diagnostics).toEqual([]);
+    });
+
+    it('wait where they are of other joints, and the sample stays', () => {
+      const { document } = open([ofJoints('tail', 'fin')], sample);
+      expect(document).toMatchObject({ isOpeningSample: true, characters: sample.characters });
+      expect(document.unused).toHaveLength(1);
+    });
+
+    it('are not the sample’s where others come with them', () => {
+      const { document } = open([ofJoints(...own), skelFile('other.skel', skeleton(1, 'tail'))], sample);
+      expect(only(document).id).not.toBe('c1');
+    });
+  });
+
   it('leave the opening sample where nothing could be opened', () => {
     const sample = { ...hero, isOpeningSample: true };
     const { document } = openFiles(sample, [], [broken('x.skel', 'skel')]);

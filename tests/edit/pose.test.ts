@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
 import { documentIn } from '../../src/edit/store.ts';
 import { dropUnkeyed } from '../../src/edit/unkeyed.ts';
-import { poseAt } from '../../src/evaluate/pose.ts';
+import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { keylessChannel } from '../../src/model/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 
@@ -53,6 +53,14 @@ describe('what is set by hand over a clip', () => {
   const playing = documentOf(
     character({ skeleton: { name: 's', joints: [limited] }, clips: [clip('walk', [0, 0, 0, 0.5])], shownClip: 0 }),
   );
+
+  it('is not set by hand where the keys give that very value, and no more so where it was', () => {
+    const shown = new Float64Array(dofCountOf(playing.characters[0]));
+    poseAt(playing.characters[0], 1.5, shown);
+    expect(set(playing, 3, shown[3], 1.5)).toBe(playing);
+    const once = set(set(playing, 3, 0.25, 1.5), 0, 2, 1.5);
+    expect(set(once, 3, shown[3], 1.5).characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [0], values: [2] });
+  });
 
   it('is unkeyed for that moment, where a channel drives it', () => {
     const once = set(playing, 3, 0.25, 1.5);

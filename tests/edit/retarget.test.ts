@@ -64,6 +64,23 @@ describe('putting a take onto another character', () => {
     expect(poseOf(of(s, 't'), 0.3)).toEqual(before);
   });
 
+  it('takes what was posed by hand over it away with it, and nothing else', () => {
+    const s = store();
+    s.apply(setRetarget, { ...ONTO, pairs: [{ target: 1, source: 1 }] });
+    const before = of(s, 't').pose;
+    const smile = dofCountOf(of(s, 't')) - 1;
+    const [spine, head] = [3 + 3, 3 + 3 * 4];
+    s.apply(keyPose, { characterId: 't', dofs: [smile], timeSeconds: 0 });
+    const dofs = [spine, head, smile].map((index) => ({ index, value: 0.5 }));
+    s.apply(setDofs, { characterId: 't', timeSeconds: 0, dofs });
+    expect(of(s, 't').unkeyed?.dofs).toEqual([spine, smile]);
+    s.apply(clearRetarget, { characterId: 't' });
+    expect(of(s, 't').unkeyed).toMatchObject({ dofs: [smile], values: [0.5] });
+    expect(of(s, 't').pose[spine]).toBe(before[spine]);
+    s.undo();
+    expect(of(s, 't').unkeyed?.dofs).toEqual([spine, smile]);
+  });
+
   it('follows the take as it is edited, in the same step', () => {
     const s = store();
     s.apply(setRetarget, ONTO);

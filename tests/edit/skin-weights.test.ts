@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { autoWeights, bindPlaces } from '../../src/edit/commands/skin-weights.ts';
+import { autoWeights, autoWeightsSteps, bindPlaces } from '../../src/edit/commands/skin-weights.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
 import { compileSkin, deform, skinMatrices } from '../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
@@ -12,7 +12,7 @@ import { filePose } from '../../src/model/dofs.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
 import type { Skin } from '../../src/model/skin.ts';
 import { makeSamples } from '../../src/samples/samples.ts';
-import { tube, weightOf } from '../evaluate/weights/meshes.ts';
+import { finish, tube, weightOf } from '../evaluate/weights/meshes.ts';
 import { character, documentOf, joint } from '../helpers/builders.ts';
 
 /** Sums of weights that are 1 to the last bit or so, times lengths of a few units. */
@@ -109,6 +109,24 @@ describe('automatic weights', () => {
   it('change nothing the second time', () => {
     const document = documentOf(weighted(dressed(arm(0), sleeve())));
     expect(autoWeights.run(document, { characterId: 'c1', timeSeconds: 0 })).toBe(document);
+  });
+
+  it('tell which joints move nothing, and of those without a bone nothing', () => {
+    const { joints } = arm(0);
+    const aside = joint(0, { name: 'aside', offset: [9, 0, 0], length: 1 });
+    // Its child stands where it does, and has the bone.
+    const hinge = joint(0, { name: 'hinge', offset: [0, 2, 0] });
+    const [root, ...others] = joints;
+    const skeleton: Skeleton = {
+      name: 'arm',
+      joints: [root, aside, hinge, { ...others[0], parent: 2, offset: [0, 0, 0] }, { ...others[1], parent: 3 }],
+    };
+    const idleOf = (who: Character) => {
+      const steps = autoWeightsSteps(documentOf(who), { characterId: 'c1', timeSeconds: 0 });
+      return finish(steps).idle;
+    };
+    expect(idleOf(dressed(skeleton, sleeve()))).toEqual([1]);
+    expect(idleOf(dressed(arm(0), sleeve()))).toEqual([]);
   });
 
   it('are written with their bindings, and read back as they are', () => {

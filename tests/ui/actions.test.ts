@@ -196,6 +196,20 @@ describe('findActions', () => {
     expect(found('ame')).toEqual(['Frame all', 'Step one frame', 'Names']);
     expect(found('na')).toEqual(['Names']);
   });
+
+  it('puts what is to come last behind others that are found as well, and not behind those that are found less', () => {
+    const undoLast = (typed: string) =>
+      findActions(
+        ['Edit Undo', 'Edit Select', 'View Redo it', 'Keys Find redoubt'],
+        typed,
+        (label) => label,
+        (label) => /Undo|Redo/.test(label),
+      );
+    expect(undoLast('edit')).toEqual(['Edit Select', 'Edit Undo']);
+    expect(undoLast('redo')).toEqual(['Keys Find redoubt', 'View Redo it']);
+    expect(undoLast('undo')).toEqual(['Edit Undo']);
+    expect(undoLast('')[0]).toBe('Edit Undo');
+  });
 });
 
 describe('what is drawn', () => {

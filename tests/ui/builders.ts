@@ -85,6 +85,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     lookFrom: () => {},
     setTheme: () => {},
     character: () => undefined,
+    holdTravel: () => () => {},
   };
   const wb = {
     store: new Store(document),

@@ -109,6 +109,22 @@ describe('keying from the menu', () => {
     expect(wasp(wb).unkeyed?.values).toEqual([3]);
   });
 
+  it('keys what was changed over the take, and leaves all other channels alone', () => {
+    const [swing, still] = [channel(0, 1), channel(0, 1)];
+    const { wb } = workbench(documentOf({ ...bare, clips: [clip([0, 1], swing, still)], shownClip: 0 }), {
+      timeSeconds: 0.5,
+    });
+    expect(enabled(wb)).not.toContain('key.changed');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0.5 });
+    runAction(wb, 'key.changed');
+    const [keyed, other] = wasp(wb).clips[0].channels;
+    expect([...keyed.times]).toEqual([0, 0.5, 1]);
+    expect(keyed.values[1]).toBe(3);
+    expect(other).toBe(still);
+    expect(wasp(wb).unkeyed).toBeUndefined();
+    expect(wb.store.undoLabel).toBe('Key tx of hips');
+  });
+
   it('offers what can be done: nothing to key without a skeleton, no take to remove without one', () => {
     const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.linear', 'key.tangents.flat'];
     expect(enabled(workbench().wb)).toEqual(always);

@@ -51,6 +51,18 @@ describe('Messages', () => {
     expect(messages.list.get()).toHaveLength(1);
   });
 
+  it('shows of refusals only the last, and none in place of an error', () => {
+    const messages = new Messages();
+    messages.note('Broken.', 'error');
+    messages.note('Not so.', 'warning');
+    messages.note('Nor so.', 'warning');
+    expect(messages.list.get().map(({ text, unread }) => [text, unread])).toEqual([
+      ['Broken.', true],
+      ['Not so.', false],
+      ['Nor so.', true],
+    ]);
+  });
+
   it('lets a confirmation pass without listing it', () => {
     const messages = new Messages();
     messages.note('Saved wasp.skel.');

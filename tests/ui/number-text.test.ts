@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { typedUnits } from '../../src/ui/angles.ts';
 import {
   aligned,
   brief,
@@ -62,12 +63,82 @@ describe('parseNumber', () => {
     ['+.5', 0.5],
     ['1e-3', 1e-3],
     ['2.', 2],
+    ['20+5', 25],
+    ['20 - 5 - 5', 10],
+    ['-3/4', -0.75],
+    ['2 * (1 − 0,5) + 1', 2],
+    ['10/4/2', 1.25],
+    ['2*-3', -6],
+    ['3 × 4 ÷ 6', 2],
+    ['1e2+1e-2', 100.01],
+    ['pi/2', Math.PI / 2],
+    ['-(2)', -2],
   ])('reads %s', (text, value) => {
     expect(parseNumber(text)).toBe(value);
   });
 
-  it.each(['', '-', 'x', '1x', '1.2.3', '0x10', 'Infinity', '1e999', '12°3'])('takes %s for no number', (text) => {
+  it.each([
+    '',
+    '-',
+    'x',
+    '1x',
+    '1.2.3',
+    '0x10',
+    'Infinity',
+    '1e999',
+    '12°3',
+    '12 x',
+    '20+',
+    '(1',
+    '1)',
+    '2(3)',
+    '1 2',
+    '1//2',
+    '--1',
+    '1/0',
+    '0/0',
+    '1+x',
+    'e',
+    '1e',
+    '()',
+    '45°',
+    'constructor',
+  ])('takes %s for no number', (text) => {
     expect(parseNumber(text)).toBeUndefined();
+  });
+});
+
+it('takes no text that is longer than a person types', () => {
+  expect(parseNumber('('.repeat(1e6))).toBeUndefined();
+});
+
+describe('units', () => {
+  const inDegrees = typedUnits('angle', 'degrees');
+  const inRadians = typedUnits('angle', 'radians');
+
+  it.each([
+    ['45°', 45],
+    ['45 deg', 45],
+    ['1 rad', 180 / Math.PI],
+    ['20+0.5rad', 20 + (0.5 * 180) / Math.PI],
+    ['(10+20)°/2', 15],
+    ['pi rad', 180],
+    ['30 DEG', 30],
+  ])('reads %s where degrees are shown', (text, value) => {
+    expect(parseNumber(text, inDegrees)).toBeCloseTo(value, 12);
+  });
+
+  it('reads degrees where radians are shown', () => {
+    expect(parseNumber('180°', inRadians)).toBeCloseTo(Math.PI, 14);
+    expect(parseNumber('0.5rad', inRadians)).toBe(0.5);
+  });
+
+  it.each(['12 x', '12 degr', '° 12', '12°°', '12 m', 'rad'])('takes %s for no angle', (text) => {
+    expect(parseNumber(text, inDegrees)).toBeUndefined();
+  });
+
+  it('are none where no angle is shown', () => {
+    expect(parseNumber('45°', typedUnits('length', 'degrees'))).toBeUndefined();
   });
 });
 

@@ -49,6 +49,19 @@ describe('outlineRows', () => {
     expect(rows.map((r) => r.shown)).toEqual([false, true]);
   });
 
+  it('tells a skin that no joint moves', () => {
+    const attachments = { start: new Uint32Array(4), joints: new Uint32Array(0), weights: new Float64Array(0) };
+    const details = (skeletal: Partial<Parameters<typeof character>[0]>) =>
+      outlineRows(
+        documentOf(character({ skins: [skin('bare'), { ...skin('bound'), attachments }], ...skeletal })),
+        asIs,
+      )
+        .filter((r) => r.kind === 'skin')
+        .map((r) => r.detail);
+    expect(details({ skeleton: legs })).toEqual(['no weights', '3 vertices']);
+    expect(details({})).toEqual(['3 vertices', '3 vertices']);
+  });
+
   it('leaves out what is folded', () => {
     const folded = (key: string, otherwise: boolean) => (key === 'c1/joint/1' ? false : otherwise);
     expect(text(outlineRows(documentOf(wasp), folded)).slice(2, 5)).toEqual(['    hips', '      leg_l', '      leg_r']);

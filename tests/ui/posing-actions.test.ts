@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { actionsOf, runAction } from '../../src/ui/actions.ts';
-import { activeDof, chooseDof, dofsByHand, selectedJoint } from '../../src/ui/posing/active-dof.ts';
+import { activeDof, chooseDof, dofsByHand } from '../../src/ui/posing/active-dof.ts';
+import { selectedJoint } from '../../src/ui/selected-joint.ts';
 import { actionFor } from '../../src/ui/shortcuts.ts';
 import { channel, character, clip, documentOf, joint, skeleton, workbench } from './builders.ts';
 

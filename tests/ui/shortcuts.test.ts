@@ -124,6 +124,17 @@ describe('swallows', () => {
     expect(swallows('text', press('@', { ctrlKey: true, altKey: true }), false)).toBe(true);
   });
 
+  it('leaves a slider what moves it, and takes Space and all commands', () => {
+    for (const key of ['ArrowLeft', 'PageUp', 'Home']) expect(swallows('range', press(key), false)).toBe(true);
+    for (const key of [' ', 'Enter', 'f']) expect(swallows('range', press(key), false)).toBe(false);
+    for (const key of ['c', 'V']) expect(swallows('range', press(key, { ctrlKey: true }), false)).toBe(false);
+  });
+
+  it('leaves a list of choices its typing, and takes copy, paste and undo', () => {
+    for (const key of [' ', 'a', 'ArrowDown']) expect(swallows('select', press(key), false)).toBe(true);
+    for (const key of ['c', 'v', 'z']) expect(swallows('select', press(key, { ctrlKey: true }), false)).toBe(false);
+  });
+
   it('leaves a button its Space and Enter only', () => {
     expect(swallows('press', press(' '), false)).toBe(true);
     expect(swallows('press', press('f'), false)).toBe(false);

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import {
   boneOwner,
+  haveSameJoints,
   instanceOf,
   instancesOf,
   jointAt,
@@ -66,5 +67,28 @@ describe('instances of skeletons', () => {
   it('of bones belong to the joint where they start', () => {
     expect(boneOwner(drawn, 3)).toEqual({ characterId: 'a', placement: 0, joint: 2 });
     expect(boneOwner(drawn, 0)).toEqual({ characterId: 'a', placement: 0, joint: 0 });
+  });
+});
+
+describe('the joints of two skeletons', () => {
+  const [root, ...others] = skeleton(3).joints.map((joint, j) => ({ ...joint, name: `j${j}` }));
+  const whole = { name: 'whole', joints: [root, ...others] };
+
+  it('are the same wherever they stand and however they move', () => {
+    const moved = others.map((joint) => ({ ...joint, offset: [9, 9, 9] as const }));
+    expect(haveSameJoints(whole, { name: 'moved', joints: [root, ...moved] })).toBe(true);
+    expect(haveSameJoints(undefined, undefined)).toBe(true);
+  });
+
+  it('are others where one is more, fewer, called otherwise or hung up elsewhere', () => {
+    const [second, third] = others;
+    for (const joints of [
+      [root, second],
+      [root, second, { ...third, name: 'other' }],
+      [root, second, { ...third, parent: 0 }],
+    ]) {
+      expect(haveSameJoints(whole, { name: 'changed', joints })).toBe(false);
+    }
+    expect(haveSameJoints(whole, undefined)).toBe(false);
   });
 });

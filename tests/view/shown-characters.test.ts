@@ -48,4 +48,21 @@ describe('the characters in the picture', () => {
     expect(all.content.max.x).toBeCloseTo(0.102, 6);
     expect(all.content.max.y).toBeCloseTo(1.7, 6);
   });
+
+  it('stand still in place while they are dragged about, and on the spot again after it', () => {
+    const display = { ...DEFAULT_DISPLAY, inPlace: true };
+    const all = shown(far);
+    all.show(documentOf(far), display, {}, 0, true);
+    const view = all.get('far')?.view;
+    view?.holdTravel(true);
+    const dragged = captured(skeleton, take(skeleton, [[1200, 85, 0]]), { id: 'far', space });
+    all.show(documentOf(dragged), display, {}, 0, false);
+    all.place(true);
+    expect(all.content.max.x).toBeCloseTo(2.102, 6);
+    expect(all.get('far')?.placements[12]).toBeCloseTo(-10, 6);
+    view?.holdTravel(false);
+    all.place(true);
+    expect(all.content.max.x).toBeCloseTo(0.102, 6);
+    expect(all.get('far')?.placements[12]).toBeCloseTo(-12, 6);
+  });
 });

@@ -94,7 +94,9 @@ describe('a skeleton without boxes', () => {
   });
 
   it('leaves boxes to those that have them, side by side', () => {
-    const drawing = drawn([figure(), skeleton(3)]);
+    const box = { min: [0, 0, 0], max: [1, 1, 1] } as const;
+    const boxed = { name: 'boxed', joints: skeleton(3).joints.map((j) => ({ ...j, box })) };
+    const drawing = drawn([figure(), boxed]);
     const [edges, faces, balls, bones] = calls(drawing);
     expect(seen(edges)).toEqual([9, 10, 11]);
     expect(seen(faces)).toEqual([9, 10, 11]);
@@ -151,5 +153,30 @@ describe('a joint with a bone of its own', () => {
     const [edges, faces, balls] = calls(drawn([{ name: 'arm', joints: [upper, boxed] }]));
     expect([seen(edges), seen(faces)]).toEqual([[1], [1]]);
     expect(seen(balls)).toEqual([0, 1, 2]);
+  });
+});
+
+describe('a skeleton whose boxes nobody made', () => {
+  const cubes: Skeleton = { name: 'cubes', joints: [joint(-1), joint(0), joint(1)] };
+  const box = { min: [0, 0, 0], max: [1, 1, 1] } as const;
+  const kindsOf = (of: Skeleton, more: Partial<PosedSkeleton> = {}, display: Partial<Display> = {}) => {
+    const drawing = new SkeletonDrawing();
+    drawing.show([{ ...posed('c1', of), ...more }], { ...DEFAULT_DISPLAY, ...display }, {}, STAGE_THEMES.dark);
+    drawing.fill();
+    return calls(drawing).length;
+  };
+  const boxed: Skeleton = { ...cubes, joints: cubes.joints.map((j, i) => (i > 0 ? { ...j, box } : j)) };
+
+  it('is drawn as bones too, as long as most of them are as they came', () => {
+    const asBoxes = kindsOf(boxed);
+    expect(kindsOf(cubes)).toBe(asBoxes + 2);
+    expect(kindsOf({ ...cubes, joints: cubes.joints.map((j, i) => (i > 1 ? { ...j, box } : j)) })).toBe(asBoxes + 2);
+  });
+
+  it('is left alone under a skin, and where no boxes are asked for', () => {
+    expect(kindsOf(cubes, { hasSkin: true }, { boxes: 'wire' })).toBe(
+      kindsOf(boxed, { hasSkin: true }, { boxes: 'wire' }),
+    );
+    expect(kindsOf(cubes, {}, { boxes: 'hidden' })).toBe(0);
   });
 });

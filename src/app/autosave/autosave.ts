@@ -217,7 +217,7 @@ export class Autosave {
 
   private say(sentence: string): void {
     this.tell('failed');
-    if (!this.hasComplained) this.parts.messages.note(sentence, 'warning');
+    if (!this.hasComplained) this.parts.messages.note(sentence, 'warning', 'until read');
     this.hasComplained = true;
   }
 

@@ -1,9 +1,11 @@
 /** Which of a character's channels turn one joint together, and the Euler filter over all of them. */
+
 import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
 import type { Channel } from '../../model/clip.ts';
 import { couplesOf } from '../../model/couples.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { filterRotations, keyedTogether, keysChanged, unrollAngle } from './euler-filter.ts';
 
 export interface Filtered {
@@ -41,7 +43,7 @@ export function filterCharacter(
     const first = starts[dof.joint];
     if (followed.has(index) || !turningDofs(joint.motion)[index - first]) {
       const why = followed.has(index) ? 'another DOF follows it' : 'a turn of it leads elsewhere';
-      notes.push(`${dof.name} of ${joint.name || `joint ${dof.joint}`}: ${why}, so it is left.`);
+      notes.push(`${dof.name} of ${jointName(skeleton, dof.joint)}: ${why}, so it is left.`);
       done.add(index);
       continue;
     }

@@ -5,10 +5,12 @@ import { COMMANDS_AT_HAND } from './at-hand.ts';
 import { bakeExtrapolation, eulerFilter, makeLoop, resample, simplify } from './channels.ts';
 import { setCouple } from './couples.ts';
 import { holdPins } from './hold.ts';
+import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { addToLibrary, applyPose, keepPose, mirrorPose, pastePose, removePoses, renamePose } from './poses.ts';
 import { bakeRetarget, changeRetarget, clearRetarget, setRetarget } from './retarget.ts';
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from './rig.ts';
 import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from './rig-joint.ts';
+import { clearLimitRigged, limitRigged } from './rig-limits.ts';
 import {
   convertToKeys,
   cropSamples,
@@ -45,6 +47,12 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   removePoses,
   applyPose,
   addToLibrary,
+  pinPoint,
+  unpin,
+  clearPins,
+  setPin,
+  setStiffness,
+  setRootFree,
   holdPins,
   createRig,
   addJoint,
@@ -58,6 +66,8 @@ const FETCHED: readonly Command<never, Document | Edit>[] = [
   setLength,
   setFilePose,
   setCouple,
+  limitRigged,
+  clearLimitRigged,
   autoWeights,
 ];
 

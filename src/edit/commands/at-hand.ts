@@ -1,6 +1,7 @@
 /**
- * The commands that the page has from the start, by id. Those for whole curves, samples and other characters' takes
- * are fetched when they are asked for: with what fits, smooths and matches they are more than all of these (`all.ts`).
+ * The commands that the page has from the start, by id. Those for whole curves, samples, other characters' takes,
+ * pins and skeletons are fetched when they are asked for: with what fits, smooths, matches and solves they are more than
+ * all of these (`all.ts`).
  */
 import type { Document } from '../../model/document.ts';
 import type { Command, Edit } from '../store.ts';
@@ -16,7 +17,6 @@ import {
 } from './characters.ts';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange, setInterpolation } from './clips.ts';
 import { setExtrapolation } from './extrapolation.ts';
-import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from './ik.ts';
 import { keyPose } from './keying.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { clearLimit, setLimit } from './limits.ts';
@@ -33,12 +33,6 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setClamping,
   dropUnkeyed,
   keyPose,
-  pinPoint,
-  unpin,
-  clearPins,
-  setPin,
-  setStiffness,
-  setRootFree,
   createClip,
   renameClip,
   duplicateClip,
@@ -87,5 +81,5 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edi
 
 /** Whether a command of that id would be one of the others. */
 export function isFetched(id: string): boolean {
-  return /^(channels|samples|retarget|hold|poses|rig|skin)\./.test(id);
+  return /^(channels|samples|retarget|hold|ik|poses|rig|skin)\./.test(id);
 }

@@ -1,13 +1,17 @@
 /** Coupled DOFs: one that follows another. They are the skeleton's, and saved in its `.skel`. */
+
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { type Couple, dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { boundAnew } from '../rig/apply.ts';
+import type { Rigging } from '../rig/rigging.ts';
 import { type Command, CommandError } from '../store.ts';
 
-export interface SetCouple {
-  readonly characterId: string;
+/** Where skins are to stay though what follows moves a joint, they are bound anew (`rig/rigging.ts`). */
+export interface SetCouple extends Rigging {
   /** Index. */
   readonly joint: number;
   /** The name of one of its DOFs. */
@@ -34,8 +38,9 @@ export const setCouple: Command<SetCouple> = {
     const own = jointName(requireCharacter(document, characterId).skeleton, joint);
     return `${follows ? 'Couple' : 'Uncouple'} ${dof} of ${own}`;
   },
-  run: (document: Document, { characterId, joint, dof, follows }) =>
-    changeCharacter(document, characterId, (character) => {
+  run(document: Document, args) {
+    const { characterId, joint, dof, follows } = args;
+    const next = changeCharacter(document, characterId, (character) => {
       const { skeleton } = character;
       if (!skeleton) throw new CommandError(`${character.name} has no skeleton.`);
       const { joints } = skeleton;
@@ -54,7 +59,9 @@ export const setCouple: Command<SetCouple> = {
       const next = { ...skeleton, joints: joints.map((one, j) => (j === joint ? changed : one)) };
       if (couple) refuseCycle(next, joint, own);
       return { ...character, skeleton: next };
-    }),
+    });
+    return boundAnew(document, args, next);
+  },
 };
 
 function checkedCouple(skeleton: Skeleton, dof: string, { joint, dof: followed, gain, offset }: FollowedDof): Couple {
@@ -92,8 +99,4 @@ function refuseCycle(skeleton: Skeleton, joint: number, dof: string): void {
 
 function sameCouple(a: Couple, b: Couple): boolean {
   return a.joint === b.joint && a.follows === b.follows && a.gain === b.gain && a.offset === b.offset;
-}
-
-function jointName(skeleton: Skeleton | undefined, joint: number): string {
-  return skeleton?.joints[joint]?.name || `joint ${joint}`;
 }

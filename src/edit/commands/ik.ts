@@ -6,6 +6,7 @@ import { ikOf, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk, type IkSetup, type Pin, type StiffJoint } from '../../model/ik.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -29,7 +30,8 @@ export interface AddPin extends OfIk {
 /** One pin more, the last of the setup's. Refuses a point that is pinned already. */
 export const pinPoint: Command<AddPin> = {
   id: 'ik.pin',
-  label: (document, { characterId, joint }) => `Pin ${jointName(requireCharacter(document, characterId), joint)}`,
+  label: (document, { characterId, joint }) =>
+    `Pin ${jointName(requireCharacter(document, characterId).skeleton, joint)}`,
   run: (document, { characterId, joint, point, weight = 1, holdsOrientation = false }) =>
     change(document, characterId, (ik, skeleton) => {
       const pin: Pin = {
@@ -173,8 +175,7 @@ function refuseDouble({ joint, point }: Pin, others: readonly Pin[], skeleton: S
   const there = others.some(
     (other) => other.joint === joint && Math.hypot(...point.map((p, k) => p - other.point[k])) <= near,
   );
-  if (there)
-    throw new CommandError(`That point of ${skeleton.joints[joint].name || `joint ${joint}`} is pinned already.`);
+  if (there) throw new CommandError(`That point of ${jointName(skeleton, joint)} is pinned already.`);
 }
 
 /** Refuses an id that no pin has. */
@@ -217,14 +218,10 @@ function sameStiffness(a: readonly StiffJoint[], b: readonly StiffJoint[]): bool
 /** `foot_l`, `2 pins`; labels have a word for what is not there too. */
 export function pinnedNames(character: Character, ids: readonly number[]): string {
   const pinned = ikOf(character).pins.filter(({ id }) => ids.includes(id));
-  if (pinned.length === 1) return jointName(character, pinned[0].joint);
+  if (pinned.length === 1) return jointName(character.skeleton, pinned[0].joint);
   return `${pinned.length} pins`;
 }
 
 function jointNames(character: Character, joints: readonly number[]): string {
-  return joints.length === 1 ? jointName(character, joints[0]) : `${joints.length} joints`;
-}
-
-function jointName({ skeleton }: Character, joint: number): string {
-  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+  return joints.length === 1 ? jointName(character.skeleton, joints[0]) : `${joints.length} joints`;
 }

@@ -1,7 +1,9 @@
 /** From poses to keys. */
+
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { keyable } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -52,5 +54,5 @@ function whatIsKeyed(character: Character, dofs: readonly number[] | undefined):
   const joints = new Set(dofs.map((dof) => all[dof]?.joint));
   const [joint = -1] = joints;
   if (joints.size !== 1 || joint < 0) return `${dofs.length} DOFs`;
-  return character.skeleton?.joints[joint]?.name || `joint ${joint}`;
+  return jointName(character.skeleton, joint);
 }

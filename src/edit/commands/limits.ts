@@ -10,7 +10,7 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Command, CommandError } from '../store.ts';
 import { dofName } from './pose.ts';
 
-interface OfDof {
+export interface OfDof {
   readonly characterId: string;
   /** Into the character's DOFs (`model/dofs.ts`): one that takes limits. */
   readonly dof: number;

@@ -4,7 +4,7 @@
  *
  *     no channel            the pose
  *     a channel, no keys    the value that it stands at: the take's own, as everything that is seen through a take is
- *     a channel with keys   *unkeyed*: shown until time moves
+ *     a channel with keys   *unkeyed*: shown until time moves; nothing where the keys give that very value
  *     one of samples        unkeyed too: no key can stand among frames
  *     another's take        unkeyed, where it moves the joint; else the pose
  *     auto-key              a key at that moment, whatever there was but samples
@@ -12,17 +12,19 @@
  * The pose keeps what lies beneath a take: it shows again when the take is taken off, and it is what a `.skel` is saved
  * with. Writing to both would change one take by posing another.
  */
-import { channelOf } from '../../evaluate/pose.ts';
+
+import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { isSampled } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { standingAt, withTake } from '../takes.ts';
-import { countUnkeyed, dropUnkeyed as drop, unkeyedAt, withUnkeyed } from '../unkeyed.ts';
+import { countUnkeyed, dropUnkeyed as drop, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
 export interface DofValue {
   /** Into the character's DOFs (`model/dofs.ts`). */
@@ -137,12 +139,16 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   let clipChanged = false;
   let handChanged = false;
   const moved = movedDofs(character);
+  let driven: Float64Array | undefined;
   for (const [dof, value] of values) {
     const channel = channelOf(character, dof);
     const hasKeys = channel && clip && (channel.times.length > 0 || isSampled(clip, dof));
     if (hasKeys || moved?.has(dof)) {
-      byHand.set(dof, value);
+      driven ??= drivenAt(character, timeSeconds);
       handChanged = true;
+      // What is where its keys have it was not set by hand: there is nothing to key, and nothing to lose.
+      if (driven[dof] === value) byHand.delete(dof);
+      else byHand.set(dof, value);
       continue;
     }
     // Its keys may have gone since it was set by hand: what hides the value that is set goes with them.
@@ -161,6 +167,13 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   return handChanged ? withUnkeyed(next, timeSeconds, byHand) : next;
 }
 
+/** The pose as keys, samples and another's take have it at that moment, without what was set by hand. */
+function drivenAt(character: Character, timeSeconds: number): Float64Array {
+  const out = new Float64Array(dofCountOf(character));
+  poseAt(withoutUnkeyed(character), timeSeconds, out);
+  return out;
+}
+
 /** The value nearest to it that the DOF's limits allow. */
 export function withinLimit({ limit, unit }: CharacterDof, value: number): number {
   // Weights beyond 0 and 1 exaggerate a morph, which is wanted; crossed limits are none.
@@ -173,6 +186,5 @@ export function dofName(character: Character, index: number): string {
   const dof = characterDofs(character.skeleton, character.morphs)[index];
   if (!dof) return `DOF ${index}`;
   if (dof.joint < 0) return `morph ${dof.name}`;
-  const joint = character.skeleton?.joints[dof.joint]?.name || `joint ${dof.joint}`;
-  return `${dof.name} of ${joint}`;
+  return `${dof.name} of ${jointName(character.skeleton, dof.joint)}`;
 }

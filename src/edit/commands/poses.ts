@@ -2,10 +2,12 @@
  * Whole poses: mirrored, pasted from another moment or character, and the library of named ones. What they set goes the
  * way of everything that is posed by hand (`pose.ts`): pose, unkeyed or keyed. DOFs that follow others are left to them.
  */
+
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { characterDofs, jointDofCount, rootDofCount } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -38,9 +40,9 @@ export interface MirrorPose extends AtMoment {
 export const mirrorPose: Command<MirrorPose, Document | Edit> = {
   id: 'poses.mirror',
   label(document, { characterId, joint, way }) {
-    const branch = joint === undefined ? undefined : requireSkeleton(document, characterId).joints[joint];
-    if (!branch) return 'Mirror pose';
-    const name = branch.name || `joint ${joint}`;
+    const skeleton = requireSkeleton(document, characterId);
+    if (joint === undefined || !skeleton.joints[joint]) return 'Mirror pose';
+    const name = jointName(skeleton, joint);
     return way === 'swap' ? `Mirror pose of ${name}` : `Copy pose of ${name} to the other side`;
   },
   run(document, { characterId, joint, way, timeSeconds, key }) {
@@ -51,7 +53,7 @@ export const mirrorPose: Command<MirrorPose, Document | Edit> = {
     return setValues(document, characterId, timeSeconds, key, (character) => {
       const shown = shownAt(character, timeSeconds);
       const { dofs, joints } = mirroredPose(skeleton, shown, character.clampsToLimits, {
-        ...{ joint, way, up: character.space?.up ?? 'y' },
+        ...{ joint, way, up: character.space?.up ?? 'y', stays: true },
       });
       const isWhole = way === 'swap' && (joint === undefined || joint === 0);
       const values = new Map<number, number>();

@@ -7,6 +7,7 @@
 import { bakeClip, framesOf } from '../../evaluate/bake.ts';
 import '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
+import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { keylessChannel } from '../../model/clip.ts';
 import type { Character, Driver } from '../../model/document.ts';
 import { restPose } from '../../model/dofs.ts';
@@ -20,7 +21,7 @@ import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
 import { type Command, CommandError } from '../store.ts';
 import { takeNameOf, uniqueTakeName } from '../takes.ts';
-import { withoutUnkeyed } from '../unkeyed.ts';
+import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
 interface OfDriven {
   /** The character that is moved. */
@@ -91,7 +92,7 @@ export const changeRetarget: Command<ChangeRetarget> = {
     }),
 };
 
-/** The character's own take and pose again. */
+/** The character's own take and pose again; what was set by hand over the other one goes with it. */
 export const clearRetarget: Command<OfDriven> = {
   id: 'retarget.clear',
   label: (document, { characterId }) => {
@@ -101,7 +102,7 @@ export const clearRetarget: Command<OfDriven> = {
   run: (document, { characterId }) =>
     changeCharacter(document, characterId, (c) => {
       requireDriver(c);
-      return withoutDriver(c);
+      return withoutDriver(withoutHandOver(c));
     }),
 };
 
@@ -155,6 +156,15 @@ function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Sam
       for (let f = 0; f < frameCount; f++) values[f * width + channels[i]] = angles[f];
     });
   }
+}
+
+/** What was set by hand where another's take has the say was meant over that take. */
+function withoutHandOver(character: Character): Character {
+  const { unkeyed } = character;
+  const moved = movedDofs(character);
+  if (!unkeyed || !moved) return character;
+  const left = [...unkeyedAt(character, unkeyed.timeSeconds)].filter(([dof]) => !moved.has(dof));
+  return withUnkeyed(character, unkeyed.timeSeconds, new Map(left));
 }
 
 function requireSkeleton({ name, skeleton }: Character): Skeleton {

@@ -2,14 +2,16 @@
 
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
-import type { Document } from '../../model/document.ts';
+import type { Character, Document } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
-import { dofsOf, type Joint, type Motion } from '../../model/skeleton.ts';
+import type { Pin } from '../../model/ik.ts';
+import { dofsOf, type Joint, type Motion, type Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
-import { requireCharacter } from '../characters.ts';
+import { changeCharacter, requireCharacter } from '../characters.ts';
 import { calledIn, findJoint, rigged, secondsOf, withJoint } from '../rig/apply.ts';
 import { checkedMotion, jointName, vector } from '../rig/checks.ts';
 import { changedJoints, type JointMap } from '../rig/joint-map.ts';
+import { lostKeys } from '../rig/lost-keys.ts';
 import { intoSpace, pivotOf, turnedAs, withPivots } from '../rig/places.ts';
 import { restAtOffsets } from '../rig/remap-skin.ts';
 import type { RenameJoint, SetBox, SetFilePose, SetLength, SetMotion, SetOffset } from '../rig/rigging.ts';
@@ -70,20 +72,23 @@ function endsStaying(shown: Shown, joint: Joint, index: number, by: Vec3): reado
 }
 
 /**
- * How a joint moves. DOFs that both motions have, by name, keep pose, limits, channels and couples. Where there are none
- * among those that turn, the new ones turn the joint as it was turned in the pose shown, if they can do so exactly.
+ * How a joint moves. DOFs that both motions have (`rig/same-dof.ts`) keep pose, limits, channels and couples. Where there
+ * are none among those that turn, the new ones turn the joint as it was turned in the pose shown, if they can do so
+ * exactly. The label says which keys go with DOFs that are gone.
  */
 export const setMotion: Command<SetMotion, Document | Edit> = {
   id: 'rig.setMotion',
-  label: (document, { characterId, joint }) => `Set type of ${calledIn(document, characterId, joint)}`,
+  label(document, args) {
+    const lost = keysLostBy(document, args);
+    return `Set type of ${calledIn(document, args.characterId, args.joint)}${lost === undefined ? '' : `, without ${lost}`}`;
+  },
   run(document, args) {
     const { characterId, joint: index } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);
     const motion = checkedMotion(args.motion);
     if (sameMotion(motion, joint.motion)) return document;
     const seconds = secondsOf(args);
-    const joints = skeleton.joints.map((one, j) => (j === index ? { ...one, motion } : one));
-    const map = changedJoints(skeleton, joints);
+    const map = withMotion(skeleton, index, motion);
     return rigged(document, args, map, index, (next) => {
       const turned = turnsAnew(map, index)
         ? turnedAs(next, character, shownAt(character, seconds), index, index, seconds)
@@ -95,6 +100,22 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
     });
   },
 };
+
+function withMotion(skeleton: Skeleton, index: number, motion: Motion): JointMap {
+  return changedJoints(
+    skeleton,
+    skeleton.joints.map((one, j) => (j === index ? { ...one, motion } : one)),
+  );
+}
+
+/** What of the takes goes if a joint moves so: `3 keys of r`. Undefined where nothing goes. */
+export function keysLostBy(
+  document: Document,
+  { characterId, joint, motion }: Pick<SetMotion, 'characterId' | 'joint' | 'motion'>,
+): string | undefined {
+  const { character, skeleton } = findJoint(document, characterId, joint);
+  return lostKeys(character, withMotion(skeleton, joint, checkedMotion(motion)), joint);
+}
 
 /** Whether none of the DOFs that turn a joint is one that it had. */
 function turnsAnew({ after, dofs }: JointMap, index: number): boolean {
@@ -123,7 +144,7 @@ export const setBox: Command<SetBox, Document | Edit> = {
   },
 };
 
-/** The length of a joint's own bone, along its +y. Children that stand at its tip go along with that. */
+/** The length of a joint's own bone, along its +y. Children that stand at its tip go along with that, and pins there. */
 export const setLength: Command<SetLength, Document | Edit> = {
   id: 'rig.setLength',
   label: (document, { characterId, joint }) => `Set bone of ${calledIn(document, characterId, joint)}`,
@@ -142,9 +163,25 @@ export const setLength: Command<SetLength, Document | Edit> = {
       const isAtTip = one.parent === index && tip !== undefined && length !== null && same(one.offset, tip);
       return isAtTip ? { ...one, offset: [0, length, 0] as const } : one;
     });
-    return rigged(document, args, changedJoints(skeleton, joints), index);
+    return rigged(document, args, changedJoints(skeleton, joints), index, (next) => {
+      // The tip of a bone without length is the joint itself, which stays.
+      if (!joint.length || tip === undefined || length === null) return next;
+      return changeCharacter(next, characterId, (character) => withPinsAt(character, index, tip, [0, length, 0]));
+    });
   },
 };
+
+/** A joint's pins that hold one point of it hold another one; of two that would hold the same the first does. */
+function withPinsAt(character: Character, joint: number, from: Vec3, to: Vec3): Character {
+  const { ik } = character;
+  const isThere = (pin: Pin, point: Vec3) => pin.joint === joint && same(pin.point, point);
+  if (!ik?.pins.some((pin) => isThere(pin, from))) return character;
+  const taken = ik.pins.some((pin) => isThere(pin, to));
+  const pins = taken
+    ? ik.pins.filter((pin) => !isThere(pin, from))
+    : ik.pins.map((pin) => (isThere(pin, from) ? { ...pin, point: to } : pin));
+  return { ...character, ik: { ...ik, pins } };
+}
 
 /** The pose of the file, of a joint or of all, from the pose shown or from every DOF at rest. What is shown stays. */
 export const setFilePose: Command<SetFilePose, Document | Edit> = {

@@ -9,6 +9,7 @@ import { boneSegments } from '../../evaluate/weights/bones.ts';
 import { heatWeights } from '../../evaluate/weights/heat-weights.ts';
 import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import type { Character, Document } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
@@ -21,7 +22,7 @@ import { type Command, CommandError } from '../store.ts';
  * drawn now, so that nothing moves at that moment; for a skin that hangs on the root as a whole. `file`: the mesh as its
  * file has it, around the skeleton as it is posed now.
  */
-export const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
+const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
 export type BindPlace = (typeof BIND_PLACES)[number];
 
 export interface AutoWeights {
@@ -37,7 +38,7 @@ export interface AutoWeights {
 }
 
 export const USUAL_INFLUENCES = 4;
-export const MOST_INFLUENCES = 16;
+const MOST_INFLUENCES = 16;
 
 /** What it came to. */
 export interface AutoWeighted {
@@ -45,6 +46,8 @@ export interface AutoWeighted {
   readonly skin: Skin;
   /** Vertices whose weights are by distance alone. */
   readonly byDistance: number;
+  /** Joints that have a bone, and move no vertex: it lies outside the mesh, or others lie nearer to all of it. */
+  readonly idle: readonly number[];
 }
 
 export const autoWeights: Command<AutoWeights> = {
@@ -75,15 +78,18 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
   const bindings = place === 'bound' ? skin.bindings : framesAt(character, skeleton, skin, seconds, place);
   for (let j = 0; j < skeleton.joints.length; j++) {
     if (isSingular(bindings, 16 * j)) {
-      const name = skeleton.joints[j].name || `#${j}`;
+      const name = jointName(skeleton, j);
       throw new CommandError(`${name} is scaled to nothing as it is posed now, and nothing can be bound to it.`);
     }
   }
-  const { attachments, byDistance } = yield* heatWeights(skin, boneSegments(skeleton, bindings), most);
+  const bones = boneSegments(skeleton, bindings);
+  const { attachments, byDistance } = yield* heatWeights(skin, bones, most);
+  const moving = new Set(attachments.joints);
+  const idle = [...new Set(bones.joints)].filter((joint) => !moving.has(joint));
   const weighted: Skin = { ...skin, attachments, bindings };
-  if (sameWeights(skin, weighted)) return { document, skin, byDistance };
+  if (sameWeights(skin, weighted)) return { document, skin, byDistance, idle };
   const changed = changeCharacter(document, character.id, (c) => ({ ...c, skins: c.skins.with(index, weighted) }));
-  return { document: changed, skin: weighted, byDistance };
+  return { document: changed, skin: weighted, byDistance, idle };
 }
 
 const WHY_NOT: Readonly<Record<BindPlace, string>> = {

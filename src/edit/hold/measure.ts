@@ -11,7 +11,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { withTake } from '../takes.ts';
 
 /** Calls back with the world matrices of a character at each of the times, seconds of the clip; the same array each time. */
-export function eachPose(
+function eachPose(
   character: Character,
   skeleton: Skeleton,
   times: Float64Array,

@@ -2,7 +2,7 @@
  * A pose between two: rotations along the shortest arc at an even pace (Shoemake 1985), three Euler angles by way of their
  * quaternion and back to those that are nearest to where they began; everything else straight on.
  */
-import { eulerDofs } from '../../evaluate/euler-dofs.ts';
+import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { slerpWeight } from '../../math/slerp.ts';
 import { firstDofs } from '../../model/dofs.ts';
@@ -27,11 +27,8 @@ export function blendPoses(
     const euler = eulerDofs(motion);
     if (motion.kind === 'quaternion') blendQuaternions(from, to, share, first[j], out);
     if (!euler) return;
-    const applied = [...euler.order].map(
-      (axis) => first[j] + (axis === 'x' ? euler.x : axis === 'y' ? euler.y : euler.z),
-    );
-    const isEven = euler.order === 'xyz' || euler.order === 'yzx' || euler.order === 'zxy';
-    blendEulers(from, to, share, applied, isEven ? 1 : -1, out);
+    const applied = appliedDofs(euler).map((dof) => first[j] + dof);
+    blendEulers(from, to, share, applied, renamedAxes(euler.order).sign, out);
   });
   return out;
 }

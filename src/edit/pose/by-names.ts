@@ -1,14 +1,13 @@
 /**
  * Poses from a character's list of DOFs to names, and from names to any character's list. Between skeletons whose joints
- * have the same names in the same order, one goes to one. Otherwise joints go by name, the first of a name to the first,
- * the second to the second; where no name is the very same, case and what a program puts before it don't count.
+ * have the same names in the same order, one goes to one. Otherwise joints go by name (`same-joints.ts`).
  */
 import type { Character } from '../../model/document.ts';
 import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
-import { dofsOf } from '../../model/skeleton.ts';
-import { plainName } from './sides.ts';
+import { dofsOf, type Joint } from '../../model/skeleton.ts';
+import { haveSameNames, sameNames } from './same-joints.ts';
 
 type Posed = Pick<Character, 'skeleton' | 'morphs'>;
 
@@ -41,15 +40,18 @@ export interface TakenPose {
   readonly missing: readonly string[];
 }
 
-/** What a pose comes to for a character; DOFs that it says nothing of, or that it has by another name, are in no value. */
-export function takePose(character: Posed, pose: PoseByNames): TakenPose {
+/**
+ * What a pose comes to for a character; DOFs that it says nothing of, or that it has by another name, are in no value.
+ * @param known of each of its joints the character's, or -1, where that is known; else names tell
+ */
+export function takePose(character: Posed, pose: PoseByNames, known?: ArrayLike<number>): TakenPose {
   const all = characterDofs(character.skeleton, character.morphs);
   const values = new Map<number, number>();
   const missing: string[] = [];
   let found = 0;
   const first = character.skeleton ? firstDofs(character.skeleton) : [];
   const joints = character.skeleton?.joints ?? [];
-  const targets = matched(pose.joints, joints);
+  const targets = known ?? matched(pose.joints, joints);
   pose.joints.forEach((posed, i) => {
     const joint = targets[i];
     if (joint < 0) {
@@ -75,28 +77,13 @@ export function takePose(character: Posed, pose: PoseByNames): TakenPose {
   return { values, found, missing };
 }
 
-/** Of each posed joint the character's joint, or -1; each of those once. */
-function matched(posed: readonly PosedJoint[], joints: readonly { readonly name: string }[]): readonly number[] {
-  if (posed.length === joints.length && posed.every(({ name }, j) => name === joints[j].name)) {
-    return posed.map((_, j) => j);
-  }
-  const targets = new Array<number>(posed.length).fill(-1);
-  const taken = new Set<number>();
-  for (const key of [(name: string) => name, plainName]) {
-    const free = new Map<string, number[]>();
-    joints.forEach(({ name }, j) => {
-      if (taken.has(j) || key(name) === '') return;
-      const list = free.get(key(name));
-      if (list) list.push(j);
-      else free.set(key(name), [j]);
-    });
-    posed.forEach(({ name }, i) => {
-      if (targets[i] >= 0) return;
-      const joint = free.get(key(name))?.shift();
-      if (joint === undefined) return;
-      targets[i] = joint;
-      taken.add(joint);
-    });
-  }
+/** Of each posed joint the character's joint, or -1; each of those once. Nameless ones go by their place in the list. */
+function matched(posed: readonly PosedJoint[], joints: readonly Joint[]): ArrayLike<number> {
+  if (haveSameNames(posed, joints)) return posed.map((_, j) => j);
+  const targets = sameNames(posed, joints);
+  posed.forEach(({ name, dofs }, j) => {
+    const isAlike = name === '' && joints[j]?.name === '' && haveSameNames(dofs, dofsOf(joints[j].motion));
+    if (isAlike) targets[j] = j;
+  });
   return targets;
 }

@@ -43,15 +43,19 @@ export function addPoses(character: Character, added: readonly PoseByNames[]): C
   return poses.length === (character.poses?.length ?? 0) ? character : withPoses(character, poses);
 }
 
-/** Poses of a character that has another skeleton now, by the names of its joints; what is new in it is at rest. */
+/**
+ * Poses of a character that has another skeleton now; what is new in it is at rest.
+ * @param to of each joint before, its index after; -1 where it is gone
+ */
 export function movedPoses(
   before: Pick<Character, 'skeleton' | 'morphs'>,
   after: Pick<Character, 'skeleton' | 'morphs'>,
   poses: readonly NamedPose[],
+  to: ArrayLike<number>,
 ): readonly NamedPose[] {
   const all = characterDofs(after.skeleton, after.morphs);
   return poses.map((pose) => {
-    const { values } = takePose(after, poseByNames(before, pose));
+    const { values } = takePose(after, poseByNames(before, pose), to);
     return { ...pose, values: all.map((dof, index) => values.get(index) ?? dof.rest) };
   });
 }

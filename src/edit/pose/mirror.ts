@@ -10,9 +10,11 @@ import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } fro
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
 import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
 import { isBvh } from '../../model/document.ts';
-import type { Skeleton } from '../../model/skeleton.ts';
+import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import { fitLocal } from './fit-local.ts';
-import { acrossPlane, localMirrored, type Reflection, reflectionOf, signed } from './reflection.ts';
+import { headingBack } from './heading.ts';
+import { acrossPlane, type Reflection, reflectionOf } from './reflection.ts';
+import { localMirrored, signed } from './reflection-signs.ts';
 
 /** Which joints take whose pose. */
 export interface MirrorScope {
@@ -22,6 +24,11 @@ export interface MirrorScope {
   readonly way: 'swap' | 'toOther';
   /** Of the character's space; y where absent. */
   readonly up?: 'y' | 'z';
+  /**
+   * The whole figure is mirrored where it stands: its root keeps its place and its heading (`heading.ts`). Absent: across
+   * the plane of the character's space, and carried to the other side of it.
+   */
+  readonly stays?: boolean;
 }
 
 export interface Mirrored {
@@ -54,11 +61,17 @@ export function mirroredPose(
   const from = Float64Array.from({ length: count }, (_, d) => dofs[d] ?? 0);
   const out = from.slice();
   const isWhole = scope.joint === undefined || scope.joint === 0;
-  const asFaced = isWhole && isBvh({ skeleton }) ? facing(skeleton, from, scope.up ?? 'y') : undefined;
+  const { up = 'y' } = scope;
+  const asFaced = isWhole && isBvh({ skeleton }) ? facing(skeleton, from, up) : undefined;
   const reflection = asFaced ?? reflectionOf(skeleton);
   const { joints, alone } = jointsMeant(compiled, reflection, scope);
-  if (isWhole && scope.way === 'swap' && compiled.hasRootTranslation) mirrorTravel(reflection, from, out);
-  new Mirroring(skeleton, compiled, reflection, from, out, clamps).run(new Set(joints));
+  const isCarried = isWhole && scope.way === 'swap';
+  const stand =
+    isCarried && scope.stays
+      ? { turn: headingBack(compiled, reflection, reflectionOf(skeleton).normal, from, up) }
+      : undefined;
+  if (isCarried && !stand && compiled.hasRootTranslation) mirrorTravel(reflection, from, out);
+  new Mirroring(skeleton, compiled, reflection, from, out, clamps, stand).run(new Set(joints));
   settleDofs(compiled, out, clamps);
   return { dofs: out, joints, alone };
 }
@@ -107,6 +120,12 @@ function mirrorTravel({ matrix: m, reference }: Reflection, from: Float64Array, 
 /** Farther than this from the rotation that it should have: those below make up for it. */
 const ASTRAY = 1e-7;
 
+/** How the root goes on standing where it stands. */
+interface Stand {
+  /** Nine numbers, in the character's space; absent where it faces along the plane already. */
+  readonly turn: Float64Array | undefined;
+}
+
 class Mirroring {
   private readonly bone = new Float64Array(3);
   /** World rotations: of the pose that is mirrored, of that which is made, and as it should be; nine a joint. */
@@ -128,6 +147,7 @@ class Mirroring {
     private readonly from: Float64Array,
     private readonly out: Float64Array,
     private readonly clamps: boolean,
+    private readonly stand: Stand | undefined,
   ) {
     const { jointCount } = compiled;
     this.theirs = new Float64Array(9 * jointCount);
@@ -164,27 +184,23 @@ class Mirroring {
   private mirror(t: number, s: number, targets: ReadonlySet<number>): void {
     const { compiled, reflection } = this;
     const above = compiled.parent[t];
+    if (above < 0 && this.stand) {
+      this.mirrorRoot();
+      return;
+    }
     const continues = above >= 0 && targets.has(above);
     const isInStep = above < 0 || reflection.partner[above] === compiled.parent[s];
     const across = (continues && this.across[above]) || this.acrossTo(t, s);
     this.across[t] = across;
     this.writeMeant(t, s, across);
-    const { signs, reference } = reflection;
+    const { signs } = reflection;
     const [first, end] = [compiled.firstDof[t], compiled.firstDof[t + 1]];
     if (end === first) return;
     const theirs = compiled.firstDof[s];
-    const bySigns = () => {
-      const values = new Float64Array(end - first);
-      for (let d = 0; d < values.length; d++) {
-        const value = this.from[theirs + d];
-        values[d] = signed(signs[first + d] || 1, reference[theirs + d], reference[first + d], value);
-      }
-      return values;
-    };
     const hasSigns = signs[first] !== 0;
     const isAstray = above >= 0 && this.astray[above] === 1;
     if (hasSigns && isInStep && !isAstray) {
-      const values = bySigns();
+      const values = this.bySigns(t, s);
       if (this.isAllowed(t, values)) {
         this.out.set(values, first);
         return;
@@ -192,7 +208,61 @@ class Mirroring {
     }
     this.writeWanted(t, s, isInStep);
     const sameCount = end - first === compiled.firstDof[s + 1] - theirs;
-    this.fit(t, hasSigns && sameCount ? bySigns() : undefined);
+    this.fit(t, hasSigns && sameCount ? this.bySigns(t, s) : undefined);
+  }
+
+  /** The root where it stays: turned back to its heading, its pivot where it was. */
+  private mirrorRoot(): void {
+    const { compiled, reflection, wanted, from, local, a, b } = this;
+    const turn = this.stand?.turn;
+    const across = reflection.matrix.slice();
+    if (turn) multiply3(turn, 0, reflection.matrix, 0, across, 0);
+    this.across[0] = across;
+    this.writeMeant(0, 0, across);
+    const [first, end] = [compiled.firstDof[0], compiled.firstDof[1]];
+    if (end === first) return;
+    localMirrored(compiled, reflection, 0, from, wanted);
+    if (turn) {
+      take3(wanted, a);
+      multiply3(turn, 0, a, 0, b, 0);
+      put3(b, wanted);
+    }
+    compiled.motions[0].write(from, first, local, 0);
+    for (let k = 12; k < 15; k++) wanted[k] = local[k];
+    const kept = from.slice(first, end);
+    if (!turn && reflection.signs[first] !== 0) {
+      // What slides stays, what turns is mirrored.
+      const slides = dofsOf(this.skeleton.joints[0].motion).map(({ unit }) => unit === 'length');
+      const values = this.bySigns(0, 0).map((value, d) => (slides[d] ? kept[d] : value));
+      if (this.isAllowed(0, values) && this.isWanted(values)) {
+        this.out.set(values, first);
+        return;
+      }
+    }
+    this.fit(0, kept);
+    // What its own DOFs can't make up for, as a screw's, the root's translation does.
+    if (!compiled.hasRootTranslation) return;
+    compiled.motions[0].write(this.out, first, local, 0);
+    for (let k = 0; k < 3; k++) {
+      const missing = wanted[12 + k] - local[12 + k];
+      if (Math.abs(missing) > ASTRAY * reflection.size) this.out[k] += missing;
+    }
+  }
+
+  /** Whether these values of the root's own DOFs give the matrix that is wanted. */
+  private isWanted(values: Float64Array): boolean {
+    this.compiled.motions[0].write(values, 0, this.local, 0);
+    return this.wanted.every((v, k) => Math.abs(v - this.local[k]) <= ASTRAY * (1 + Math.abs(v)));
+  }
+
+  private bySigns(t: number, s: number): Float64Array {
+    const { compiled, from } = this;
+    const { signs, reference } = this.reflection;
+    const [first, end] = [compiled.firstDof[t], compiled.firstDof[t + 1]];
+    const theirs = compiled.firstDof[s];
+    return Float64Array.from({ length: end - first }, (_, d) =>
+      signed(signs[first + d] || 1, reference[theirs + d], reference[first + d], from[theirs + d]),
+    );
   }
 
   private isAllowed(t: number, values: Float64Array): boolean {

@@ -1,9 +1,9 @@
 /** A file of poses on its way into a character's library. */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import type { ParsedFile } from '../../model/files.ts';
+import { type ParsedFile, sameName } from '../../model/files.ts';
 import { takePose } from './by-names.ts';
-import { addPoses } from './library.ts';
+import { addPoses, withPoses } from './library.ts';
 
 export type PoseFile = Extract<ParsedFile, { readonly kind: 'pose' }>;
 
@@ -35,7 +35,10 @@ export function fittingCharacter({ poses }: PoseFile, characters: readonly Chara
   return best;
 }
 
-/** The character with the file's poses, and what there is to say of them. */
+/**
+ * The character with the file's poses, and what there is to say of them. Where all poses that it has are kept in a file
+ * of that name, they are read again and give way.
+ */
 export function givePoses(character: Character, { poses, source }: PoseFile) {
   const diagnostics: Diagnostic[] = [];
   const missing = new Set(poses.flatMap((pose) => takePose(character, pose).missing));
@@ -45,5 +48,10 @@ export function givePoses(character: Character, { poses, source }: PoseFile) {
     const message = `${character.name} has no joint "${first}"${others} that the poses are of.`;
     diagnostics.push(withoutPlace('warning', 'pose-joint-missing', message, source.name, 'left out'));
   }
-  return { character: addPoses(character, poses), diagnostics };
+  const kept = character.sources.filter(({ name }) => name.toLowerCase().endsWith('.pose'));
+  const others = kept.filter(({ name }) => !sameName(name, source.name));
+  const isReadAgain = kept.length > 0 && others.length === 0;
+  const next = addPoses(isReadAgain ? withPoses(character, []) : character, poses);
+  const sources = [...character.sources.filter((own) => !kept.includes(own) || others.includes(own)), source];
+  return { character: { ...next, sources }, diagnostics };
 }

@@ -37,7 +37,7 @@ export function sidedName(name: string): SidedName | undefined {
 }
 
 /** Sides glued to the beginning or the end of a name: they may be no sides at all. */
-export function gluedSides(name: string): readonly SidedName[] {
+function gluedSides(name: string): readonly SidedName[] {
   const word = tokensOf(name).join(' ');
   const found: SidedName[] = [];
   const begins = /^(left|right|l|r)(.+)$/.exec(word);

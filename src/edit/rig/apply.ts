@@ -1,5 +1,7 @@
 /** What every command of rigging does: find the joint, change the skeleton, bind skins anew where they are to stay. */
+
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -51,6 +53,21 @@ export function rigged(
   return { document: next, keys: [], ...(selected !== undefined && { selected: { characterId, joint: selected } }) };
 }
 
+/**
+ * What changes where joints stand, but neither which there are nor their DOFs, with skins bound anew if they are to stay.
+ * @param next the very document where nothing changed
+ */
+export function boundAnew(document: Document, rigging: Rigging, next: Document): Document {
+  const { characterId, skin = 'follows' } = rigging;
+  const timeSeconds = secondsOf(rigging);
+  if (oneOf(skin, SKIN_MODES, '"skin"') === 'follows' || next === document) return next;
+  const before = requireCharacter(document, characterId);
+  return changeCharacter(next, characterId, (after) => {
+    const map = changedJoints(requireSkeleton(before), requireSkeleton(after).joints);
+    return withSkinsStaying(before, after, map, timeSeconds);
+  });
+}
+
 /** One joint changed and nothing else. */
 export function withJoint(
   document: Document,
@@ -70,5 +87,5 @@ export function calledIn(document: Document, characterId: string, joint: number)
 }
 
 export function called(skeleton: Skeleton | undefined, joint: number): string {
-  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+  return jointName(skeleton, joint);
 }

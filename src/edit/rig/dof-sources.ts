@@ -4,22 +4,31 @@
  *
  *     root translation tx ty tz   ⇄   tx ty tz of a root that moves by itself (`movesByItself`)
  *
+ * What is called otherwise and does the same is the same too (`same-dof.ts`).
+ *
  * Position channels of BVH that replace the offset say where a joint is, not how far from its offset: their values move
  * by what the offset does, or come to be counted from it.
  */
 import { firstDofs, rootDofs } from '../../model/dofs.ts';
 import { dofsOf, isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import { sameDof, timesSign } from './same-dof.ts';
 import type { Likeness } from './tree.ts';
 
 export interface DofSource {
   /** Index of the DOF before, in the character's list; -1 for a new one. */
   readonly from: number;
-  /** What is added to its values. */
+  /** What its values are multiplied by; and then what is added to them. */
+  readonly sign: 1 | -1;
   readonly plus: number;
   /** Where a new one begins. */
   readonly start: number;
   /** A DOF of before, times a sign, that a new one begins at where that stands still. */
   readonly like?: { readonly dof: number; readonly sign: number };
+}
+
+/** A value of a DOF before as one of the DOF after. */
+export function valueAfter({ sign, plus }: Pick<DofSource, 'sign' | 'plus'>, value: number): number {
+  return timesSign(value, sign) + plus;
 }
 
 /** Without morphs: their DOFs stay as they are, behind the others. */
@@ -40,6 +49,7 @@ export function dofSources(
   const sources: DofSource[] = rootDofs(after).map(({ name }) => {
     return {
       from: travel(name),
+      sign: 1,
       plus: hadRoot || !isSameRoot ? 0 : baseOf(root, name) - standOf(nextRoot, name),
       start: 0,
     };
@@ -51,13 +61,14 @@ export function dofSources(
       const start = joint.pose[d] ?? 0;
       if (!was) {
         const known = like && { dof: first[like.joint] + d, sign: like.signs[d] };
-        sources.push({ from: -1, plus: 0, start, ...(known && { like: known }) });
+        sources.push({ from: -1, sign: 1, plus: 0, start, ...(known && { like: known }) });
         return;
       }
-      let from = indexOf(was, name, first[origins[j]]);
+      const same = sameDof(was.motion, joint.motion, name);
+      let from = same ? indexOf(was, same.name, first[origins[j]]) : -1;
       if (j === 0 && isSameRoot && hadRoot !== hasRoot && TRAVEL.includes(name)) from = hasRoot ? -1 : travel(name);
       const plus = from < 0 ? 0 : shiftOf(was, joint, name);
-      sources.push({ from, plus, start });
+      sources.push({ from, sign: same?.sign ?? 1, plus, start });
     });
   });
   return sources;
@@ -94,8 +105,8 @@ function shiftOf(before: Joint, after: Joint, name: string): number {
 }
 
 /**
- * The joint with limits and a file pose for each of its DOFs: those of before where it had a DOF of that name, else none
- * and the rest. Limits and poses that were given with the change stay. The same object where neither its motion nor what
+ * The joint with limits and a file pose for each of its DOFs: those of before where it had that DOF, else none and the
+ * rest. Limits and poses that were given with the change stay. The same object where neither its motion nor what
  * its DOFs are counted from is another.
  */
 export function fittedJoint(before: Joint, joint: Joint): Joint {
@@ -103,11 +114,13 @@ export function fittedJoint(before: Joint, joint: Joint): Joint {
   const names = dofsOf(before.motion).map(({ name }) => name);
   const isMoved = dofs.some(({ name }) => shiftOf(before, joint, name) !== 0);
   if (before.motion === joint.motion && !isMoved) return joint;
-  const at = dofs.map(({ name }) => names.indexOf(name));
+  const same = dofs.map(({ name }) => sameDof(before.motion, joint.motion, name));
+  const at = same.map((one) => (one ? names.indexOf(one.name) : -1));
+  const sign = (d: number) => same[d]?.sign ?? 1;
   const shift = (d: number) => (at[d] < 0 ? 0 : shiftOf(before, joint, dofs[d].name));
-  const limits = at.map((own, d) => movedLimit(before.limits[own] ?? UNLIMITED, shift(d)));
+  const limits = at.map((own, d) => movedLimit(before.limits[own] ?? UNLIMITED, sign(d), shift(d)));
   const pose = at.map((own, d) => {
-    if (own >= 0) return (before.pose[own] ?? dofs[d].rest) + shift(d);
+    if (own >= 0) return timesSign(before.pose[own] ?? dofs[d].rest, sign(d)) + shift(d);
     return dofs[d].rest + offsetWithin(joint, dofs[d].name);
   });
   return {
@@ -117,6 +130,8 @@ export function fittedJoint(before: Joint, joint: Joint): Joint {
   };
 }
 
-function movedLimit(limit: Limit, by: number): Limit {
-  return by === 0 || isUnlimited(limit) ? limit : { min: limit.min + by, max: limit.max + by };
+function movedLimit(limit: Limit, sign: 1 | -1, by: number): Limit {
+  const { min, max } = sign < 0 ? { min: 0 - limit.max, max: 0 - limit.min } : limit;
+  if (isUnlimited(limit) || (by === 0 && sign > 0)) return limit;
+  return { min: min + by, max: max + by };
 }

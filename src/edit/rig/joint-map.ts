@@ -10,6 +10,7 @@ import { axisAngleObstacle, inHierarchyForm } from '../../model/axis-angle.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { type Couple, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
 import { type DofSource, dofSources, fittedJoint } from './dof-sources.ts';
+import { type SameDof, sameDof, timesSign } from './same-dof.ts';
 import { type Branch, type Likeness, listJoints } from './tree.ts';
 
 export interface JointMap {
@@ -69,7 +70,8 @@ function mapOf(before: Skeleton, joints: readonly Joint[], branches: readonly Br
     keepsJoints: origins.length === to.length && origins.every((origin, j) => origin === j),
     dofs,
     dofsBefore,
-    keepsDofs: dofs.length === dofsBefore && dofs.every(({ from, plus }, d) => from === d && plus === 0),
+    keepsDofs:
+      dofs.length === dofsBefore && dofs.every(({ from, sign, plus }, d) => from === d && sign > 0 && plus === 0),
     likes,
   };
 }
@@ -86,21 +88,30 @@ function withCouples(
   origins: Int32Array,
   to: Int32Array,
 ): readonly Joint[] {
-  const namesOf = (j: number) => dofsOf(joints[j].motion).map(({ name }) => name);
   return joints.map((joint, j) => {
     const { couples } = joint;
     if (!couples) return joint;
-    const own = namesOf(j);
+    const { motion } = before.joints[origins[j]] ?? joint;
     const kept = couples.flatMap((couple): Couple[] => {
       const target = to[couple.joint];
-      if (target < 0 || !own.includes(couple.dof) || !namesOf(target).includes(couple.follows)) return [];
-      return [target === couple.joint ? couple : { ...couple, joint: target }];
+      if (target < 0) return [];
+      const own = sameDof(joint.motion, motion, couple.dof);
+      const followed = sameDof(joints[target].motion, before.joints[couple.joint].motion, couple.follows);
+      return own && followed ? [movedCouple(couple, own, target, followed)] : [];
     });
     if (kept.length === couples.length && kept.every((couple, i) => couple === couples[i])) {
-      if (origins[j] >= 0 && before.joints[origins[j]].motion === joint.motion) return joint;
+      if (origins[j] >= 0 && motion === joint.motion) return joint;
     }
     const { couples: _before, ...rest } = joint;
-    const inOrder = own.flatMap((name) => kept.find(({ dof }) => dof === name) ?? []);
+    const inOrder = dofsOf(joint.motion).flatMap(({ name }) => kept.find(({ dof }) => dof === name) ?? []);
     return inOrder.length ? { ...rest, couples: inOrder } : rest;
   });
+}
+
+/** φ = g·ψ + o, with φ = s·φ′ and ψ = t·ψ′: φ′ = (s·t·g)·ψ′ + s·o. The same object where nothing changes. */
+function movedCouple(couple: Couple, own: SameDof, joint: number, followed: SameDof): Couple {
+  const isSame = own.name === couple.dof && followed.name === couple.follows;
+  if (isSame) return joint === couple.joint ? couple : { ...couple, joint };
+  const gain = timesSign(timesSign(couple.gain, own.sign), followed.sign);
+  return { dof: own.name, joint, follows: followed.name, gain, offset: timesSign(couple.offset, own.sign) };
 }

@@ -3,7 +3,6 @@
 import { type CompiledSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
-import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { backMultiply3, rotationOf, setIdentity3 } from '../../evaluate/retarget/rotations.ts';
 import { invertAffine, isSingular } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -122,8 +121,8 @@ export function turnedAs(
   const turning = dofsOf(motion).flatMap(({ unit }, d) =>
     unit === 'angle' || motion.kind === 'quaternion' ? [firstDof[joint] + d] : [],
   );
-  const moved = movedDofs(character);
-  if (turning.some((dof) => isDriven(character, dof) || moved?.has(dof))) return document;
+  // By keys, samples, or another's take.
+  if (turning.some((dof) => isDriven(character, dof))) return document;
   const clamps = character.clampsToLimits;
   const values = dofsAs(shown.compiled, skeleton.joints[joint], joint, shown.dofs, was.world, origin, clamps);
   let next = document;

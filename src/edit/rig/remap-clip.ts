@@ -1,10 +1,11 @@
 /** The channels and samples of a clip in the order of other DOFs. */
-import { type Channel, type ChannelClip, isSampled, keylessChannel } from '../../model/clip.ts';
+import { type Channel, type ChannelClip, isSampled, keylessChannel, type Tangents } from '../../model/clip.ts';
 import { rootDofs } from '../../model/dofs.ts';
 import { columnOf, RADIANS_PER_DEGREE, type Samples } from '../../model/samples.ts';
 import { type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
-import type { DofSource } from './dof-sources.ts';
+import { type DofSource, valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';
+import { timesSign } from './same-dof.ts';
 
 /** A channel that comes of one before, or of none. */
 interface ChannelSource extends Omit<DofSource, 'like'> {
@@ -14,16 +15,17 @@ interface ChannelSource extends Omit<DofSource, 'like'> {
 /** @param pose of the character before: where DOFs stand that the clip has no channel for */
 export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly number[]): ChannelClip {
   const sources = channelSources(clip, map);
-  const channels = sources.map(({ from, plus, start, like }) => {
-    if (from >= 0) return raised(clip.channels[from] ?? keylessChannel(pose[from] ?? start), plus);
+  const channels = sources.map((source) => {
+    const { from, start, like } = source;
+    if (from >= 0) return moved(clip.channels[from] ?? keylessChannel(pose[from] ?? start), source);
     const model = like && clip.channels[like.dof];
     const stands = like && model && model.times.length === 0 && !isSampled(clip, like.dof);
-    return keylessChannel(stands ? (model.rest ?? 0) * like.sign : start);
+    return keylessChannel(stands ? (model.rest ?? 0) * like.sign + 0 : start);
   });
   const { samples, ...rest } = clip;
   const stand = channels.map(({ rest = 0 }) => rest);
-  const moved = samples && remapSamples(samples, sources, stand, map.after);
-  return { ...rest, channels, ...(moved && { samples: moved }) };
+  const sampled = samples && remapSamples(samples, sources, stand, map.after);
+  return { ...rest, channels, ...(sampled && { samples: sampled }) };
 }
 
 /**
@@ -38,18 +40,27 @@ function channelSources({ channels }: ChannelClip, { dofs, dofsBefore }: JointMa
   // Morphs, and channels that drive nothing.
   const beyond = Array.from({ length: Math.max(0, count - dofsBefore) }, (_, i) => ({
     from: dofsBefore + i,
+    sign: 1 as const,
     plus: 0,
     start: 0,
   }));
   return [...driven, ...beyond];
 }
 
-/** With another value throughout: the same channel where nothing is added. */
-function raised(channel: Channel, plus: number): Channel {
-  if (plus === 0) return channel;
+/** With other values throughout; the same channel where none is another. */
+function moved(channel: Channel, source: ChannelSource): Channel {
+  const { sign, plus } = source;
+  if (sign > 0 && plus === 0) return channel;
   const { rest = 0, ...others } = channel;
-  if (channel.times.length === 0) return { ...others, ...(rest + plus !== 0 && { rest: rest + plus }) };
-  return { ...channel, values: channel.values.map((value) => value + plus) };
+  if (channel.times.length === 0) {
+    const next = valueAfter(source, rest);
+    return { ...others, ...(next !== 0 && { rest: next }) };
+  }
+  const values = channel.values.map((value) => valueAfter(source, value));
+  if (sign > 0) return { ...channel, values };
+  const mirrored = ({ kinds, slopes }: Tangents): Tangents => ({ kinds, slopes: slopes.map((slope) => 0 - slope) });
+  const [tangentsIn, tangentsOut] = [mirrored(channel.tangentsIn), mirrored(channel.tangentsOut)];
+  return { ...channel, values, tangentsIn, tangentsOut };
 }
 
 /**
@@ -71,29 +82,52 @@ function remapSamples(
   const own = columns.slice(first, end);
   const { frameCount, scales: scalesBefore, values: before } = samples;
   const widthBefore = scalesBefore.length;
-  const plus = sources.slice(first, end).map((source) => source.plus);
+  const drivers = sources.slice(first, end);
   const isSame = first === samples.firstChannel && width === widthBefore && own.every((column, c) => column === c);
-  if (isSame && plus.every((p) => p === 0)) return samples;
+  /** Columns whose values are others. */
+  const changed = drivers.flatMap(({ sign, plus }, c) => (own[c] >= 0 && (sign < 0 || plus !== 0) ? [c] : []));
+  if (isSame && changed.length === 0) return samples;
   const units = unitsOf(after);
   const scales = Float64Array.from(own, (column, c) => {
     if (column >= 0) return scalesBefore[column];
     return units[first + c] === 'angle' ? RADIANS_PER_DEGREE : 1;
   });
-  // In the column's own unit: what is added, or what a new one is throughout.
-  const added = Float64Array.from(own, (column, c) => {
-    return (column >= 0 ? plus[c] : stand[first + c]) / scales[c];
-  });
-  const values = new Float64Array(frameCount * width);
-  for (let frame = 0; frame < frameCount; frame++) {
-    const to = frame * width;
-    const from = frame * widthBefore;
-    for (let c = 0; c < width; c++) {
-      if (own[c] < 0) values[to + c] = added[c];
-      // Adding 0 would turn −0 into 0.
-      else values[to + c] = added[c] === 0 ? before[from + own[c]] : before[from + own[c]] + added[c];
+  const values = isSame
+    ? before.slice()
+    : rearranged(before, widthBefore, own, frameCount, (c) => stand[first + c] / scales[c]);
+  // One pass over the rows: columns that are moved stand side by side as a rule.
+  const signs = changed.map((c) => drivers[c].sign);
+  // In the column's own unit.
+  const plus = Float64Array.from(changed, (c) => drivers[c].plus / scales[c]);
+  for (let row = 0; row < values.length; row += width) {
+    for (let i = 0; i < changed.length; i++) {
+      const at = row + changed[i];
+      values[at] = timesSign(values[at], signs[i]) + plus[i];
     }
   }
   return { ...samples, firstChannel: first, values, scales };
+}
+
+/** @param own of each column the one before; -1 for one that stands still, at `standing` */
+function rearranged(
+  before: Float64Array,
+  widthBefore: number,
+  own: readonly number[],
+  frameCount: number,
+  standing: (column: number) => number,
+): Float64Array {
+  const width = own.length;
+  const values = new Float64Array(frameCount * width);
+  for (let c = 0; c < width; c++) {
+    if (own[c] >= 0) continue;
+    const value = standing(c);
+    if (value !== 0) for (let at = c; at < values.length; at += width) values[at] = value;
+  }
+  for (let frame = 0; frame < frameCount; frame++) {
+    const [from, to] = [frame * widthBefore, frame * width];
+    for (let c = 0; c < width; c++) if (own[c] >= 0) values[to + c] = before[from + own[c]];
+  }
+  return values;
 }
 
 /** What each DOF measures, by its index. */

@@ -8,6 +8,8 @@
  *
  *     sin β = σ·R[i][k]      α = atan2(−σ·R[j][k], R[k][k])      γ = atan2(−σ·R[i][j], R[i][i])
  */
+import { writeNearestForm } from '../../evaluate/euler-angles.ts';
+import { turnedNear } from '../../math/euler.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { dofsOf, type Motion, type Skeleton } from '../../model/skeleton.ts';
 
@@ -50,11 +52,9 @@ function productOf(motion: Motion): readonly string[] | undefined {
   }
 }
 
-const TURN = 2 * Math.PI;
-
 /** Each angle within half a turn of the one before it, in place. */
 export function unroll(angles: Float64Array): void {
-  for (let f = 1; f < angles.length; f++) angles[f] = near(angles[f], angles[f - 1]);
+  for (let f = 1; f < angles.length; f++) angles[f] = turnedNear(angles[f], angles[f - 1]);
 }
 
 /**
@@ -82,21 +82,8 @@ const form = new Float64Array(3);
  * @returns scratch that the next call fills again, as that of `anglesOf`
  */
 export function nearestForm(a: number, b: number, c: number, a0: number, b0: number, c0: number): Float64Array {
-  const [pa, pb, pc] = [near(a, a0), near(b, b0), near(c, c0)];
-  const [fa, fb, fc] = [near(a + Math.PI, a0), near(Math.PI - b, b0), near(c + Math.PI, c0)];
-  const plain = (pa - a0) ** 2 + (pb - b0) ** 2 + (pc - c0) ** 2;
-  const flipped = (fa - a0) ** 2 + (fb - b0) ** 2 + (fc - c0) ** 2;
-  const isFlipped = flipped < plain - 1e-9;
-  form[0] = isFlipped ? fa : pa;
-  form[1] = isFlipped ? fb : pb;
-  form[2] = isFlipped ? fc : pc;
+  writeNearestForm(a, b, c, a0, b0, c0, form, 0);
   return form;
-}
-
-/** An angle, whole turns away, nearest to another; by no turn it stays the very number. */
-export function near(angle: number, target: number): number {
-  const turns = Math.round((target - angle) / TURN);
-  return turns === 0 ? angle : angle + TURN * turns;
 }
 
 /**

@@ -18,6 +18,7 @@
  * (Savitzky–Golay keeps peaks higher for the same window but lets some jitter through with its sign turned; a Gaussian's
  * one number is one that people have a feeling for.)
  */
+import { turnedNear } from '../../math/euler.ts';
 import { type ChannelClip, isSampled } from '../../model/clip.ts';
 import type { CharacterDof } from '../../model/dofs.ts';
 import { columnOf } from '../../model/samples.ts';
@@ -25,7 +26,7 @@ import { replacingColumns, takingColumns } from './columns.ts';
 import { framesBetween, requireSamples } from './frames.ts';
 import { convolving, gaussian } from './gaussian.ts';
 import { medianFrame, medianRotation } from './median.ts';
-import { anglesOf, type JointRotation, near, nearestForm, putQuaternions, unroll } from './rotations.ts';
+import { anglesOf, type JointRotation, nearestForm, putQuaternions, unroll } from './rotations.ts';
 import { type FrameRange, frameRange, isWhole, weightAt } from './seam.ts';
 import { type Steps, within } from './steps.ts';
 
@@ -117,7 +118,7 @@ function* filteringValues(values: Float64Array, isAngle: boolean, { range, reach
     const weight = weightAt(range, reach, f);
     const value = weight === 1 ? target : flat[f] + weight * (target - flat[f]);
     if (!isAngle || (smooth && isWhole(range))) values[f] = value;
-    else values[f] = near(value, values[smooth ? f : f - 1]);
+    else values[f] = turnedNear(value, values[smooth ? f : f - 1]);
   }
 }
 

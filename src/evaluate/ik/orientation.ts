@@ -12,6 +12,7 @@
  *
  * (the inverse of the left Jacobian of SO(3): Barfoot, State Estimation for Robotics, 2017, § 7.1.5).
  */
+import { writeRotation } from '../../math/quaternion.ts';
 import type { Turn } from './pins.ts';
 
 /** Numbers a frame: x y z as columns, then |W_x|, W_y·x and |n|, 0 where the axes span none. */
@@ -142,15 +143,7 @@ export function writeTurnFrame(turn: ArrayLike<number>, first: number, out: Floa
   const y = turn[first + 1] / length;
   const z = turn[first + 2] / length;
   const w = turn[first + 3] / length;
-  out[o] = 1 - 2 * (y * y + z * z);
-  out[o + 1] = 2 * (x * y + w * z);
-  out[o + 2] = 2 * (x * z - w * y);
-  out[o + 3] = 2 * (x * y - w * z);
-  out[o + 4] = 1 - 2 * (x * x + z * z);
-  out[o + 5] = 2 * (y * z + w * x);
-  out[o + 6] = 2 * (x * z + w * y);
-  out[o + 7] = 2 * (y * z - w * x);
-  out[o + 8] = 1 - 2 * (x * x + y * y);
+  writeRotation(x, y, z, w, out, o, 3);
 }
 
 /** How a joint stands: what a pin holds that is to keep its orientation. @param world as of `worldMatrices` */

@@ -4,8 +4,7 @@
  */
 
 import { invertAffine, isSingular } from '../../math/mat4.ts';
-import type { Vec3 } from '../../math/vec3.ts';
-import { ZERO } from '../../math/vec3.ts';
+import { transformPoint, type Vec3, ZERO } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
 import { hasBox } from '../../model/boxes.ts';
 import type { Character } from '../../model/document.ts';
@@ -100,7 +99,7 @@ export function skinPinPoint(
   if (joint < 0 || isSingular(world, 16 * joint)) return undefined;
   const inverse = new Float64Array(16);
   invertAffine(world, 16 * joint, inverse, 0);
-  return { joint, point: transformed(inverse, 0, deformed) };
+  return { joint, point: transformPoint(inverse, deformed) };
 }
 
 const ORIGIN: PinPoint = { kind: 'origin', point: ZERO, name: 'origin' };
@@ -142,11 +141,8 @@ function skinEnd(skin: Skin, joint: number): PinPoint | undefined {
   let most = 0;
   for (let v = 0; v < vertexCount; v++) {
     if (heaviestJoint(attachments, v, bindingCount(skin)) !== joint) continue;
-    const point = transformed(inverseBindings, 16 * joint, [
-      positions[3 * v],
-      positions[3 * v + 1],
-      positions[3 * v + 2],
-    ]);
+    const at: Vec3 = [positions[3 * v], positions[3 * v + 1], positions[3 * v + 2]];
+    const point = transformPoint(inverseBindings, at, 16 * joint);
     const length = distance(point);
     if (!(length > most && length < Infinity)) continue;
     best = point;
@@ -188,9 +184,4 @@ function distance(point: Vec3): number {
 
 function apart(a: Vec3, b: Vec3): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-function transformed(m: Float64Array, o: number, [x, y, z]: Vec3): Vec3 {
-  const along = (k: number) => m[o + k] * x + m[o + 4 + k] * y + m[o + 8 + k] * z + m[o + 12 + k];
-  return [along(0), along(1), along(2)];
 }

@@ -7,7 +7,7 @@
  *     const problem = ikProblem(skeleton, pins, dofs, { clamps, stiffness: stiffnessOf(skeleton, setup) });
  *     movePin(problem, draggedIndex(setup, dragged), x, y, z);
  */
-import type { Vec3 } from '../../math/vec3.ts';
+import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import type { Character } from '../../model/document.ts';
 import { defaultIk, type IkSetup, type Pin } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -50,10 +50,8 @@ export function pinTarget({ joint, point, holdsOrientation }: Pin, world: Float6
 }
 
 /** Where a point of a joint is. @param world as of `worldMatrices` */
-export function pointAt(world: Float64Array, joint: number, [x, y, z]: Vec3): Vec3 {
-  const o = 16 * joint;
-  const along = (k: number) => world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z + world[o + 12 + k];
-  return [along(0), along(1), along(2)];
+export function pointAt(world: Float64Array, joint: number, point: Vec3): Vec3 {
+  return transformPoint(world, point, 16 * joint);
 }
 
 /**

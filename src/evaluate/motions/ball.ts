@@ -1,5 +1,6 @@
 /** Three angles about x, y and z, multiplied in any order: balljoints, and the rotation of what has one within it. */
 import type { EulerOrder } from '../../model/skeleton.ts';
+import { renamedAxes } from '../euler-dofs.ts';
 import { type JointMotion, turnAbout } from './motion.ts';
 
 type BallMotion = JointMotion & Required<Pick<JointMotion, 'screws'>>;
@@ -58,10 +59,10 @@ function orderedBall(order: EulerOrder): BallMotion {
  */
 export function spreadBall(order: EulerOrder, x: number, y: number, z: number): BallMotion {
   const places = [x, y, z];
-  const i = 'xyz'.indexOf(order[0]);
-  const j = 'xyz'.indexOf(order[1]);
-  const k = 'xyz'.indexOf(order[2]);
-  const sign = (j - i + 3) % 3 === 1 ? 1 : -1;
+  const {
+    axes: [i, j, k],
+    sign,
+  } = renamedAxes(order);
   const atI = places[i];
   const atJ = places[j];
   const atK = places[k];

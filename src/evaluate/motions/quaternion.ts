@@ -1,11 +1,11 @@
 /**
- * The rotation of a quaternion x y z w of any length: R(u), u = q/|q|. Of length 0 it is the identity.
+ * The rotation of a quaternion x y z w of any length: R(u), u = q/|q|, as in `math/quaternion.ts`. Of length 0 it is the
+ * identity. N = |q|²·R is quadratic in q, so that
  *
- *     │ 1 − 2(y² + z²)   2(xy − wz)       2(xz + wy)     │
- *     │ 2(xy + wz)       1 − 2(x² + z²)   2(yz − wx)     │        N = |q|²·R is quadratic in q, so that
- *     │ 2(xz − wy)       2(yz + wx)       1 − 2(x² + y²) │        ∂R/∂q_d = (∂N/∂q_d (u) − 2·u_d·R) / |q|
+ *     ∂R/∂q_d = (∂N/∂q_d (u) − 2·u_d·R) / |q|
  */
 import { setIdentity } from '../../math/mat4.ts';
+import { writeRotation } from '../../math/quaternion.ts';
 import type { JointMotion } from './motion.ts';
 
 /** u, and |q| behind it. Scratch, never escapes. */
@@ -35,16 +35,7 @@ export const QUATERNION: JointMotion = {
   write(dofs, first, out, o) {
     setIdentity(out, o);
     if (!normalise(dofs, first)) return;
-    const [x, y, z, w] = [unit[0], unit[1], unit[2], unit[3]];
-    out[o] = 1 - 2 * (y * y + z * z);
-    out[o + 1] = 2 * (x * y + w * z);
-    out[o + 2] = 2 * (x * z - w * y);
-    out[o + 4] = 2 * (x * y - w * z);
-    out[o + 5] = 1 - 2 * (x * x + z * z);
-    out[o + 6] = 2 * (y * z + w * x);
-    out[o + 8] = 2 * (x * z + w * y);
-    out[o + 9] = 2 * (y * z - w * x);
-    out[o + 10] = 1 - 2 * (x * x + y * y);
+    writeRotation(unit[0], unit[1], unit[2], unit[3], out, o, 4);
   },
   writeDerivative(dofs, first, dof, out, o) {
     QUATERNION.write(dofs, first, out, o);

@@ -14,7 +14,7 @@
 import { eulerNear, turnedNear } from '../../math/euler.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { dofsOf } from '../../model/skeleton.ts';
-import { eulerDofs } from '../euler-dofs.ts';
+import { eulerDofs, type RenamedAxes, renamedAxes } from '../euler-dofs.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import { quaternionOf } from './rotations.ts';
 
@@ -33,7 +33,7 @@ export interface JointFit {
   /** The angles of the file's pose: those that are nearest to them are taken. */
   readonly rest: Float64Array;
   /** `angles` in the order in which they are applied; absent where they are no whole rotation. */
-  readonly euler?: { readonly axes: readonly number[]; readonly sign: number; readonly applied: readonly number[] };
+  readonly euler?: RenamedAxes & { readonly applied: readonly number[] };
   readonly isQuaternion: boolean;
 }
 
@@ -53,7 +53,7 @@ export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, cl
   const isRigid = motion.kind === 'compound' && !names.some((name) => name.startsWith('s'));
   const euler = isRigid ? eulerDofs({ ...motion, dofs: motion.dofs.filter(turns) }) : eulerDofs(motion);
   const at3 = euler && [euler.x, euler.y, euler.z].map((d) => (isRigid ? d : angles.indexOf(d)));
-  const axes = euler ? [...euler.order].map((axis) => 'xyz'.indexOf(axis)) : [];
+  const renaming = euler && renamedAxes(euler.order);
   return {
     first,
     angles: Int32Array.from(angles),
@@ -61,13 +61,7 @@ export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, cl
     upper: bound(skeleton.upper, Infinity),
     rest: Float64Array.from(angles, (d) => joint.pose[d] ?? 0),
     isQuaternion,
-    ...(euler && {
-      euler: {
-        axes,
-        sign: (axes[1] - axes[0] + 3) % 3 === 1 ? 1 : -1,
-        applied: axes.map((axis) => at3?.[axis] ?? 0),
-      },
-    }),
+    ...(renaming && { euler: { ...renaming, applied: renaming.axes.map((axis) => at3?.[axis] ?? 0) } }),
   };
 }
 

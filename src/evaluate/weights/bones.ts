@@ -3,7 +3,7 @@
  * with. From a joint's pivot to that of each child, to its tip and its End Sites, and through its box where none of these
  * goes that way: a hand ends with no joint, and of a head the joints are the ears.
  */
-import type { Vec3 } from '../../math/vec3.ts';
+import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { boneEnds } from '../../model/bone-ends.ts';
 import { hasBox } from '../../model/boxes.ts';
 import type { Box, Skeleton } from '../../model/skeleton.ts';
@@ -32,9 +32,9 @@ export function boneSegments(skeleton: Skeleton, frames: Float64Array): BoneSegm
   joints.forEach((joint, j) => {
     const from = pivot(frames, j);
     const children = joints.flatMap((child, c) => (child.parent === j ? [pivot(frames, c)] : []));
-    const own = ends.filter((end) => end.joint === j).map(({ at }) => placed(frames, j, at));
+    const own = ends.filter((end) => end.joint === j).map(({ at }) => transformPoint(frames, at, 16 * j));
     const far = [...children, ...own].filter((to) => Math.hypot(...to.map((x, k) => x - from[k])) > least);
-    const end = hasBox(joint) ? placed(frames, j, boxEnd(joint.box)) : from;
+    const end = hasBox(joint) ? transformPoint(frames, boxEnd(joint.box), 16 * j) : from;
     if (far.length === 0 && children.length === 0) far.push(end);
     else if (isApart(end, from, far)) far.push(end);
     for (const to of far) bones.push({ joint: j, ends: [...from, ...to] });
@@ -96,12 +96,6 @@ function isApart(end: Vec3, from: Vec3, far: readonly Vec3[]): boolean {
 function pivot(frames: Float64Array, joint: number): Vec3 {
   const o = 16 * joint + 12;
   return [frames[o], frames[o + 1], frames[o + 2]];
-}
-
-function placed(m: Float64Array, joint: number, [x, y, z]: Vec3) {
-  const o = 16 * joint;
-  const row = (r: number) => m[o + r] * x + m[o + 4 + r] * y + m[o + 8 + r] * z + m[o + 12 + r];
-  return [row(0), row(1), row(2)] as const;
 }
 
 /** The diagonal of the box around all pivots; 1 where that is nothing. */

@@ -5,9 +5,9 @@
 import { couplesOf } from '../../model/couples.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { type Couple, dofsOf, type Joint } from '../../model/skeleton.ts';
+import { oneToken } from '../../model/written-names.ts';
 import { number, type Part } from '../grammar.ts';
 import type { Keywords, Mark, Tokens } from '../tokens.ts';
-import { oneToken } from '../write-text.ts';
 
 /** A couple as it is written. */
 export interface OpenCouple {

@@ -35,6 +35,8 @@ export interface Action extends Bindable {
   readonly group: GroupName;
   /** `View`, or `View/Draw` for a menu within. Absent: only keys and search. */
   readonly menu?: MenuName | `${MenuName}/${string}`;
+  /** A second menu that it stands in, for those who look for it there. */
+  readonly alsoIn?: { readonly menu: MenuName; readonly section?: number };
   /** Entries of one menu with different sections have a line between them. */
   readonly section?: number;
   readonly icon?: IconName;

@@ -180,7 +180,7 @@ function travel(wb: Workbench, way: 'undo' | 'redo'): void {
   const label = way === 'undo' ? wb.store.undoLabel : wb.store.redoLabel;
   const idsOf = () => wb.store.document.characters.map((c) => c.id).join();
   const before = idsOf();
-  wb.messages.passing.set(undefined);
+  wb.messages.leaveBehind(wb.messages.said);
   if (way === 'undo') wb.store.undo();
   else wb.store.redo();
   if (label === undefined || idsOf() === before) return;

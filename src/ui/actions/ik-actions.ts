@@ -1,6 +1,6 @@
 /** Inverse kinematics: pins, joints that are locked, whether the whole travels. Its scripts are fetched when asked for. */
-import type { Character } from '../../model/document.ts';
 import { defaultIk } from '../../model/ik.ts';
+import { selectedJoint } from '../selected-joint.ts';
 import type { Workbench } from '../workbench.ts';
 import { type Action, currentCharacter } from './action.ts';
 
@@ -13,13 +13,6 @@ const ikOfCurrent = (wb: Workbench) => {
 const hasPins = (wb: Workbench) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0;
 const NO_PINS = 'The character has no pins.';
 const NO_JOINT = 'No joint is selected.';
-
-/** The selected joint, and its character. */
-function selectedJoint(wb: Workbench): { readonly character: Character; readonly joint: number } | undefined {
-  const character = currentCharacter(wb);
-  const { characterId, joint } = wb.store.selection;
-  return character && characterId === character.id && joint !== undefined ? { character, joint } : undefined;
-}
 
 const hasJoint = (wb: Workbench) => selectedJoint(wb) !== undefined;
 const isPinned = (wb: Workbench) => {

@@ -41,6 +41,15 @@ export const KEYING_ACTIONS: readonly Action[] = [
     run: (wb) => withJoint(wb, ({ id }, dofs) => keyNow(wb, id, dofs)),
   },
   {
+    id: 'key.changed',
+    label: 'Key what was changed',
+    group: 'Keys',
+    menu: 'Keys',
+    shortcuts: ['Ctrl+Alt+K'],
+    enabled: (wb) => changedDofs(wb).length > 0,
+    run: (wb) => withCharacter(wb, ({ id }) => keyNow(wb, id, changedDofs(wb))),
+  },
+  {
     id: 'key.deleteHere',
     label: 'Delete the keys at this moment',
     group: 'Keys',
@@ -173,6 +182,11 @@ function withJoint(wb: Workbench, run: (character: Character, dofs: readonly num
   if (!character) return;
   if (joint === undefined || characterId !== character.id) wb.messages.note('Select a joint first.');
   else run(character, jointDofs(character, joint));
+}
+
+/** What hands have changed over the take at this moment; the rest of the pose is what its channels say. */
+function changedDofs(wb: Workbench): readonly number[] {
+  return currentCharacter(wb)?.unkeyed?.dofs ?? [];
 }
 
 function hasKeysHere(wb: Workbench): boolean {

@@ -1,5 +1,7 @@
 /** Whole poses: copied, pasted, mirrored, kept. What they do is fetched with the first of them. */
+import { jointName } from '../../model/joint-name.ts';
 import { copiedPose } from '../poses/copied.ts';
+import { selectedJoint } from '../selected-joint.ts';
 import type { Workbench } from '../workbench.ts';
 import { type Action, currentCharacter } from './action.ts';
 
@@ -9,11 +11,8 @@ const hasCharacter = (wb: Workbench) => currentCharacter(wb) !== undefined;
 const hasSkeleton = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
 
 function selectedName(wb: Workbench): string | undefined {
-  const character = currentCharacter(wb);
-  const { characterId, joint } = wb.store.selection;
-  if (!character || characterId !== character.id || joint === undefined) return undefined;
-  const name = character.skeleton?.joints[joint]?.name;
-  return name === undefined ? undefined : name || `joint ${joint}`;
+  const selected = selectedJoint(wb);
+  return selected && jointName(selected.skeleton, selected.joint);
 }
 
 export const POSE_ACTIONS: readonly Action[] = [

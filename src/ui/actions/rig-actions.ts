@@ -2,6 +2,7 @@
 import type { Axis } from '../../edit/rig/rigging.ts';
 import { isPanelOpen, openPanel } from '../panels.ts';
 import { rigState } from '../rig/rig-state.ts';
+import { selectedJoint } from '../selected-joint.ts';
 import type { Workbench } from '../workbench.ts';
 import { type Action, currentCharacter } from './action.ts';
 
@@ -9,8 +10,7 @@ const edits = () => import('../rig/rig-edits.ts');
 
 const inRigMode = (wb: Workbench) => wb.posing.mode.get() === 'rig';
 const hasSkeleton = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
-const hasJoint = (wb: Workbench) =>
-  wb.store.selection.joint !== undefined && wb.store.selection.characterId === currentCharacter(wb)?.id;
+const hasJoint = (wb: Workbench) => selectedJoint(wb) !== undefined;
 
 function inRig(action: Action): Action {
   return {
@@ -47,6 +47,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     detail: 'From nothing: one joint, and a click for each further one',
     group: 'Rig',
     menu: 'Rig',
+    alsoIn: { menu: 'Open' },
     run: async (wb) => (await edits()).newSkeleton(wb),
   },
   inRig({

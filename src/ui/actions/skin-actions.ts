@@ -16,6 +16,7 @@ export const SKIN_ACTIONS: readonly Action[] = [
     group: 'Edit',
     menu: 'Edit',
     section: 4,
+    alsoIn: { menu: 'Rig', section: 6 },
     enabled: (wb) => skinOf(wb) !== undefined && currentCharacter(wb)?.skeleton !== undefined,
     whyNot(wb) {
       const character = currentCharacter(wb);

@@ -40,6 +40,7 @@ interface Row {
   readonly swatch: HTMLElement;
   readonly joint: HTMLElement;
   readonly dof: HTMLElement;
+  readonly follows: HTMLElement;
 }
 
 /** In place of `Selected joint` while there is none, in what room there is. */
@@ -169,6 +170,7 @@ export class ChannelList {
     const swatch = element('span', { class: 'channel-swatch' });
     const joint = element('span', { class: 'channel-joint' });
     const dof = element('span', { class: 'channel-dof' });
+    const follows = element('span', { class: 'channel-follows' });
     const cell = (name: Cell, ...content: (Node | undefined)[]) => {
       const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
       made.id = `${this.id}-${place}-${name}`;
@@ -180,14 +182,14 @@ export class ChannelList {
     };
     const cells = {
       eye: cell('eye', icon('eye')),
-      name: cell('name', swatch, joint, dof),
+      name: cell('name', swatch, joint, dof, follows),
       in: cell('in'),
       out: cell('out'),
       pin: cell('pin', icon('pin')),
     };
     const row = element('div', { role: 'row', class: 'channel-row' }, ...CELLS.map((c) => cells[c]));
     this.space.append(row);
-    return { element: row, cells, swatch, joint, dof };
+    return { element: row, cells, swatch, joint, dof, follows };
   }
 
   private fill(row: Row, index: number, state: ListState): void {
@@ -211,12 +213,15 @@ export class ChannelList {
     target.classList.toggle('active', index === this.active);
     setText(row.joint, listed.joint);
     setText(row.dof, listed.dof);
+    setText(row.follows, listed.follows === undefined ? '' : `← ${listed.follows}`);
+    target.classList.toggle('follows', listed.follows !== undefined);
     row.swatch.style.background = line && keyed ? cssColour(line.colour) : '';
     row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
     describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
     const { keyCount, sampleCount } = listed;
     const keys = sampleCount ? plural(sampleCount, 'sample') : keyed ? plural(keyCount, 'key') : 'no keys';
-    describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}`, isolated);
+    const follows = listed.follows === undefined ? '' : `; it follows ${listed.follows}, whatever its keys say`;
+    describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}${follows}`, isolated);
     const pinned = state.pinned.has(channel);
     describe(cells.pin, `${pinned ? 'Unpin' : 'Pin'} ${name}`, pinned);
     for (const side of ['in', 'out'] as const) {

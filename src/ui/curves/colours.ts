@@ -1,12 +1,15 @@
 /**
- * Colours of the curves. x, y and z of rotations and translations are the axes' red, green and blue; what else there is
- * (morph weights) has mixtures of these and the accent. Several joints at once are told apart by a part of the text's
+ * Colours of the curves. What goes by an axis (`model/dof-axis.ts`) has its red, green or blue, translations and factors
+ * with dashes of their own; what else there is (morph weights) has mixtures of these and the accent. Several joints at once are told apart by a part of the text's
  * colour mixed in, and past that by dashes: mixing towards the text only ever makes a line easier to see, and nothing
- * comes near the orange of what is selected, as turning the hue would.
+ * comes near the orange of what is selected, as turning the hue would. Only what follows another DOF is fainter: its keys
+ * count for nothing.
  *
  * A colour is a recipe until it is drawn, so that the theme can change under it: `color-mix(in oklab, …)` in CSS, the
  * same arithmetic here for canvases, which can't read custom properties.
  */
+import type { AxisLetter } from '../../model/dof-axis.ts';
+import type { DofUnit } from '../../model/skeleton.ts';
 
 /** Colours that can be mixed, and the custom properties that hold them. */
 export const BASE_COLOURS = {
@@ -15,6 +18,7 @@ export const BASE_COLOURS = {
   z: '--axis-z',
   accent: '--accent',
   text: '--text',
+  faint: '--text-faint',
 } as const;
 export type BaseColour = keyof typeof BASE_COLOURS;
 
@@ -29,6 +33,13 @@ export interface LineColour {
 
 const UNBROKEN: readonly number[] = [];
 const DASHED: readonly number[] = [10, 3];
+/** Of the first three joints and of the next ones. */
+const SLIDES: readonly (readonly number[])[] = [
+  [12, 3, 3, 3],
+  [6, 3, 2, 3],
+];
+const FACTORS: readonly number[] = [5, 3];
+const FOLLOWS: readonly number[] = [1, 4];
 /** How much of the text's colour is in the lines of the first, second and third joint. */
 const TINTS = [0, 0.34, 0.64];
 
@@ -39,14 +50,20 @@ const MORPHS: readonly (readonly [BaseColour, BaseColour, number])[] = [
   ['y', 'x', 0.4],
 ];
 
-/** @param ordinal which of the joints shown together it is, from 0 */
-export function axisColour(axis: 'x' | 'y' | 'z', ordinal: number): LineColour {
-  return {
-    base: axis,
-    with: 'text',
-    part: TINTS[ordinal % TINTS.length],
-    dash: Math.floor(ordinal / TINTS.length) % 2 ? DASHED : UNBROKEN,
-  };
+/**
+ * @param ordinal which of the joints shown together it is, from 0
+ * @param unit what the DOF measures: a translation and a rotation on one axis are drawn together
+ */
+export function axisColour(axis: AxisLetter, ordinal: number, unit: DofUnit = 'angle'): LineColour {
+  const isSecond = Math.floor(ordinal / TINTS.length) % 2 === 1;
+  const turns = isSecond ? DASHED : UNBROKEN;
+  const dash = unit === 'length' ? SLIDES[isSecond ? 1 : 0] : unit === 'factor' ? FACTORS : turns;
+  return { base: axis, with: 'text', part: TINTS[ordinal % TINTS.length], dash };
+}
+
+/** For a DOF that follows another one. */
+export function followingColour({ base }: LineColour): LineColour {
+  return { base, with: 'faint', part: 0.7, dash: FOLLOWS };
 }
 
 /** @param ordinal which of the channels without an axis it is, from 0 */

@@ -8,7 +8,7 @@ import { keySlope } from '../../evaluate/slopes.ts';
 import { unitOfChannel } from '../../model/dofs.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
-import { shownPerUnit, withoutNoise } from '../angles.ts';
+import { shownPerUnit, typedUnits, withoutNoise } from '../angles.ts';
 import { attempt } from '../attempt.ts';
 import { element } from '../dom.ts';
 import { oncePerFrame } from '../frame.ts';
@@ -78,8 +78,15 @@ export function keyFields(wb: Workbench): HTMLElement {
       wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: take.character.id, keys, ...typed });
     });
   };
-  const field = (label: string, commit: (value: number) => void, text: (value: number) => string, step: number) =>
-    new MixedField({ label, commit, text, step, refuse: (reason) => wb.messages.note(reason, 'warning') });
+  const noUnits = () => ({});
+  const ofValues = () => typedUnits(unitOf(), wb.settings.get().angles);
+  const field = (
+    label: string,
+    commit: (value: number) => void,
+    text: (value: number) => string,
+    step: number,
+    units = ofValues,
+  ) => new MixedField({ label, commit, text, step, units, refuse: (reason) => wb.messages.note(reason, 'warning') });
   const time = field(
     'Time of the selected keys',
     (typed) => {
@@ -89,6 +96,7 @@ export function keyFields(wb: Workbench): HTMLElement {
     },
     (value) => brief(value, inFrames() ? 2 : 4, MOST_CHARACTERS),
     1,
+    noUnits,
   );
   const value = field(
     'Value of the selected keys',
@@ -171,5 +179,10 @@ class MixedField {
 }
 
 function labelled(label: string, field: HTMLElement): HTMLElement {
-  return element('label', { class: 'field' }, element('span', { class: 'faint' }, label), field);
+  return element(
+    'label',
+    { class: 'field' },
+    element('span', { class: 'faint', 'data-short': label[0].toLowerCase() }, label),
+    field,
+  );
 }

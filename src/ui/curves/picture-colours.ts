@@ -32,6 +32,7 @@ export function readPictureColours(target: Element): PictureColours {
       z: colour(BASE_COLOURS.z),
       accent: colour(BASE_COLOURS.accent),
       text: colour(BASE_COLOURS.text),
+      faint: colour(BASE_COLOURS.faint),
     },
     plot: colour('--surface'),
     label: colour('--text-faint'),

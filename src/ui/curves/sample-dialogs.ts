@@ -1,4 +1,5 @@
 /** What each of the tools for samples asks; those that need nothing asked are in `timeline/sample-tools.ts`. */
+
 import {
   type ConvertToKeys,
   convertSteps,
@@ -14,6 +15,7 @@ import type { Converted } from '../../edit/samples/convert.ts';
 import { MEDIAN_FRAMES } from '../../edit/samples/median.ts';
 import { isSampled } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { shownPerUnit, unitText } from '../angles.ts';
@@ -231,7 +233,7 @@ function convertedText(wb: Workbench, character: Character, report: Converted): 
   const { angles } = wb.settings.get();
   const { samplesBefore, keysAfter, worstPosition, worstAngle } = report;
   const { skeleton, timeOffsetSeconds } = character;
-  const nameOf = (joint: number) => skeleton?.joints[joint]?.name || `joint ${joint}`;
+  const nameOf = (joint: number) => jointName(skeleton, joint);
   const at = (time: number) => `at ${seconds(Number((time - timeOffsetSeconds).toFixed(3)))} s`;
   const off = `${shown(worstPosition.error, 4)} ${lengthUnit(character)}`;
   const turned = `${shown(worstAngle.error * shownPerUnit('angle', angles), 3)}${unitText('angle', angles)}`;

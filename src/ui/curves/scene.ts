@@ -1,13 +1,15 @@
 /** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { type Channel, type ChannelClip, isSampled } from '../../model/clip.ts';
+import { coupleOf } from '../../model/couples.ts';
 import { type Character, shownClip } from '../../model/document.ts';
+import { axisOfDof } from '../../model/dof-axis.ts';
 import { type CharacterDof, characterDofs, unitOfChannel } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { columnOf } from '../../model/samples.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { type DofUnit, isUnlimited, type Limit } from '../../model/skeleton.ts';
-import { jointName } from '../timeline/channels.ts';
-import { axisColour, type LineColour, otherColour } from './colours.ts';
+import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
 import { extremesOfColumn } from './sample-extremes.ts';
 import type { AxisName, CurveSpace, Normalise } from './space.ts';
 
@@ -89,17 +91,17 @@ export function sceneLines(
     const held = clip.channels[channel];
     if (!held) continue;
     const dof: CharacterDof | undefined = dofs[channel];
-    const axis = dof && axisLetter(dof);
-    // The root's translation and its rotation are different things on different axes: they may look alike.
+    const axis = dof && axisOfDof(character.skeleton, dof);
     const group = dof ? `${dof.joint}` : '';
     if (axis && !ordinals.has(group)) ordinals.set(group, ordinals.size);
     const unit = unitOfChannel(dofs, channel);
+    const colour = axis ? axisColour(axis, ordinals.get(group) ?? 0, unit) : otherColour(others++);
     lines.push({
       channel,
       name: lineName(character, channel, dof),
       unit,
       axis: normalised ? 'normalised' : unit,
-      colour: axis ? axisColour(axis, ordinals.get(group) ?? 0) : otherColour(others++),
+      colour: coupleOf(character.skeleton, channel) ? followingColour(colour) : colour,
       ...(dof && isLimited(dof.limit) && { limit: dof.limit }),
       ...(normalised && {
         normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(clip, channel),
@@ -113,13 +115,7 @@ export function sceneLines(
 function lineName(character: Character, channel: number, dof: CharacterDof | undefined): string {
   if (!dof) return `channel ${channel}`;
   if (dof.joint < 0) return dof.name;
-  return `${jointName(character, dof.joint)} ${dof.name}`;
-}
-
-function axisLetter(dof: CharacterDof): 'x' | 'y' | 'z' | undefined {
-  if (dof.unit === 'weight') return undefined;
-  const letter = dof.name.at(-1);
-  return letter === 'x' || letter === 'y' || letter === 'z' ? letter : undefined;
+  return `${jointName(character.skeleton, dof.joint)} ${dof.name}`;
 }
 
 function isLimited(limit: Limit): boolean {

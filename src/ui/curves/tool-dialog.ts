@@ -4,6 +4,7 @@
  */
 import { type Command, CommandError, type Edit } from '../../edit/store.ts';
 import type { Document } from '../../model/document.ts';
+import { unitsBehind } from '../angles.ts';
 import type { DialogContent } from '../dialog.ts';
 import { element, setText } from '../dom.ts';
 import { atMostEvery } from '../frame.ts';
@@ -56,6 +57,8 @@ export interface ToolDialog<A> {
    * with the change and what it came to. Another answer, or closing, stops it.
    */
   steps?(base: Document, args: A): Generator<number, Stepped>;
+  /** Whether steps with these answers are only made when asked for: by the button, or by applying. */
+  takesLong?(args: A): boolean;
   /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. `after` is the document as it would be. */
   result(args: A, after: Document): string;
 }
@@ -64,6 +67,8 @@ export interface ToolDialog<A> {
 export interface Stepped {
   readonly change: Document | Edit;
   readonly text: string;
+  /** What one should know before it is applied, and is told again after. */
+  readonly warning?: string;
 }
 
 /** Typing is answered at most so often. */
@@ -73,6 +78,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   const { store } = wb;
   const fields = new Map<string, HTMLInputElement | HTMLSelectElement>();
   const result = element('p', { class: 'tool-result', role: 'status' });
+  const warned = element('p', { class: 'tool-result wrong', role: 'status', hidden: true });
   const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
   const body = element('form', { class: 'tool-form' }, element('p', { class: 'faint' }, tool.about));
@@ -84,11 +90,14 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     }
   };
   showAsked();
-  body.append(result, element('div', { class: 'tool-buttons' }, cancel, apply));
+  const tryOut = element('button', { type: 'button', class: 'plain', hidden: true }, 'Preview');
+  body.append(result, warned, element('div', { class: 'tool-buttons' }, tryOut, cancel, apply));
 
   const answers: Answers = {
     number(name) {
-      const typed = parseNumber(fields.get(name)?.value ?? '');
+      const asked = tool.asked.find((one) => one.name === name);
+      const unit = asked?.kind === 'number' ? asked.unit : undefined;
+      const typed = parseNumber(fields.get(name)?.value ?? '', unit ? unitsBehind(unit) : undefined);
       if (typed === undefined) throw new CommandError(`${labelOf(tool.asked, name)} has to be a number.`);
       return typed;
     },
@@ -105,8 +114,16 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   const { base } = trial;
   /** Counts what was asked: steps of an older question stop. */
   let asked = 0;
+  /** Steps are to be made first; then, where they are to be kept, the dialog ends. */
+  let waits = false;
+  let keepsWhenDone = false;
+  const warn = (text = '') => {
+    warned.hidden = text === '';
+    setText(warned, text);
+  };
   const refuse = (error: unknown) => {
     if (!(error instanceof CommandError)) throw error;
+    warn();
     trial.show(base);
     setText(result, error.message);
     result.classList.add('wrong');
@@ -116,20 +133,36 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     inSlices(steps, {
       isOver: () => trial.over || mine !== asked,
       progress: (part) => setText(result, `Working … ${Math.floor(100 * part)} %`),
-      done({ change, text }) {
+      done({ change, text, warning }) {
         trial.show(change);
         setText(result, text);
+        warn(warning);
         apply.disabled = store.document === base;
+        if (keepsWhenDone && !apply.disabled) {
+          end(true);
+          close();
+        }
+        keepsWhenDone = false;
       },
       failed: refuse,
     });
-  const preview = () => {
+  /** @param isAsked by who knows that it may take its time */
+  const preview = (isAsked = false) => {
     if (trial.over) return;
     try {
       const args = tool.args(answers);
       if (tool.steps) {
-        apply.disabled = true;
         result.classList.remove('wrong');
+        warn();
+        waits = !isAsked && tool.takesLong?.(args) === true;
+        tryOut.hidden = !waits;
+        apply.disabled = !waits;
+        if (waits) {
+          asked++;
+          trial.show(base);
+          setText(result, 'This takes a moment: it is worked out when it is previewed or applied.');
+          return;
+        }
         goOn(tool.steps(base, args), ++asked);
         return;
       }
@@ -140,6 +173,8 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
       apply.disabled = store.document === base;
     } catch (error) {
       asked++;
+      waits = keepsWhenDone = false;
+      tryOut.hidden = true;
       refuse(error);
     }
   };
@@ -148,24 +183,36 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
     // What took steps is there; it could not have been applied before it was.
     if (keep && !tool.steps) preview();
     unsubscribe();
-    if (keep) trial.keep();
-    else trial.putBack();
+    if (!keep) return trial.putBack();
+    trial.keep();
+    if (warned.textContent) wb.messages.note(warned.textContent, 'warning');
   };
   const unsubscribe = wb.dialog.subscribe((shown) => {
     if (shown !== tool.name) end(false);
   });
-  const soon = atMostEvery(PREVIEW_MS, preview);
+  const soon = atMostEvery(PREVIEW_MS, () => preview());
   body.addEventListener('input', () => {
     showAsked();
     // Not what was asked before.
     if (tool.steps) apply.disabled = true;
+    keepsWhenDone = false;
     soon();
   });
   body.addEventListener('submit', (event) => {
     event.preventDefault();
     if (apply.disabled) return;
+    if (waits) {
+      keepsWhenDone = true;
+      preview(true);
+      return;
+    }
     end(true);
     close();
+  });
+  tryOut.addEventListener('click', () => {
+    // It goes, and the focus with it.
+    cancel.focus();
+    preview(true);
   });
   cancel.addEventListener('click', close);
   preview();

@@ -3,6 +3,7 @@
  * sheet is drawn to where this stands. The summary stays on top. The focus is on the tree itself and points at its row
  * (`aria-activedescendant`), for a row may leave the page while focused.
  */
+import { jointName } from '../../model/joint-name.ts';
 import { element, setAttribute, setText, uniqueId } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { plural } from '../number-text.ts';
@@ -131,15 +132,17 @@ export class DopeNames {
     const row = this.rows[index];
     const twisty = element('span', { class: 'twisty' });
     if (row.fold !== undefined) twisty.append(icon('fold'));
-    const axis = row.kind === 'channel' ? axisOf(row.label) : undefined;
+    const { axis, follows } = row;
     const text = rowName(row);
-    const label = element(row.label || row.kind === 'summary' ? 'span' : 'i', { class: 'label', title: text }, text);
+    const title = follows === undefined ? text : `${text}: it follows ${follows}, whatever its keys say`;
+    const label = element(row.label || row.kind === 'summary' ? 'span' : 'i', { class: 'label', title }, text);
+    if (follows !== undefined) label.append(element('span', { class: 'dope-follows' }, ` ← ${follows}`));
     const made = element(
       'div',
       {
         role: 'row',
         id: `${this.idPrefix}-${index}`,
-        class: `dope-row dope-row-${row.kind}`,
+        class: `dope-row dope-row-${row.kind}${follows === undefined ? '' : ' follows'}`,
         'data-index': index,
         'aria-level': row.depth + 1,
         'aria-rowindex': index + 1,
@@ -283,11 +286,7 @@ export class DopeNames {
 /** What a row is called on screen. */
 export function rowName(row: DopeRow): string {
   if (row.kind === 'summary') return 'All keys';
-  return row.label || (row.joint === undefined ? 'no name' : `#${row.joint}`);
-}
-
-function axisOf(dof: string): string | undefined {
-  return /^[rt]([xyz])$/.exec(dof)?.[1];
+  return row.label || (row.joint === undefined ? 'no name' : jointName(undefined, row.joint));
 }
 
 function dot(axis: string): HTMLElement {

@@ -14,9 +14,10 @@
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { type ChannelClip, isSampled } from '../../model/clip.ts';
 import { type Character, shownClip } from '../../model/document.ts';
+import { type AxisLetter, axisOfDof } from '../../model/dof-axis.ts';
 import { type CharacterDof, rootDofCount } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
-import { dofsFor } from '../timeline/channels.ts';
+import { dofsFor, followedName } from '../timeline/channels.ts';
 
 /** What stands for a group that is no joint in `TimelineView.unfolded`. */
 export const ROOT_FOLD = -1;
@@ -42,6 +43,10 @@ export interface DopeRow {
   readonly joint?: number;
   /** Of a single channel. */
   readonly unit?: DofUnit;
+  /** Of a single channel: the axis that it is coloured by. */
+  readonly axis?: AxisLetter;
+  /** Of a single channel, or of all that stand in a row: the first DOF that they follow, whatever their keys say. */
+  readonly follows?: string;
 }
 
 export interface RowOptions {
@@ -72,7 +77,7 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
   const rows: DopeRow[] = [];
   const listed: number[] = [];
   for (const group of groupsOf(character, dofs, channels.length)) {
-    const within = channelRows(group, dofs, clip, options.all);
+    const within = channelRows(group, character, dofs, clip, options.all);
     const matching = words.length
       ? within.filter((row) => {
           const name = `${group.label} ${row.label}`.toLowerCase();
@@ -84,7 +89,12 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
     const expanded = unfolded.has(group.fold) || matching.length < within.length;
     const { kind, fold, label, joint } = group;
     const own = matching.map((row) => row.channels[0]);
-    const row: DopeRow = { key: `${kind}/${fold}`, kind, label, depth: 0, channels: own, fold, expanded };
+    // Folded in, it says so where there is nothing else in it.
+    const follows = matching.every((one) => one.follows !== undefined) ? matching[0].follows : undefined;
+    const row: DopeRow = {
+      ...{ key: `${kind}/${fold}`, kind, label, depth: 0, channels: own, fold, expanded },
+      ...(follows !== undefined && { follows }),
+    };
     rows.push(joint === undefined ? row : { ...row, joint });
     if (expanded) rows.push(...matching);
     listed.push(...own);
@@ -132,7 +142,7 @@ function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCo
     while (end < dofs.length && dofs[end].joint === joint) end++;
     const count = end - first;
     if (joint < 0) add({ kind: 'morphs', fold: MORPHS_FOLD, label: 'Morphs', first, count });
-    else add({ kind: 'joint', fold: joint, label: jointName(character, joint), joint, first, count });
+    else add({ kind: 'joint', fold: joint, label: character.skeleton?.joints[joint].name ?? '', joint, first, count });
     first = end;
   }
   const left = channelCount - first;
@@ -145,12 +155,9 @@ function rootJoint(character: Character): { readonly joint?: number } {
   return character.skeleton?.joints.length ? { joint: 0 } : {};
 }
 
-function jointName(character: Character, joint: number): string {
-  return character.skeleton?.joints[joint].name ?? '';
-}
-
 function channelRows(
   { kind, first, count, joint }: Group,
+  character: Character,
   dofs: readonly CharacterDof[],
   clip: ChannelClip,
   all: boolean,
@@ -161,7 +168,15 @@ function channelRows(
     const dof = kind === 'others' ? undefined : dofs[c];
     const label = dof ? dof.name : `channel ${c}`;
     const row: DopeRow = { key: `channel/${c}`, kind: 'channel', label, depth: 1, channels: [c], expanded: false };
-    rows.push({ ...row, ...(joint !== undefined && { joint }), ...(dof && { unit: dof.unit }) });
+    const axis = dof && axisOfDof(character.skeleton, dof);
+    const follows = followedName(character, c);
+    rows.push({
+      ...row,
+      ...(joint !== undefined && { joint }),
+      ...(dof && { unit: dof.unit }),
+      ...(axis && { axis }),
+      ...(follows !== undefined && { follows }),
+    });
   }
   return rows;
 }

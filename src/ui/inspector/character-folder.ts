@@ -11,7 +11,8 @@ import {
   startSeconds,
 } from '../../model/document.ts';
 import { runAction } from '../actions.ts';
-import { shownPerUnit, withoutNoise } from '../angles.ts';
+import { shownPerUnit, typedUnits, withoutNoise } from '../angles.ts';
+import type { Units } from '../arithmetic.ts';
 import { button, element, setText } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { exact } from '../number-text.ts';
@@ -155,7 +156,7 @@ export class CharacterFolder {
       const seconds = withoutNoise(startSeconds(now) + now.timeOffsetSeconds - atSeconds) + 0;
       this.edit.preview(setTimeOffset, { characterId: this.id, seconds });
     });
-    row.onFinishChange(() => this.finish());
+    row.onTakenBack(() => this.edit.cancel()).onFinishChange(() => this.finish());
     this.rows.push(() => row.showValue(withoutNoise(this.character ? startSeconds(this.character) : 0)));
   }
 
@@ -190,6 +191,7 @@ export class CharacterFolder {
       angles === 'degrees' ? '°' : '',
       (p) => p.turn,
       (p, turn) => ({ ...p, turn }),
+      typedUnits('angle', angles),
     );
     const scale = new Slider(
       this.folder,
@@ -204,6 +206,7 @@ export class CharacterFolder {
       // Typing passes through 0 on its way to 0.5.
       if (value > 0) this.place({ ...this.placement, scale: value });
     });
+    scale.onTakenBack(() => this.edit.cancel());
     scale.onFinishChange(() => {
       if (typed <= 0) this.refuse(`A scale is above 0; ${exact(typed)} was typed.`);
       this.finish();
@@ -219,14 +222,18 @@ export class CharacterFolder {
     suffix: string,
     read: (p: Placement) => Placement['position'],
     write: (p: Placement, value: Placement['position']) => Placement,
+    units?: Units,
   ): void {
     const decimals = Math.max(2, -Math.floor(Math.log10(step)));
     const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));
     for (const axis of AXES) {
       const letter = 'xyz'[axis];
       const start = read(this.placement)[axis] * factor;
-      const row = new Slider(this.folder, `${label} ${letter}`, start, { step, decimals, suffix }, this.refuse);
+      const options = { step, decimals, suffix, ...(units && { units }) };
+      const row = new Slider(this.folder, `${label} ${letter}`, start, options, this.refuse);
       row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
+      // By its letter alone it would not be told from the other rows.
+      row.$input.removeAttribute('aria-labelledby');
       row.$input.setAttribute('aria-label', `${label} ${letter}`);
       line.append(row.domElement);
       row.onChange((value: number) => {
@@ -234,7 +241,7 @@ export class CharacterFolder {
         const next = AXES.map((a) => (a === axis ? value / factor : now[a]));
         this.place(write(this.placement, [next[0], next[1], next[2]]));
       });
-      row.onFinishChange(() => this.finish());
+      row.onTakenBack(() => this.edit.cancel()).onFinishChange(() => this.finish());
       this.rows.push(() => row.showValue(withoutNoise(read(this.placement)[axis] * factor)));
     }
     this.folder.$children.append(line);

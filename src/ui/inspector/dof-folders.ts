@@ -2,8 +2,10 @@
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { dofsOf } from '../../model/skeleton.ts';
 import { element, setText } from '../dom.ts';
+import { briefMotion, motionText } from '../motion-text.ts';
 import { keyNameOf } from '../unkeyed-values.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 import { emptyFolder } from './slider.ts';
@@ -85,8 +87,12 @@ export class DofFolders {
   private fillJoint(character: Character, dofs: readonly CharacterDof[], index: number | undefined): void {
     const joint = index === undefined ? undefined : character.skeleton?.joints[index];
     this.joint.show(character.skeleton !== undefined);
-    this.joint.$children.dataset.empty = 'Pick a joint in the viewport or the tree to see its DOFs.';
-    this.joint.title(joint ? joint.name || `Joint ${index}` : 'Joint');
+    this.joint.$children.dataset.empty = joint
+      ? `${motionText(joint.motion)}: no degrees of freedom.`
+      : 'Pick a joint in the viewport or the tree to see its DOFs.';
+    this.joint.title(joint && index !== undefined ? jointName(character.skeleton, index) : 'Joint');
+    // Also where a vertex was picked, whose numbers stand below in place of the joint's.
+    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, briefMotion(joint.motion)));
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
     if (!joint || !character.skeleton || index === undefined) return;
     const first = firstDofs(character.skeleton)[index];
@@ -113,7 +119,7 @@ export class DofFolders {
       const dof = dofs[listed.next];
       const joint = joints[dof.joint];
       const isRoot = listed.next < rootDofCount(character.skeleton);
-      const prefix = isRoot ? 'root' : joint ? joint.name || `#${dof.joint}` : 'morph';
+      const prefix = isRoot ? 'root' : joint ? jointName(character.skeleton, dof.joint) : 'morph';
       addDofRow(this.context, this.all, character, listed.next, dof, prefix);
     }
     // The end mark stays the last; moving it makes the observer look again.

@@ -4,9 +4,10 @@ import { setDofs } from '../../edit/commands/pose.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { coupleOf, type DofCouple } from '../../model/couples.ts';
 import { type Character, findCharacter, shownSkin } from '../../model/document.ts';
+import { axisOfDof } from '../../model/dof-axis.ts';
 import type { CharacterDof } from '../../model/dofs.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
-import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../angles.ts';
 import { element, uniqueId } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { shown } from '../number-text.ts';
@@ -46,7 +47,11 @@ export function addDofRow(
   const slider = new Slider(folder, spoken, 0, sliderOptions(dof, character, angles), refuse);
   const { id } = character;
   const mark = new DofMark(wb, slider.domElement, id, index, spoken);
-  const name = element('span', { class: `dof-name ${axisClass(dof)}`, id: uniqueId('dof') }, shortName(dof, character));
+  const name = element(
+    'span',
+    { class: `dof-name ${axisClass(dof, character)}`, id: uniqueId('dof') },
+    shortName(dof, character),
+  );
   const names = [...(prefix ? [element('span', { class: 'dof-joint', id: uniqueId('dof') }, prefix)] : []), name];
   slider.$name.replaceChildren(mark.element, ...names);
   // Without the mark's own words.
@@ -80,6 +85,7 @@ export function addDofRow(
     edit.preview(setDofs, { characterId: id, dofs: [{ index, value: value / factor }], timeSeconds, key });
     if (edit.cancelled) update();
   });
+  slider.onTakenBack(() => edit.cancel());
   slider.onFinishChange(() => {
     edit.commit();
     update();
@@ -108,7 +114,7 @@ export function sliderOptions(
   const full = fullSpan(dof, character.skeleton);
   const { limit } = dof;
   const suffix = unitText(dof.unit, angles).trim() === '°' ? '°' : '';
-  const resolution = resolutionOf(dof, full, angles);
+  const resolution = { units: typedUnits(dof.unit, angles), ...resolutionOf(dof, full, angles) };
   if (dof.unit === 'weight') return { span: [0, 1], step: 0.001, decimals: 3 };
   if (!dof.takesLimits || isUnlimited(limit) || limit.min > limit.max) {
     return { span: scale(full, factor), suffix, ...resolution };
@@ -189,8 +195,9 @@ function shortName({ name, unit }: CharacterDof, character: Character): string {
   return name;
 }
 
-/** Red, green or blue, where the name's last letter is an axis. */
-function axisClass({ name, unit }: CharacterDof): string {
-  const axis = /^(?:r|t|s)?([xyz])$/.exec(name)?.[1];
-  return axis && unit !== 'weight' ? `axis-${axis}` : 'plain-name';
+/** Red, green or blue by the DOF's axis, the accent where it has one of its own; weights have none. */
+function axisClass(dof: CharacterDof, { skeleton }: Character): string {
+  const axis = axisOfDof(skeleton, dof);
+  if (axis) return `axis-${axis}`;
+  return dof.unit === 'weight' ? 'plain-name' : 'axis-other';
 }

@@ -2,16 +2,18 @@
  * Inverse kinematics in the inspector: whether the whole travels, how the selected joint bends, and the pins, each with
  * what it holds. Shown in IK mode, and for whoever has pins.
  */
+
 import type { GUI } from 'lil-gui';
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { type Character, findCharacter } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { currentCharacter } from '../actions/action.ts';
+import { runAction } from '../actions.ts';
 import { button, element, setAttribute, setText } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { NumberField } from '../number-field.ts';
 import { shown } from '../number-text.ts';
-import { jointName } from '../tools/ik/gap-text.ts';
 import { ikInHand, type PinRef, selectedPin } from '../tools/ik/in-hand.ts';
 import { changePin, freeRoot, letGo, selectPin, stiffen } from '../tools/ik/pin-edits.ts';
 import { pointName } from '../tools/ik/pin-picture.ts';
@@ -22,9 +24,9 @@ const USUAL_STIFFNESS = 4;
 
 type Bending = 'usual' | 'stiff' | 'locked';
 const BENDING: readonly (readonly [Bending, string])[] = [
-  ['usual', 'As usual'],
-  ['stiff', 'Stiffly'],
-  ['locked', 'Locked'],
+  ['usual', 'as usual'],
+  ['stiff', 'stiffer'],
+  ['locked', 'locked'],
 ];
 
 /** A pin's row, kept while the pin is there. */
@@ -45,6 +47,7 @@ export class IkFolder {
   private readonly jointRow: HTMLElement;
   private readonly list = element('ul', { class: 'ik-pins', 'aria-label': 'Pins' });
   private readonly empty = element('p', { class: 'faint' }, 'No pins: in IK mode click a point of the character.');
+  private readonly hold: HTMLButtonElement;
   private readonly rows = new Map<number, Row>();
   private characterId: string | undefined;
 
@@ -59,14 +62,21 @@ export class IkFolder {
       refuse: (reason) => wb.messages.note(reason, 'warning'),
       step: 1,
     });
-    this.jointRow = element('div', { class: 'ik-row' }, this.joint, this.bending, this.stiffness.element);
+    const bends = element('label', { class: 'ik-bends' }, element('span', { class: 'faint' }, 'Bends'), this.bending);
+    this.jointRow = element('div', { class: 'ik-row' }, this.joint, bends, this.stiffness.element);
+    this.hold = button('Hold the pins over a range', { class: 'plain ik-hold' }, undefined, () =>
+      runAction(wb, 'ik.holdPins'),
+    );
+    this.hold.textContent = 'Hold the pins over a range…';
     const rootRow = element(
       'label',
       { class: 'ik-row', for: 'ik-root' },
       this.root,
       'Root travels where a pin asks for it',
     );
-    folder.$children.append(element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty));
+    folder.$children.append(
+      element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty, this.hold),
+    );
     this.root.addEventListener('change', () => {
       if (this.characterId) freeRoot(wb, this.characterId, this.root.checked);
     });
@@ -102,8 +112,8 @@ export class IkFolder {
     if (!isChosen) return;
     const own = ikOf(character).stiff.find((one) => one.joint === joint);
     const now: Bending = !own ? 'usual' : own.stiffness === undefined ? 'locked' : 'stiff';
-    setText(this.joint, jointName(character, joint));
-    this.joint.title = `${jointName(character, joint)}: how it bends`;
+    setText(this.joint, jointName(character.skeleton, joint));
+    this.joint.title = `${jointName(character.skeleton, joint)}: how it bends`;
     this.bending.value = now;
     this.stiffness.element.hidden = now !== 'stiff';
     this.stiffness.show(own?.stiffness ?? Number.NaN);
@@ -116,6 +126,7 @@ export class IkFolder {
       this.rows.delete(id);
     }
     this.empty.hidden = pins.length > 0;
+    this.hold.hidden = pins.length === 0;
     for (const pin of pins) {
       let row = this.rows.get(pin.id);
       if (!row) {
@@ -168,14 +179,15 @@ export class IkFolder {
     return {
       element: made,
       show(pin, character) {
-        const text = `${jointName(character, pin.joint)}, ${pointName(character, pin)}`;
-        setText(name, jointName(character, pin.joint));
+        const text = `${jointName(character.skeleton, pin.joint)}, ${pointName(character, pin)}`;
+        setText(name, jointName(character.skeleton, pin.joint));
         setText(kind, pointName(character, pin));
         setAttribute(choose, 'aria-label', `Select the pin of ${text}`);
         choose.title = text;
         setAttribute(free, 'aria-label', `Let ${text} go`);
         setAttribute(turn, 'aria-label', `Hold the orientation of ${text} too`);
         setAttribute(turn, 'aria-pressed', String(pin.holdsOrientation));
+        setAttribute(weight.element, 'aria-label', `Weight of ${text} beside the other pins`);
         weight.show(pin.weight);
         const chosen = selectedPin(wb);
         const isChosen = chosen?.pin.id === pin.id && chosen.character.id === character.id;

@@ -6,7 +6,8 @@ import { setLimit } from '../../edit/commands/limits.ts';
 import { findCharacter } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { type Limit, UNLIMITED } from '../../model/skeleton.ts';
-import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../angles.ts';
+import type { Units } from '../arithmetic.ts';
 import { element } from '../dom.ts';
 import { exact, parseNumber } from '../number-text.ts';
 import type { Workbench } from '../workbench.ts';
@@ -46,7 +47,7 @@ export function editLimits(wb: Workbench, slider: Slider, characterId: string, i
   const dialog = element('dialog', { class: 'limit-editor', 'aria-label': `Limits of ${dof.name}` }, form, said);
   form.addEventListener('submit', (event) => {
     event.preventDefault();
-    const limit = typedLimit(min.value, max.value, factor);
+    const limit = typedLimit(min.value, max.value, factor, typedUnits(dof.unit, angles));
     if (typeof limit === 'string') said.textContent = limit;
     else {
       dialog.close();
@@ -70,10 +71,11 @@ export function editLimits(wb: Workbench, slider: Slider, characterId: string, i
 /**
  * The limits that two fields stand for, or what is wrong with them.
  * @param perUnit what a model unit is shown as
+ * @param units that may be typed
  */
-export function typedLimit(lower: string, upper: string, perUnit: number): Limit | string {
+export function typedLimit(lower: string, upper: string, perUnit: number, units?: Units): Limit | string {
   const numberIn = (text: string, none: number) => {
-    const typed = parseNumber(text);
+    const typed = parseNumber(text, units);
     return text.trim() === '' ? none : typed === undefined ? Number.NaN : typed / perUnit;
   };
   const min = numberIn(lower, UNLIMITED.min);

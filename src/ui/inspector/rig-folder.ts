@@ -3,16 +3,27 @@
  * bone, limits, box, who follows whom, and the file's pose. Everything is one step of undo, and every number can be
  * typed. Rows are made anew where there are others; a number that changes is only filled in, also while it is dragged.
  */
+
 import type { GUI } from 'lil-gui';
 import { reparentJoint } from '../../edit/commands/rig.ts';
-import { renameJoint, setBox, setFilePose, setLength, setMotion, setOffset } from '../../edit/commands/rig-joint.ts';
+import {
+  keysLostBy,
+  renameJoint,
+  setBox,
+  setFilePose,
+  setLength,
+  setMotion,
+  setOffset,
+} from '../../edit/commands/rig-joint.ts';
 import type { Command, Edit } from '../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
-import { dofsOf, type Joint, type Motion, takesLimits } from '../../model/skeleton.ts';
+import { jointName } from '../../model/joint-name.ts';
+import { dofsOf, type Joint, type Motion, type Skeleton, takesLimits } from '../../model/skeleton.ts';
 import { attempt } from '../attempt.ts';
 import { button, element } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { lengthStep } from '../reach.ts';
+import { whyNoCorner } from '../rig/box-order.ts';
 import { addCoupleRow, coupleRow } from '../rig/couple-rows.ts';
 import {
   choiceRow,
@@ -23,6 +34,7 @@ import {
   textRow,
   vectorRow,
 } from '../rig/folder-rows.ts';
+import { nameNote } from '../rig/joint-names.ts';
 import { limitRow } from '../rig/limit-rows.ts';
 import { motionRows, motionShape } from '../rig/motion-rows.ts';
 import { possibleParents } from '../rig/parents.ts';
@@ -31,6 +43,8 @@ import { rigging } from '../rig/rigging-args.ts';
 import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import { emptyFolder } from './slider.ts';
+
+type Joints = Skeleton['joints'];
 
 export class RigFolder {
   private readonly context: FolderContext;
@@ -63,7 +77,7 @@ export class RigFolder {
     this.lines = [];
     this.of = undefined;
     const own = joint === undefined ? undefined : character?.skeleton?.joints[joint];
-    this.folder.title(own ? `Rig: ${own.name || `joint ${joint}`}` : 'Rig');
+    this.folder.title(own && joint !== undefined ? `Rig: ${jointName(character?.skeleton, joint)}` : 'Rig');
     this.folder.domElement.classList.toggle('is-selected', own !== undefined);
     if (!character?.skeleton || !own || joint === undefined) return;
     this.of = { characterId: character.id, joint };
@@ -116,6 +130,11 @@ export class RigFolder {
         'Name',
         () => this.now()?.name ?? '',
         (name) => this.apply(renameJoint, { ...this.args(), name: name.trim() }),
+        '',
+        () => {
+          const now = findCharacter(this.wb.store.document, character.id);
+          return now ? nameNote(now, joint) : '';
+        },
       ),
     );
     const parents = possibleParents(joints, joint).map((p) => [p, joints[p].name || `#${p}`] as const);
@@ -143,7 +162,13 @@ export class RigFolder {
 
   private addMotion(own: Joint): void {
     const rows = motionRows(this.context, own.motion, () => this.now()?.motion, {
-      set: (motion: Motion) => this.apply(setMotion, { ...this.args(), motion }),
+      set: (motion: Motion) => {
+        const args = { ...this.args(), motion };
+        const lost = keysLostBy(this.wb.store.document, args);
+        this.apply(setMotion, args);
+        if (lost !== undefined)
+          this.wb.messages.note(`The joint moves otherwise now, without ${lost}. Undo brings them back.`);
+      },
       preview: (motion: Motion) => this.preview(setMotion, { ...this.args(), motion }),
     });
     for (const row of rows) this.put(row);
@@ -163,6 +188,8 @@ export class RigFolder {
     this.append(heading('Bone and box'));
     const has = { bone: own.length !== undefined };
     const row = this.folder.add(has, 'bone').name('Bone along y');
+    row.domElement.title =
+      'A bone of the joint’s own, from its pivot along its y axis, as long as you say. Without it, bones lead to its children.';
     row.onChange((bone: boolean) => this.apply(setLength, { ...this.args(), length: bone ? usualLength(own) : null }));
     if (own.length !== undefined) {
       const bounds = [0, Number.POSITIVE_INFINITY] as const;
@@ -185,6 +212,10 @@ export class RigFolder {
             const box = this.now()?.box;
             if (box) this.preview(setBox, { ...this.args(), box: { ...box, [side]: corner } });
           },
+          (corner) => {
+            const box = this.now()?.box;
+            return box && whyNoCorner(box, side, corner);
+          },
         ),
       );
     }
@@ -203,7 +234,7 @@ export class RigFolder {
   }
 
   private addPose(joint: number): void {
-    this.append(heading('The file’s pose'));
+    this.append(heading('Pose in the file'));
     const take = (label: string, text: string, from: 'shown' | 'rest', of?: number) =>
       button(label, { class: 'plain' }, text, () => {
         const { skin, timeSeconds, characterId } = this.args();
@@ -213,9 +244,9 @@ export class RigFolder {
       element(
         'div',
         { class: 'rig-row rig-buttons' },
-        take('Take the joint’s pose as shown for the file’s', 'As shown', 'shown', joint),
-        take('Make the joint’s pose in the file zero', 'Zero', 'rest', joint),
-        take('Take the pose of all joints as shown for the file’s', 'All as shown', 'shown'),
+        take('The file begins with this joint posed as it is shown now', 'Take as shown', 'shown', joint),
+        take('The file begins with all DOFs of this joint at rest', 'Set to zero', 'rest', joint),
+        take('The file begins with all joints posed as they are shown now', 'Take all as shown', 'shown'),
       ),
     );
   }
@@ -238,6 +269,30 @@ function shapeOf(wb: Workbench, { id, skeleton }: Character, joint: number): str
     couples.map(({ dof, joint: other, follows }) => [dof, other, follows]),
     length !== undefined,
     wb.settings.get().angles,
-    skeleton.joints.map(({ name, parent, motion: { kind } }) => [name, parent, kind]),
+    jointsShape(skeleton.joints),
   ]);
+}
+
+/**
+ * What they are called and where they hang, as a text. It is asked for at each preview of a drag, which leaves all of
+ * that as it is, in a new list: the text before is given back then.
+ */
+function jointsShape(joints: Joints): string {
+  if (!known || !hangAlike(known.joints, joints)) {
+    const shape = JSON.stringify(joints.map(({ name, parent, motion: { kind } }) => [name, parent, kind]));
+    known = { joints, shape };
+  } else if (known.joints !== joints) known = { joints, shape: known.shape };
+  return known.shape;
+}
+let known: { readonly joints: Joints; readonly shape: string } | undefined;
+
+function hangAlike(a: Joints, b: Joints): boolean {
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  for (let j = 0; j < a.length; j++) {
+    const [was, is] = [a[j], b[j]];
+    if (was === is) continue;
+    if (was.name !== is.name || was.parent !== is.parent || was.motion.kind !== is.motion.kind) return false;
+  }
+  return true;
 }

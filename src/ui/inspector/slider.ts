@@ -8,6 +8,7 @@
 
 import type { GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
+import type { Units } from '../arithmetic.ts';
 import { element } from '../dom.ts';
 import { isTypedIn, letGo } from '../focus.ts';
 import { exact, notANumber, parseNumber, shown } from '../number-text.ts';
@@ -26,6 +27,8 @@ export interface SliderOptions {
   readonly decimals: number;
   /** Behind the number while it is not edited. */
   readonly suffix?: string;
+  /** What may be typed behind a number. */
+  readonly units?: Units;
 }
 
 interface Binding {
@@ -35,6 +38,9 @@ interface Binding {
 
 export class Slider extends NumberController {
   declare readonly object: Binding;
+  /** The number when the field got the focus. */
+  private before = 0;
+  private takenBack: (() => void) | undefined;
 
   /** @param refuse is told why what was typed is not taken, or not all the way */
   constructor(
@@ -53,22 +59,32 @@ export class Slider extends NumberController {
     // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
     this.updateDisplay();
     this.$input.addEventListener('focus', () => {
+      this.before = this.object.value;
       this.$input.value = exact(this.object.value);
       this.$input.select();
     });
-    // A comma is a decimal sign to half of the world, and lil-gui would stop reading at it.
+    // lil-gui would read `20+5` as 20, and stop at a comma, which is a decimal sign to half of the world.
     this.$input.addEventListener(
       'input',
       (event) => {
-        const typed = parseNumber(this.$input.value);
-        if (typed === undefined) event.stopImmediatePropagation();
-        else if (this.$input.value.includes(',')) {
-          event.stopImmediatePropagation();
-          this.setValue(this._clamp(typed));
-        }
+        event.stopImmediatePropagation();
+        const typed = parseNumber(this.$input.value, options.units);
+        if (typed === undefined) this.takeBack();
+        else this.setValue(this._clamp(typed));
       },
       { capture: true },
     );
+    // So does its counting up and down, by arrow keys and by the wheel.
+    for (const kind of ['keydown', 'wheel'] as const) {
+      this.$input.addEventListener(
+        kind,
+        (event) => {
+          if (event instanceof KeyboardEvent ? !/^Arrow(Up|Down)$/.test(event.code) : !this._inputFocused) return;
+          this.$input.value = exact(parseNumber(this.$input.value, options.units) ?? this.object.value);
+        },
+        { capture: true, passive: true },
+      );
+    }
     // Before lil-gui puts its number in place of the text.
     this.$input.addEventListener('blur', () => this.judge(label), { capture: true });
     this.$input.addEventListener('keydown', (event) => {
@@ -78,6 +94,25 @@ export class Slider extends NumberController {
       event.preventDefault();
     });
     if (options.span) this.drawScale(options.span, options.limits);
+  }
+
+  /**
+   * Instead of setting the number of before, when what is being typed is no number: who previews an edit gives it up, so
+   * that nothing is left of it.
+   */
+  onTakenBack(callback: () => void): this {
+    this.takenBack = callback;
+    return this;
+  }
+
+  /** What was typed as far as here is not what is meant: `20` of `20 km`. */
+  private takeBack(): void {
+    if (Object.is(this.object.value, this.before)) return;
+    if (!this.takenBack) this.setValue(this.before);
+    else {
+      this.takenBack();
+      this.showValue(this.before);
+    }
   }
 
   /** Says why the number is not what was typed. */
@@ -148,9 +183,9 @@ export class Slider extends NumberController {
 
 /** Why a text is not taken as it stands; undefined where it is. */
 export function refusalOf(label: string, text: string, options: SliderOptions): string | undefined {
-  const typed = parseNumber(text);
+  const { bounds, suffix = '', remedy, units } = options;
+  const typed = parseNumber(text, units);
   if (typed === undefined) return notANumber(label, text);
-  const { bounds, suffix = '', remedy } = options;
   if (!bounds || (typed >= bounds[0] && typed <= bounds[1])) return undefined;
   const inUnit = (value: number) => `${shown(value, 4)}${suffix}`;
   const [low, high] = bounds;

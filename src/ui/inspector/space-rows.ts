@@ -71,6 +71,7 @@ export function addSpaceRows(wb: Workbench, edit: HandEdit, folder: GUI, { id }:
   };
   const lift = new Slider(folder, 'Lift', spaceNow().lift, { step: 0.001, decimals: 3, suffix: ' m' }, refuse);
   lift.onChange((value: number) => edit.preview(setSpace, { characterId: id, space: { ...spaceNow(), lift: value } }));
+  lift.onTakenBack(() => edit.cancel());
   lift.onFinishChange(() => {
     edit.commit();
     update();

@@ -26,6 +26,7 @@ export class PoseCard {
 
   show(name: string, isChosen: boolean): void {
     setText(this.name, name);
+    setAttribute(this.name, 'title', `${name}. A double click renames it.`);
     setAttribute(this.element, 'title', `${name}. A click takes it on; Alt and a drag to the side blends to it.`);
     setAttribute(this.element, 'aria-selected', String(isChosen));
     setAttribute(this.element, 'aria-label', name);

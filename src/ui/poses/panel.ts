@@ -3,27 +3,28 @@
  *
  *     click, Enter, Space   takes the pose on                  arrows, Home, End   to another card
  *     Alt + drag            blends to it                       F2                  its name
- *     Delete                removes it                         right click         all of these
+ *     Delete                removes it                         double click on it
+ *                                                              right click         all of these
  */
-import { applyPose } from '../../edit/commands/poses.ts';
+
 import { type Character, findCharacter } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { NamedPose } from '../../model/poses.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { element, setAttribute, uniqueId } from '../dom.ts';
 import { HAS_KEYS } from '../focus.ts';
 import { oncePerFrame } from '../frame.ts';
-import { HandEdit } from '../hand-edit.ts';
 import { openMenu } from '../menu.ts';
 import { observable } from '../observable.ts';
+import { selectedJointOf } from '../selected-joint.ts';
 import type { TimelineTab } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
 import { PoseCard } from './card.ts';
-import { moment, remove, rename, selectedJoint, take } from './pose-edits.ts';
+import { blendByDrag, followPress } from './card-drags.ts';
+import { cardEntries } from './card-menu.ts';
+import { remove, rename, take } from './pose-edits.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { type PoseOptions, poseTools } from './tools.ts';
-
-/** A drag of that many CSS pixels to the right is the whole pose. */
-const WHOLE_DRAG = 160;
 
 export function posesPanel(wb: Workbench): TimelineTab {
   return new PosesPanel(wb);
@@ -45,6 +46,8 @@ class PosesPanel implements TimelineTab {
   private focused = 0;
   private shownId: string | undefined;
   private shownPoses: readonly NamedPose[] = [];
+  /** Of the press that is under way, if one is. */
+  private giveUpPress = () => {};
   private readonly showSoon = oncePerFrame(() => this.show());
 
   constructor(private readonly wb: Workbench) {
@@ -194,42 +197,21 @@ class PosesPanel implements TimelineTab {
 
   /** A click: pressed and let go on one card. */
   private press(index: number, down: PointerEvent): void {
-    const { grid } = this;
-    const up = (event: PointerEvent) => {
-      if (event.pointerId !== down.pointerId) return;
-      grid.removeEventListener('pointerup', up);
-      // The second click of two on the name is about the name.
-      if (this.indexAt(event.target) === index && down.detail < 2) this.take(index);
-    };
-    grid.addEventListener('pointerup', up);
+    this.giveUpPress();
+    this.giveUpPress = followPress(down, ({ target }) => {
+      // On the name it only chooses the card: two clicks there are about the name.
+      const isOnName = down.target instanceof Element && down.target.closest('.pose-name') !== null;
+      if (this.indexAt(target) === index && !isOnName) this.take(index);
+    });
   }
 
-  /** Alt and a drag: as much of the pose as the hand has moved to the right. */
+  /** Alt and a drag. */
   private blend(index: number, down: PointerEvent): void {
     const { wb, grid } = this;
     const character = findCharacter(wb.store.document, this.shownId);
     if (!character) return;
-    const hand = new HandEdit(wb.store, wb.messages);
-    const at = moment(wb);
-    const joint = this.jointMeant(character);
-    grid.setPointerCapture(down.pointerId);
-    const move = (event: PointerEvent) => {
-      if (hand.cancelled) return end(event);
-      const share = Math.min(1, Math.max(0, (event.clientX - down.clientX) / WHOLE_DRAG));
-      hand.preview(applyPose, { characterId: character.id, pose: index, share, joint, ...at });
-      this.cards[index]?.showShare(share);
-    };
-    const end = (event: PointerEvent) => {
-      grid.removeEventListener('pointermove', move);
-      grid.removeEventListener('pointerup', end);
-      grid.removeEventListener('pointercancel', end);
-      if (event.type === 'pointercancel') hand.cancel();
-      hand.commit();
-      this.cards[index]?.showShare(undefined);
-    };
-    grid.addEventListener('pointermove', move);
-    grid.addEventListener('pointerup', end);
-    grid.addEventListener('pointercancel', end);
+    const blended = { characterId: character.id, pose: index, joint: this.jointMeant(character) };
+    blendByDrag(wb, grid, down, blended, (share) => this.cards[index]?.showShare(share));
   }
 
   private onMenu(event: MouseEvent): void {
@@ -241,38 +223,27 @@ class PosesPanel implements TimelineTab {
   }
 
   private menu(index: number, at: { readonly x: number; readonly y: number }, byKey: boolean): void {
-    const item = (label: string, run: () => void, shortcut?: string) =>
-      ({ kind: 'item', label, enabled: true, run, ...(shortcut && { shortcut }) }) as const;
     const character = findCharacter(this.wb.store.document, this.shownId);
-    const joint = character && selectedJoint(this.wb, character);
-    const name = joint === undefined ? undefined : character?.skeleton?.joints[joint]?.name || `joint ${joint}`;
-    openMenu(
-      at,
-      [
-        item('Take on', () => this.take(index, { share: 1, branch: false }), 'Enter'),
-        item('Take on half of it', () => this.take(index, { share: 0.5, branch: false })),
-        ...(name === undefined
-          ? []
-          : [item(`Take on from ${name} down`, () => this.take(index, { share: 1, branch: true }))]),
-        { kind: 'line' },
-        item('Rename', () => this.startRename(index), 'F2'),
-        item('Save poses…', () => this.wb.files.save(this.shownId ?? '', 'pose')),
-        { kind: 'line' },
-        item('Remove', () => this.remove(index), 'Del'),
-      ],
-      { label: this.shownPoses[index].name, focusFirst: byKey, opener: this.grid },
-    );
+    const joint = character && selectedJointOf(this.wb, character.id);
+    const name = joint === undefined ? undefined : jointName(character?.skeleton, joint);
+    const entries = cardEntries(name, {
+      take: (options) => this.take(index, options),
+      rename: () => this.startRename(index),
+      save: () => this.wb.files.save(this.shownId ?? '', 'pose'),
+      remove: () => this.remove(index),
+    });
+    openMenu(at, entries, { label: this.shownPoses[index].name, focusFirst: byKey, opener: this.grid });
   }
 
   private take(index: number, options: PoseOptions = this.options.get()): void {
     const character = findCharacter(this.wb.store.document, this.shownId);
     if (!character || !this.shownPoses[index]) return;
-    const joint = options.branch ? selectedJoint(this.wb, character) : undefined;
+    const joint = options.branch ? selectedJointOf(this.wb, character.id) : undefined;
     take(this.wb, { characterId: character.id, pose: index, share: options.share, joint });
   }
 
   private jointMeant(character: Character): number | undefined {
-    return this.options.get().branch ? selectedJoint(this.wb, character) : undefined;
+    return this.options.get().branch ? selectedJointOf(this.wb, character.id) : undefined;
   }
 
   private startRename(index: number): void {

@@ -10,11 +10,11 @@ import {
 } from '../../edit/commands/poses.ts';
 import { poseByNames, takePose } from '../../edit/pose/by-names.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import type { Character } from '../../model/document.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { attempt } from '../attempt.ts';
 import { plural } from '../number-text.ts';
 import { autoKey } from '../pose-edits.ts';
+import { selectedJointOf } from '../selected-joint.ts';
 import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import { copiedPose } from './copied.ts';
@@ -51,7 +51,7 @@ export function pasteCopied(wb: Workbench): void {
 export function mirror(wb: Workbench, way: 'swap' | 'toOther', branch: boolean): void {
   const character = currentCharacter(wb);
   if (!character) return;
-  const joint = branch ? selectedJoint(wb, character) : undefined;
+  const joint = branch ? selectedJointOf(wb, character.id) : undefined;
   attempt(wb.messages, () => wb.store.apply(mirrorPose, { characterId: character.id, joint, way, ...moment(wb) }));
 }
 
@@ -78,11 +78,6 @@ export function take(wb: Workbench, change: Omit<ApplyPose, 'timeSeconds' | 'key
 export function moment(wb: Workbench) {
   standStill(wb);
   return { timeSeconds: wb.transport.get().timeSeconds, key: autoKey(wb) };
-}
-
-export function selectedJoint(wb: Workbench, character: Character): number | undefined {
-  const { selection } = wb.store;
-  return selection.characterId === character.id ? selection.joint : undefined;
 }
 
 function someNames(names: readonly string[]): string {

@@ -58,7 +58,11 @@ export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTML
   const branch = keepsFocusElsewhere(
     button(
       'Only the selected joint and what is below it',
-      { class: 'tool text-tool', 'aria-pressed': 'false' },
+      {
+        class: 'tool text-tool',
+        'aria-pressed': 'false',
+        title: 'Of a card: only the selected joint and what is below it',
+      },
       'Branch only',
       () => options.update((now) => ({ ...now, branch: !now.branch })),
     ),
@@ -69,7 +73,6 @@ export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTML
     slider.setAttribute('aria-valuetext', `${slider.value} percent`);
     setText(percent, `${slider.value} %`);
     branch.setAttribute('aria-pressed', String(isBranch));
-    branch.classList.toggle('on', isBranch);
     for (const refresh of refreshing) refresh();
   };
   wb.store.subscribe(oncePerFrame(show));
@@ -79,7 +82,13 @@ export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTML
   return element(
     'div',
     { class: 'pose-tools' },
-    element('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Poses' }, ...buttons, branch),
-    share,
+    element('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Poses' }, ...buttons),
+    element(
+      'div',
+      { class: 'pose-cards', role: 'group', 'aria-label': 'What a click on a card takes on' },
+      element('span', { class: 'faint', 'aria-hidden': 'true' }, 'Cards'),
+      branch,
+      share,
+    ),
   );
 }

@@ -5,33 +5,18 @@
 import { setDofs } from '../../edit/commands/pose.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { coupleOf } from '../../model/couples.ts';
-import { type Character, findCharacter } from '../../model/document.ts';
+import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { autoKey, jointDofs } from '../pose-edits.ts';
 import { lengthStep } from '../reach.ts';
+import { type SelectedJoint, selectedJoint } from '../selected-joint.ts';
 import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 
 /** Radians: what keys turn, and what Ctrl snaps to. */
 const KEY_ANGLE = Math.PI / 180;
 export const SNAP_ANGLE = Math.PI / 36;
-
-/** A joint that is selected, of a character that has a skeleton. */
-export interface SelectedJoint {
-  readonly character: Character;
-  readonly skeleton: Skeleton;
-  readonly joint: number;
-}
-
-export function selectedJoint({ store }: Pick<Workbench, 'store'>): SelectedJoint | undefined {
-  const { document, selection } = store;
-  const character = findCharacter(document, selection.characterId);
-  const skeleton = character?.skeleton;
-  const { joint } = selection;
-  if (!character || !skeleton || joint === undefined || !skeleton.joints[joint]) return undefined;
-  return { character, skeleton, joint };
-}
 
 /** Every DOF of a joint, as indices into the character's; of the root its translation too. */
 export function dofsOfJoint({ character, joint }: SelectedJoint): readonly number[] {

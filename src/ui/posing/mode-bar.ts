@@ -11,7 +11,7 @@ import type { Workbench } from '../workbench.ts';
 import { POSING_MODES, type PosingMode } from './posing.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
-export const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
+const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
   fk: 'Forward kinematics: turn joints one by one',
   ik: 'Inverse kinematics: pin points and drag them',
   rig: 'Rig: change the skeleton',
@@ -64,7 +64,7 @@ function limitsSwitch(wb: Workbench): HTMLElement {
   const made = keepsFocusElsewhere(
     button('Limits', { class: 'tool' }, icon('limits'), () => runAction(wb, 'pose.holdLimits')),
   );
-  made.append('Limits');
+  made.append(element('span', { class: 'limits-text' }, 'Limits'));
   const title = keepTooltip(wb, made, 'pose.holdLimits', () => {
     const character = currentCharacter(wb);
     if (!character) return 'Limits of joints hold';

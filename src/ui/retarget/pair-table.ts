@@ -3,7 +3,9 @@
  * follows and why. Lists of joints are filled when they are opened: a hundred joints with a hundred choices each would
  * be ten thousand elements.
  */
+
 import type { JointMatch } from '../../evaluate/retarget/match.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { element, setText, uniqueId } from '../dom.ts';
@@ -37,8 +39,8 @@ export function pairTable(changed: () => void): PairTable {
       const found = new Map(matches.map((match) => [match.target, match]));
       const depths = depthsOf(target);
       body.replaceChildren(
-        ...target.joints.map((joint, t) => {
-          const name = joint.name || `joint ${t}`;
+        ...target.joints.map((_, t) => {
+          const name = jointName(target, t);
           const why = element('td', { class: 'why', id: uniqueId('why') });
           const select = jointSelect(`${name} follows`, source, chosen.get(t));
           // Spoken with the choice: colour and tooltip are for those who see them.
@@ -92,8 +94,7 @@ function head(text: string): HTMLElement {
 }
 
 function jointSelect(label: string, source: Skeleton, chosen: number | undefined): HTMLSelectElement {
-  const optionOf = (s: number) =>
-    element('option', { value: s, selected: s === chosen }, source.joints[s].name || `joint ${s}`);
+  const optionOf = (s: number) => element('option', { value: s, selected: s === chosen }, jointName(source, s));
   const none = () => element('option', { value: '', selected: chosen === undefined }, '—');
   const select = element('select', { 'aria-label': label }, chosen === undefined ? none() : optionOf(chosen));
   const fill = () => {

@@ -1,8 +1,10 @@
 /** What rig mode has beside the switch of modes, and the line below that says how it works. */
 import { runAction } from '../actions.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../dom.ts';
+import { type IconName, icon } from '../icons.ts';
 import type { Observable } from '../observable.ts';
 import { RIG_SKINS, type RigSkin } from '../posing/posing.ts';
+import { whileShown } from '../posing/while-shown.ts';
 import { keepTooltip } from '../tooltips.ts';
 import type { Workbench } from '../workbench.ts';
 import { RIG_CHILDREN, type RigChildren, rigState } from './rig-state.ts';
@@ -16,10 +18,13 @@ const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: s
   stay: ['stay', 'Joints below one that is dragged stay where they are'],
 };
 
+/** Made once; it follows the page while it is shown. */
 export function rigControls(wb: Workbench): HTMLElement {
   const state = rigState(wb);
   const adding = keepsFocusElsewhere(
-    button('Add joints', { class: 'tool' }, 'Add joints', () => runAction(wb, 'rigging.addJoints')),
+    button('Add joints', { class: 'tool' }, wideOrNarrow('Add joints', 'joint', '+'), () =>
+      runAction(wb, 'rigging.addJoints'),
+    ),
   );
   keepTooltip(wb, adding, 'rigging.addJoints', () => 'Add joints: each click hangs a new one on the selected joint');
   const text = element('span');
@@ -29,27 +34,23 @@ export function rigControls(wb: Workbench): HTMLElement {
     const readout = state.readout.get();
     setText(text, readout || hintText(wb));
     hint.classList.toggle('is-readout', readout !== '');
-    // Where room is short, it is for those who have not begun.
-    hint.classList.toggle('is-known', !readout && !state.adding.get() && wb.store.selection.joint !== undefined);
+    // Where room is short, it is for what is under way.
+    hint.classList.toggle('is-known', !readout && !state.adding.get());
   };
-  const skin = segments(wb.posing.rigSkin, 'Skin', RIG_SKINS, SKIN_TEXT);
-  const children = segments(state.children, 'Children', RIG_CHILDREN, CHILDREN_TEXT);
-  const stops = [
-    state.adding.subscribe(show),
-    state.readout.subscribe(show),
-    wb.store.subscribe((now, before) => {
-      if (now.selection !== before.selection || now.document.characters !== before.document.characters) show();
-    }),
-    skin.stop,
-    children.stop,
-  ];
-  show();
+  const skin = segments(wb.posing.rigSkin, 'Skin', 'skin', RIG_SKINS, SKIN_TEXT);
+  const children = segments(state.children, 'Children', 'bones', RIG_CHILDREN, CHILDREN_TEXT);
   const controls = element('div', { class: 'rig-controls' }, group(adding), skin.element, children.element, hint);
-  // Made anew whenever the mode is entered: what it listens to is let go with it.
-  const stopAll = wb.posing.controls.subscribe((now) => {
-    if (now === controls) return;
-    for (const stop of stops) stop();
-    stopAll();
+  whileShown(wb.posing, controls, () => {
+    for (const part of [{ show }, skin, children]) part.show();
+    return [
+      state.adding.subscribe(show),
+      state.readout.subscribe(show),
+      wb.store.subscribe((now, before) => {
+        if (now.selection !== before.selection || now.document.characters !== before.document.characters) show();
+      }),
+      wb.posing.rigSkin.subscribe(skin.show),
+      state.children.subscribe(children.show),
+    ];
   });
   return controls;
 }
@@ -73,18 +74,30 @@ function group(...children: HTMLElement[]): HTMLElement {
   return element('div', { class: 'rig-group tools' }, ...children);
 }
 
-/** A choice of two, with its name before it. */
+/** A name where there is room; else an icon, with a sign behind it. */
+function wideOrNarrow(text: string, name: IconName, sign = ''): HTMLElement {
+  return element(
+    'span',
+    { class: 'rig-text' },
+    element('span', { class: 'is-wide' }, text),
+    element('span', { class: 'is-narrow' }, icon(name), sign),
+  );
+}
+
+/** A choice of two, with its name before it. Where only the chosen one is seen, it leads to the other. */
 function segments<T extends string>(
   value: Observable<T>,
   name: string,
+  iconName: IconName,
   choices: readonly T[],
   texts: Readonly<Record<T, readonly [text: string, tip: string]>>,
-): { readonly element: HTMLElement; stop(): void } {
-  const buttons = choices.map((choice) => {
+): { readonly element: HTMLElement; show(): void } {
+  const buttons: HTMLButtonElement[] = choices.map((choice) => {
     const [text, tip] = texts[choice];
-    const made = button(`${name}: ${text}`, { class: 'tool', role: 'radio', title: tip }, text, () =>
-      value.set(choice),
-    );
+    const made = button(`${name}: ${text}`, { class: 'tool', role: 'radio', title: tip }, text, () => {
+      const other = choices.find((one, i) => one !== choice && buttons[i].offsetParent === null);
+      value.set(other !== undefined && value.get() === choice ? other : choice);
+    });
     return keepsFocusElsewhere(made);
   });
   const show = () => {
@@ -97,7 +110,7 @@ function segments<T extends string>(
   const whole = element(
     'div',
     { class: 'rig-group tools', role: 'radiogroup', 'aria-label': name },
-    element('span', { class: 'rig-name', 'aria-hidden': 'true' }, name),
+    element('span', { class: 'rig-name', 'aria-hidden': 'true', title: name }, wideOrNarrow(name, iconName)),
     ...buttons,
   );
   whole.addEventListener('keydown', (event) => {
@@ -108,6 +121,5 @@ function segments<T extends string>(
     value.set(choices[next]);
     buttons[next].focus();
   });
-  show();
-  return { element: whole, stop: value.subscribe(show) };
+  return { element: whole, show };
 }

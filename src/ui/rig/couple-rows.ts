@@ -1,14 +1,16 @@
 /** What of a joint's DOFs follow others: a line to say whom, and one for gain and offset; and the way to add one. */
-import { setCouple } from '../../edit/commands/couples.ts';
+import { type SetCouple, setCouple } from '../../edit/commands/couples.ts';
 import { findCharacter } from '../../model/document.ts';
 import { type Couple, type Dof, type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
-import { shownPerUnit, unitText, withoutNoise } from '../angles.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../angles.ts';
 import { attempt } from '../attempt.ts';
 import { button, element } from '../dom.ts';
 import { NumberField } from '../number-field.ts';
 import { shown } from '../number-text.ts';
+import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import type { FolderRow } from './folder-rows.ts';
+import { rigging } from './rigging-args.ts';
 
 /** @param skeleton as the rows are made for; they are made anew when its joints, or who follows whom, are others */
 export function coupleRow(
@@ -21,8 +23,8 @@ export function coupleRow(
   const { joints } = skeleton;
   const now = (): Couple | undefined =>
     findCharacter(wb.store.document, characterId)?.skeleton?.joints[joint]?.couples?.find((c) => c.dof === dof.name);
-  const put = (follows: Parameters<typeof setCouple.run>[1]['follows']) => {
-    attempt(wb.messages, () => wb.store.apply(setCouple, { characterId, joint, dof: dof.name, follows }));
+  const put = (follows: SetCouple['follows']) => {
+    coupleIt(wb, characterId, { joint, dof: dof.name, follows });
     update();
   };
   const change = (part: Partial<{ joint: number; dof: string; gain: number; offset: number }>) => {
@@ -59,11 +61,13 @@ export function coupleRow(
     commit: (value) => change({ offset: value / to }),
     refuse,
     step: 1,
+    units: () => typedUnits(dof.unit, angles),
   });
   const update = () => {
     const couple = now();
     if (!couple) return;
     whom.value = String(couple.joint);
+    whom.title = whom.selectedOptions[0]?.text ?? '';
     const names = namesOf(skeleton, joint, dof, couple.joint);
     which.replaceChildren(...names.map((name) => element('option', { value: name }, name)));
     which.value = couple.follows;
@@ -100,7 +104,7 @@ export function addCoupleRow(
   const free = dofsOf(own.motion).filter(({ name }) => !own.couples?.some((couple) => couple.dof === name));
   if (!free.length) return undefined;
   const add = element('select', { 'aria-label': 'Let a DOF follow another' });
-  add.append(element('option', { value: '' }, 'Let a DOF follow another…'));
+  add.append(element('option', { value: '' }, 'Let a DOF follow…'));
   for (const dof of free) add.append(element('option', { value: dof.name }, dof.name));
   add.addEventListener('change', () => {
     const dof = free.find(({ name }) => name === add.value);
@@ -108,16 +112,15 @@ export function addCoupleRow(
     if (!dof) return;
     const found = firstToFollow(skeleton, joint, dof);
     if (!found) return wb.messages.note('There is no other DOF to follow.');
-    attempt(wb.messages, () =>
-      wb.store.apply(setCouple, {
-        characterId,
-        joint,
-        dof: dof.name,
-        follows: { ...found, gain: 1, offset: 0 },
-      }),
-    );
+    coupleIt(wb, characterId, { joint, dof: dof.name, follows: { ...found, gain: 1, offset: 0 } });
   });
-  return element('div', { class: 'rig-row' }, add);
+  return element('div', { class: 'rig-row is-alone' }, add);
+}
+
+/** With the skin staying or following, as everything in this folder. */
+function coupleIt(wb: Workbench, characterId: string, args: Pick<SetCouple, 'joint' | 'dof' | 'follows'>): void {
+  standStill(wb);
+  attempt(wb.messages, () => wb.store.apply(setCouple, { ...rigging(wb, { id: characterId }), ...args }));
 }
 
 /** The parent's DOF of that name or unit, else the nearest joint's above, else any that does not follow this one. */

@@ -2,7 +2,7 @@
 import type { GUI } from 'lil-gui';
 import type { Vec3 } from '../../math/vec3.ts';
 import { withoutNoise } from '../angles.ts';
-import { element } from '../dom.ts';
+import { element, setText } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { Slider } from '../inspector/slider.ts';
 import type { Workbench } from '../workbench.ts';
@@ -24,6 +24,7 @@ const AXES = [0, 1, 2] as const;
 /**
  * @param read undefined: it stands for nothing now
  * @param write previews; the release is one step
+ * @param whyNot why three numbers can't stand there, which is said at the release: on the way to others one may pass them
  */
 export function vectorRow(
   { wb, edit, folder }: FolderContext,
@@ -31,7 +32,9 @@ export function vectorRow(
   step: number,
   read: () => Vec3 | undefined,
   write: (value: Vec3) => void,
+  whyNot: (value: Vec3) => string | undefined = () => undefined,
 ): FolderRow {
+  let refusal: string | undefined;
   const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));
   const decimals = Math.max(2, -Math.floor(Math.log10(step)));
   const refuse = (reason: string) => {
@@ -54,11 +57,22 @@ export function vectorRow(
       if (!now) return;
       const next: [number, number, number] = [...now];
       next[axis] = value;
-      write(next);
+      refusal = whyNot(next);
+      if (refusal === undefined) write(next);
       if (edit.cancelled) update();
     });
+    slider.onTakenBack(() => {
+      edit.cancel();
+      refusal = undefined;
+    });
     slider.onFinishChange(() => {
-      edit.commit();
+      if (refusal === undefined || edit.cancelled) edit.commit();
+      else {
+        // Not what was passed on the way there.
+        edit.cancel();
+        wb.messages.note(refusal, 'warning');
+      }
+      refusal = undefined;
       update();
     });
     return slider;
@@ -89,6 +103,7 @@ export function numberRow(
     write(value);
     if (edit.cancelled) update();
   });
+  slider.onTakenBack(() => edit.cancel());
   slider.onFinishChange(() => {
     edit.commit();
     update();
@@ -96,12 +111,16 @@ export function numberRow(
   return { update, line: slider.domElement };
 }
 
-/** A choice; the texts are the names of joints and the like, which may be twice the same. */
+/**
+ * A choice; the texts are the names of joints and the like, which may be twice the same.
+ * @param tipOf what the tooltip says of a value, beside its text, of which a narrow inspector may show half
+ */
 export function choiceRow<T extends string | number>(
   label: string,
   options: readonly (readonly [value: T, text: string])[],
   read: () => T | undefined,
   write: (value: T) => void,
+  tipOf: (value: T) => string = () => '',
 ): FolderRow & { readonly line: HTMLElement } {
   const select = element('select', { 'aria-label': label });
   options.forEach(([, text], i) => {
@@ -110,6 +129,9 @@ export function choiceRow<T extends string | number>(
   const update = () => {
     const now = read();
     select.selectedIndex = options.findIndex(([value]) => value === now);
+    const chosen = options[select.selectedIndex];
+    const tip = chosen ? tipOf(chosen[0]) : '';
+    select.title = chosen ? `${chosen[1]}${tip && `: ${tip}`}` : '';
   };
   select.addEventListener('change', () => {
     const chosen = options[select.selectedIndex];
@@ -121,12 +143,16 @@ export function choiceRow<T extends string | number>(
   return { line: element('div', { class: 'rig-row' }, name, select), update };
 }
 
-/** A text, typed; Enter or leaving the field takes it. */
+/**
+ * A text, typed; Enter or leaving the field takes it.
+ * @param noteOf what there is to say of it as it is, in a line below
+ */
 export function textRow(
   label: string,
   read: () => string,
   write: (text: string) => void,
   title = '',
+  noteOf: () => string = () => '',
 ): FolderRow & { readonly line: HTMLElement; readonly field: HTMLInputElement } {
   const field = element('input', {
     type: 'text',
@@ -135,8 +161,12 @@ export function textRow(
     'aria-label': label,
     title: title || undefined,
   });
+  const note = element('p', { class: 'rig-note', role: 'status', hidden: true });
   const update = () => {
     if (document.activeElement !== field) field.value = read();
+    const text = noteOf();
+    note.hidden = text === '';
+    setText(note, text);
   };
   field.addEventListener('change', () => {
     if (field.value !== read()) write(field.value);
@@ -151,7 +181,8 @@ export function textRow(
   });
   update();
   const name = element('span', { class: 'rig-label', 'aria-hidden': 'true' }, label);
-  return { line: element('div', { class: 'rig-row' }, name, field), field, update };
+  const line = element('div', {}, element('div', { class: 'rig-row' }, name, field), note);
+  return { line, field, update };
 }
 
 export function heading(text: string): HTMLElement {

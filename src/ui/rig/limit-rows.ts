@@ -1,5 +1,5 @@
 /** The limits of a joint's DOFs as two fields each; an empty one is no limit on that side. */
-import { setLimit } from '../../edit/commands/limits.ts';
+import { limitRigged } from '../../edit/commands/rig-limits.ts';
 import { findCharacter } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
 import { type Dof, UNLIMITED } from '../../model/skeleton.ts';
@@ -8,8 +8,10 @@ import { attempt } from '../attempt.ts';
 import { element } from '../dom.ts';
 import { typedLimit } from '../inspector/limit-editor.ts';
 import { exact, shown } from '../number-text.ts';
+import { standStill } from '../stand-still.ts';
 import type { Workbench } from '../workbench.ts';
 import type { FolderRow } from './folder-rows.ts';
+import { rigging } from './rigging-args.ts';
 
 /** @param index of the DOF among its joint's */
 export function limitRow(
@@ -45,7 +47,9 @@ export function limitRow(
     }
     // The other field shows its number rounded.
     const limit = side === 'min' ? { min: typed.min, max: now.limit.max } : { min: now.limit.min, max: typed.max };
-    attempt(wb.messages, () => wb.store.apply(setLimit, { characterId, dof: now.dof, ...limit }));
+    standStill(wb);
+    const args = { ...rigging(wb, { id: characterId }), dof: now.dof, ...limit };
+    attempt(wb.messages, () => wb.store.apply(limitRigged, args));
     update();
   };
   const field = (side: 'min' | 'max', label: string) => {

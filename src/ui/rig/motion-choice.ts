@@ -13,21 +13,38 @@ import {
 
 export type MotionKind = Motion['kind'];
 
-/** In the order of the list. BVH's own is no choice: it is what a `.bvh` brings. */
+/** In the order of the list, as short as a narrow inspector. BVH's own is no choice: it is what a `.bvh` brings. */
 export const MOTION_LABELS: Readonly<Record<MotionKind, string>> = {
-  ball: 'Ball: three rotations',
-  hinge: 'Hinge: about an axis',
-  universal: 'Universal: two rotations',
+  ball: 'Ball',
+  hinge: 'Hinge',
+  universal: 'Universal',
   quaternion: 'Quaternion',
-  free: 'Free: moves and turns',
-  translational: 'Translational: x y z',
-  prismatic: 'Prismatic: along an axis',
-  screw: 'Screw: about and along an axis',
+  free: 'Free',
+  translational: 'Translational',
+  prismatic: 'Prismatic',
+  screw: 'Screw',
   scale: 'Scale',
   shear: 'Shear',
   fixed: 'Fixed',
-  compound: 'Compound: DOFs of your choice',
+  compound: 'Compound',
   bvh: 'Channels of BVH',
+};
+
+/** What each does, for the tooltip of the list. */
+export const MOTION_TIPS: Readonly<Record<MotionKind, string>> = {
+  ball: 'three rotations, one after the other',
+  hinge: 'a rotation about an axis',
+  universal: 'two rotations',
+  quaternion: 'any rotation, as four numbers without gimbal lock',
+  free: 'moves along x y z, and turns as a ball does',
+  translational: 'moves along x y z',
+  prismatic: 'moves along an axis',
+  screw: 'turns about an axis and moves along it, as far as the pitch says',
+  scale: 'grows and shrinks',
+  shear: 'leans x y z over each other',
+  fixed: 'does not move',
+  compound: 'DOFs of your choice, multiplied from left to right',
+  bvh: 'what the .bvh lists for it',
 };
 
 const X: Vec3 = [1, 0, 0];
@@ -81,7 +98,13 @@ function pairOf(order: EulerOrder): AxisPair {
   return AXIS_PAIRS.find((pair) => order.startsWith(pair)) ?? 'xy';
 }
 
+/** The same motion, spelled out, where it has an order of rotations: a compound one is multiplied from left to right. */
 function compoundDofs(before: Motion): readonly CompoundDof[] {
+  if ('order' in before) {
+    const turns = [...before.order].reverse().map((letter) => `r${letter}`);
+    const written = before.kind === 'free' ? ['tx', 'ty', 'tz', ...turns] : turns;
+    return written.flatMap((name) => COMPOUND_DOFS.find((dof) => dof === name) ?? []);
+  }
   const known = dofsOf(before).flatMap(({ name }) => COMPOUND_DOFS.find((dof) => dof === name) ?? []);
   return known.length ? known : ['rx'];
 }
@@ -96,8 +119,8 @@ export function typedCompound(text: string): readonly CompoundDof[] | string {
   for (const word of words) {
     const dof = COMPOUND_DOFS.find((name) => name === word);
     if (!dof) return `“${word.slice(0, 12)}” is none of ${COMPOUND_DOFS.join(' ')}.`;
-    if (dofs.includes(dof)) return `${dof} stands there twice.`;
+    if (dofs.includes(dof)) return `${dof} is listed twice; a compound joint has each DOF once at most.`;
     dofs.push(dof);
   }
-  return dofs.length ? dofs : 'A compound joint has at least one DOF.';
+  return dofs.length ? dofs : 'A compound joint has at least one DOF: what it had stays.';
 }

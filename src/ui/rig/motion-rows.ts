@@ -3,7 +3,7 @@ import type { Vec3 } from '../../math/vec3.ts';
 import { AXIS_PAIRS, EULER_ORDERS, type Motion, SCALE_MODES } from '../../model/skeleton.ts';
 import { button, element } from '../dom.ts';
 import { choiceRow, type FolderContext, type FolderRow, numberRow, textRow, vectorRow } from './folder-rows.ts';
-import { axisOf, MOTION_LABELS, type MotionKind, motionOfKind, typedCompound } from './motion-choice.ts';
+import { axisOf, MOTION_LABELS, MOTION_TIPS, type MotionKind, motionOfKind, typedCompound } from './motion-choice.ts';
 
 /** The rule's parameters, said in the shape that rows are made for. */
 export function motionShape(motion: Motion): string {
@@ -32,7 +32,7 @@ const SCALE_LABELS: Readonly<Record<(typeof SCALE_MODES)[number], string>> = {
   uniform: 'All axes alike',
   xyz: 'Each axis by itself',
   axis: 'Along an axis',
-  volume: 'Along an axis, volume kept',
+  volume: 'Axis, volume kept',
 };
 
 const PRESETS: readonly (readonly [string, Vec3])[] = [
@@ -85,10 +85,13 @@ export function motionRows(
     };
     const write = (axis: Vec3) => {
       const motion = withAxis(axis);
-      // On the way to 0 1 0 a typed axis passes through none.
-      if (motion && axis.some((part) => part !== 0)) preview(motion);
+      if (motion) preview(motion);
     };
-    rows.push(vectorRow(context, 'Axis', 0.01, read, write));
+    const whyNot = (axis: Vec3) =>
+      axis.every((part) => part === 0)
+        ? 'An axis of 0 0 0 has no direction: type the new one first, or choose x, y or z below.'
+        : undefined;
+    rows.push(vectorRow(context, 'Axis', 0.01, read, write, whyNot));
     const presets = PRESETS.map(([letter, axis]) =>
       button(`Axis along ${letter}`, { class: 'plain' }, element('span', { class: `axis-${letter}` }, letter), () => {
         const motion = withAxis(axis);
@@ -138,6 +141,7 @@ function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Moti
       const before = now();
       if (before && kind !== before.kind && kind !== 'bvh') set(motionOfKind(kind, before));
     },
+    (kind) => MOTION_TIPS[kind],
   );
 }
 

@@ -19,6 +19,17 @@ export function possibleParents(joints: readonly Pick<Joint, 'parent'>[], joint:
   return [...joints.keys()].filter((parent) => canHangOn(joints, joint, parent));
 }
 
+/** Why a joint that is dropped on a row stays where it is; undefined where there is nothing to be said. */
+export function whyNoDrop(
+  joints: readonly Pick<Joint, 'parent' | 'name'>[],
+  joint: number,
+  row: number,
+): string | undefined {
+  if (row === joint || joint <= 0 || row < joint || row >= branchEnd(joints, joint)) return undefined;
+  const called = (j: number) => joints[j].name || `joint ${j}`;
+  return `${called(joint)} can’t hang on ${called(row)}, which hangs on it.`;
+}
+
 /** Where in a row the pointer is: its upper part, its middle, its lower part. */
 export type RowPart = 'above' | 'on' | 'below';
 

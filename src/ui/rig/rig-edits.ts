@@ -1,16 +1,18 @@
 /** What menus, keys and the tree do to a skeleton: commands with all that the page knows filled in. */
+
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../edit/commands/rig.ts';
 import { renameJoint, setFilePose, setOffset } from '../../edit/commands/rig-joint.ts';
 import type { Axis, ReparentJoint, SetFilePose } from '../../edit/rig/rigging.ts';
 import { documentIn, type Edit } from '../../edit/store.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { attempt } from '../attempt.ts';
+import { selectedJoint } from '../selected-joint.ts';
 import { standStill } from '../stand-still.ts';
-import { inverseOf, roundStep, snappedPoint, transformPoint, withoutDust } from '../tools/rig/places.ts';
-import { selectedJoint } from '../tools/rig/rigged.ts';
+import { inverseOf, roundStep, snappedPoint, withoutDust } from '../tools/rig/places.ts';
 import type { Workbench } from '../workbench.ts';
+import { nameNote } from './joint-names.ts';
 import { rigState } from './rig-state.ts';
 import { rigging } from './rigging-args.ts';
 
@@ -39,7 +41,7 @@ export function startSkeletonAt(wb: Workbench, at: At): void {
   const waiting = waitingCharacter(wb);
   const placement = waiting && wb.viewport.placementOf(waiting.id, 0);
   const inverse = placement && inverseOf(placement);
-  const own = inverse ? transformPoint(inverse, 0, scene) : scene;
+  const own = inverse ? transformPoint(inverse, scene) : scene;
   start(wb, at.ctrlKey || at.metaKey ? snappedPoint(own, roundStep(8 * unit)) : withoutDust(own, unit));
 }
 
@@ -78,7 +80,7 @@ function selectedIn(change: Document | Edit, before: Document): string | undefin
 /** The current character with the joint that is meant; says so where there is none. */
 function withJoint(wb: Workbench, joint: number | undefined, run: (character: Character, joint: number) => void): void {
   const character = currentCharacter(wb);
-  const meant = joint ?? selectedJoint(wb);
+  const meant = joint ?? selectedJoint(wb)?.joint;
   if (!character?.skeleton || meant === undefined) {
     wb.messages.note('Select a joint first.');
     return;
@@ -99,9 +101,11 @@ export function removeIt(wb: Workbench, children: 'too' | 'stay', joint?: number
 }
 
 export function mirrorIt(wb: Workbench, across: Axis, joint?: number): void {
-  withJoint(wb, joint, (character, meant) =>
-    wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint: meant, across }),
-  );
+  withJoint(wb, joint, (character, meant) => {
+    const before = wb.store.document;
+    wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint: meant, across });
+    if (wb.store.document === before) wb.messages.note('Both sides match already.');
+  });
 }
 
 export function moveUnder(
@@ -114,7 +118,12 @@ export function moveUnder(
 }
 
 export function renameIt(wb: Workbench, characterId: string, joint: number, name: string): void {
-  attempt(wb.messages, () => wb.store.apply(renameJoint, { ...rigging(wb, { id: characterId }), joint, name }));
+  attempt(wb.messages, () => {
+    wb.store.apply(renameJoint, { ...rigging(wb, { id: characterId }), joint, name });
+    const character = findCharacter(wb.store.document, characterId);
+    const note = character && nameNote(character, joint);
+    if (note) wb.messages.note(`${name}: ${note}`);
+  });
 }
 
 /** @param joint all of them where none is named */

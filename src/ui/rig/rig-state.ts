@@ -7,7 +7,7 @@ export const RIG_CHILDREN = ['follow', 'stay'] as const;
 /** What the joints below one do when it is dragged. */
 export type RigChildren = (typeof RIG_CHILDREN)[number];
 
-export const RIG_AXES = ['parent', 'world'] as const;
+const RIG_AXES = ['parent', 'world'] as const;
 /** Along which axes the arrows move a joint. */
 export type RigAxes = (typeof RIG_AXES)[number];
 

@@ -8,7 +8,7 @@ import { waitOutDrag } from '../keys.ts';
 import type { OutlineRow } from '../outline-rows.ts';
 import { indentOf, type Tree } from '../tree.ts';
 import type { Workbench } from '../workbench.ts';
-import { dropPlace, type NewPlace, rowPart } from './parents.ts';
+import { dropPlace, type NewPlace, rowPart, whyNoDrop } from './parents.ts';
 
 const CLICK_PIXELS = 4;
 /** Near the tree's upper and lower edge it scrolls. */
@@ -21,6 +21,8 @@ interface Drag {
   readonly pointerId: number;
   moved: boolean;
   place: NewPlace | undefined;
+  /** Where it can't hang: why. */
+  whyNot: string | undefined;
 }
 
 export function letJointsBeDragged(wb: Workbench, tree: Pick<Tree, 'element' | 'rowUnder'>): void {
@@ -52,13 +54,17 @@ export function letJointsBeDragged(wb: Workbench, tree: Pick<Tree, 'element' | '
     if (!drag) return;
     unmark();
     drag.place = undefined;
+    drag.whyNot = undefined;
     const under = tree.rowUnder(event.clientY);
     const joints = findCharacter(wb.store.document, drag.row.characterId)?.skeleton?.joints;
     if (!under || !joints || under.row.kind !== 'joint' || under.row.characterId !== drag.row.characterId) return;
     const box = under.made.getBoundingClientRect();
     const part = rowPart((event.clientY - box.top) / box.height);
     drag.place = dropPlace(joints, drag.row.index, under.row.index, part, under.row.expanded);
-    if (!drag.place) return;
+    if (!drag.place) {
+      drag.whyNot = whyNoDrop(joints, drag.row.index, under.row.index);
+      return;
+    }
     if (drag.place.parent === under.row.index && part === 'on') {
       marked = under.made;
       marked.classList.add('is-drop-parent');
@@ -87,6 +93,7 @@ export function letJointsBeDragged(wb: Workbench, tree: Pick<Tree, 'element' | '
       pointerId: event.pointerId,
       moved: false,
       place: undefined,
+      whyNot: undefined,
     };
   });
   tree.element.addEventListener('pointermove', (event) => {
@@ -107,13 +114,14 @@ export function letJointsBeDragged(wb: Workbench, tree: Pick<Tree, 'element' | '
   });
   tree.element.addEventListener('pointerup', (event) => {
     if (!drag || event.pointerId !== drag.pointerId) return;
-    const { moved, place, row } = drag;
+    const { moved, place, row, whyNot } = drag;
     finish();
     if (!moved) return;
     // The release of a drag is no click on the row that it ends over.
     const swallow = (click: MouseEvent) => click.stopPropagation();
     tree.element.addEventListener('click', swallow, { capture: true, once: true });
     setTimeout(() => tree.element.removeEventListener('click', swallow, true));
+    if (whyNot !== undefined) wb.messages.note(whyNot, 'warning');
     if (!place) return;
     void import('./rig-edits.ts').then((m) => m.moveUnder(wb, row.characterId, { joint: row.index, ...place }));
   });

@@ -1,8 +1,9 @@
 /** A joint's context menu, as far as it changes the skeleton. */
 import type { Character } from '../../model/document.ts';
-import { runAction } from '../actions.ts';
+import { actionsOf, runAction } from '../actions.ts';
+import { isMac } from '../keys.ts';
 import type { MenuEntry } from '../menu.ts';
-import { shortcutsFor, shortcutText } from '../shortcuts.ts';
+import { ariaShortcut, shortcutsFor, shortcutText } from '../shortcuts.ts';
 import type { Workbench } from '../workbench.ts';
 import { possibleParents } from './parents.ts';
 import { rigState } from './rig-state.ts';
@@ -23,21 +24,23 @@ export function jointEntries(
     kind: 'item',
     label,
     enabled: true,
-    shortcut,
+    shortcut: shortcut && shortcutText(shortcut, isMac),
+    ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
     run,
   });
-  const keyOf = (id: string, key: string) => {
-    const [own] = shortcutsFor({ id, shortcuts: [key] }, wb.settings.get());
-    return own && shortcutText(own, false);
+  /** Of an action that does the same with the selected joint. */
+  const keyOf = (id: string): string | undefined => {
+    const action = actionsOf(wb).find((one) => one.id === id);
+    return action && shortcutsFor(action, wb.settings.get())[0];
   };
   const select = () => wb.store.select({ characterId: character.id, joint });
-  const naming = item('Rename', rename, 'F2');
   if (wb.posing.mode.get() !== 'rig') {
     const rig = () => {
       select();
       runAction(wb, 'posing.rig');
     };
-    return [naming, item('Change the skeleton here (rig mode)', rig)];
+    // The tree's own key.
+    return [item('Rename', rename, 'F2'), item('Change the skeleton here (rig mode)', rig)];
   }
   const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
     item(label, () => void edits().then(run), shortcut);
@@ -62,21 +65,17 @@ export function jointEntries(
   };
   const isRoot = joint === 0;
   return [
-    naming,
-    doing('Add a child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild', 'Shift+C')),
+    item('Rename', rename, keyOf('rigging.rename')),
+    doing('Add a child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild')),
     item('Add joints by clicking', () => {
       select();
       rigState(wb).adding.set(true);
     }),
-    doing('Mirror the branch across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x', 'Shift+M')),
+    doing('Mirror the branch across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x')),
     ...(isRoot ? [] : [parents]),
     { kind: 'line' },
-    doing('Delete; its children stay', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete', 'Delete')),
-    doing(
-      'Delete with all below it',
-      (m) => m.removeIt(wb, 'too', joint),
-      keyOf('rigging.deleteBranch', 'Shift+Delete'),
-    ),
+    doing('Delete; its children stay', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete')),
+    doing('Delete with all below it', (m) => m.removeIt(wb, 'too', joint), keyOf('rigging.deleteBranch')),
     { kind: 'line' },
   ];
 }

@@ -9,6 +9,8 @@ import {
   USUAL_INFLUENCES,
 } from '../../edit/commands/skin-weights.ts';
 import { shownSkin } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import { type Skin, vertexCount } from '../../model/skin.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { type Asked, toolDialog } from '../curves/tool-dialog.ts';
@@ -21,8 +23,8 @@ const TITLE = 'Automatic skin weights';
 
 const PLACES: Readonly<Record<BindPlace, string>> = {
   bound: 'Where it was bound',
-  drawn: 'As it is drawn now',
-  file: 'Mesh as in its file, pose as shown',
+  drawn: 'As drawn now',
+  file: 'Mesh as in its file',
 };
 
 export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
@@ -32,10 +34,11 @@ export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
     const said = element('p', {}, 'A character with a skeleton and a skin has to be there.');
     return { title: TITLE, body: said, kind: 'tool-dialog' };
   }
+  const { skeleton } = character;
   const { timeSeconds } = wb.transport.get();
   const places = bindPlaces(character, skin, timeSeconds);
   const replaces = skin.attachments ? ` It replaces those that ${skin.name} has.` : '';
-  return toolDialog<AutoWeights>(wb, close, {
+  const dialog = toolDialog<AutoWeights>(wb, close, {
     name: 'skinWeights',
     title: TITLE,
     about:
@@ -52,22 +55,39 @@ export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
     }),
     *steps(document, args) {
       const made = yield* autoWeightsSteps(document, args);
-      return { change: made.document, text: resultText(made.skin, made.byDistance) };
+      const warning = idleText(skeleton, made.idle);
+      return { change: made.document, text: resultText(made.skin, made.byDistance), ...(warning && { warning }) };
     },
     result: () => '',
   });
+  // What it comes to is seen in the viewport.
+  return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
 function asked(places: readonly BindPlace[]): Asked[] {
   const most: Asked = {
     kind: 'number',
     name: 'most',
-    label: 'Most joints a vertex',
+    label: 'Joints per vertex, at most',
     value: USUAL_INFLUENCES,
   };
   if (places.length < 2) return [most];
   const options = places.map((place) => [place, PLACES[place]] as const);
   return [most, { kind: 'choice', name: 'bind', label: 'Bind', value: places[0], options }];
+}
+
+/** Names beyond so many are counted. */
+const MOST_NAMED = 4;
+
+/** `8 of 23 joints move nothing: their bones lie outside the skin, or others’ lie nearer (head, …).` */
+export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
+  if (!idle.length) return '';
+  const { length } = skeleton.joints;
+  const named = idle.slice(0, MOST_NAMED).map((joint) => jointName(skeleton, joint));
+  const names = [...named, ...(idle.length > MOST_NAMED ? ['…'] : [])].join(', ');
+  const isOne = idle.length === 1;
+  const move = isOne ? 'moves nothing: its bone lies' : 'move nothing: their bones lie';
+  return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others’ lie nearer (${names}).`;
 }
 
 /** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */

@@ -4,8 +4,10 @@
  */
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { isSampled } from '../../model/clip.ts';
+import { coupleOf } from '../../model/couples.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../model/dofs.ts';
+import { jointName } from '../../model/joint-name.ts';
 import type { Morph } from '../../model/morph.ts';
 import type { Selection } from '../../model/session.ts';
 import { type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
@@ -21,6 +23,8 @@ export interface ListedChannel {
   readonly unit: DofUnit;
   /** Without keys or samples it is listed, greyed, so that one sees what could be animated. */
   readonly keyCount: number;
+  /** `leader r`: the DOF that this one follows, whatever its keys say. */
+  readonly follows?: string;
   /** Frames, where the channel follows the clip's samples; else 0. */
   readonly sampleCount: number;
 }
@@ -79,9 +83,11 @@ export function namedChannel(character: Character, channel: number): ListedChann
   const dof: CharacterDof | undefined = dofs[channel];
   const ofJoint = dof !== undefined && dof.joint >= 0;
   const clip = shownClip(character);
+  const follows = followedName(character, channel);
   return {
     channel,
-    joint: ofJoint ? jointName(character, dof.joint) : '',
+    ...(follows !== undefined && { follows }),
+    joint: ofJoint ? jointName(character.skeleton, dof.joint) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
     keyCount: clip?.channels[channel]?.times.length ?? 0,
@@ -89,9 +95,12 @@ export function namedChannel(character: Character, channel: number): ListedChann
   };
 }
 
-/** What a joint's channels are called by: one without a name goes by its index, but for the root. */
-export function jointName({ skeleton }: Character, joint: number): string {
-  return skeleton?.joints[joint]?.name || (joint === 0 ? 'root' : `#${joint}`);
+/** `leader r`: the DOF that a channel's own follows; undefined where it is its own. */
+export function followedName(character: Character, channel: number): string | undefined {
+  const couple = coupleOf(character.skeleton, channel);
+  const followed = couple && dofsFor(character)[couple.follows];
+  if (!followed) return undefined;
+  return channelName({ joint: jointName(character.skeleton, followed.joint), dof: followed.name });
 }
 
 /** First and end (not included) of a joint's channels; the root has its translation too. */

@@ -28,6 +28,8 @@ export function followPeriods({ store, messages }: Pick<Workbench, 'store' | 'me
 function changedPeriods(was: Character, now: Character): string | undefined {
   // Another take than before is none that was changed.
   if (was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return undefined;
+  // Of other DOFs the channels stand elsewhere, and move there with their keys as they are.
+  if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return undefined;
   const [before, after] = [shownClip(was), shownClip(now)];
   if (!before || !after || before === after) return undefined;
   return periodNote(before, after, (c) => channelName(namedChannel(now, c)));

@@ -31,7 +31,10 @@ export interface CanvasTool {
   press(at: CanvasPointer): CanvasDrag | undefined;
   /** Whether a click was the tool's own; otherwise it picks. */
   click?(at: CanvasPointer): boolean;
-  /** Undefined: the pointer has left. What comes back is the cursor, as CSS has it; undefined: the usual one. */
+  /**
+   * Undefined: the pointer has left. What comes back is the cursor, as CSS has it; undefined: the usual one. `grab` says
+   * that it is over a handle of the tool's own.
+   */
   hover?(at: CanvasPointer | undefined): string | undefined;
 }
 
@@ -39,12 +42,14 @@ export interface CanvasTool {
  * @param canvas what the camera listens on
  * @param tool the one of the mode, asked anew each time
  * @param pick a click that no tool wanted
+ * @param claim told whether the pointer is a tool's, over a handle or in a drag: nothing else lights up under it
  */
 export function listenToCanvas(
   canvas: HTMLCanvasElement,
   tool: () => CanvasTool | undefined,
   pick: (at: CanvasPointer) => void,
   signal: AbortSignal,
+  claim: (isTools: boolean) => void = () => {},
 ): void {
   let drag: { readonly of: CanvasDrag; readonly pointerId: number } | undefined;
   let down: PointerEvent | undefined;
@@ -60,6 +65,7 @@ export function listenToCanvas(
     if (drag && canvas.hasPointerCapture(drag.pointerId)) canvas.releasePointerCapture(drag.pointerId);
     drag = undefined;
     window.removeEventListener('keydown', onKey, { capture: true });
+    if (of) claim(false);
     return of;
   };
 
@@ -84,6 +90,7 @@ export function listenToCanvas(
       drag = { of, pointerId: event.pointerId };
       canvas.setPointerCapture(event.pointerId);
       window.addEventListener('keydown', onKey, { capture: true });
+      claim(true);
     },
     { capture: true, signal },
   );
@@ -92,7 +99,11 @@ export function listenToCanvas(
     (event) => {
       if (drag) {
         if (event.pointerId === drag.pointerId) drag.of.move(event);
-      } else if (event.buttons === 0) canvas.style.cursor = tool()?.hover?.(event) ?? '';
+      } else if (event.buttons === 0) {
+        canvas.style.cursor = tool()?.hover?.(event) ?? '';
+        // A hand that pulls, or a place that is looked for: what lies under it is not what is meant.
+        claim(canvas.style.cursor === 'grab' || canvas.style.cursor === 'crosshair');
+      }
     },
     { signal },
   );
@@ -122,6 +133,7 @@ export function listenToCanvas(
     },
     { signal },
   );
+  signal.addEventListener('abort', () => finish()?.cancel());
   // A right drag that is a tool's must not end in the browser's menu; the camera's never does.
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 }

@@ -10,16 +10,29 @@
  */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { determinant3, multiplyAffine, setIdentity } from '../../math/mat4.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import {
+  acrossOf,
+  add,
+  dot,
+  scaled,
+  subtract,
+  transformPoint,
+  transformVector,
+  unit,
+  type Vec3,
+} from '../../math/vec3.ts';
+import { dofAxis } from '../../model/dof-axis.ts';
 import { rootDofCount } from '../../model/dofs.ts';
-import { dofsOf, type Skeleton, takesLimits } from '../../model/skeleton.ts';
-import { acrossOf, add, dot, moved, scaled, subtract, turned, unit } from './vectors.ts';
+import { dofsOf, type Motion, type Skeleton, takesLimits } from '../../model/skeleton.ts';
 
 /**
  * turn: about the axis; a screw's too. slide: along it. stretch: along it, whatever happens across. grow: alike in all
  * directions, it has no axis. shear: what lies on the arm goes along the axis.
  */
 export type DofKind = 'turn' | 'slide' | 'stretch' | 'grow' | 'shear';
+
+/** x, y or z, as everywhere that DOFs are coloured (`model/dof-axis.ts`); `other`: it goes by none of them. */
+export type Hue = 0 | 1 | 2 | 'other';
 
 export interface DofAxis {
   /** Into the character's DOFs (`model/dofs.ts`). */
@@ -37,8 +50,7 @@ export interface DofAxis {
   readonly zero?: Vec3;
   /** Of a shear: what lies there, at a length of 1, goes by the value along the axis. */
   readonly arm?: Vec3;
-  /** x, y or z: by its name, or the one that its axis is nearest to. */
-  readonly hue: 0 | 1 | 2;
+  readonly hue: Hue;
 }
 
 /** How a DOF moves at rest, in its own factor's space. */
@@ -64,12 +76,12 @@ export function dofAxes(
 ): DofAxis[] {
   const compiled = compileSkeleton(skeleton);
   const { motion } = skeleton.joints[joint];
-  const pivot = moved(placement, [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]]);
+  const pivot = transformPoint(placement, [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]]);
   const found: (DofAxis | undefined)[] = [];
   if (joint === 0) {
     for (let k = 0; k < rootDofCount(skeleton); k++) {
       const along = { kind: 'slide', axis: unitAxis(k) } as const;
-      found.push(inWorld(along, k, `t${'xyz'[k]}`, placement, pivot));
+      found.push(inWorld(along, k, `t${'xyz'[k]}`, placement, pivot, hueOf(motion, `t${'xyz'[k]}`)));
     }
   }
   if (!takesLimits(motion)) return found.filter((axis) => axis !== undefined);
@@ -91,7 +103,7 @@ export function dofAxes(
       // A shear's DOFs are added, not multiplied: each moves as if it were alone.
       if (atRest.kind === 'shear') setIdentity(factor);
       multiplyAffine(frame, 0, factor, 0, toWorld, 0);
-      byDof[d] = inWorld(atRest, first + d, own[d].name, toWorld, pivot);
+      byDof[d] = inWorld(atRest, first + d, own[d].name, toWorld, pivot, hueOf(motion, own[d].name));
     }
     before[d] = dofs[first + d];
   }
@@ -111,7 +123,7 @@ export function frameOf(
   if (parent[joint] >= 0) multiplyAffine(placement, 0, world, 16 * parent[joint], frame, 0);
   const moves = parent[joint] < 0 && hasRootTranslation;
   const at: Vec3 = [0, 1, 2].map((k) => offsets[3 * joint + k] + (moves ? dofs[k] : 0)) as [number, number, number];
-  const origin = moved(frame, at);
+  const origin = transformPoint(frame, at);
   frame.set(origin, 12);
   return frame;
 }
@@ -159,27 +171,30 @@ function inWorld(
   name: string,
   toWorld: Float64Array,
   pivot: Vec3,
+  hue: Hue,
 ): DofAxis | undefined {
-  const along = turned(toWorld, axis);
+  const along = transformVector(toWorld, axis);
   const reach = Math.hypot(...along);
   const direction = unit(along);
   if (!direction) return undefined;
-  // By its name where that says an axis, else by the axis.
-  const letter = 'xyz'.indexOf(name.at(1) ?? '-');
-  const sizes = axis.map(Math.abs);
-  const hue = (letter >= 0 ? letter : sizes.indexOf(Math.max(...sizes))) as 0 | 1 | 2;
   const common = { dof, name, kind, reach, hue };
   if (kind === 'turn') {
     // A mirror turns the other way round.
     const about = determinant3(toWorld) < 0 ? scaled(direction, -1) : direction;
     const start: Vec3 = [toWorld[12], toWorld[13], toWorld[14]];
-    const across = turned(toWorld, acrossOf(axis));
+    const across = transformVector(toWorld, acrossOf(axis));
     const zero = unit(add(across, about, -dot(across, about))) ?? acrossOf(about);
     return { ...common, axis: about, zero, centre: add(start, about, dot(subtract(pivot, start), about)) };
   }
   const made = { ...common, axis: direction, centre: pivot };
-  return arm ? { ...made, arm: turned(toWorld, arm) } : made;
+  return arm ? { ...made, arm: transformVector(toWorld, arm) } : made;
 }
+
+function hueOf(motion: Motion, name: string): Hue {
+  const letter = dofAxis(motion, name);
+  return letter === undefined ? 'other' : HUES[letter];
+}
+const HUES = { x: 0, y: 1, z: 2 } as const;
 
 function unitAxis(k: number): Vec3 {
   return [k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0];

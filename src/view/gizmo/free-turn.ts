@@ -2,15 +2,14 @@
  * Turning a joint freely: by a rotation about any axis, taken apart into the DOFs that it has for it. Three angles are
  * the nearest to those before, so that nothing flips; a quaternion stays on its side.
  */
-import { eulerDofs } from '../../evaluate/euler-dofs.ts';
+import { eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { determinant3, invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { transformVector, unit, type Vec3 } from '../../math/vec3.ts';
 import { coupleOf } from '../../model/couples.ts';
 import { dofsOf, type EulerOrder, type Joint, type Skeleton } from '../../model/skeleton.ts';
 import { frameOf } from './dof-axes.ts';
-import { turned, unit } from './vectors.ts';
 
 /** The DOFs of a joint that make up a whole rotation, as indices into the character's. */
 export interface FreeTurn {
@@ -81,7 +80,7 @@ export class Turning {
 
   /** @param axis of length 1, in the world @param angle radians */
   by(axis: Vec3, angle: number): void {
-    const own = unit(turned(this.toFrame, axis));
+    const own = unit(transformVector(this.toFrame, axis));
     if (!own) return;
     const half = (this.isMirrored ? -angle : angle) / 2;
     const s = Math.sin(half);
@@ -108,7 +107,7 @@ export class Turning {
       for (let k = 0; k < 4; k++) q[k] = length > 0 ? values[k] / length : k === 3 ? 1 : 0;
       return;
     }
-    const { axes, sign } = renaming(turn.order);
+    const { axes, sign } = renamedAxes(turn.order);
     const [a, b, c] = axes.map((axis) => (sign * values[axis]) / 2);
     const renamed = new Float64Array(4);
     quaternionOfEuler(a, b, c, renamed, 0);
@@ -126,7 +125,7 @@ export class Turning {
       for (let k = 0; k < 4; k++) values[k] = isFar ? -q[k] : q[k];
       return;
     }
-    const { axes, sign } = renaming(turn.order);
+    const { axes, sign } = renamedAxes(turn.order);
     const renamed = Float64Array.of(...axes.map((axis) => sign * q[axis]), q[3]);
     const angles = Float64Array.from(axes, (axis) => sign * values[axis]);
     eulerNear(renamed, angles, 0);
@@ -134,14 +133,6 @@ export class Turning {
       values[axis] = sign * angles[k];
     });
   }
-}
-
-/**
- * Any order is Rz·Ry·Rx with its axes renamed; where that mirrors space (xzy, yxz, zyx), rotations turn the other way.
- */
-function renaming(order: EulerOrder): { readonly axes: readonly number[]; readonly sign: 1 | -1 } {
-  const axes = [...order].map((letter) => 'xyz'.indexOf(letter));
-  return { axes, sign: (axes[1] - axes[0] + 3) % 3 === 1 ? 1 : -1 };
 }
 
 /** Whether a joint has DOFs that only turn it together: those of a quaternion. */

@@ -2,13 +2,23 @@
  * What can be taken hold of at a joint: a handle for each DOF that is its own, and, where it can turn about any axis, a
  * ring around them all that faces the viewer and the ball within.
  */
-import type { Vec3 } from '../../math/vec3.ts';
+import {
+  acrossOf,
+  add,
+  cross,
+  dot,
+  scaled,
+  subtract,
+  transformPoint,
+  transformVector,
+  unit,
+  type Vec3,
+} from '../../math/vec3.ts';
 import { coupleOf } from '../../model/couples.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
 import { type DofAxis, dofAxes } from './dof-axes.ts';
 import { type FreeTurn, freeTurn, turnsOnlyFreely } from './free-turn.ts';
-import { acrossOf, add, cross, dot, moved, scaled, subtract, turned, unit } from './vectors.ts';
 
 /**
  * A DOF by its index; `own`: turning freely about the joint's own x, y or z; `view`: about the line of sight; `ball`: as
@@ -59,7 +69,7 @@ export function jointHandles(
   world: Float64Array,
   placement: Float64Array,
 ): JointHandles {
-  const pivot = moved(placement, [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]]);
+  const pivot = transformPoint(placement, [world[16 * joint + 12], world[16 * joint + 13], world[16 * joint + 14]]);
   const bone = boneDirection(skeleton, joint, world, placement);
   const all = characterDofs(skeleton, []);
   const handles = dofAxes(skeleton, joint, dofs, world, placement)
@@ -81,7 +91,11 @@ export function jointHandles(
 function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement: Float64Array, pivot: Vec3): Handle[] {
   return ([0, 1, 2] as const).flatMap((k) => {
     const axis = unit(
-      turned(placement, [world[16 * joint + 4 * k], world[16 * joint + 4 * k + 1], world[16 * joint + 4 * k + 2]]),
+      transformVector(placement, [
+        world[16 * joint + 4 * k],
+        world[16 * joint + 4 * k + 1],
+        world[16 * joint + 4 * k + 2],
+      ]),
     );
     if (!axis) return [];
     const range = { value: 0, min: -Infinity, max: Infinity };
@@ -126,8 +140,8 @@ function boneDirection(
   if (!ends.length) {
     const tip: Vec3 | undefined = length !== undefined ? [0, length, 0] : endSites?.[0];
     const middle: Vec3 = [0, 1, 2].map((k) => (box.min[k] + box.max[k]) / 2) as [number, number, number];
-    ends.push(turned(world, tip ?? middle, 16 * joint));
+    ends.push(transformVector(world, tip ?? middle, 16 * joint));
   }
   const sum = ends.reduce<Vec3>((all, end) => add(all, end), [0, 0, 0]);
-  return unit(turned(placement, sum));
+  return unit(transformVector(placement, sum));
 }

@@ -1,21 +1,23 @@
 /**
  * The gizmo of a joint: what can be taken hold of, drawn over the picture.
  *
- * three.js's own (TransformControls) was looked at first, one for each DOF on a proxy whose x is the DOF's axis. For what
- * a joint needs it is the worse one: a ring seen face on turns by the pointer's way along one line, so that it stands
- * still under half of the hands that take it; the pointer leaves the place that it took hold of; nothing can be said of
- * limits, or of what a drag has swept; and nine of them are some five hundred meshes with a plane of 100,000 units each,
- * which in a scene of centimetres is too short. Its manners are kept: red, green and blue rings, arrows and boxes of the
- * same size at any distance, the far half of a ring out of the way, a ring around them all for the line of sight.
+ * three.js's own (TransformControls) lacks what a joint needs. It turns about the axes of one object, and a joint's DOFs
+ * turn about axes of their own, each gimbal ring by those applied after it: there would have to be one for each DOF, on a
+ * proxy whose x is that axis, of some fifty meshes. A ring of it that is seen face on turns by the pointer's way along
+ * one line, so that it stands still under half of the hands that take it, and the pointer leaves the place that it took
+ * hold of. Nothing can be said of limits, or of what a drag has swept. Its manners are kept: red, green and blue rings,
+ * arrows and boxes of the same size at any distance, the far half of a ring out of the way, a ring around them all for
+ * the line of sight.
  *
  * Drawn on a flat canvas as labels are: it is over everything anyway, its lines are smooth, and no picture that is taken
  * of the scene has it in it. The canvas is as large as the gizmo and no larger.
  */
 import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
+import { CameraProjection } from '../camera-projection.ts';
 import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
-import { CameraProjection } from './camera-projection.ts';
-import { GizmoPen, type GizmoState } from './gizmo-pen.ts';
+import type { GizmoState } from './gizmo-look.ts';
+import { GizmoPen } from './gizmo-pen.ts';
 import type { HandleId, JointHandles } from './handles.ts';
 import { handleAt, type Layout, layOut, RING_PIXELS } from './shapes.ts';
 
@@ -24,14 +26,12 @@ const SIDE = Math.ceil(2 * 1.5 * RING_PIXELS);
 const MOST_PIXELS_PER_PIXEL = 2;
 
 export interface GizmoSource {
-  /** What there is to take hold of now; asked before each picture. Undefined: nothing is drawn. */
+  /**
+   * What there is to take hold of now; asked before each picture, and the same as before where nothing of it has changed.
+   * Undefined: nothing is drawn.
+   */
   handles(): JointHandles | undefined;
   state(): GizmoState;
-}
-
-function aspectOf(camera: PerspectiveCamera | OrthographicCamera): number {
-  if ('aspect' in camera) return camera.aspect;
-  return (camera.right - camera.left) / (camera.top - camera.bottom);
 }
 
 export class JointGizmo implements Overlay {
@@ -40,6 +40,8 @@ export class JointGizmo implements Overlay {
   private readonly canvas = document.createElement('canvas');
   private readonly pen: GizmoPen | undefined;
   private readonly projection = new CameraProjection();
+  /** What is laid out. */
+  private handles: JointHandles | undefined;
   private layout: Layout | undefined;
   private ratio = 0;
 
@@ -60,9 +62,11 @@ export class JointGizmo implements Overlay {
 
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
     const handles = this.source.handles();
-    // The width by the camera: asking the page for it in every frame would have it laid out anew in every frame.
-    this.projection.look(camera, heightPx * aspectOf(camera), heightPx);
-    this.layout = handles && layOut(handles, this.projection);
+    const isAnotherView = this.projection.look(camera, heightPx);
+    if (isAnotherView || handles !== this.handles) {
+      this.handles = handles;
+      this.layout = handles && layOut(handles, this.projection);
+    }
     const { layout, canvas, pen } = this;
     if (canvas.hidden !== (layout === undefined)) canvas.hidden = layout === undefined;
     if (!layout || !pen) return;

@@ -2,9 +2,8 @@
  * How far a drag has gone: from places of the pointer to radians about an axis, or lengths along one. Each measure counts
  * from one place to the next, whole turns and all, so that what is dragged can go slower than the pointer, or snap.
  */
-import type { Vec3 } from '../../math/vec3.ts';
+import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
 import type { Eye } from '../eye.ts';
-import { add, cross, dot, scaled, subtract, unit } from './vectors.ts';
 
 /** What is asked of the camera. */
 export type Sight = Pick<Eye, 'toScreen' | 'rayAt' | 'inPlaneOf' | 'unitsPerPixel'>;

@@ -5,15 +5,15 @@
  *     ring         64 pieces, the first at the mark (where the bone points), by the right-hand rule
  *     arrow, box   from the middle outwards along the axis
  */
-import type { Vec3 } from '../../math/vec3.ts';
+import { add, cross, dot, scaled, unit, type Vec3 } from '../../math/vec3.ts';
+import type { Hue } from './dof-axes.ts';
 import type { Handle, HandleId, HandleRange, JointHandles } from './handles.ts';
-import { add, cross, dot, scaled, unit } from './vectors.ts';
 
 /** CSS pixels. */
 export const RING_PIXELS = 90;
 /** Of it, where rings are there too: outside of them. */
 const ARROW_PART = 1.25;
-export const VIEW_RING_PART = 1.2;
+const VIEW_RING_PART = 1.2;
 /** The ball within the rings: between the two is nothing, so that the rings are met alone. */
 export const BALL_PART = 0.86;
 const PIECES = 64;
@@ -44,7 +44,8 @@ export interface Shape {
   readonly points: Float64Array;
   /** Of each piece between two points, whether it is behind; a ring that faces the viewer has nothing behind. */
   readonly isBehind: readonly boolean[];
-  readonly hue: 0 | 1 | 2 | undefined;
+  /** Undefined: of no DOF alone. */
+  readonly hue: Hue | undefined;
   readonly range: HandleRange;
   /** Points at the viewer: it is drawn faintly, and can't be dragged. */
   readonly isAway: boolean;
@@ -132,7 +133,7 @@ function straight(handle: Handle, view: Projection, pixels: number, hasRings: bo
 
 /** How far out on its arm a shear's handle is, as a part of a ring's radius: two share an arm, and are apart on it. */
 export function shearPart({ hue }: Pick<Handle, 'hue'>): number {
-  return 1 - 0.3 * hue;
+  return hue === 'other' ? 1 : 1 - 0.3 * hue;
 }
 
 /** Pixels that an axis of that length has on the screen. */

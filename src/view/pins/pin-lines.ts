@@ -3,80 +3,47 @@
  * Each is an instance of one quad (`thick-lines.ts` draws one list of lines many times; here there are few, and other
  * ones in each picture).
  */
-import {
-  BufferAttribute,
-  DoubleSide,
-  DynamicDrawUsage,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  Mesh,
-  ShaderMaterial,
-} from 'three';
+import { DoubleSide, type Mesh, ShaderMaterial } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
 import { LINE_RESOLUTION } from '../thick-lines.ts';
-import { grown, type MarkColor } from './pin-marks.ts';
+import { InstancedQuads } from './instanced-quads.ts';
+import type { MarkColor } from './pin-marks.ts';
+
+/** x: 0 at the start, 1 at the end; y: the side. */
+const CORNERS = [0, -1, 0, 1, 1, -1, 1, 1];
 
 export class PinLines {
-  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private capacity = 0;
-  private start = new Float32Array(0);
-  private end = new Float32Array(0);
-  private look = new Float32Array(0);
+  private readonly quads = new InstancedQuads(CORNERS, { start: 3, end: 3, look: 4 }, lineMaterial(), 40);
 
-  constructor() {
-    const geometry = new InstancedBufferGeometry();
-    // x: 0 at the start, 1 at the end; y: the side.
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array([0, -1, 0, 0, 1, 0, 1, -1, 0, 1, 1, 0]), 3));
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    geometry.instanceCount = 0;
-    this.mesh = new Mesh(geometry, lineMaterial());
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 40;
+  get mesh(): Mesh {
+    return this.quads.mesh;
   }
 
   clear(): void {
-    this.mesh.geometry.instanceCount = 0;
+    this.quads.clear();
   }
 
   /** @param widthPx CSS pixels */
-  add(start: Vec3, end: Vec3, { r, g, b }: MarkColor, widthPx: number, isDashed: boolean): void {
-    const { geometry } = this.mesh;
-    const i = geometry.instanceCount;
-    if (i === this.capacity) this.grow();
+  add(from: Vec3, to: Vec3, { r, g, b }: MarkColor, widthPx: number, isDashed: boolean): void {
+    const { quads } = this;
+    const i = quads.add();
+    const { start, end, look } = quads.numbers;
     for (let k = 0; k < 3; k++) {
-      this.start[3 * i + k] = start[k];
-      this.end[3 * i + k] = end[k];
+      start[3 * i + k] = from[k];
+      end[3 * i + k] = to[k];
     }
-    this.look.set([r, g, b, isDashed ? -widthPx : widthPx], 4 * i);
-    geometry.instanceCount = i + 1;
+    look[4 * i] = r;
+    look[4 * i + 1] = g;
+    look[4 * i + 2] = b;
+    look[4 * i + 3] = isDashed ? -widthPx : widthPx;
   }
 
   filled(): void {
-    const { geometry } = this.mesh;
-    this.mesh.visible = geometry.instanceCount > 0;
-    for (const name of ['start', 'end', 'look']) {
-      const attribute = geometry.attributes[name];
-      if (attribute) attribute.needsUpdate = true;
-    }
+    this.quads.filled();
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
-  }
-
-  private grow(): void {
-    const { geometry } = this.mesh;
-    const count = geometry.instanceCount;
-    this.capacity = Math.max(16, 2 * this.capacity);
-    this.start = grown(this.start, 3 * this.capacity);
-    this.end = grown(this.end, 3 * this.capacity);
-    this.look = grown(this.look, 4 * this.capacity);
-    geometry.dispose();
-    geometry.setAttribute('start', new InstancedBufferAttribute(this.start, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute('end', new InstancedBufferAttribute(this.end, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute('look', new InstancedBufferAttribute(this.look, 4).setUsage(DynamicDrawUsage));
-    geometry.instanceCount = count;
+    this.quads.dispose();
   }
 }
 

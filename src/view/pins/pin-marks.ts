@@ -5,18 +5,15 @@
  *     ring      where a click would pin                dot      a point that could be pinned
  *     lock      a joint that does not bend             stiff    one that bends unwillingly
  *
+ * What lies behind the picture's surfaces is faint: all is drawn faintly over everything, and once more where nothing is
+ * in front of it. A joint lies within its limb, so a mark is taken to be nearer than it is, by as much as the limb covers.
+ *
  * Quads rather than WebGL points, as in `dots.ts`.
  */
-import {
-  BufferAttribute,
-  DynamicDrawUsage,
-  InstancedBufferAttribute,
-  InstancedBufferGeometry,
-  Mesh,
-  ShaderMaterial,
-} from 'three';
+import { Group, type InstancedBufferGeometry, Mesh, ShaderMaterial } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
 import { LINE_RESOLUTION, rawColor } from '../thick-lines.ts';
+import { InstancedQuads } from './instanced-quads.ts';
 
 const SHAPES = ['round', 'square', 'ring', 'dot', 'lock', 'stiff'] as const;
 export type MarkShape = (typeof SHAPES)[number];
@@ -28,117 +25,110 @@ export interface MarkColor {
   readonly b: number;
 }
 
+const CORNERS = [-1, -1, 1, -1, -1, 1, 1, 1];
+
+/** How much of its opacity a mark has that is covered. */
+const COVERED = 0.35;
+
 export class PinMarks {
-  readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  private capacity = 0;
-  private at = new Float32Array(0);
-  private look = new Float32Array(0);
-  private color = new Float32Array(0);
+  readonly object = new Group();
+  private readonly quads = new InstancedQuads(CORNERS, { at: 3, look: 4, markColor: 4 }, markMaterial(false), 41);
+  private readonly uncovered: Mesh<InstancedBufferGeometry, ShaderMaterial>;
 
   constructor() {
-    const geometry = new InstancedBufferGeometry();
-    geometry.setAttribute(
-      'position',
-      new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]), 3),
-    );
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    geometry.instanceCount = 0;
-    this.mesh = new Mesh(geometry, markMaterial());
-    this.mesh.frustumCulled = false;
-    this.mesh.renderOrder = 41;
+    const { geometry } = this.quads.mesh;
+    this.uncovered = new Mesh(geometry, markMaterial(true));
+    this.uncovered.frustumCulled = false;
+    this.uncovered.renderOrder = 42;
+    this.object.add(this.quads.mesh, this.uncovered);
   }
 
   setHalo(css: string): void {
-    this.mesh.material.uniforms.halo.value.copy(rawColor(css));
+    for (const { material } of [this.quads.mesh, this.uncovered]) material.uniforms.halo.value.copy(rawColor(css));
   }
 
   clear(): void {
-    this.mesh.geometry.instanceCount = 0;
+    this.quads.clear();
   }
 
   /**
    * @param at in the world
    * @param sizePx CSS pixels across, without the thin halo
    * @param fill 0 to 1: how much of its inside has its colour
+   * @param cover what lies no further in front of it than that does not cover it, in units of the world; Infinity: nothing
+   *   does
    */
-  add(at: Vec3, shape: MarkShape, color: MarkColor, opacity: number, sizePx: number, fill: number): void {
-    const { geometry } = this.mesh;
-    const i = geometry.instanceCount;
-    if (i === this.capacity) this.grow();
-    for (let k = 0; k < 3; k++) this.at[3 * i + k] = at[k];
-    this.look[3 * i] = SHAPES.indexOf(shape);
-    this.look[3 * i + 1] = sizePx;
-    this.look[3 * i + 2] = fill;
-    this.color[4 * i] = color.r;
-    this.color[4 * i + 1] = color.g;
-    this.color[4 * i + 2] = color.b;
-    this.color[4 * i + 3] = opacity;
-    geometry.instanceCount = i + 1;
+  add(
+    at: Vec3,
+    shape: MarkShape,
+    color: MarkColor,
+    opacity: number,
+    sizePx: number,
+    fill: number,
+    cover: number,
+  ): void {
+    const { quads } = this;
+    const i = quads.add();
+    const { at: places, look, markColor } = quads.numbers;
+    for (let k = 0; k < 3; k++) places[3 * i + k] = at[k];
+    look[4 * i] = SHAPES.indexOf(shape);
+    look[4 * i + 1] = sizePx;
+    look[4 * i + 2] = fill;
+    look[4 * i + 3] = cover < Infinity ? cover : -1;
+    markColor[4 * i] = color.r;
+    markColor[4 * i + 1] = color.g;
+    markColor[4 * i + 2] = color.b;
+    markColor[4 * i + 3] = opacity;
   }
 
   filled(): void {
-    const { geometry } = this.mesh;
-    this.mesh.visible = geometry.instanceCount > 0;
-    for (const name of ['at', 'look', 'markColor']) {
-      const attribute = geometry.attributes[name];
-      if (attribute) attribute.needsUpdate = true;
-    }
+    this.quads.filled();
+    this.uncovered.visible = this.quads.mesh.visible;
   }
 
   dispose(): void {
-    this.mesh.geometry.dispose();
-    this.mesh.material.dispose();
-  }
-
-  /** Twice the room. A buffer of another size is another buffer: the old ones are let go. */
-  private grow(): void {
-    const { geometry } = this.mesh;
-    const count = geometry.instanceCount;
-    this.capacity = Math.max(16, 2 * this.capacity);
-    this.at = grown(this.at, 3 * this.capacity);
-    this.look = grown(this.look, 3 * this.capacity);
-    this.color = grown(this.color, 4 * this.capacity);
-    geometry.dispose();
-    geometry.setAttribute('at', new InstancedBufferAttribute(this.at, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute('look', new InstancedBufferAttribute(this.look, 3).setUsage(DynamicDrawUsage));
-    geometry.setAttribute('markColor', new InstancedBufferAttribute(this.color, 4).setUsage(DynamicDrawUsage));
-    geometry.instanceCount = count;
+    this.quads.dispose();
+    this.uncovered.material.dispose();
   }
 }
 
-/** The same numbers with more room behind them. */
-export function grown(from: Float32Array, size: number): Float32Array<ArrayBuffer> {
-  const to = new Float32Array(size);
-  to.set(from);
-  return to;
-}
-
-function markMaterial(): ShaderMaterial {
+/** @param uncovered what has nothing in front of it, instead of all, and then all that is faint */
+function markMaterial(uncovered: boolean): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
-    depthTest: false,
+    depthTest: uncovered,
     depthWrite: false,
     toneMapped: false,
-    uniforms: { resolution: LINE_RESOLUTION, halo: { value: rawColor('#000000') } },
+    uniforms: {
+      resolution: LINE_RESOLUTION,
+      halo: { value: rawColor('#000000') },
+      part: { value: uncovered ? 1 : COVERED },
+    },
     vertexShader: /* glsl */ `
       attribute vec3 at;
-      attribute vec3 look;
+      attribute vec4 look;
       attribute vec4 markColor;
       uniform vec2 resolution;
       varying vec2 vAt;
       flat varying vec3 vLook;
       flat varying vec4 vColor;
       void main() {
-        vLook = look;
+        vLook = look.xyz;
         vColor = markColor;
         vAt = position.xy * (0.5 * look.y + 2.5);
-        vec4 p = projectionMatrix * (modelViewMatrix * vec4(at, 1.0));
+        vec4 seen = modelViewMatrix * vec4(at, 1.0);
+        vec4 p = projectionMatrix * seen;
+        // Its place on the screen stays, and its depth is that of a nearer point.
+        vec4 nearer = projectionMatrix * (seen + vec4(0.0, 0.0, look.w, 0.0));
+        bool isBefore = look.w < 0.0 || nearer.w <= 0.0;
+        p.z = isBefore ? -0.9999 * p.w : max(nearer.z / nearer.w, -0.9999) * p.w;
         p.xy += vAt * 2.0 / resolution * p.w;
         gl_Position = p;
       }
     `,
     fragmentShader: /* glsl */ `
       uniform vec3 halo;
+      uniform float part;
       varying vec2 vAt;
       flat varying vec3 vLook;
       flat varying vec4 vColor;
@@ -181,7 +171,7 @@ function markMaterial(): ShaderMaterial {
         float soft = 0.6;
         float shown = 1.0 - smoothstep(-soft, soft, all - 1.2);
         float core = 1.0 - smoothstep(-soft, soft, inner);
-        gl_FragColor = vec4(mix(halo, vColor.rgb, core), vColor.a * shown * mix(0.75, 1.0, core));
+        gl_FragColor = vec4(mix(halo, vColor.rgb, core), part * vColor.a * shown * mix(0.75, 1.0, core));
       }
     `,
   });

@@ -1,6 +1,6 @@
 /**
  * What inverse kinematics draws over the picture: pins, gaps that are left, points that could be pinned, joints that are
- * locked. Two draws, whatever there is of them. Who knows what there is paints it anew before each picture, for pins go
+ * locked. Three draws, whatever there is of them. Who knows what there is paints it anew before each picture, for pins go
  * with their joints.
  */
 import { type Color, Group } from 'three';
@@ -23,6 +23,10 @@ export interface MarkLook {
   /** 0 to 1: how much of its inside has its colour; all where absent. */
   readonly fill?: number;
   readonly opacity?: number;
+  /**
+   * Faint where something covers it that is further in front of it than that, in units of the world; absent: never.
+   */
+  readonly cover?: number;
 }
 
 export interface PinPainter {
@@ -37,8 +41,8 @@ export class PinOverlay implements Overlay {
   private readonly lines = new PinLines();
   private colors: Readonly<Record<PinColor, Color>> | undefined;
   private readonly painter: PinPainter = {
-    mark: (at, { shape, color, size, fill = 1, opacity = 1 }) => {
-      if (this.colors) this.marks.add(at, shape, this.colors[color], opacity, size, fill);
+    mark: (at, { shape, color, size, fill = 1, opacity = 1, cover = Infinity }) => {
+      if (this.colors) this.marks.add(at, shape, this.colors[color], opacity, size, fill, cover);
     },
     line: (start, end, color, widthPx, isDashed) => {
       if (this.colors) this.lines.add(start, end, this.colors[color], widthPx, isDashed);
@@ -47,7 +51,7 @@ export class PinOverlay implements Overlay {
 
   /** @param paint what there is now; asked before each picture */
   constructor(private readonly paint: (painter: PinPainter) => void) {
-    this.object.add(this.lines.mesh, this.marks.mesh);
+    this.object.add(this.lines.mesh, this.marks.object);
   }
 
   update(): void {

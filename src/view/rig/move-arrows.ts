@@ -3,9 +3,10 @@
  * Ours rather than three.js's TransformControls: these only ever move, and the page's own router gives them the pointer.
  */
 import { ConeGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from 'three';
+import type { CameraProjection } from '../camera-projection.ts';
 import type { StageTheme } from '../theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
-import { AXES, type Axis, type Projection } from './rig-screen.ts';
+import { AXES, type Axis } from './rig-screen.ts';
 
 /** CSS pixels from the joint to an arrow's tip, and to where it begins. */
 const LENGTH = 78;
@@ -41,9 +42,9 @@ export class MoveArrows {
    * @param at matrix in the world whose translation they stand at, in `at[o …]`
    * @param along matrix whose columns they point along, in `along[a …]`
    */
-  place(projection: Projection, at: Float64Array, o: number, along: Float64Array, a: number): void {
+  place(projection: CameraProjection, at: Float64Array, o: number, along: Float64Array, a: number): void {
     const [x, y, z] = [at[o + 12], at[o + 13], at[o + 14]];
-    const perPixel = projection.unitsPerPixel(x, y, z);
+    const perPixel = projection.unitsPerPixelAt(x, y, z);
     const { screen, direction } = this;
     for (const axis of AXES) {
       const arrow = this.arrows[axis];

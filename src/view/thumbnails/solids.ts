@@ -4,6 +4,7 @@
  */
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
 import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { boneEnds } from '../../model/bone-ends.ts';
 import { hasBox } from '../../model/boxes.ts';
 import type { Character } from '../../model/document.ts';
@@ -65,10 +66,7 @@ const NARROWEST = 0.008;
 
 function bonesOf({ joints, ...skeleton }: Skeleton, world: Float64Array): Solid {
   const made = new Solids();
-  const at = (j: number, [x, y, z]: readonly [number, number, number]) => {
-    const o = 16 * j;
-    return [0, 1, 2].map((k) => world[o + k] * x + world[o + 4 + k] * y + world[o + 8 + k] * z + world[o + 12 + k]);
-  };
+  const at = (j: number, point: Vec3) => transformPoint(world, point, 16 * j);
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (let j = 0; j < joints.length; j++) {

@@ -183,6 +183,92 @@ describe('a mirrored pose', () => {
   });
 });
 
+describe('a figure that is mirrored where it stands', () => {
+  const stays = { way: 'swap', stays: true } as const;
+  const turningRig = symmetricRig(anyMotion, turningMotion).filter(({ skeleton }) => skeleton.joints.length > 1);
+  /** Where the root's sides lie, in the ground: cosine and sine. */
+  const sidesOf = (world: Float64Array) => {
+    const length = Math.hypot(world[0], world[2]);
+    return [world[0] / length, world[2] / length];
+  };
+  /** Fits of fits; lengths here are a few units. */
+  const TWICE_FITTED = 1e-6;
+
+  it('keeps its place and its heading, and is the mirrored figure but for those', () => {
+    fc.assert(
+      fc.property(turningRig, seeds, ({ skeleton }, values) => {
+        const pose = somePose(skeleton, values);
+        const kept = worldOf(skeleton, mirroredPose(skeleton, pose, false, stays).dofs);
+        const carried = worldOf(skeleton, mirroredPose(skeleton, pose, false, { way: 'swap' }).dofs);
+        const before = worldOf(skeleton, pose);
+        expect(mostApart(kept.subarray(12, 15), before.subarray(12, 15))).toBeLessThan(FITTED);
+        // Lying on its side it has another heading.
+        const isSteep = Math.hypot(before[0], before[2]) < 0.4;
+        if (!isSteep) expect(mostApart(sidesOf(kept), sidesOf(before))).toBeLessThan(FITTED);
+        for (let j = 0; j < skeleton.joints.length; j++) {
+          const away = (world: Float64Array) => [0, 1, 2].map((k) => world[16 * j + 12 + k] - world[12 + k]);
+          const [[x0, y0, z0], [x1, y1, z1]] = [away(kept), away(carried)];
+          expect(y0).toBeCloseTo(y1, 5);
+          expect(Math.hypot(x0, z0)).toBeCloseTo(Math.hypot(x1, z1), 5);
+        }
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('mirrored again is as it was', () => {
+    fc.assert(
+      fc.property(turningRig, seeds, ({ skeleton }, values) => {
+        const pose = somePose(skeleton, values);
+        const once = mirroredPose(skeleton, pose, false, stays).dofs;
+        const twice = mirroredPose(skeleton, once, false, stays).dofs;
+        expect(mostApart(worldOf(skeleton, twice), worldOf(skeleton, pose))).toBeLessThan(TWICE_FITTED);
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  const ball: Motion = { kind: 'ball', order: 'xyz' };
+  const part = { motion: ball, offset: [0, 1, 0] as Vec3 };
+  const figure = rigOf([part], [{ at: 0, joints: [part, part] }], (side, i) =>
+    side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,
+  ).skeleton;
+
+  it('is mirrored to the last bit where it faces along the plane, whatever way it leans', () => {
+    const pose = somePose(figure, [0.1, 0.9, 0.4, 0.7, 0.2]);
+    pose[4] = 0;
+    const { dofs } = mirroredPose(figure, pose, false, stays);
+    const carried = mirroredPose(figure, pose, false, { way: 'swap' }).dofs;
+    expect([...dofs]).toEqual([...pose.slice(0, 3), ...carried.slice(3)]);
+    expect([...mirroredPose(figure, dofs, false, stays).dofs]).toEqual(pose);
+  });
+
+  it('walking in a circle, leans to its other side and goes on the same way', () => {
+    // Turned by 2 about y, leaning forward by 0.2: Rz·Ry·Rx.
+    const pose = restPose(figure, 0);
+    const turn = (x: number, y: number) => [-1.1, 0.9, 2.5, x, y, 0];
+    pose.splice(0, 6, ...turn(0.2, 2));
+    const { dofs } = mirroredPose(figure, pose, false, stays);
+    expect(mostApart(dofs.subarray(0, 6), turn(0.2, 2))).toBeLessThan(FITTED);
+    const up = { ...stays, up: 'z' } as const;
+    expect(mirroredPose(figure, pose, false, up).dofs.subarray(0, 3)).toEqual(Float64Array.of(-1.1, 0.9, 2.5));
+  });
+
+  it('keeps its place by its own DOFs too, as motion capture has it', () => {
+    const motion: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'add' };
+    const captured = rigOf([{ motion, offset: [0, 0, 0] }], [{ at: 0, joints: [part, part] }], (side, i) =>
+      side === 'middle' ? 'hip' : `leg_${i}_${side[0]}`,
+    ).skeleton;
+    const pose = restPose(captured, 0);
+    const hip = [3, 1, -2, 0.1, 0.2, 0.9];
+    pose.splice(0, 6, ...hip);
+    const { dofs } = mirroredPose(captured, pose, false, stays);
+    expect(mostApart(dofs.subarray(0, 3), hip.slice(0, 3))).toBeLessThan(FITTED);
+    const sides = [pose, dofs].map((of) => sidesOf(worldOf(captured, of)));
+    expect(mostApart(sides[0], sides[1])).toBeLessThan(FITTED);
+  });
+});
+
 describe('counterparts', () => {
   const chain = (names: readonly string[]) => {
     const offsets: readonly Vec3[] = [

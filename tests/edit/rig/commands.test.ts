@@ -284,7 +284,7 @@ describe('rig.remove', () => {
     store.apply(removeJoint, { ...of(2), children: 'too' });
     const [made, follower] = store.document.characters;
     expect(jointsOf(made)[2].couples).toBeUndefined();
-    expect(made.ik?.pins).toEqual([]);
+    expect(made.ik).toBeUndefined();
     expect(follower.driver?.pairs).toEqual([{ target: 1, source: 2 }]);
     expect(follower.driver?.source.skeleton).toBe(made.skeleton);
     expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
@@ -442,6 +442,42 @@ describe('the axis-angle form', () => {
     ).toBeUndefined();
     expect(done(setLength, document, { ...of(0), length: null }).skeleton?.form).toBeUndefined();
     expect(done(setMotion, document, { ...of(1), motion: { kind: 'fixed' } }).skeleton?.form).toBeUndefined();
+  });
+
+  it('leaves its root in place when it is given up, unless it was said to travel', () => {
+    const move = { ...of(1), offset: [1, 2, 0], children: 'follow' } as const;
+    const said = (ik: Character['ik']) =>
+      done(setOffset, documentOf(character({ skeleton: arm, ...(ik && { ik }) })), move).ik;
+    expect(said(undefined)).toEqual({ pins: [], stiff: [], rootIsFree: false });
+    expect(said({ pins: [], stiff: [{ joint: 1 }], rootIsFree: false })).toEqual({
+      pins: [],
+      stiff: [{ joint: 1 }],
+      rootIsFree: false,
+    });
+    // What every skeleton of the other form does is nothing to be written down.
+    expect(said({ pins: [], stiff: [], rootIsFree: true })).toBeUndefined();
+    // The form is kept, and so is what it means.
+    expect(done(setLength, document, { ...of(0), length: 3 }).ik).toBeUndefined();
+  });
+});
+
+describe('rig.setLength', () => {
+  const bone = { ...BODY, joints: BODY.joints.map((one, j) => (j === 1 ? { ...one, length: 2 } : one)) };
+  const pin = (id: number, joint: number, y: number) =>
+    ({ id, joint, point: [0, y, 0], weight: 1, holdsOrientation: false }) as const;
+  const pinsAfter = (length: number | null, ...pins: readonly ReturnType<typeof pin>[]) =>
+    done(setLength, documentOf(character({ skeleton: bone, ik: { pins, stiff: [], rootIsFree: true } })), {
+      ...of(1),
+      length,
+    }).ik?.pins;
+
+  it('takes pins at the tip along, and no others', () => {
+    expect(pinsAfter(3, pin(1, 1, 2), pin(2, 1, 1), pin(3, 2, 2))).toEqual([pin(1, 1, 3), pin(2, 1, 1), pin(3, 2, 2)]);
+    expect(pinsAfter(null, pin(1, 1, 2))).toEqual([pin(1, 1, 2)]);
+  });
+
+  it('leaves one pin where two would hold one point', () => {
+    expect(pinsAfter(3, pin(1, 1, 2), pin(2, 1, 3))).toEqual([pin(2, 1, 3)]);
   });
 });
 

@@ -8,6 +8,8 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { determinant3 } from '../../../src/math/mat4.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { rootDofCount } from '../../../src/model/dofs.ts';
+import { type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { character, documentOf, joint, skin } from '../../helpers/builders.ts';
 import {
   diceOf,
   RIG_COMMANDS,
@@ -114,6 +116,51 @@ describe('bind mode', () => {
     const args = { characterId: 'c1', joint: 0, name: 'other', skin: 'stays', timeSeconds: 0 };
     const [renamed] = done(document, 'rig.rename', args).characters;
     expect(renamed.skins).toBe(hero.skins);
+  });
+});
+
+describe('limits and couples', () => {
+  /** A knee that is bent by 1, with a vertex on what hangs on it. */
+  const skeleton: Skeleton = {
+    name: 'leg',
+    joints: [
+      joint(-1, { name: 'hip' }),
+      joint(0, { name: 'knee', offset: [0, 1, 0], limits: [0, 1, 2].map(() => UNLIMITED) }),
+      joint(1, { name: 'foot', offset: [0, 1, 0] }),
+    ],
+  };
+  const bindings = new Float64Array(48);
+  for (const [j, y] of [0, 1, 2].entries()) bindings.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, y, 0, 1], 16 * j);
+  const on = (dofs: number) => [0.25, 0, 0, 0, 0, 0, dofs, 0, 0, 0.125, 0, 0];
+  const document = documentOf(
+    character({ skeleton, pose: on(1), skins: [skin('leg', 2, { bindings })], clips: [], shownClip: -1 }),
+  );
+  const limit = { characterId: 'c1', dof: 6, min: -1, max: 0.25 };
+  const follows = { joint: 0, dof: 'rx', gain: 1, offset: 0.5 };
+  const couple = { characterId: 'c1', joint: 1, dof: 'rx', follows };
+  const limited = done(document, 'rig.setLimit', limit);
+
+  it.each([
+    ['rig.setLimit', document, limit],
+    ['rig.clearLimit', limited, { characterId: 'c1', dof: 6 }],
+    ['rig.setCouple', document, couple],
+  ] as const)('move a joint, and the skin or not, as is asked: %s', (id, from, args) => {
+    const was = standOf(from.characters[0]);
+    const moved = (skinMode: string) => {
+      const [after] = done(from, id, { ...args, skin: skinMode, timeSeconds: SECONDS }).characters;
+      const is = standOf(after);
+      expect(farthest(is.world, was.world)).toBeGreaterThan(0.1);
+      return { by: farthest(is.vertices[0], was.vertices[0]), skins: after.skins };
+    };
+    expect(moved('stays').by).toBeLessThan(STAYS);
+    expect(moved('follows').by).toBeGreaterThan(0.1);
+    expect(moved('follows').skins).toBe(from.characters[0].skins);
+  });
+
+  it('leave the skin as it is where nothing moves', () => {
+    const wide = { ...limit, max: 3, skin: 'stays', timeSeconds: SECONDS };
+    expect(done(document, 'rig.setLimit', wide).characters[0].skins).toBe(document.characters[0].skins);
+    expect(done(limited, 'rig.setLimit', { ...limit, skin: 'stays' })).toBe(limited);
   });
 });
 

@@ -133,6 +133,16 @@ describe('rig.mirror', () => {
     );
   });
 
+  it('makes no −0 of what stands at 0: files would say so', () => {
+    const ball = { kind: 'ball', order: 'xyz' } as const;
+    const joints = [jointOf(ball, 'root', -1, {}), jointOf(ball, 'hip_l', 0, { offset: [1, 0, 0] })];
+    const { characters } = mirrorOf({ name: 'hero', joints }, 1, 0).next;
+    const [{ pose, skeleton }] = characters;
+    const numbers = [...pose, ...(skeleton?.joints.flatMap((j) => [...j.offset, ...j.pose]) ?? [])];
+    expect(numbers.length).toBeGreaterThan(12);
+    expect(numbers.filter((x) => Object.is(x, -0))).toEqual([]);
+  });
+
   it('changes nothing where both sides are in step, and brings them in step where they are not', () => {
     fc.assert(
       fc.property(seeds, mirrors, (seed, across) => {

@@ -246,6 +246,9 @@ export const RIG_COMMANDS = [
   'rig.setBox',
   'rig.setLength',
   'rig.setFilePose',
+  'rig.setLimit',
+  'rig.clearLimit',
+  'rig.setCouple',
 ] as const;
 export type RigCommand = (typeof RIG_COMMANDS)[number];
 
@@ -255,6 +258,12 @@ export function rigArguments(id: RigCommand, { skeleton }: Character, dice: Dice
   const joint = dice.below(count);
   const modes = { skin: dice.pick(['stays', 'follows']), timeSeconds: dice.pick([0, 1]) };
   return { characterId: 'c1', joint, ...modes, ...ownArguments(id, skeleton, joint, dice), ...more };
+}
+
+const NO_DOFS: Motion = { kind: 'fixed' };
+
+function randomDof(skeleton: Skeleton | undefined, dice: Dice): number {
+  return dice.below(1 + (skeleton ? jointDofs(skeleton) : 0));
 }
 
 function ownArguments(id: RigCommand, skeleton: Skeleton | undefined, joint: number, dice: Dice): object {
@@ -287,6 +296,16 @@ function ownArguments(id: RigCommand, skeleton: Skeleton | undefined, joint: num
       return { box: { min: vector(dice), max: vector(dice) } };
     case 'rig.setLength':
       return { length: dice.is(0.3) ? null : dice.number() };
+    case 'rig.setLimit':
+      return { dof: randomDof(skeleton, dice), min: -dice.number() / 4, max: dice.number() / 4 };
+    case 'rig.clearLimit':
+      return { dof: randomDof(skeleton, dice) };
+    case 'rig.setCouple': {
+      const name = (j: number) => dice.pick([...dofsOf(skeleton?.joints[j]?.motion ?? NO_DOFS), { name: 'rx' }]).name;
+      const other = dice.below(count);
+      const follows = { joint: other, dof: name(other), gain: part(dice) / 4, offset: part(dice) / 16 };
+      return { dof: name(joint), follows: dice.is(0.2) ? null : follows };
+    }
     case 'rig.setFilePose':
       return { ...(dice.is(0.5) && { joint: undefined }), from: dice.pick(['shown', 'rest']) };
   }

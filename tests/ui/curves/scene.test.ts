@@ -6,6 +6,7 @@ import {
   BASE_COLOURS,
   type BaseColour,
   cssColour,
+  followingColour,
   mixed,
   mixOklab,
   otherColour,
@@ -93,7 +94,23 @@ function luminance(colour: string): number {
 
 describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
   const of = (base: BaseColour) => token(theme, BASE_COLOURS[base]);
-  const palette = { x: of('x'), y: of('y'), z: of('z'), accent: of('accent'), text: of('text') };
+  const palette = {
+    x: of('x'),
+    y: of('y'),
+    z: of('z'),
+    accent: of('accent'),
+    text: of('text'),
+    faint: token(theme, BASE_COLOURS.faint),
+  };
+
+  it('tell a translation from a rotation about the same axis, and both from what follows another DOF', () => {
+    const turned = axisColour('x', 0, 'angle');
+    const moved = axisColour('x', 0, 'length');
+    expect(moved).toMatchObject({ base: 'x', part: turned.part });
+    const follows = followingColour(turned);
+    expect(new Set([turned, moved, axisColour('x', 0, 'factor'), follows].map(({ dash }) => dash)).size).toBe(4);
+    expect(mixed(follows, palette)).not.toBe(mixed(turned, palette));
+  });
 
   it('have 3:1 or more against the plot, inside the range and outside', () => {
     const all = Array.from({ length: 6 }, (_, i) => [

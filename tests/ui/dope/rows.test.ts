@@ -126,3 +126,18 @@ it('keeps its rows when keys move, and not when a channel gets its first or lose
   expect(sameRows(before, clip([0, 1], key, channel(0)))).toBe(false);
   expect(sameRows(before, clip([0, 1], none, none))).toBe(false);
 });
+
+it('says what is followed, on the joint too where it has nothing else', () => {
+  const couples = ['rx', 'ry', 'rz'].map((dof) => ({ dof, joint: 0, follows: 'rx', gain: 1, offset: 0 }));
+  const { skeleton: bones = skeleton(), clips } = everyKeyed;
+  const coupledBy = (count: number) => {
+    const joints = bones.joints.map((one, j) => (j === 1 ? { ...one, couples: couples.slice(0, count) } : one));
+    const made = dopeRows({ ...everyKeyed, skeleton: { ...bones, joints } }, clips[0], {
+      ...{ unfolded: [1], all: false, filter: 'knee' },
+    });
+    return made.map(({ label, follows }) => [label, follows]);
+  };
+  const each = ['rx', 'ry', 'rz'].map((dof) => [dof, 'hips rx']);
+  expect(coupledBy(3)).toEqual([['', undefined], ['knee', 'hips rx'], ...each]);
+  expect(coupledBy(1).slice(1)).toEqual([['knee', undefined], each[0], ['ry', undefined], ['rz', undefined]]);
+});

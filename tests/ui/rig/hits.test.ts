@@ -53,6 +53,17 @@ describe('what is under the pointer', () => {
     expect(partAt(screen({ faces }), 181, 104)).toEqual({ kind: 'face', axis: 0, side: 'min' });
   });
 
+  it('while joints are added is a joint’s dot alone: what is around it is a place for the next one', () => {
+    const faces = NOTHING.slice();
+    faces.set([180, 100, 220, 100]);
+    const adding = (x: number, y: number) => partAt(screen({ faces, arrows: withArrow() }), x, y, { isAdding: true });
+    expect(adding(206, 100)).toEqual({ kind: 'joint', joint: 1 });
+    expect(adding(209, 100)).toBeUndefined();
+    expect(adding(220, 100)).toBeUndefined();
+    expect(adding(250, 100)).toBeUndefined();
+    expect(adding(150, 100)).toBeUndefined();
+  });
+
   it('of joints at one place is the selected one, else the last', () => {
     const nodes = Float64Array.of(100, 100, 100, 100, 100, 100, 100, 100);
     expect(partAt(screen({ nodes }), 100, 100)).toEqual({ kind: 'joint', joint: 1 });
@@ -61,7 +72,7 @@ describe('what is under the pointer', () => {
 
   it('is found further away by a finger', () => {
     expect(partAt(screen(), 100, 118)).toBeUndefined();
-    expect(partAt(screen(), 100, 118, true)).toEqual({ kind: 'joint', joint: 0 });
+    expect(partAt(screen(), 100, 118, { byTouch: true })).toEqual({ kind: 'joint', joint: 0 });
   });
 });
 

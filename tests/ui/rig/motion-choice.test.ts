@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { dofsOf, type Motion } from '../../../src/model/skeleton.ts';
+import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { dofsOf, EULER_ORDERS, type Motion, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { MOTION_LABELS, type MotionKind, motionOfKind, typedCompound } from '../../../src/ui/rig/motion-choice.ts';
+import { joint } from '../builders.ts';
 
 const hinge: Motion = { kind: 'hinge', axis: [0, 0, 2] };
 const bvh: Motion = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'replace' };
@@ -24,6 +26,45 @@ describe('another kind of joint', () => {
   it('made of chosen DOFs has those of the one before', () => {
     expect(motionOfKind('compound', bvh)).toEqual({ kind: 'compound', dofs: bvh.channels });
     expect(motionOfKind('compound', { kind: 'quaternion' })).toEqual({ kind: 'compound', dofs: ['rx'] });
+  });
+
+  it('made of chosen DOFs moves as before, and turned back it is what it was', () => {
+    for (const order of EULER_ORDERS) {
+      const compound = motionOfKind('compound', { kind: 'ball', order });
+      expect(motionOfKind('ball', compound)).toEqual({ kind: 'ball', order });
+    }
+    expect(motionOfKind('compound', { kind: 'ball', order: 'xyz' })).toEqual({
+      kind: 'compound',
+      dofs: ['rz', 'ry', 'rx'],
+    });
+    expect(motionOfKind('compound', { kind: 'free', order: 'zxy' })).toEqual({
+      kind: 'compound',
+      dofs: ['tx', 'ty', 'tz', 'ry', 'rx', 'rz'],
+    });
+    expect(motionOfKind('universal', motionOfKind('compound', { kind: 'universal', order: 'yz' }))).toEqual({
+      kind: 'universal',
+      order: 'yz',
+    });
+  });
+
+  it('made of chosen DOFs turns its space exactly as before', () => {
+    const values = [0.3, -0.8, 1.1];
+    const matrixOf = (motion: Motion, angles: Readonly<Record<string, number>>) => {
+      const own = joint('one', -1);
+      const pose = dofsOf(motion).map(({ name }) => angles[name]);
+      const world = new Float64Array(16);
+      const skeleton = { name: 's', joints: [{ ...own, motion, pose, limits: pose.map(() => UNLIMITED) }] };
+      worldMatrices(compileSkeleton(skeleton), Float64Array.from([0, 0, 0, ...pose]), world);
+      return [...world];
+    };
+    for (const order of EULER_ORDERS) {
+      const ball: Motion = { kind: 'ball', order };
+      const angles = { rx: values[0], ry: values[1], rz: values[2] };
+      const [was, is] = [ball, motionOfKind('compound', ball)].map((motion) => matrixOf(motion, angles));
+      is.forEach((x, i) => {
+        expect(Math.abs(x - was[i])).toBeLessThan(1e-14);
+      });
+    }
   });
 
   it('can be made of each kind', () => {

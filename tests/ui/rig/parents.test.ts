@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { branchEnd, canHangOn, dropPlace, possibleParents, rowPart } from '../../../src/ui/rig/parents.ts';
+import { branchEnd, canHangOn, dropPlace, possibleParents, rowPart, whyNoDrop } from '../../../src/ui/rig/parents.ts';
 import { skeleton } from '../builders.ts';
 
 //   0 root
@@ -52,6 +52,23 @@ function preOrder(parents: readonly number[]): { parent: number }[] {
   walk(0, -1);
   return made;
 }
+
+describe('why a joint stays where it is dropped', () => {
+  const named = joints.map((one, j) => ({ ...one, name: j === 4 ? '' : `j${j}` }));
+
+  it('is told where it would hang on what hangs on it', () => {
+    expect(whyNoDrop(named, 3, 4)).toBe('j3 can’t hang on joint 4, which hangs on it.');
+    expect(whyNoDrop(named, 1, 2)).toBe('j1 can’t hang on j2, which hangs on it.');
+  });
+
+  it('needs no word where it is let go on itself or elsewhere', () => {
+    expect([whyNoDrop(named, 3, 3), whyNoDrop(named, 1, 3), whyNoDrop(named, 3, 1)]).toEqual([
+      undefined,
+      undefined,
+      undefined,
+    ]);
+  });
+});
 
 describe('a joint dropped on a row', () => {
   it('is above it, on it, or below it', () => {

@@ -1,19 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
-import type { Vec3 } from '../../../src/math/vec3.ts';
+import { add, scaled, subtract, transformPoint, type Vec3 } from '../../../src/math/vec3.ts';
 import type { Skeleton } from '../../../src/model/skeleton.ts';
 import {
-  add,
   alongLine,
   boxWithFace,
   offsetMoved,
   parentToScene,
   roundStep,
-  scaled,
   snapped,
-  subtract,
-  transformPoint,
   withoutDust,
 } from '../../../src/ui/tools/rig/places.ts';
 import { skeleton } from '../builders.ts';
@@ -39,7 +35,7 @@ function worldOf(of: Skeleton, dofs: readonly number[]): Float64Array {
 }
 
 const pivot = (world: Float64Array, joint: number): Vec3 =>
-  transformPoint(parentToScene(PLACEMENT, world, joint), 0, [0, 0, 0]);
+  transformPoint(parentToScene(PLACEMENT, world, joint), [0, 0, 0]);
 
 describe('a joint that is dragged', () => {
   const arm = skeleton(['root', -1], ['shoulder', 0], ['elbow', 1]);
@@ -137,6 +133,18 @@ describe('a face of a box', () => {
   it('goes anywhere where min lies above max already', () => {
     const crossed = { min: [1, 0, 0], max: [-1, 1, 1] } as const;
     expect(boxWithFace(crossed, 0, 'min', 1).min[0]).toBe(2);
+  });
+
+  it('has no more decimals than a hand can mean, and where nothing moves all that it had', () => {
+    const fine = { min: [-0.13, 0, 0], max: [0.13000000000000003, 1, 1] } as const;
+    // 0.13 + 0.293 is 0.42300000000000004.
+    expect(boxWithFace(fine, 0, 'max', 0.293, { unitsPerPixel: 0.01 }).max[0]).toBe(0.423);
+    expect(boxWithFace(fine, 0, 'max', 0.293, { unitsPerPixel: 0.01, both: true }).min[0]).toBe(-0.423);
+    expect(boxWithFace(fine, 0, 'max', 0, { unitsPerPixel: 0.01, both: true })).toEqual(fine);
+    // Rounding goes past nothing that it stops at.
+    const low = { min: [0.1266, 0, 0], max: [1, 1, 1] } as const;
+    expect(boxWithFace(low, 0, 'max', -0.8735, { unitsPerPixel: 0.01 }).max[0]).toBeGreaterThanOrEqual(0.1266);
+    expect(boxWithFace(low, 0, 'max', -5, { unitsPerPixel: 0.01 }).max[0]).toBe(0.1266);
   });
 
   it('snaps to round numbers of its own', () => {

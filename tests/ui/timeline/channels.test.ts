@@ -31,6 +31,15 @@ describe('listed channels', () => {
     expect(listedChannels(walker, { characterId: 'other', joint: 1 }, list)).toHaveLength(10);
   });
 
+  it('say which DOF they follow, whatever their keys say', () => {
+    const bones = skeleton(['hips', -1], ['leg', 0]);
+    const couples = [{ dof: 'ry', joint: 0, follows: 'rx', gain: 2, offset: 0 }];
+    const joints = bones.joints.map((joint, j) => (j === 1 ? { ...joint, couples } : joint));
+    const coupled = { ...walker, skeleton: { ...bones, joints } };
+    const follows = listedChannels(coupled, {}, all).map((listed) => listed.follows);
+    expect(follows).toEqual(Array.from({ length: 10 }, (_, i) => (i === 7 ? 'hips rx' : undefined)));
+  });
+
   it('are called by joint and DOF, morphs by their own name, what drives nothing by its number', () => {
     const more = { ...walker, clips: [clip([0, 1], ...Array.from({ length: 12 }, keyed))] };
     const named = listedChannels(more, {}, all).map(channelName);

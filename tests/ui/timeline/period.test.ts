@@ -2,6 +2,8 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { setExtrapolation } from '../../../src/edit/commands/extrapolation.ts';
 import { addKey, moveKeys, removeKeys, setKeys } from '../../../src/edit/commands/keys.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
+import { addJoint, removeJoint } from '../../../src/edit/commands/rig.ts';
+import { setMotion } from '../../../src/edit/commands/rig-joint.ts';
 import { shownClip } from '../../../src/model/document.ts';
 import { keyNow } from '../../../src/ui/pose-edits.ts';
 import { selectKeys } from '../../../src/ui/timeline/in-hand.ts';
@@ -61,6 +63,26 @@ describe('another period', () => {
     const other = wb.store.begin('Move');
     other.preview(moveKeys.run(other.base, { ...last, seconds: 1 }));
     other.cancel();
+    expect(said()).toBeUndefined();
+  });
+
+  it('is not said of channels that come to stand elsewhere, as joints are added, removed or move otherwise', () => {
+    const lengths = [1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6];
+    const legs = character({
+      skeleton: skeleton(['hips', -1], ['thigh', 0], ['toe', 1], ['tail', 0], ['tip', 3]),
+      clips: [clip([0, 2], ...lengths.map((length) => cycle(0, length)))],
+    });
+    ({ wb } = workbench(documentOf(legs)));
+    followPeriods(wb);
+    const periods = () => shownClip(wb.store.document.characters[0])?.channels.map(({ times }) => times.at(-1));
+    const rigging = { characterId: 'c1', timeSeconds: 0, skin: 'follows' } as const;
+    wb.store.apply(addJoint, { ...rigging, parent: 1, offset: [0, 1, 0] });
+    expect(periods()?.[15]).toBe(5);
+    wb.store.apply(removeJoint, { ...rigging, joint: 2, children: 'too' });
+    wb.store.apply(removeJoint, { ...rigging, joint: 2, children: 'too' });
+    expect(periods()?.[9]).toBe(5);
+    wb.store.apply(setMotion, { ...rigging, joint: 1, motion: { kind: 'hinge', axis: [1, 0, 0] } });
+    expect(periods()?.[9]).toBe(5);
     expect(said()).toBeUndefined();
   });
 

@@ -33,6 +33,7 @@ afterEach(() => {
 function page(tool: CanvasTool | undefined) {
   const canvas = new FakeCanvas();
   const picked: number[][] = [];
+  const claims: boolean[] = [];
   // It stands in for the browser's.
   const asCanvas = canvas as unknown as HTMLCanvasElement;
   listenToCanvas(
@@ -40,6 +41,7 @@ function page(tool: CanvasTool | undefined) {
     () => tool,
     ({ clientX, clientY }) => void picked.push([clientX, clientY]),
     stop.signal,
+    (isTools) => void claims.push(isTools),
   );
   /** As the browser does it: first the window, capturing, then the canvas, unless someone stopped it. */
   const pointer = (type: string, x: number, y: number, more: object = {}) => {
@@ -60,7 +62,7 @@ function page(tool: CanvasTool | undefined) {
     window.dispatchEvent(event);
     return event.defaultPrevented;
   };
-  return { canvas, picked, pointer, key };
+  return { canvas, picked, claims, pointer, key };
 }
 
 /** Takes every press to the left of 100; writes down what comes. */
@@ -79,6 +81,17 @@ function leftTool() {
   };
   return { tool, said };
 }
+
+it('claims the pointer over a handle and through a drag, so that nothing else lights up', () => {
+  const { tool } = leftTool();
+  const { pointer, claims } = page(tool);
+  pointer('pointermove', 300, 10);
+  pointer('pointermove', 10, 10);
+  pointer('pointerdown', 10, 10);
+  pointer('pointermove', 300, 10, { buttons: 1 });
+  pointer('pointerup', 300, 10);
+  expect(claims).toEqual([false, true, true, false]);
+});
 
 describe('a press in the viewport', () => {
   it('that a tool takes is its drag, and not the camera’s', () => {

@@ -2,10 +2,10 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
+import { cross, scaled, transformPoint, transformVector } from '../../../src/math/vec3.ts';
 import { characterDofs } from '../../../src/model/dofs.ts';
 import { dofsOf, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { type DofAxis, dofAxes } from '../../../src/view/gizmo/dof-axes.ts';
-import { cross, moved, scaled, turned } from '../../../src/view/gizmo/vectors.ts';
 import { bvhMotion, motion } from '../../formats/arbitraries.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
@@ -64,7 +64,7 @@ function slopeOf(skeleton: Skeleton, index: number, dofs: Float64Array, placemen
 function velocityAt(now: Float64Array, slope: Float64Array, point: readonly [number, number, number]) {
   const inverse = new Float64Array(16);
   invertAffine(now, 0, inverse, 0);
-  return moved(slope, moved(inverse, point));
+  return transformPoint(slope, transformPoint(inverse, point));
 }
 
 function check(axis: DofAxis, now: Float64Array, slope: Float64Array, stretches: boolean): void {
@@ -90,7 +90,7 @@ function check(axis: DofAxis, now: Float64Array, slope: Float64Array, stretches:
   } else if (kind === 'slide') {
     expectClose(velocityAt(now, slope, centre), scaled(along, reach), BY_DIFFERENCES, 'slides');
   } else if (kind === 'shear') {
-    const unit = [1, 2, 0].map((k) => turned(slope, [k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0]));
+    const unit = [1, 2, 0].map((k) => transformVector(slope, [k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0]));
     const moves = unit.find((v) => Math.hypot(...v) > 1e-3);
     expectClose(moves ?? [], scaled(along, reach), BY_DIFFERENCES, 'shears');
     expect(arm).toBeDefined();
@@ -152,6 +152,15 @@ describe('the axes of a joint’s DOFs', () => {
       ['ty', 'slide', 1],
       ['tz', 'slide', 2],
     ]);
+  });
+
+  it('are coloured by a main axis that they turn about, and by none where they stand askew', () => {
+    const hueAbout = (axis: readonly [number, number, number]) => {
+      const { skeleton, dofs, joint: index } = rigOf({ kind: 'hinge', axis }, [0], false);
+      return dofAxes(skeleton, index, dofs, worldOf(skeleton, dofs), placementOf(1))[0].hue;
+    };
+    expect(hueAbout([0, -1, 0])).toBe(1);
+    expect(hueAbout([1, 1, 0.5])).toBe('other');
   });
 
   it('leave out what has no length left', () => {

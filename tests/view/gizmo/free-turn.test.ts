@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { multiplyAffine } from '../../../src/math/mat4.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { add, cross, dot, scaled, unit } from '../../../src/math/vec3.ts';
 import { characterDofs } from '../../../src/model/dofs.ts';
 import {
   type CompoundDof,
@@ -14,7 +15,6 @@ import {
 } from '../../../src/model/skeleton.ts';
 import { dofAxes } from '../../../src/view/gizmo/dof-axes.ts';
 import { freeTurn, Turning } from '../../../src/view/gizmo/free-turn.ts';
-import { add, cross, dot, scaled, unit } from '../../../src/view/gizmo/vectors.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 

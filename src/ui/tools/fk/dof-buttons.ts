@@ -1,9 +1,11 @@
 /** Beside the switch of modes: the selected joint's DOFs, the active one pressed, and what those follow that can't be. */
 import { coupleOf } from '../../../model/couples.ts';
+import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { element, keepsFocusElsewhere } from '../../dom.ts';
 import { coupleText } from '../../inspector/dof-rows.ts';
-import { activeDof, chooseDof, dofsByHand, dofsOfJoint, selectedJoint } from '../../posing/active-dof.ts';
+import { activeDof, chooseDof, dofsByHand, dofsOfJoint } from '../../posing/active-dof.ts';
+import { selectedJoint } from '../../selected-joint.ts';
 import { channelName, namedChannel } from '../../timeline/channels.ts';
 import type { Workbench } from '../../workbench.ts';
 
@@ -26,7 +28,9 @@ export function dofButtons(wb: Workbench): { readonly element: HTMLElement; read
         const title = `${all[dof].name} ${coupleText(couple, all[dof], character, wb.settings.get().angles)}`;
         return [element('span', { class: 'dof-note', title }, `${all[dof].name} ← ${followed}`)];
       }
-      return byHand.includes(dof) ? [dofButton(wb, dof, all[dof].name, dof === active)] : [];
+      return byHand.includes(dof)
+        ? [dofButton(wb, dof, all[dof].name, axisOfDof(character.skeleton, all[dof]), dof === active)]
+        : [];
     });
     if (!own.length) parts.push(element('span', { class: 'dof-note' }, 'fixed: no DOF'));
     else if (!parts.length) parts.push(element('span', { class: 'dof-note' }, 'turns freely'));
@@ -55,13 +59,18 @@ export function dofButtons(wb: Workbench): { readonly element: HTMLElement; read
   return { element: group, dispose: () => stops.forEach((stop) => void stop()) };
 }
 
-function dofButton(wb: Workbench, dof: number, name: string, isActive: boolean): HTMLElement {
-  const axis = /^[rtsh]([xyz])/.exec(name)?.[1];
+function dofButton(
+  wb: Workbench,
+  dof: number,
+  name: string,
+  axis: AxisLetter | undefined,
+  isActive: boolean,
+): HTMLElement {
   const made = element(
     'button',
     {
       type: 'button',
-      class: `tool dof-button ${axis ? `axis-${axis}` : ''}`,
+      class: `tool dof-button axis-${axis ?? 'other'}`,
       role: 'radio',
       'aria-checked': String(isActive),
       title: `${name}: turned by dragging the bone up or down`,

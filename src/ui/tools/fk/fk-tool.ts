@@ -6,20 +6,20 @@
  *     the ball within the rings        turns it any way
  *     anything else                    the camera's
  */
-
 import { characterDofs } from '../../../model/dofs.ts';
-import { NOTHING_SELECTED } from '../../../model/session.ts';
-import type { DraggedHandle } from '../../../view/gizmo/gizmo-pen.ts';
-import { type HandleId, type JointHandles, jointHandles, sameHandle } from '../../../view/gizmo/handles.ts';
+import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
+import { type HandleId, type JointHandles, sameHandle } from '../../../view/gizmo/handles.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import type { Hit } from '../../../view/viewport.ts';
-import { activeDof, chooseDof, type SelectedJoint, selectedJoint, shownDofs } from '../../posing/active-dof.ts';
+import { activeDof, chooseDof, shownDofs } from '../../posing/active-dof.ts';
+import { type SelectedJoint, selectedJoint } from '../../selected-joint.ts';
 import { withoutTwin } from '../../takes/takes.ts';
 import type { Workbench } from '../../workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../canvas-tools.ts';
 import type { ModeTool } from '../mode-tool.ts';
 import { dofButtons } from './dof-buttons.ts';
 import { handDrag } from './hand-drag.ts';
+import { KnownHandles } from './known-handles.ts';
 import { boneMover, type Grip, handleMover, type Moved, type Mover } from './movers.ts';
 import { Readout } from './readout.ts';
 import { limitNote, valueText } from './readout-text.ts';
@@ -35,6 +35,7 @@ export function fkTool(wb: Workbench): ModeTool {
 
 class FkTool implements ModeTool {
   private gizmo: JointGizmo | undefined;
+  private readonly known = new KnownHandles();
   private removeGizmo: (() => void) | undefined;
   private readout: Readout | undefined;
   private listening: AbortController | undefined;
@@ -154,7 +155,7 @@ class FkTool implements ModeTool {
         wb.viewport.requestRender();
         if (!now || !wentNowhere || !under) return;
         wb.store.select(
-          under === 'nothing' ? NOTHING_SELECTED : { ...under, characterId: withoutTwin(under.characterId) },
+          under === 'nothing' ? { characterId: id } : { ...under, characterId: withoutTwin(under.characterId) },
         );
       },
     });
@@ -167,7 +168,14 @@ class FkTool implements ModeTool {
     const placement = selected && this.placementOf(selected);
     if (!selected || !placement) return undefined;
     const dofs = shownDofs(wb, selected.character);
-    return { selected, dofs, placement, sight: wb.viewport.eye, radius: this.gizmo?.radius ?? 1, at };
+    return {
+      selected,
+      dofs,
+      placement: placement.slice(),
+      sight: wb.viewport.eye,
+      radius: this.gizmo?.radius ?? 1,
+      at,
+    };
   }
 
   private show(moved: Moved, at: CanvasPointer): void {
@@ -226,17 +234,18 @@ class FkTool implements ModeTool {
     const facts = selected && this.wb.viewport.character(selected.character.id);
     if (!selected || !placement || !facts) return undefined;
     const { skeleton, joint } = selected;
-    const world = facts.worldMatrices();
+    const world = facts.worlds;
     // A document that has just changed is drawn with the next picture.
     if (world.length < 16 * skeleton.joints.length) return undefined;
-    return jointHandles(skeleton, joint, facts.dofs, world, placement);
+    return this.known.of(skeleton, joint, facts.dofs, world, placement);
   }
 
+  /** Filled anew by each picture. */
   private placementOf({ character }: SelectedJoint): Float64Array | undefined {
     const { place } = this;
     const isKnown = place?.characterId === character.id && place.placement < character.placements.length;
     const found = this.wb.viewport.placementOf(character.id, isKnown && place ? place.placement : 0);
-    return found?.length === 16 ? found.slice() : undefined;
+    return found?.length === 16 ? found : undefined;
   }
 
   private hasCopies(): boolean {

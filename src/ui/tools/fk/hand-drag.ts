@@ -3,9 +3,11 @@
  * plays stands still, and the pose at that moment is the one that is changed. One undo step; Escape gives it up.
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
+import { findCharacter } from '../../../model/document.ts';
 import { HandEdit } from '../../hand-edit.ts';
 import { autoKey } from '../../pose-edits.ts';
 import { standStill } from '../../stand-still.ts';
+import { tellFollows } from '../../tell-follows.ts';
 import type { Workbench } from '../../workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../canvas-tools.ts';
 import type { Moved, Mover } from './movers.ts';
@@ -29,26 +31,39 @@ export function handDrag(
   const edit = new HandEdit(wb.store, wb.messages);
   let mover: Mover | undefined;
   let hasBegun = false;
+  /** What has stood still in the picture for the drag goes on. */
+  let rest = () => {};
   return {
     move(at) {
       if (!hasBegun) {
         if (Math.hypot(at.clientX - from.clientX, at.clientY - from.clientY) < threshold) return;
         hasBegun = true;
         standStill(wb);
+        rest = wb.viewport.holdTravel(characterId);
         mover = events.begin();
       }
       if (!mover) return;
       const moved = mover(at);
       const { timeSeconds } = wb.transport.get();
       edit.preview(setDofs, { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) });
+      // After it has begun: what was said before a step is left behind by it.
+      const character = findCharacter(wb.store.document, characterId);
+      if (character)
+        tellFollows(
+          wb,
+          character,
+          moved.dofs.map(({ index }) => index),
+        );
       events.moved(moved, at);
     },
     end(at) {
       edit.commit();
+      rest();
       events.ended(at, !hasBegun);
     },
     cancel() {
       edit.cancel();
+      rest();
       events.ended(undefined, false);
     },
   };

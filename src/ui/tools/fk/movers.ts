@@ -2,12 +2,11 @@
  * From the hand's way to values of DOFs: one mover for each thing that can be taken hold of. They are made when a drag
  * begins, with the pose as it stands then.
  */
-
 import type { DofValue } from '../../../edit/commands/pose.ts';
 import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
 import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
 import { Turning } from '../../../view/gizmo/free-turn.ts';
-import type { DraggedHandle } from '../../../view/gizmo/gizmo-pen.ts';
+import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
 import {
   type Handle,
   type HandleId,
@@ -27,8 +26,8 @@ import {
   viewTurnMeasure,
 } from '../../../view/gizmo/pointer-measures.ts';
 import { BALL_PART, shearPart } from '../../../view/gizmo/shapes.ts';
-import type { SelectedJoint } from '../../posing/active-dof.ts';
 import { SNAP_ANGLE, snapStep } from '../../posing/active-dof.ts';
+import type { SelectedJoint } from '../../selected-joint.ts';
 import type { CanvasPointer } from '../canvas-tools.ts';
 import { DraggedValue, type HandWants } from './dragged-value.ts';
 

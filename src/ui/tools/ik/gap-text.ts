@@ -1,20 +1,44 @@
-/** What to say of a pin that can't be where it should be: which limits stand in the way. */
+/** What to say of a pin that can't be where it should be: what stands in the way. */
 import type { Character } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
+
+/** What keeps points from where they should be. */
+export interface Hindrance {
+  /** The character's DOFs that stand at a limit and would go on. */
+  readonly binding: readonly number[];
+  /** Joints of the pins that hold the dragged point back, the strongest first. */
+  readonly holders: readonly number[];
+  /** Whether anything that is free moves the dragged point at all. */
+  readonly canMove: boolean;
+  /** Whether the character could travel as a whole, and is not let. */
+  readonly rootStays: boolean;
+}
+
+export type GapCause = 'root' | 'locks' | 'limits' | 'pins' | 'reach';
+
+/** What is the first thing in the way: what one would change. */
+export function gapCause({ binding, holders, canMove, rootStays }: Hindrance): GapCause {
+  if (!canMove) return rootStays ? 'root' : 'locks';
+  if (binding.length > 0) return 'limits';
+  if (holders.length > 0) return 'pins';
+  return rootStays ? 'root' : 'reach';
+}
 
 /** Limits named at once; the rest is counted. */
 const MOST_NAMED = 3;
+/** Of pins, whose names are all that is said. */
+const MOST_HOLDERS = 2;
 
 /**
- * `knee_l rx at its limit`, or `out of reach` where no limit binds. Limits on the way from the joint to the root come
- * first, nearest first: those are the ones that one sees.
- *
- * @param binding the character's DOFs that stand at a limit and would go on
+ * `knee_l rx at its limit`; where no limit binds what else it is: pins that hold, or a root that stays. Limits on the way
+ * from the joint to the root come first, nearest first: those are the ones that one sees.
  */
-export function gapText(character: Character, joint: number, binding: readonly number[], canMove = true): string {
-  if (!canMove) return 'nothing here is free to move';
+export function gapText(character: Character, joint: number, hindrance: Hindrance): string {
+  const { binding, holders, canMove, rootStays } = hindrance;
+  if (!canMove) return rootStays ? 'the root stays: let it travel' : 'nothing here is free to move';
   const { skeleton } = character;
-  if (!skeleton || binding.length === 0) return 'out of reach';
+  if (!skeleton || binding.length === 0) return outOfReach(character, [...new Set(holders)], joint, rootStays);
   const dofs = characterDofs(skeleton, character.morphs);
   const onWay = wayToRoot(character, joint);
   const place = (dof: number) => {
@@ -24,15 +48,20 @@ export function gapText(character: Character, joint: number, binding: readonly n
   const ordered = [...binding].sort((a, b) => place(a) - place(b) || a - b);
   const named = ordered.slice(0, MOST_NAMED).map((dof) => {
     const { joint: of = -1, name = '' } = dofs[dof] ?? {};
-    return `${jointName(character, of)} ${name}`;
+    return `${jointName(character.skeleton, of)} ${name}`;
   });
   const more = ordered.length - named.length;
   const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
   return ordered.length === 1 ? `${list} at its limit` : `${list} at their limits`;
 }
 
-export function jointName({ skeleton }: Pick<Character, 'skeleton'>, joint: number): string {
-  return skeleton?.joints[joint]?.name || `joint ${joint}`;
+function outOfReach({ skeleton }: Character, holders: readonly number[], joint: number, rootStays: boolean): string {
+  const others = holders.filter((other) => other !== joint);
+  if (others.length === 0) return rootStays ? 'out of reach while the root stays' : 'out of reach';
+  const named = others.slice(0, MOST_HOLDERS).map((other) => jointName(skeleton, other));
+  const more = others.length - named.length;
+  const list = more > 0 ? `${named.join(', ')} and ${more} more` : named.join(' and ');
+  return `out of reach while ${list} ${others.length === 1 ? 'holds' : 'hold'}`;
 }
 
 /** The joint, its parent, and so on. */

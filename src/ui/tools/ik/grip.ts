@@ -4,8 +4,7 @@
  */
 import { pointAt } from '../../../evaluate/ik/set-up.ts';
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
-import { ZERO } from '../../../math/vec3.ts';
+import { add, dot, subtract, transformVector, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { boneEnds } from '../../../model/bone-ends.ts';
 import { hasBox } from '../../../model/boxes.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -68,7 +67,8 @@ export function seenPoint(
   }
   if (boxesAreSeen && least > near) {
     const own = skeleton.joints[joint];
-    const entered = hasBox(own) && enterBox(own.box, pointAt(inverse, 0, line.origin), turned(inverse, line.direction));
+    const entered =
+      hasBox(own) && enterBox(own.box, pointAt(inverse, 0, line.origin), transformVector(inverse, line.direction));
     if (entered) return entered;
   }
   return pointAt(inverse, 0, best);
@@ -86,21 +86,18 @@ function boneEndsOf(skeleton: Skeleton, joint: number, world: Float64Array): Vec
 
 /** The point of a segment that a line passes nearest to, and how near that is. */
 function nearestOnBone(a: Vec3, b: Vec3, { origin, direction }: LineOfSight): { point: Vec3; distance: number } {
-  const way = minus(b, a);
-  const from = minus(a, origin);
+  const way = subtract(b, a);
+  const from = subtract(a, origin);
   // Only what is across the line of sight counts.
   const d2 = dot(direction, direction);
-  const across = (v: Vec3): Vec3 => {
-    const along = dot(v, direction) / d2;
-    return [v[0] - along * direction[0], v[1] - along * direction[1], v[2] - along * direction[2]];
-  };
+  const across = (v: Vec3) => add(v, direction, -dot(v, direction) / d2);
   const flatWay = across(way);
   const flatFrom = across(from);
   const length2 = dot(flatWay, flatWay);
   const part = length2 > 0 ? Math.min(1, Math.max(0, -dot(flatWay, flatFrom) / length2)) : 0;
   return {
-    point: [a[0] + part * way[0], a[1] + part * way[1], a[2] + part * way[2]],
-    distance: Math.hypot(...flatFrom.map((v, k) => v + part * flatWay[k])),
+    point: add(a, way, part),
+    distance: Math.hypot(...add(flatFrom, flatWay, part)),
   };
 }
 
@@ -124,17 +121,5 @@ function enterBox(
     leaves = Math.min(leaves, Math.max(a, b));
   }
   if (!(enters <= leaves && enters > -Infinity)) return undefined;
-  return [origin[0] + enters * direction[0], origin[1] + enters * direction[1], origin[2] + enters * direction[2]];
-}
-
-function turned(m: Float64Array, [x, y, z]: Vec3): Vec3 {
-  return [m[0] * x + m[4] * y + m[8] * z, m[1] * x + m[5] * y + m[9] * z, m[2] * x + m[6] * y + m[10] * z];
-}
-
-function minus(a: Vec3, b: Vec3): Vec3 {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return add(origin, direction, enters);
 }

@@ -11,11 +11,13 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { HandEdit } from '../../hand-edit.ts';
 import { autoKey } from '../../pose-edits.ts';
 import { standStill } from '../../stand-still.ts';
+import { tellFollows } from '../../tell-follows.ts';
 import type { Workbench } from '../../workbench.ts';
-import { jointName } from './gap-text.ts';
+import type { Hindrance } from './gap-text.ts';
 import { ikInHand } from './in-hand.ts';
 import { type Gap, Pull } from './pull.ts';
 
@@ -34,8 +36,7 @@ export interface Grip {
 export interface PullState {
   readonly grip: Grip;
   readonly gaps: readonly Gap[];
-  readonly binding: readonly number[];
-  readonly canMove: boolean;
+  readonly hindrance: Hindrance;
 }
 
 export class HandPull {
@@ -44,6 +45,8 @@ export class HandPull {
   private last: Vec3 | undefined;
   private readonly edit: HandEdit;
   private readonly pull: Pull;
+  /** What has stood still in the picture for the drag goes on. */
+  private readonly rest: () => void;
   private readonly start: Float64Array;
   private readonly toOwn = new Float64Array(16);
   private readonly targets: ReadonlyMap<number, PinTarget>;
@@ -76,7 +79,9 @@ export class HandPull {
       (dof) => coupleOf(skeleton, dof) === undefined,
     );
     this.edit = new HandEdit(wb.store, wb.messages, () => this.holdsStill);
-    this.command = { ...setDofs, label: () => `Drag ${jointName(character, joint)}` };
+    this.rest = wb.viewport.holdTravel(character.id);
+    ikInHand(wb).wantsRoot.set(false);
+    this.command = { ...setDofs, label: () => `Drag ${jointName(character.skeleton, joint)}` };
   }
 
   /** Undefined where there is nothing to be dragged: the character is gone or hidden, or the point is nowhere. */
@@ -101,6 +106,7 @@ export class HandPull {
     const [x, y, z] = pointAt(this.toOwn, 0, world);
     pull.to(x, y, z);
     this.show(written.filter((dof) => pull.dofs[dof] !== start[dof]));
+    ikInHand(wb).wantsRoot.set(pull.wantsRoot);
     wb.viewport.requestRender();
   }
 
@@ -122,7 +128,12 @@ export class HandPull {
     }
     const wasCancelled = edit.cancelled;
     edit.commit();
+    this.rest();
     if (wasCancelled) return;
+    if (pull.wantsRoot && !pull.hindrance.canMove) {
+      const name = jointName(character.skeleton, this.grip.joint);
+      wb.messages.note(`${name} can’t be moved while ${character.name}’s root stays: let it travel.`);
+    }
     const facts = wb.viewport.character(character.id);
     const now = findCharacter(wb.store.document, character.id);
     if (!facts || !now) return;
@@ -131,13 +142,15 @@ export class HandPull {
     const targets = new Map(this.targets);
     const own = index < 0 ? undefined : targets.get(setup.pins[index].id);
     if (own) targets.set(setup.pins[index].id, { ...own, position: pull.target(index) });
-    ikInHand(wb).targets.leave(character.id, setup, facts.dofs, targets, pull.binding());
+    ikInHand(wb).targets.leave(character.id, setup, facts.dofs, targets, pull.hindrance);
     wb.viewport.requestRender();
   }
 
   /** Everything as before. */
   cancel(): void {
     this.edit.cancel();
+    this.rest();
+    ikInHand(this.wb).wantsRoot.set(false);
     this.wb.viewport.requestRender();
   }
 
@@ -149,7 +162,7 @@ export class HandPull {
   /** For the picture. */
   get state(): PullState {
     const { pull, grip } = this;
-    return { grip, gaps: pull.gaps(), binding: pull.binding(), canMove: pull.canMove };
+    return { grip, gaps: pull.gaps(), hindrance: pull.hindrance };
   }
 
   private show(dofs: readonly number[]): void {
@@ -160,6 +173,8 @@ export class HandPull {
       timeSeconds: wb.transport.get().timeSeconds,
       key: autoKey(wb),
     });
+    // After it has begun: what was said before a step is left behind by it.
+    tellFollows(wb, character, dofs);
   }
 
   private get holdsStill(): boolean {
@@ -168,12 +183,12 @@ export class HandPull {
   }
 }
 
-/** What a drag begins from. */
+/** What a drag begins from, until the next `seek`. */
 function partsOf(wb: Workbench, { id, skeleton }: Character, { placement: copy, joint }: Grip) {
   const facts = wb.viewport.character(id);
   const placement = wb.viewport.placementOf(id, copy)?.slice();
   if (!facts || !skeleton || !placement || placement.length < 16 || isSingular(placement)) return undefined;
-  const world = facts.worldMatrices();
+  const world = facts.worlds;
   if (16 * joint + 16 > world.length) return undefined;
   return { skeleton, dofs: facts.dofs, world, placement };
 }

@@ -6,6 +6,7 @@
 import { type PinTarget, pinTarget } from '../../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { IkSetup, Pin } from '../../../model/ik.ts';
+import type { Hindrance } from './gap-text.ts';
 
 /** What a drag has left. */
 export interface Left {
@@ -13,8 +14,8 @@ export interface Left {
   readonly dofs: Float64Array;
   /** By the pin's id. */
   readonly targets: ReadonlyMap<number, LeftTarget>;
-  /** DOFs whose limits kept the pins from where they should be. */
-  readonly binding: readonly number[];
+  /** What kept the pins from where they should be. */
+  readonly hindrance: Hindrance;
 }
 
 export interface LeftTarget {
@@ -39,14 +40,14 @@ export class HeldTargets {
     { pins }: Pick<IkSetup, 'pins'>,
     dofs: Float64Array,
     targets: ReadonlyMap<number, PinTarget>,
-    binding: readonly number[],
+    hindrance: Hindrance,
   ): void {
     const kept = new Map<number, LeftTarget>();
     for (const pin of pins) {
       const target = targets.get(pin.id);
       if (target) kept.set(pin.id, { pin, target });
     }
-    this.left.set(characterId, { dofs: dofs.slice(), targets: kept, binding });
+    this.left.set(characterId, { dofs: dofs.slice(), targets: kept, hindrance });
   }
 
   /** Where each pin is to hold from now on, by id. @param world as of `worldMatrices`, of the pose of `dofs` */

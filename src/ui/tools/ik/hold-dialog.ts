@@ -2,26 +2,35 @@
 import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
 import type { HeldTake } from '../../../edit/hold/hold.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
-import { shownClip } from '../../../model/document.ts';
+import type { Extrapolation } from '../../../model/clip.ts';
+import { type Character, shownClip } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../actions/action.ts';
 import { toolDialog } from '../../curves/tool-dialog.ts';
 import type { DialogContent } from '../../dialog.ts';
 import { element } from '../../dom.ts';
 import { plural, shown } from '../../number-text.ts';
 import type { Workbench } from '../../workbench.ts';
-import { jointName } from './gap-text.ts';
 import { selectedPin } from './in-hand.ts';
 
 const TITLE = 'Hold pins';
 /** How long the way to the held place takes, and that back: seconds. */
 const EASE_SECONDS = 0.1;
+/** What is longer than that is held when it is asked for. */
+const QUICK_SECONDS = 2;
+/** About as long as a foot stands. */
+const STEP_SECONDS = 0.5;
+/** Curves named at once; the rest is counted. */
+const MOST_NAMED = 3;
 
 export function holdDialog(wb: Workbench, close: () => void): DialogContent {
   const character = currentCharacter(wb);
   const pins = character ? ikOf(character).pins : [];
   if (!character || pins.length === 0) return nothing('No point of the character is pinned: pin one in IK mode first.');
   if (!shownClip(character)) return nothing(`${character.name} shows no take: nothing moves that could be held.`);
-  const { range, timeSeconds, framesPerSecond } = wb.transport.get();
+  const { range: played, timeSeconds, framesPerSecond } = wb.transport.get();
+  const range = firstRange(played, timeSeconds);
   const all = pins.length === 1 ? 'The pin' : `All ${pins.length} pins`;
   const selected = selectedPin(wb);
   const chosen = selected?.character.id === character.id ? String(selected.pin.id) : 'all';
@@ -37,7 +46,10 @@ export function holdDialog(wb: Workbench, close: () => void): DialogContent {
         name: 'pins',
         label: 'Pins',
         value: chosen,
-        options: [['all', all], ...pins.map(({ id, joint }) => [String(id), jointName(character, joint)] as const)],
+        options: [
+          ['all', all],
+          ...pins.map(({ id, joint }) => [String(id), jointName(character.skeleton, joint)] as const),
+        ],
       },
       { kind: 'number', name: 'from', label: 'From', value: tidy(range[0]), unit: 's' },
       { kind: 'number', name: 'to', label: 'To', value: tidy(range[1]), unit: 's' },
@@ -56,12 +68,44 @@ export function holdDialog(wb: Workbench, close: () => void): DialogContent {
         easeSeconds: answers.number('ease'),
       };
     },
+    takesLong: ({ range: [from, to] }) => Math.min(to, played[1]) - Math.max(from, played[0]) > QUICK_SECONDS,
     *steps(document, args) {
       const { edit, report } = yield* holdSteps(document, args);
-      return { change: edit, text: heldText(report) };
+      const warning = writtenOutText(character, report);
+      return { change: edit, text: heldText(report), ...(warning && { warning }) };
     },
     result: () => '',
   });
+}
+
+/** Short enough to be held while one looks: all that is played, or a step from now on. */
+export function firstRange([start, end]: readonly [number, number], now: number): readonly [number, number] {
+  if (end - start <= QUICK_SECONDS) return [start, end];
+  const from = Math.min(Math.max(now, start), end - STEP_SECONDS);
+  return [from, from + STEP_SECONDS];
+}
+
+/** Of curves that repeated: what was said by one period is said by keys now, over what is played and no further. */
+export function writtenOutText(before: Character, { clip, channels }: Pick<HeldTake, 'clip' | 'channels'>): string {
+  const own = shownClip(before);
+  const dofs = characterDofs(before.skeleton, before.morphs);
+  const names = channels
+    .filter((channel) => {
+      const [was, now] = [own?.channels[channel], clip.channels[channel]];
+      if (!was || was.times.length < 2) return false;
+      const isLost = (side: 'extrapolateIn' | 'extrapolateOut') => isRepetition(was[side]) && !isRepetition(now[side]);
+      return isLost('extrapolateIn') || isLost('extrapolateOut');
+    })
+    .map((channel) => `${jointName(before.skeleton, dofs[channel].joint)} ${dofs[channel].name}`);
+  if (names.length === 0) return '';
+  const named = names.slice(0, MOST_NAMED);
+  const more = names.length - named.length;
+  const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
+  return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys stand for it over what is played.`;
+}
+
+function isRepetition(side: Extrapolation): boolean {
+  return side !== 'constant' && side !== 'linear';
 }
 
 /** `12 curves changed; slides at most 0.0001 where it slid 0.21.` */

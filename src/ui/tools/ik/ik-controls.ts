@@ -4,14 +4,15 @@ import { currentCharacter } from '../../actions/action.ts';
 import { runAction } from '../../actions.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../dom.ts';
 import { oncePerFrame } from '../../frame.ts';
+import { whileShown } from '../../posing/while-shown.ts';
 import { keepTooltip } from '../../tooltips.ts';
 import type { Workbench } from '../../workbench.ts';
 import { ikInHand } from './in-hand.ts';
 
-/** Made once: it goes on following the page while it is not shown. */
+/** Made once; it follows the page while it is shown. */
 export function ikControls(wb: Workbench): HTMLElement {
   const root = keepsFocusElsewhere(
-    button('Root travels', { class: 'tool' }, 'Root travels', () => runAction(wb, 'ik.rootFree')),
+    button('Root travels', { class: 'tool ik-root' }, 'Root travels', () => runAction(wb, 'ik.rootFree')),
   );
   const rootTitle = keepTooltip(wb, root, 'ik.rootFree', () => {
     const character = currentCharacter(wb);
@@ -24,27 +25,38 @@ export function ikControls(wb: Workbench): HTMLElement {
     button('Let all pins go', { class: 'tool' }, 'Let all go', () => runAction(wb, 'ik.letAllGo')),
   );
   keepTooltip(wb, all, 'ik.letAllGo', () => 'Let all pins of the character go');
+  const hold = keepsFocusElsewhere(
+    button('Hold the pins over a range', { class: 'tool' }, 'Hold…', () => runAction(wb, 'ik.holdPins')),
+  );
+  keepTooltip(wb, hold, 'ik.holdPins', () => 'Hold the pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
-  const tools = element('div', { class: 'ik-tools tools' }, root, all);
+  const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
   const inHand = ikInHand(wb);
   const show = () => {
     const character = currentCharacter(wb);
     const setup = character?.skeleton && ikOf(character);
     root.disabled = setup === undefined;
-    all.disabled = !setup?.pins.length;
+    all.disabled = hold.disabled = !setup?.pins.length;
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root stays' : 'Root travels');
+    root.classList.toggle('asked', setup?.rootIsFree === false && inHand.wantsRoot.get());
     rootTitle();
     setText(hint, hintText(setup?.pins.length ?? 0));
     hint.hidden = inHand.hasDragged.get() || setup === undefined;
   };
   const showSoon = oncePerFrame(show);
-  wb.store.subscribe((now, before) => {
-    if (now.document.characters !== before.document.characters || now.selection !== before.selection) showSoon();
+  const controls = element('div', { class: 'ik-controls' }, tools, hint);
+  whileShown(wb.posing, controls, () => {
+    show();
+    return [
+      wb.store.subscribe((now, before) => {
+        if (now.document.characters !== before.document.characters || now.selection !== before.selection) showSoon();
+      }),
+      inHand.hasDragged.subscribe(show),
+      inHand.wantsRoot.subscribe(showSoon),
+    ];
   });
-  inHand.hasDragged.subscribe(show);
-  show();
-  return element('div', { class: 'ik-controls' }, tools, hint);
+  return controls;
 }
 
 /** What to do first, and what next. */

@@ -10,6 +10,43 @@ export interface Label {
   /** Client coordinates of the point that it stands beside. */
   readonly x: number;
   readonly y: number;
+  /** What it is about: of several of one thing the last one is shown. */
+  readonly of: string;
+  /** Where it stands of its point: on the side away from the character's middle, which it would hide. */
+  readonly side: 'left' | 'right';
+}
+
+/** CSS pixels from the point, and from the edges of the picture. */
+const BESIDE = 14;
+const EDGE = 4;
+/** CSS pixels: of a label, as `ik.css` has it, and of a letter of the small font. */
+const WIDEST = 280;
+const LETTER = 7;
+
+/** One for each thing: what is in the way of a pin says whose it is as well. */
+export function oneForEach(labels: readonly Label[]): Label[] {
+  return [...new Map(labels.map((label) => [label.of, label])).values()];
+}
+
+/**
+ * Where a label stands, as CSS has it, with nothing measured: percentages are of its own size.
+ * @param x of its point, from the picture's left
+ */
+export function labelPlace(
+  { side, text }: Pick<Label, 'side' | 'text'>,
+  x: number,
+  y: number,
+  width: number,
+  height: number,
+): string {
+  const px = (value: number) => `${value.toFixed(1)}px`;
+  // The point itself is not to be hidden: where there is no room for the text, about, it goes to the other side.
+  const room = BESIDE + EDGE + Math.min(WIDEST, text.length * LETTER);
+  const [hasLeft, hasRight] = [x >= room, x + room <= width];
+  const isRight = side === 'right' ? hasRight || !hasLeft : hasRight && !hasLeft;
+  const start = isRight ? px(x + BESIDE) : `calc(${px(x - BESIDE)} - 100%)`;
+  const within = (size: number, at: string) => `clamp(${px(EDGE)}, ${at}, calc(${px(size - EDGE)} - 100%))`;
+  return `translate(${within(width, start)}, ${within(height, `calc(${px(y)} - 50%)`)})`;
 }
 
 export class IkLabels {
@@ -26,7 +63,9 @@ export class IkLabels {
     const { left, top, width, height } = labels.length
       ? this.wb.viewport.canvas.getBoundingClientRect()
       : { left: 0, top: 0, width: 0, height: 0 };
-    labels.forEach(({ text, kind, x, y }, i) => {
+    const shown = oneForEach(labels);
+    shown.forEach((label, i) => {
+      const { text, kind, x, y } = label;
       const line = this.line(i);
       setText(line, text);
       line.dataset.kind = kind;
@@ -35,10 +74,9 @@ export class IkLabels {
       line.hidden = isOut && kind === 'name';
       const inX = Math.min(Math.max(x - left, 0), width);
       const inY = Math.min(Math.max(y - top, 0), height);
-      line.style.transform = `translate(${inX.toFixed(1)}px, ${inY.toFixed(1)}px)`;
-      line.classList.toggle('to-left', inX > width - 200);
+      line.style.transform = labelPlace(label, inX, inY, width, height);
     });
-    for (let i = labels.length; i < this.lines.length; i++) this.lines[i].hidden = true;
+    for (let i = shown.length; i < this.lines.length; i++) this.lines[i].hidden = true;
   }
 
   /** For who can't see it. */

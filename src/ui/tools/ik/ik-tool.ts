@@ -15,7 +15,7 @@ import type { CanvasPointer } from '../canvas-tools.ts';
 import type { ModeTool } from '../mode-tool.ts';
 import { ikControls } from './ik-controls.ts';
 import { IkLabels } from './ik-labels.ts';
-import { ikInHand } from './in-hand.ts';
+import { ikInHand, keepInHand } from './in-hand.ts';
 import { PinDrag } from './pin-drag.ts';
 import { letGo, pinAt, selectPin } from './pin-edits.ts';
 import { PinNudge } from './pin-nudge.ts';
@@ -53,6 +53,8 @@ class IkTool implements ModeTool {
     wb.viewportElement.append(labels.element);
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
+    // Another joint may have been selected in another mode.
+    keepInHand(wb, true);
     const redraw = () => wb.viewport.requestRender();
     const listening = new AbortController();
     const { canvas } = wb.viewport;
@@ -63,7 +65,9 @@ class IkTool implements ModeTool {
       selected.subscribe(redraw),
       pointedAt.subscribe(redraw),
       wb.store.subscribe((now, before) => {
-        if (now.document.characters === before.document.characters) return;
+        const isAnother = now.selection !== before.selection;
+        if (now.document.characters === before.document.characters && !isAnother) return;
+        keepInHand(wb, isAnother);
         targets.keepOnly(new Set(now.document.characters.map(({ id }) => id)));
         this.forgetGone();
       }),

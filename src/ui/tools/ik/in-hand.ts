@@ -23,6 +23,8 @@ export class IkInHand {
   readonly targets = new HeldTargets();
   /** Whether the hand has dragged anything yet: until then it is told what it could do. */
   readonly hasDragged: Observable<boolean> = observable(false);
+  /** Whether the hand asks, or asked last, for what only a root that travels could give. */
+  readonly wantsRoot: Observable<boolean> = observable(false);
 }
 
 const ofPage = new WeakMap<Workbench, IkInHand>();
@@ -44,6 +46,16 @@ export function findPin(
   const character = findCharacter(wb.store.document, ref?.characterId);
   const pin = character && ikOf(character).pins.find(({ id }) => id === ref?.pin);
   return character && pin && { character, pin };
+}
+
+/** The pin is out of hand where it is gone, or another joint, or none, has been selected. */
+export function keepInHand(wb: Workbench, isAnotherSelection: boolean): void {
+  const { selected } = ikInHand(wb);
+  const ref = selected.get();
+  const found = findPin(wb, ref);
+  const { characterId, joint } = wb.store.selection;
+  const isSelected = characterId === ref?.characterId && joint === found?.pin.joint;
+  if (ref && (!found || (isAnotherSelection && !isSelected))) selected.set(undefined);
 }
 
 export function selectedPin(wb: Workbench): ReturnType<typeof findPin> {

@@ -7,10 +7,11 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import { ZERO } from '../../../math/vec3.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import type { PinColor, PinPainter } from '../../../view/pins/pin-overlay.ts';
 import { reachOf } from '../../reach.ts';
 import type { Workbench } from '../../workbench.ts';
-import { gapText, jointName } from './gap-text.ts';
+import { gapText } from './gap-text.ts';
 import type { PullState } from './hand-pull.ts';
 import type { Label } from './ik-labels.ts';
 import { ikInHand, type PinRef } from './in-hand.ts';
@@ -27,6 +28,8 @@ import {
 /** CSS pixels. */
 const PIN_SIZE = 12;
 const AXIS_LENGTH = 16;
+/** Part of the reach. */
+const LIMB = 0.13;
 /** Shorter gaps are not worth a line. */
 const LEAST_GAP = 1.5;
 /** Part of the reach: as near as that counts as there. */
@@ -76,13 +79,28 @@ function paintPin(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pin: P
   painter.mark(at, {
     shape: pin.holdsOrientation ? 'square' : 'round',
     color,
+    ...(!isLit && !isPulled && { cover: coverOf(seen) }),
     // A heavier pin is a little larger, a lighter one emptier.
     size: PIN_SIZE + (isLit || isPulled ? 2 : 0) + (weight > 1 ? Math.min(4, Math.log2(weight)) : 0),
     fill: Math.min(1, weight),
   });
   if (!isLit && !isPulled) return [];
   const { x, y, depth } = wb.viewport.eye.toScreen(at);
-  return depth > 0 ? [{ kind: 'name', text: pinText(character, pin), x, y }] : [];
+  const text = pinText(character, pin);
+  return depth > 0 ? [{ kind: 'name', text, x, y, of: pinKey(seen, pin.id), side: sideOf(wb, seen, x) }] : [];
+}
+
+/** What labels of one pin have in common. */
+function pinKey({ character, placement }: SeenSkeleton, pin: number): string {
+  return `${character.id} ${placement} ${pin}`;
+}
+
+/** Away from the middle of the character's joints. */
+function sideOf(wb: Workbench, { skeleton, world, toWorld }: SeenSkeleton, x: number): 'left' | 'right' {
+  const sum = [0, 0, 0];
+  for (let j = 0; j < skeleton.joints.length; j++) for (let k = 0; k < 3; k++) sum[k] += world[16 * j + 12 + k];
+  const [mx, my, mz] = sum.map((part) => part / skeleton.joints.length);
+  return x < wb.viewport.eye.toScreen(pointAt(toWorld, 0, [mx, my, mz])).x ? 'left' : 'right';
 }
 
 /** `foot_l · tip, orientation, weight 2`. */
@@ -90,7 +108,7 @@ export function pinText(character: Character, pin: Pin): string {
   const parts = [pointName(character, pin)];
   if (pin.holdsOrientation) parts.push('orientation');
   if (pin.weight !== 1) parts.push(`weight ${Number(pin.weight.toPrecision(3))}`);
-  return `${jointName(character, pin.joint)} · ${parts.join(', ')}`;
+  return `${jointName(character.skeleton, pin.joint)} · ${parts.join(', ')}`;
 }
 
 /** What of its joint a pin holds: `origin`, `End Site`; else a point of the skin, or just a point. */
@@ -124,6 +142,11 @@ function paintAxes(
   });
 }
 
+/** How much of the character itself may be in front of a joint of its near side: about as much as a limb is thick. */
+function coverOf({ skeleton, toWorld }: SeenSkeleton): number {
+  return LIMB * reachOf(skeleton) * Math.hypot(toWorld[0], toWorld[1], toWorld[2]);
+}
+
 /** Joints that don't bend, or unwillingly. */
 function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
   for (const { joint, stiffness } of seen.character.ik?.stiff ?? []) {
@@ -138,8 +161,9 @@ function paintPoints(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, hov
   const { character, skeleton } = seen;
   const { joint, natural } = hovered;
   if (joint >= skeleton.joints.length) return [];
+  const cover = coverOf(seen);
   for (const { point } of offeredPoints(wb, character, skeleton, joint)) {
-    painter.mark(inWorld(seen, joint, point), { shape: 'dot', color: 'pin', size: 5, opacity: 0.7 });
+    painter.mark(inWorld(seen, joint, point), { shape: 'dot', color: 'pin', size: 5, opacity: 0.7, cover });
   }
   const meant = natural?.point ?? (hovered.vertex === undefined ? undefined : hovered.point);
   if (!meant) return [];
@@ -147,23 +171,26 @@ function paintPoints(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, hov
   painter.mark(at, { shape: 'ring', color: 'hovered', size: PIN_SIZE });
   const { x, y } = wb.viewport.eye.toScreen(at);
   const of = natural?.name ?? 'point of the skin';
-  return [{ kind: 'name', text: `${jointName(character, joint)} · ${of}`, x, y }];
+  const text = `${jointName(character.skeleton, joint)} · ${of}`;
+  return [{ kind: 'name', text, x, y, of: 'point', side: sideOf(wb, seen, x) }];
 }
 
 /** What is dragged, and what it can't reach. */
 function paintPull(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pull: PullState): Label[] {
-  const { grip, gaps, binding, canMove } = pull;
+  const { grip, gaps, hindrance } = pull;
   const { character, toWorld } = seen;
   if (grip.pin === undefined)
     painter.mark(inWorld(seen, grip.joint, grip.point), { shape: 'round', color: 'selected', size: 10 });
-  return gaps.flatMap(({ joint, from, to }) => {
-    const text = gapText(character, joint, binding, canMove);
+  return gaps.flatMap(({ index, joint, from, to }) => {
+    const text = gapText(character, joint, hindrance);
     return paintGap(
       wb,
       painter,
+      seen,
+      character.ik?.pins[index]?.id,
       pointAt(toWorld, 0, from),
       pointAt(toWorld, 0, to),
-      `${jointName(character, joint)}: ${text}`,
+      `${jointName(character.skeleton, joint)}: ${text}`,
     );
   });
 }
@@ -180,12 +207,21 @@ function paintLeft(wb: Workbench, painter: PinPainter, seen: SeenSkeleton): Labe
     if (!target) return [];
     const { position } = pinTarget(pin, world);
     if (Math.hypot(...position.map((p, k) => p - target[k])) <= near) return [];
-    const text = `${jointName(character, pin.joint)}: ${gapText(character, pin.joint, left.binding)}`;
-    return paintGap(wb, painter, pointAt(toWorld, 0, position), pointAt(toWorld, 0, target), text);
+    const text = `${jointName(character.skeleton, pin.joint)}: ${gapText(character, pin.joint, left.hindrance)}`;
+    return paintGap(wb, painter, seen, pin.id, pointAt(toWorld, 0, position), pointAt(toWorld, 0, target), text);
   });
 }
 
-function paintGap(wb: Workbench, painter: PinPainter, from: Vec3, to: Vec3, text: string): Label[] {
+/** @param pin its id; undefined for a point that is no pin */
+function paintGap(
+  wb: Workbench,
+  painter: PinPainter,
+  seen: SeenSkeleton,
+  pin: number | undefined,
+  from: Vec3,
+  to: Vec3,
+  text: string,
+): Label[] {
   const { eye } = wb.viewport;
   const a = eye.toScreen(from);
   const b = eye.toScreen(to);
@@ -194,5 +230,6 @@ function paintGap(wb: Workbench, painter: PinPainter, from: Vec3, to: Vec3, text
   if (Math.max(inDepth, Math.hypot(b.x - a.x, b.y - a.y)) < LEAST_GAP) return [];
   painter.line(from, to, 'pinGap', 2, true);
   painter.mark(to, { shape: 'ring', color: 'pinGap', size: 10 });
-  return b.depth > 0 ? [{ kind: 'gap', text, x: b.x, y: b.y }] : [];
+  const of = pin === undefined ? 'dragged' : pinKey(seen, pin);
+  return b.depth > 0 ? [{ kind: 'gap', text, x: b.x, y: b.y, of, side: sideOf(wb, seen, b.x) }] : [];
 }

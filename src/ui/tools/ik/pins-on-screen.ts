@@ -37,7 +37,7 @@ export interface SeenPoint {
   readonly vertex?: number;
 }
 
-/** A skeleton that is seen: its matrices in its own space, and where it stands. */
+/** A skeleton that is seen: its matrices in its own space, and where it stands, until the next `seek`. */
 export interface SeenSkeleton {
   readonly character: Character;
   readonly skeleton: Skeleton;
@@ -55,7 +55,7 @@ export function* seenSkeletons(wb: Workbench, of: (character: Character) => bool
     if (!skeleton || character.isHidden || !of(character)) continue;
     const facts = wb.viewport.character(id);
     if (!facts) continue;
-    const world = facts.worldMatrices();
+    const world = facts.worlds;
     if (world.length < 16 * skeleton.joints.length) continue;
     for (let placement = 0; placement < character.placements.length; placement++) {
       const toWorld = wb.viewport.placementOf(id, placement);

@@ -3,51 +3,40 @@
  * frame. What is dragged follows the hand; the pins hold.
  *
  * The hand's way is followed in short steps, however far it went between two frames: a pose that is led there does not
- * flip over on the way, and what comes of a drag does not depend on how fast the machine is.
- *
- * A point that can't come where the hand is pulls the less the further away the hand is, f² · gap = const. Pins that hold
- * weigh ten times as much (a hundred times in squares), which is not enough beside a hand three metres off: feet would
- * be drawn out of their places. So they stay, and the point still comes as near as they let it.
+ * flip over on the way. A frame has room for so many iterations of the solver; what does not get there goes on with the
+ * next one (`isOnItsWay`).
  */
-import { ikProblem, movePin } from '../../../evaluate/ik/problem.ts';
-import {
-  type Dragged,
-  draggedIndex,
-  ikOf,
-  ikPinsOf,
-  type PinTarget,
-  stiffnessOf,
-} from '../../../evaluate/ik/set-up.ts';
-import { type IkMode, solve } from '../../../evaluate/ik/solve.ts';
-import type { IkProblem } from '../../../evaluate/ik/state.ts';
+import { type Dragged, ikOf, type PinTarget } from '../../../evaluate/ik/set-up.ts';
+import { compileSkeleton } from '../../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
-import { inertia } from './inertia.ts';
+import { gapCause, type Hindrance } from './gap-text.ts';
+import { HandProblem, IS_THERE } from './hand-problem.ts';
+import { Homing } from './homing.ts';
+import { Shaking } from './shaking.ts';
 
-/** Parts of the reach. */
+/** Part of the reach. */
 const LONGEST_STEP = 0.15;
-/** Nearer than that it is there; no screen shows it. */
-const IS_THERE = 2e-4;
-/** A gap from which a point pulls with less than its weight. */
-const FULL_PULL = 0.01;
-/** A gap that is worth a try to bend what is straight. */
-const STUCK = 0.004;
+/** Steps of one move: past these it is a jump, and what leads there is coarser. */
+const MOST_STEPS = 8;
+/** Iterations of a frame. One takes some 20 µs for a wasp on six feet. */
+const MOST_ITERATIONS = 96;
+/** Of one solution, at most: see `solve`. */
+const ONE_SOLUTION = 24;
+/** What shaking a pose takes, at least. */
+const TO_SHAKE = 2 * ONE_SOLUTION;
 /** A pose moves at most so far in a frame, and so much further for each reach that the hand moves: radians, reaches. */
 const CALM = 0.08;
 const FOLLOWS = 5;
-/** The weight of what is dragged while the pins are put in order. */
-const BARELY = 1e-3;
-/** How far everything is bent for it: radians, parts of the reach. */
-const SHAKE = 0.02;
-/** What is left of the gap where it has helped. */
-const HELPS = 0.8;
-/** Steps of one move: past these it is a jump, and what leads there is coarser. */
-const MOST_STEPS = 8;
-/** Solutions after the last step, until what pulls less has come to rest. */
-const MOST_ROUNDS = 5;
+/** Times that, where it takes as much to put the pins in order. */
+const MORE_FOR_PINS = 2;
 /** A settled pose that is nearer than that to the one that was dragged is taken: radians, factors, parts of the reach. */
 const NO_JUMP = 0.01;
+/** A gap that one sees: part of the reach. */
+const SEEN_GAP = 0.01;
+/** Frames that the release makes up for, where the hand was too fast for the last ones. */
+const CATCH_UP = 8;
 
 /** A pin, or what was dragged, that is not where it should be. */
 export interface Gap {
@@ -60,22 +49,15 @@ export interface Gap {
 }
 
 export class Pull {
-  /** The character's DOFs as the drag has them now. */
-  readonly dofs: Float64Array;
-  readonly reach: number;
-  private readonly problem: IkProblem;
-  private readonly index: number;
-  private readonly ownWeight: number;
-  private readonly ownTurnWeight: number;
-  private readonly holds: boolean;
-  /** Where the hand is. */
-  private readonly hand = new Float64Array(3);
-  /** Where it was when the pose was last shaken, and poses on the way. */
-  private readonly shakenAt = new Float64Array(3).fill(Infinity);
+  private readonly of: HandProblem;
+  private readonly shaking: Shaking;
+  private readonly homing: Homing;
+  /** Where the hand is to go, and the pose at the beginning of a frame. */
+  private readonly goal: Float64Array;
   private readonly before: Float64Array;
-  private onItsWay = false;
-  private readonly stuck: Float64Array;
-  private readonly helped: Float64Array;
+  private isCalmed = false;
+  private shakingWaits = false;
+  private readonly rootStays: boolean;
 
   /**
    * @param start the character's DOFs as they are shown; copied
@@ -89,116 +71,58 @@ export class Pull {
     targets: ReadonlyMap<number, PinTarget>,
     dragged: Dragged,
   ) {
-    const setup = ikOf(character);
-    this.dofs = Float64Array.from(start);
-    this.before = new Float64Array(this.dofs.length);
-    this.stuck = new Float64Array(this.dofs.length);
-    this.helped = new Float64Array(this.dofs.length);
-    const moves = inertia(skeleton);
-    this.problem = ikProblem(skeleton, ikPinsOf(setup, targets, dragged), this.dofs, {
-      clamps: character.clampsToLimits,
-      stiffness: stiffnessOf(skeleton, setup).map((factor, dof) => factor * (moves[dof] ?? 1)),
-    });
-    const { pins, reach } = this.problem;
-    this.reach = reach;
-    this.index = draggedIndex(setup, dragged);
-    this.ownWeight = pins.weights[this.index];
-    this.ownTurnWeight = pins.turnWeights[this.index];
-    this.holds = pins.count > 1;
-    for (let k = 0; k < 3; k++) this.hand[k] = pins.targets[3 * this.index + k];
-    // What is known of the pose where nothing has moved yet.
-    solve(this.problem, this.dofs, 'drag');
+    this.rootStays = !ikOf(character).rootIsFree && compileSkeleton(skeleton).travel.some((dof) => dof >= 0);
+    this.of = new HandProblem(character, skeleton, start, targets, dragged);
+    this.shaking = new Shaking(this.of);
+    this.homing = new Homing(this.of);
+    this.goal = this.of.hand.slice();
+    this.before = this.of.dofs.slice();
   }
 
-  /** Whether any DOF is free to follow. */
-  get canMove(): boolean {
-    return this.problem.variables.count > 0;
+  /** The character's DOFs as the drag has them now. */
+  get dofs(): Float64Array {
+    return this.of.dofs;
+  }
+
+  get reach(): number {
+    return this.of.reach;
+  }
+
+  /** What keeps the points from where they should be. */
+  get hindrance(): Hindrance {
+    const { of, rootStays } = this;
+    const { slots, pins } = of.problem;
+    const holders = of.holders().map((p) => slots.joint[pins.slot[p]]);
+    return { binding: this.binding(), holders, canMove: of.canMove, rootStays };
   }
 
   /** The hand has gone there; `dofs` follow. What is not finite is nowhere. */
   to(x: number, y: number, z: number): void {
     if (!Number.isFinite(x + y + z)) return;
-    const { hand, problem, index, reach, before } = this;
-    before.set(this.dofs);
-    const fromX = hand[0];
-    const fromY = hand[1];
-    const fromZ = hand[2];
-    const way = Math.hypot(x - fromX, y - fromY, z - fromZ);
-    const steps = Math.min(MOST_STEPS, Math.max(1, Math.ceil(way / (LONGEST_STEP * reach))));
-    for (let s = 1; s <= steps; s++) {
-      const part = s / steps;
-      hand[0] = s === steps ? x : fromX + part * (x - fromX);
-      hand[1] = s === steps ? y : fromY + part * (y - fromY);
-      hand[2] = s === steps ? z : fromZ + part * (z - fromZ);
-      movePin(problem, index, hand[0], hand[1], hand[2]);
-      this.solve('drag');
+    const { of, before, goal, shaking } = this;
+    before.set(of.dofs);
+    goal[0] = x;
+    goal[1] = y;
+    goal[2] = z;
+    of.left = MOST_ITERATIONS;
+    // What had no room in the frame before has it in this one.
+    const spare = this.shakingWaits ? TO_SHAKE : 0;
+    const way = this.follow(spare);
+    this.shakingWaits = false;
+    if (of.holds) {
+      of.comeToRest(spare);
+      if (shaking.isDue) {
+        if (of.left >= ONE_SOLUTION) shaking.shake();
+        else this.shakingWaits = true;
+      }
     }
-    if (!this.holds) return;
-    this.comeToRest();
-    if (this.missing > STUCK * reach) this.shake();
-    this.calm(CALM + FOLLOWS * (way / reach));
+    this.homing.come(0, !this.isCalmed && !this.isBehind);
+    this.calm(CALM + FOLLOWS * (way / of.reach));
   }
 
   /** Whether the pose is still on its way to where the hand is: ask it to go there again with the next frame. */
   get isOnItsWay(): boolean {
-    return this.onItsWay;
-  }
-
-  /**
-   * Where a leg comes to its full length, the last millimetre of reach may be a body that leans far over. It gets there,
-   * but in more than one frame.
-   */
-  private calm(most: number): void {
-    const { dofs, before, problem, index } = this;
-    const far = this.furthest(before);
-    this.onItsWay = far > most;
-    if (!this.onItsWay) return;
-    for (let d = 0; d < dofs.length; d++) dofs[d] = before[d] + (most / far) * (dofs[d] - before[d]);
-    // In between the pins are not quite where they hold: they come first.
-    problem.pins.weights[index] = this.ownWeight * BARELY;
-    problem.pins.turnWeights[index] = this.ownTurnWeight * BARELY;
-    solve(problem, dofs, 'drag');
-  }
-
-  private comeToRest(): void {
-    const rest = 0.1 * IS_THERE * this.reach;
-    for (let round = 0; round < MOST_ROUNDS && this.missing > IS_THERE * this.reach; round++) {
-      const before = this.missing;
-      this.solve('drag');
-      if (Math.abs(before - this.missing) < rest) return;
-    }
-  }
-
-  /**
-   * Legs that are straight don't bend when a hip is pushed down on feet that hold: at first it changes their length by
-   * nothing. So all is bent a little, one way and the other, and what comes of it is kept where it helps. The solver does
-   * as much for one chain; here what is dragged could move, were it not for the pins. Asked again only after the hand has
-   * gone on, and soon enough that little has been missed by then.
-   */
-  private shake(): void {
-    const { hand, problem, dofs, reach, shakenAt, stuck, helped } = this;
-    const { count, dof, scale, lower, upper } = problem.variables;
-    const since = Math.hypot(hand[0] - shakenAt[0], hand[1] - shakenAt[1], hand[2] - shakenAt[2]);
-    if (since < STUCK * reach) return;
-    shakenAt.set(hand);
-    stuck.set(dofs);
-    let least = HELPS * this.missing;
-    let helps = false;
-    for (const way of [1, -1]) {
-      dofs.set(stuck);
-      for (let v = 0; v < count; v++) {
-        const bent = dofs[dof[v]] + way * SHAKE * scale[v];
-        dofs[dof[v]] = Math.min(upper[v], Math.max(lower[v], bent));
-      }
-      this.solve('drag');
-      this.comeToRest();
-      if (this.missing >= least) continue;
-      least = this.missing;
-      helped.set(dofs);
-      helps = true;
-    }
-    dofs.set(helps ? helped : stuck);
-    this.solve('drag');
+    return this.isCalmed || this.shakingWaits || this.isBehind || this.homing.isOnItsWay;
   }
 
   /**
@@ -206,27 +130,35 @@ export class Pull {
    * stays as the hand has left it: a better pose elsewhere would be a jump that nobody asked for.
    */
   settle(): void {
-    const { result } = this.problem;
-    if (!this.isThere || !result.isSolved) return;
-    const before = this.dofs.slice();
-    this.solve('settle');
-    if (!this.isThere || this.furthest(before) > NO_JUMP) {
-      this.dofs.set(before);
-      this.solve('drag');
-    }
+    const { of, goal } = this;
+    for (let frame = 0; frame < CATCH_UP && this.isBehind; frame++) this.to(goal[0], goal[1], goal[2]);
+    if (!of.isThere || !of.problem.result.isSolved) return;
+    const before = of.dofs.slice();
+    of.solve('settle');
+    if (of.isThere && of.furthest(before) <= NO_JUMP) return;
+    of.dofs.set(before);
+    of.solve('drag');
+  }
+
+  /** Whether the hand asks for more than a character can give whose root stays. */
+  get wantsRoot(): boolean {
+    const { of, rootStays } = this;
+    if (!rootStays || of.missing <= SEEN_GAP * of.reach) return false;
+    return gapCause(this.hindrance) === 'root';
   }
 
   /** How far the dragged point is from the hand. */
   get missing(): number {
-    return this.missingOf(this.index);
+    return this.of.missing;
   }
 
   /** Every pin that is not where it should be. */
   gaps(): Gap[] {
-    const { pins, slots } = this.problem;
+    const { problem, reach } = this.of;
+    const { pins, slots } = problem;
     const found: Gap[] = [];
     for (let p = 0; p < pins.count; p++) {
-      if (this.missingOf(p) <= 5 * IS_THERE * this.reach) continue;
+      if (this.of.missingOf(p) <= 5 * IS_THERE * reach) continue;
       found.push({ index: p, joint: slots.joint[pins.slot[p]], from: at(pins.positions, p), to: at(pins.targets, p) });
     }
     return found;
@@ -234,46 +166,63 @@ export class Pull {
 
   /** DOFs of the character that a limit keeps from bringing the pins nearer. */
   binding(): readonly number[] {
-    const { binding, bindingCount } = this.problem.result;
+    const { binding, bindingCount } = this.of.problem.result;
     return Array.from(binding.subarray(0, bindingCount));
   }
 
   /** Where a pin is to be, with what it has for an orientation. */
   target(index: number): Vec3 {
-    return at(this.problem.pins.targets, index);
+    return at(this.of.problem.pins.targets, index);
   }
 
-  private get isThere(): boolean {
-    for (let p = 0; p < this.problem.pins.count; p++) if (this.missingOf(p) > IS_THERE * this.reach) return false;
-    return true;
+  /** Whether a frame had no room for all of the hand's way. */
+  private get isBehind(): boolean {
+    const { hand } = this.of;
+    return this.goal.some((v, k) => v !== hand[k]);
   }
 
-  private solve(mode: IkMode): void {
-    const { problem, index } = this;
-    if (this.holds) {
-      const gap = this.missing / this.reach;
-      const pull = gap > FULL_PULL ? Math.sqrt(FULL_PULL / gap) : 1;
-      problem.pins.weights[index] = this.ownWeight * pull;
-      problem.pins.turnWeights[index] = this.ownTurnWeight * pull;
+  /** In short steps, as far as there is room for them. @returns how far the hand has come */
+  private follow(spare: number): number {
+    const { of, goal } = this;
+    const [fromX, fromY, fromZ] = of.hand;
+    const [x, y, z] = goal;
+    const way = Math.hypot(x - fromX, y - fromY, z - fromZ);
+    const steps = Math.min(MOST_STEPS, Math.max(1, Math.ceil(way / (LONGEST_STEP * of.reach))));
+    for (let s = 1; s < steps; s++) {
+      const part = s / steps;
+      of.moveHand(fromX + part * (x - fromX), fromY + part * (y - fromY), fromZ + part * (z - fromZ));
+      of.solve('drag');
+      if (of.left < spare + ONE_SOLUTION) return part * way;
     }
-    solve(problem, this.dofs, mode);
+    of.moveHand(x, y, z);
+    of.solve('drag');
+    return way;
   }
 
-  private missingOf(p: number): number {
-    const { positions, targets } = this.problem.pins;
-    const i = 3 * p;
-    return Math.hypot(positions[i] - targets[i], positions[i + 1] - targets[i + 1], positions[i + 2] - targets[i + 2]);
+  /**
+   * Where a leg comes to its full length, the last millimetre of reach may be a body that leans far over. It gets there,
+   * but in more than one frame.
+   */
+  private calm(most: number): void {
+    const { of } = this;
+    const far = of.furthest(this.before);
+    this.isCalmed = far > most;
+    if (!this.isCalmed) return;
+    this.goBack(most / far);
+    // In between the pins are not quite where they hold: they come first.
+    of.orderPins();
+    // Where a chain is all but straight, that may be as far again; by a hair the pins are not where they hold then.
+    const again = of.furthest(this.before);
+    if (again <= MORE_FOR_PINS * most) return;
+    this.goBack(most / again);
+    of.look();
   }
 
-  /** How far the pose has moved: the largest of its changes. */
-  private furthest(before: Float64Array): number {
-    const { count, dof, scale, relative } = this.problem.variables;
-    let most = 0;
-    for (let v = 0; v < count; v++) {
-      const change = Math.abs(this.dofs[dof[v]] - before[dof[v]]);
-      most = Math.max(most, change * (relative[v] / scale[v]));
-    }
-    return most;
+  /** To the pose at the beginning of the frame, but for a part of the way. */
+  private goBack(part: number): void {
+    const { before } = this;
+    const { dofs } = this.of;
+    for (let d = 0; d < dofs.length; d++) dofs[d] = before[d] + part * (dofs[d] - before[d]);
   }
 }
 

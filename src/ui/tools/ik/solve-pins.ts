@@ -6,11 +6,12 @@ import { solve } from '../../../evaluate/ik/solve.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import { attempt } from '../../attempt.ts';
 import { autoKey } from '../../pose-edits.ts';
 import { standStill } from '../../stand-still.ts';
 import type { Workbench } from '../../workbench.ts';
-import { gapText, jointName } from './gap-text.ts';
+import { gapText } from './gap-text.ts';
 import { ikInHand } from './in-hand.ts';
 
 /** One undo step; says so where nothing better is found. */
@@ -21,7 +22,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   const facts = wb.viewport.character(id);
   if (!skeleton || !facts || setup.pins.length === 0) return;
   const { targets } = ikInHand(wb);
-  const held = targets.targetsOf(id, setup, facts.dofs, facts.worldMatrices());
+  const held = targets.targetsOf(id, setup, facts.dofs, facts.worlds);
   const dofs = facts.dofs.slice();
   const problem = ikProblem(skeleton, ikPinsOf(setup, held), dofs, {
     clamps: character.clampsToLimits,
@@ -34,20 +35,23 @@ export function solvePins(wb: Workbench, character: Character): void {
     if (dofs[index] !== facts.dofs[index] && !coupleOf(skeleton, index)) changed.push({ index, value: dofs[index] });
   }
   const bound = Array.from(binding.subarray(0, bindingCount));
+  const hindrance = { binding: bound, holders: [], canMove: true, rootStays: !setup.rootIsFree };
   const { timeSeconds } = wb.transport.get();
   if (changed.length) {
     const command = { ...setDofs, label: () => `Solve the pins of ${character.name}` };
     attempt(wb.messages, () => {
       wb.store.apply(command, { characterId: id, dofs: changed, timeSeconds, key: autoKey(wb) });
       const after = wb.viewport.character(id);
-      if (after) targets.leave(id, setup, after.dofs, held, bound);
+      if (after) targets.leave(id, setup, after.dofs, held, hindrance);
     });
   }
   const worst = residuals.indexOf(Math.max(...residuals));
   const missed = residuals[worst] > 1e-3 * problem.reach;
   if (missed) {
     const { joint } = setup.pins[worst];
-    wb.messages.note(`${jointName(character, joint)} is as near as it can be: ${gapText(character, joint, bound)}.`);
+    wb.messages.note(
+      `${jointName(character.skeleton, joint)} is as near as it can be: ${gapText(character, joint, hindrance)}.`,
+    );
   } else if (!changed.length) wb.messages.note('All pins are where they hold.');
   wb.viewport.requestRender();
 }

@@ -3,7 +3,7 @@
  * drag is one step.
  */
 import { setBox } from '../../../edit/commands/rig-joint.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
+import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { HandEdit } from '../../hand-edit.ts';
 import { shown } from '../../number-text.ts';
@@ -12,7 +12,7 @@ import { rigging } from '../../rig/rigging-args.ts';
 import type { Workbench } from '../../workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../canvas-tools.ts';
 import { SNAP_PIXELS } from './joint-drags.ts';
-import { alongLine, boxWithFace, parentToScene, roundStep, type Side, transformPoint, withoutDust } from './places.ts';
+import { alongLine, boxWithFace, parentToScene, roundStep, type Side, withoutDust } from './places.ts';
 import type { Rigged } from './rigged.ts';
 import { SteadyHand } from './steady-hand.ts';
 
@@ -33,7 +33,7 @@ export function dragFace(
   const middle: [number, number, number] = [0, 0, 0];
   for (let k = 0; k < 3; k++) middle[k] = (box.min[k] + box.max[k]) / 2;
   middle[axis] = box[side][axis];
-  const anchor = transformPoint(space, 0, middle);
+  const anchor = transformPoint(space, middle);
   // Along a whole unit of the box: what comes along it is in the box's own numbers.
   const direction: Vec3 = [space[4 * axis], space[4 * axis + 1], space[4 * axis + 2]];
   const unit = eye.unitsPerPixel(anchor) / (Math.hypot(...direction) || 1);
@@ -47,7 +47,7 @@ export function dragFace(
       const snaps = now.ctrlKey || now.metaKey;
       const step = snaps ? roundStep(SNAP_PIXELS * unit) : undefined;
       const by = withoutDust([reached - from, 0, 0], unit)[0];
-      const next = boxWithFace(box, axis, side, by, { both: now.altKey, step });
+      const next = boxWithFace(box, axis, side, by, { both: now.altKey, step, unitsPerPixel: unit });
       edit.preview(setBox, { ...rigging(wb, character), joint, box: next });
       const size = next.max.map((most, k) => shown(Math.abs(most - next.min[k]), 4)).join(' × ');
       readout.set(`Box: ${side} ${'xyz'[axis]} ${shown(next[side][axis], 4)} · ${size}`);

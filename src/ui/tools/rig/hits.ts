@@ -8,19 +8,33 @@
 import { AXES, type RigPart, type RigScreen } from '../../../view/rig/rig-screen.ts';
 
 const ON_JOINT = 5;
+/** With its edge: all that there is of a joint while the place around it is wanted for the next one. */
+const ON_DOT = 7;
 const NEAR_JOINT = 11;
 const NEAR_FACE = 8;
 const NEAR_ARROW = 6;
 const NEAR_BONE = 5;
 
+export interface Hand {
+  /** A finger is broader than a pointer. */
+  readonly byTouch?: boolean;
+  /** A click would add a joint: it is meant for a place, unless it is right on a joint. */
+  readonly isAdding?: boolean;
+}
+
 /**
  * @param x, y CSS pixels from the viewport's left top
- * @param byTouch a finger is broader than a pointer
  */
-export function partAt(screen: RigScreen, x: number, y: number, byTouch = false): RigPart | undefined {
+export function partAt(
+  screen: RigScreen,
+  x: number,
+  y: number,
+  { byTouch = false, isAdding = false }: Hand = {},
+): RigPart | undefined {
   const reach = byTouch ? 2 : 1;
   const joint = nearestJoint(screen, x, y);
-  if (joint && joint.distance <= ON_JOINT * reach) return { kind: 'joint', joint: joint.joint };
+  if (joint && joint.distance <= (isAdding ? ON_DOT : ON_JOINT) * reach) return { kind: 'joint', joint: joint.joint };
+  if (isAdding) return undefined;
   return (
     faceAt(screen, x, y, NEAR_FACE * reach) ??
     arrowAt(screen, x, y, NEAR_ARROW * reach) ??

@@ -7,7 +7,8 @@
  *     Ctrl    onto round numbers, or the place opposite another joint (across x = 0)
  */
 import { setOffset } from '../../../edit/commands/rig-joint.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
+import { add, scaled, transformPoint, type Vec3 } from '../../../math/vec3.ts';
+import { jointName } from '../../../model/joint-name.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { HandEdit } from '../../hand-edit.ts';
 import { shown } from '../../number-text.ts';
@@ -16,16 +17,13 @@ import { rigging } from '../../rig/rigging-args.ts';
 import type { Workbench } from '../../workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../canvas-tools.ts';
 import {
-  add,
   alongLine,
   offsetMoved,
   opposite,
   parentToScene,
   roundStep,
-  scaled,
   snapped,
   snappedPoint,
-  transformPoint,
   withoutDust,
 } from './places.ts';
 import { inSpaceOf, pivotOf, type Rigged, scaleOf, spaceOfOffset } from './rigged.ts';
@@ -62,7 +60,7 @@ function dragJoint(
       const children = state.children.get();
       edit.preview(setOffset, { ...rigging(wb, character), joint, offset: moved.offset, children });
       const numbers = moved.offset.map((part) => shown(part, 4)).join(', ');
-      state.readout.set(`${skeleton.joints[joint].name || `joint ${joint}`}: offset ${numbers}${moved.note ?? ''}`);
+      state.readout.set(`${jointName(skeleton, joint)}: offset ${numbers}${moved.note ?? ''}`);
     },
     end() {
       edit.commit();
@@ -94,7 +92,8 @@ export function dragFreely(wb: Workbench, rigged: Rigged, joint: number, at: Can
     if (!now.ctrlKey && !now.metaKey) return { offset: withoutDust(moved, unit) };
     const across = isDeep ? undefined : oppositePlace(wb, rigged, joint, onScreen.x + dx, onScreen.y + dy);
     const there = across && offsetMoved(offset, space, start, across.at);
-    if (there) return { offset: there, note: ` · opposite ${across.name}` };
+    // To the last digit that the other joint has, without those that reckoning adds.
+    if (there) return { offset: withoutDust(there, 1e-4 * unit), note: ` · opposite ${across.name}` };
     return { offset: snappedPoint(moved, roundStep(SNAP_PIXELS * unit)) };
   });
 }
@@ -137,15 +136,15 @@ function oppositePlace(wb: Workbench, { world, placement, skeleton }: Rigged, jo
   const { eye } = wb.viewport;
   let best: { readonly at: Vec3; readonly name: string } | undefined;
   let least = OPPOSITE_PIXELS;
-  for (const [j, { name }] of skeleton.joints.entries()) {
+  for (const j of skeleton.joints.keys()) {
     if (j === joint) continue;
     const across = opposite([world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]]);
-    const at = transformPoint(placement, 0, across);
+    const at = transformPoint(placement, across);
     const seen = eye.toScreen(at);
     const distance = Math.hypot(seen.x - x, seen.y - y);
     if (seen.depth <= 0 || distance > least) continue;
     least = distance;
-    best = { at, name: name || `joint ${j}` };
+    best = { at, name: jointName(skeleton, j) };
   }
   return best;
 }
@@ -161,5 +160,5 @@ export function placeForChild(wb: Workbench, rigged: Rigged, parent: number, at:
   const unit = eye.unitsPerPixel(start) / scaleOf(space);
   const snaps = at.ctrlKey || at.metaKey;
   const round = snaps ? snappedPoint(offset, roundStep(SNAP_PIXELS * unit)) : withoutDust(offset, unit);
-  return { offset: round, scene: transformPoint(space, 0, round) };
+  return { offset: round, scene: transformPoint(space, round) };
 }

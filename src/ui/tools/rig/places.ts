@@ -8,26 +8,8 @@
  * pivot is to go, and never worked out anew.
  */
 import { invertAffine, isSingular, multiplyAffine } from '../../../math/mat4.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
+import { add, dot, subtract, transformVector, type Vec3 } from '../../../math/vec3.ts';
 import type { Box } from '../../../model/skeleton.ts';
-
-/** The point that an affine matrix makes of this one. */
-export function transformPoint(m: Float64Array, o: number, [x, y, z]: Vec3): Vec3 {
-  return [
-    m[o] * x + m[o + 4] * y + m[o + 8] * z + m[o + 12],
-    m[o + 1] * x + m[o + 5] * y + m[o + 9] * z + m[o + 13],
-    m[o + 2] * x + m[o + 6] * y + m[o + 10] * z + m[o + 14],
-  ];
-}
-
-/** The same of a difference of points: without the matrix's translation. */
-export function transformVector(m: Float64Array, o: number, [x, y, z]: Vec3): Vec3 {
-  return [
-    m[o] * x + m[o + 4] * y + m[o + 8] * z,
-    m[o + 1] * x + m[o + 5] * y + m[o + 9] * z,
-    m[o + 2] * x + m[o + 6] * y + m[o + 10] * z,
-  ];
-}
 
 /** Undefined where the matrix flattens: there is no way back then. */
 export function inverseOf(m: Float64Array, o = 0): Float64Array | undefined {
@@ -35,22 +17,6 @@ export function inverseOf(m: Float64Array, o = 0): Float64Array | undefined {
   const inverse = new Float64Array(16);
   invertAffine(m, o, inverse, 0);
   return inverse;
-}
-
-export function subtract(a: Vec3, b: Vec3): Vec3 {
-  return [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-}
-
-export function add(a: Vec3, b: Vec3): Vec3 {
-  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-}
-
-export function scaled([x, y, z]: Vec3, factor: number): Vec3 {
-  return [x * factor, y * factor, z * factor];
-}
-
-export function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /**
@@ -71,7 +37,7 @@ export function parentToScene(placement: Float64Array, world: Float64Array, pare
  */
 export function offsetMoved(offset: Vec3, parent: Float64Array, from: Vec3, to: Vec3): Vec3 | undefined {
   const inverse = inverseOf(parent);
-  return inverse && add(offset, transformVector(inverse, 0, subtract(to, from)));
+  return inverse && add(offset, transformVector(inverse, subtract(to, from)));
 }
 
 /**
@@ -118,8 +84,11 @@ function tidy(value: number): number {
 
 /** Numbers to as many decimals as a hand can mean: a tenth of a pixel's worth. */
 export function withoutDust(point: Vec3, unitsPerPixel: number): Vec3 {
-  const step = 10 ** Math.floor(Math.log10(Math.max(unitsPerPixel, 1e-12) / 10));
-  return snappedPoint(point, step);
+  return snappedPoint(point, dustOf(unitsPerPixel));
+}
+
+function dustOf(unitsPerPixel: number): number {
+  return 10 ** Math.floor(Math.log10(Math.max(unitsPerPixel, 1e-12) / 10));
 }
 
 export type Side = 'min' | 'max';
@@ -130,23 +99,30 @@ export type Side = 'min' | 'max';
  * @param by in the box's space, along the axis
  * @param both the face across goes the other way as far
  * @param step what the face's place snaps to
+ * @param unitsPerPixel in the box's space: numbers that change have as many decimals as a hand can mean
  */
 export function boxWithFace(
   { min, max }: Box,
   axis: 0 | 1 | 2,
   side: Side,
   by: number,
-  { both = false, step }: { readonly both?: boolean; readonly step?: number | undefined } = {},
+  {
+    both = false,
+    step,
+    unitsPerPixel,
+  }: { readonly both?: boolean; readonly step?: number | undefined; readonly unitsPerPixel?: number } = {},
 ): Box {
   const own = side === 'min' ? min[axis] : max[axis];
   const across = side === 'min' ? max[axis] : min[axis];
   const isCrossed = min[axis] > max[axis];
   const middle = (own + across) / 2;
-  let face = own + by;
-  if (step !== undefined) face = snapped(face, step);
+  const clean = (value: number) => (unitsPerPixel === undefined ? value : snapped(value, dustOf(unitsPerPixel)));
+  let face = by === 0 ? own : clean(own + by);
+  if (step !== undefined) face = snapped(own + by, step);
   const stop = both ? middle : across;
   if (!isCrossed) face = side === 'min' ? Math.min(face, stop) : Math.max(face, stop);
-  const other = both ? across - (face - own) : across;
+  const goesAlong = both && face !== own;
+  const other = goesAlong ? (face === stop ? stop : clean(across - (face - own))) : across;
   const put = (corner: Vec3, value: number): Vec3 => {
     const next: [number, number, number] = [...corner];
     next[axis] = value;

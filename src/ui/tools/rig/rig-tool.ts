@@ -15,6 +15,7 @@ import { rigControls } from '../../rig/bar-controls.ts';
 import { startSkeletonAt } from '../../rig/rig-edits.ts';
 import { rigState } from '../../rig/rig-state.ts';
 import { rigging } from '../../rig/rigging-args.ts';
+import { selectedJoint } from '../../selected-joint.ts';
 import { standStill } from '../../stand-still.ts';
 import { withoutTwin } from '../../takes/takes.ts';
 import type { Workbench } from '../../workbench.ts';
@@ -23,7 +24,7 @@ import type { ModeTool } from '../mode-tool.ts';
 import { dragFace } from './box-drag.ts';
 import { partAt } from './hits.ts';
 import { dragAlong, dragFreely, placeForChild } from './joint-drags.ts';
-import { type Rigged, riggedNow, selectedJoint } from './rigged.ts';
+import { type Rigged, riggedNow } from './rigged.ts';
 
 export function rigTool(wb: Workbench): ModeTool {
   const { store, viewport } = wb;
@@ -31,6 +32,8 @@ export function rigTool(wb: Workbench): ModeTool {
   let overlay: RigOverlay | undefined;
   let stops: (() => void)[] = [];
   let pointer: CanvasPointer | undefined;
+  let controls: HTMLElement | undefined;
+  let isDragging = false;
 
   const show = () => {
     const character = currentCharacter(wb);
@@ -39,9 +42,9 @@ export function rigTool(wb: Workbench): ModeTool {
       skeleton &&
         character && {
           skeleton,
-          world: () => viewport.character(character.id)?.worldMatrices(),
+          world: () => viewport.character(character.id)?.worlds,
           placement: () => viewport.placementOf(character.id, 0),
-          selected: selectedJoint(wb),
+          selected: selectedJoint(wb)?.joint,
           axes: state.axes.get(),
           withArrows: !state.adding.get(),
         },
@@ -54,12 +57,13 @@ export function rigTool(wb: Workbench): ModeTool {
     const screen = overlay?.screen;
     if (!screen) return undefined;
     const { left, top } = viewport.canvas.getBoundingClientRect();
-    return partAt(screen, at.clientX - left, at.clientY - top, at.pointerType === 'touch');
+    const hand = { byTouch: at.pointerType === 'touch', isAdding: state.adding.get() };
+    return partAt(screen, at.clientX - left, at.clientY - top, hand);
   };
 
   /** Where a click would add a joint; nowhere over a joint, which it would pick. */
   const showGhost = () => {
-    const parent = selectedJoint(wb);
+    const parent = selectedJoint(wb)?.joint;
     const rigged = pointer && parent !== undefined && wantsJoint(pointer) ? riggedNow(wb) : undefined;
     const place =
       pointer && rigged && parent !== undefined && partUnder(pointer)?.kind !== 'joint'
@@ -71,11 +75,11 @@ export function rigTool(wb: Workbench): ModeTool {
 
   const select = (joint: number) => {
     const character = currentCharacter(wb);
-    if (character && selectedJoint(wb) !== joint) store.select({ characterId: character.id, joint });
+    if (character && selectedJoint(wb)?.joint !== joint) store.select({ characterId: character.id, joint });
   };
 
   const addAt = (at: CanvasPointer): void => {
-    const parent = selectedJoint(wb);
+    const parent = selectedJoint(wb)?.joint;
     standStill(wb);
     const rigged = riggedNow(wb);
     const refuse = (why: string) => wb.messages.note(why, 'warning');
@@ -101,6 +105,7 @@ export function rigTool(wb: Workbench): ModeTool {
   ): CanvasDrag => {
     let drag: CanvasDrag | undefined;
     let given = false;
+    isDragging = true;
     return {
       move(now) {
         if (!given && Math.hypot(now.clientX - at.clientX, now.clientY - at.clientY) <= CLICK_PIXELS) return;
@@ -113,17 +118,21 @@ export function rigTool(wb: Workbench): ModeTool {
         drag?.move(now);
       },
       end(now) {
+        isDragging = false;
         if (given) drag?.end(now);
         else clicked(now);
       },
-      cancel: () => drag?.cancel(),
+      cancel() {
+        isDragging = false;
+        drag?.cancel();
+      },
     };
   };
 
-  /** Escape ends the adding, and nothing else. */
+  /** Escape ends the adding, and nothing else; a drag that is under way goes first, by its own Escape. */
   const onKey = (event: KeyboardEvent) => {
     if (event.key === 'Control' || event.key === 'Meta') followKeys(event);
-    if (event.type !== 'keydown' || event.key !== 'Escape' || !state.adding.get()) return;
+    if (event.type !== 'keydown' || event.key !== 'Escape' || !state.adding.get() || isDragging) return;
     const target = event.target instanceof Element ? event.target : document.body;
     if (isTextField(target) || target.closest('[role=menu],dialog') || wb.dialog.get()) return;
     event.preventDefault();
@@ -144,7 +153,7 @@ export function rigTool(wb: Workbench): ModeTool {
       if (at.button !== 0 && at.button !== 2) return undefined;
       const part = partUnder(at);
       const byRight = at.button === 2;
-      const selected = selectedJoint(wb);
+      const selected = selectedJoint(wb)?.joint;
       if (!part || (byRight && part.kind !== 'joint')) return undefined;
       const drag = (joint: number, start: (rigged: Rigged) => CanvasDrag) =>
         onceMoved(
@@ -216,7 +225,8 @@ export function rigTool(wb: Workbench): ModeTool {
       ];
       window.addEventListener('keydown', onKey, true);
       window.addEventListener('keyup', onKey, true);
-      wb.posing.controls.set(rigControls(wb));
+      controls ??= rigControls(wb);
+      wb.posing.controls.set(controls);
       show();
     },
     leave() {
@@ -224,6 +234,7 @@ export function rigTool(wb: Workbench): ModeTool {
       stops = [];
       overlay = undefined;
       pointer = undefined;
+      isDragging = false;
       window.removeEventListener('keydown', onKey, true);
       window.removeEventListener('keyup', onKey, true);
       // The tool may be taken up anew in its own mode, as the page starts.

@@ -1,10 +1,10 @@
 /** The character that rig mode is about, with what it takes to turn places in the scene into its numbers. */
-import type { Vec3 } from '../../../math/vec3.ts';
+import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../actions/action.ts';
 import type { Workbench } from '../../workbench.ts';
-import { inverseOf, parentToScene, transformPoint } from './places.ts';
+import { inverseOf, parentToScene } from './places.ts';
 
 export interface Rigged {
   readonly character: Character;
@@ -25,17 +25,9 @@ export function riggedNow(wb: Workbench): Rigged | undefined {
   return { character, skeleton: character.skeleton, world, placement };
 }
 
-/** The joint that is selected, of the character that rig mode is about. */
-export function selectedJoint(wb: Workbench): number | undefined {
-  const character = currentCharacter(wb);
-  const { characterId, joint } = wb.store.selection;
-  const isThere = character && characterId === character.id && joint !== undefined;
-  return isThere && joint < (character.skeleton?.joints.length ?? 0) ? joint : undefined;
-}
-
 /** Where a joint's pivot is in the scene. */
 export function pivotOf({ world, placement }: Rigged, joint: number): Vec3 {
-  return transformPoint(parentToScene(placement, world, joint), 0, [0, 0, 0]);
+  return transformPoint(parentToScene(placement, world, joint), ZERO);
 }
 
 /** From the space that a joint's offset is in to the scene. */
@@ -54,5 +46,5 @@ export function scaleOf(m: Float64Array): number {
 /** A point of the scene in the space that the children of a joint have their offsets in. */
 export function inSpaceOf({ world, placement }: Rigged, joint: number, point: Vec3): Vec3 | undefined {
   const inverse = inverseOf(parentToScene(placement, world, joint));
-  return inverse && transformPoint(inverse, 0, point);
+  return inverse && transformPoint(inverse, point);
 }

@@ -6,10 +6,11 @@ import { HeldTargets } from '../../../../src/ui/tools/ik/held-targets.ts';
 const worldAt = (x: number) => Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1);
 const pin: Pin = { id: 4, joint: 0, point: [0, 1, 0], weight: 1, holdsOrientation: false };
 const dofs = Float64Array.of(1, 2, 3);
+const HINDRANCE = { binding: [7], holders: [], canMove: true, rootStays: false };
 
 function left() {
   const targets = new HeldTargets();
-  targets.leave('c1', { pins: [pin] }, dofs, new Map([[4, { position: [9, 9, 9] }]]), [7]);
+  targets.leave('c1', { pins: [pin] }, dofs, new Map([[4, { position: [9, 9, 9] }]]), HINDRANCE);
   return targets;
 }
 
@@ -45,7 +46,7 @@ describe('where pins hold', () => {
   it('is forgotten with its character', () => {
     const targets = left();
     targets.keepOnly(new Set(['c1']));
-    expect(targets.leftOf('c1', dofs)?.binding).toEqual([7]);
+    expect(targets.leftOf('c1', dofs)?.hindrance).toBe(HINDRANCE);
     targets.keepOnly(new Set());
     expect(targets.leftOf('c1', dofs)).toBeUndefined();
   });

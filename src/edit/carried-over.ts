@@ -1,0 +1,58 @@
+/**
+ * What a character keeps where its skeleton comes again from a file: poses that were kept, what inverse kinematics holds
+ * on to, and a take of another one that moves it. All of that goes by joints, which may be others by then, or fewer.
+ */
+import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import type { Character } from '../model/document.ts';
+import { characterDofs } from '../model/dofs.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { movedPoses } from './pose/library.ts';
+import { sameJoints } from './pose/same-joints.ts';
+import { remapIk, remapPairs, withIk } from './rig/by-joint.ts';
+
+/** @param after the character with its new skeleton, and all else as it was */
+export function carriedOver(before: Character, after: Character): Character {
+  const { poses, ik, driver } = before;
+  if (!(poses ?? ik ?? driver)) return after;
+  const to = before.skeleton && after.skeleton ? sameJoints(before.skeleton, after.skeleton) : [];
+  const next = {
+    ...after,
+    ...(poses && { poses: movedPoses(before, after, poses, to) }),
+    ...(driver && { driver: { ...driver, pairs: remapPairs(driver.pairs, 'target', to) } }),
+  };
+  return ik ? withIk(next, remapIk(ik, to)) : next;
+}
+
+/** What of that had no joint to go to, or no DOF. */
+export function lostOver(before: Character, after: Character, file: string): Diagnostic[] {
+  const { skeleton, ik } = before;
+  if (!skeleton || !after.skeleton) return [];
+  const { joints } = skeleton;
+  const to = sameJoints(skeleton, after.skeleton);
+  const problems: Diagnostic[] = [];
+  const say = (code: string, message: string) => problems.push(withoutPlace('info', code, message, file));
+  const called = (list: readonly number[]) => {
+    const names = [...new Set(list)].map((joint) => (joints[joint].name ? `"${joints[joint].name}"` : `#${joint}`));
+    return names.length > 1 ? `${names[0]} and ${names.length - 1} more` : names[0];
+  };
+  const unposed = posedInVain(before, after.skeleton, to);
+  if (unposed.length)
+    say('kept-pose-lost', `Kept poses lose what they had of ${called(unposed)}: it is not there any more.`);
+  const gone = ({ joint }: { readonly joint: number }) => to[joint] < 0;
+  const held = [...(ik?.pins ?? []), ...(ik?.stiff ?? [])].filter(gone).map(({ joint }) => joint);
+  if (held.length) say('ik-lost', `What was pinned, locked or stiff at ${called(held)} is gone with it.`);
+  return problems;
+}
+
+/** Joints that kept poses say something of for which there is no place now. */
+function posedInVain({ skeleton, morphs, poses = [] }: Character, after: Skeleton, to: Int32Array): readonly number[] {
+  if (poses.length === 0) return [];
+  const key = (joint: number, name: string) => `${joint} ${name}`;
+  const there = new Set(characterDofs(after, []).map(({ joint, name }) => key(joint, name)));
+  const lost = new Set<number>();
+  characterDofs(skeleton, morphs).forEach(({ joint, name, rest }, dof) => {
+    if (joint < 0 || there.has(key(to[joint], name))) return;
+    if (poses.some(({ values }) => (values[dof] ?? rest) !== rest)) lost.add(joint);
+  });
+  return [...lost].sort((a, b) => a - b);
+}

@@ -1,0 +1,118 @@
+/** The maps K of a reflection (`reflection.ts`): from each joint's own axes to those of its counterpart, mirrored. */
+import { rotationPart } from '../../evaluate/euler-angles.ts';
+import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
+import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
+import type { Vec3 } from '../../math/vec3.ts';
+import type { Joint, Skeleton } from '../../model/skeleton.ts';
+
+/** What the DOFs of each joint are mirrored by. */
+export interface JointMaps {
+  /** M, nine numbers. */
+  readonly matrix: Float64Array;
+  /** Each joint's counterpart, itself for one in the middle, -1 where it has none: its DOFs stay. */
+  readonly partner: Int32Array;
+  /** The character's DOFs in the pose of reference, without morphs. */
+  readonly reference: Float64Array;
+  /** K of each joint that has a partner, nine numbers. */
+  readonly maps: Float64Array;
+}
+
+/** I − 2·n·nᵀ, nine numbers. */
+export function reflectionMatrix(normal: Vec3): Float64Array {
+  const out = new Float64Array(9);
+  for (let c = 0; c < 3; c++) {
+    for (let r = 0; r < 3; r++) out[3 * c + r] = (r === c ? 1 : 0) - 2 * normal[r] * normal[c];
+  }
+  return out;
+}
+
+const [ACROSS_X, ACROSS_Y, ACROSS_Z] = ([0, 1, 2] as const).map((k) =>
+  reflectionMatrix([k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0]),
+);
+/** Every axis the other way. */
+const AGAINST = Float64Array.of(-1, 0, 0, 0, -1, 0, 0, 0, -1);
+
+/** K of each joint that has a counterpart: its parent's, turned as the two joints are in the pose of reference. */
+export function mapsOf(
+  skeleton: Skeleton,
+  compiled: CompiledSkeleton,
+  { partner, reference, matrix }: Omit<JointMaps, 'maps'>,
+): Float64Array {
+  const { jointCount, parent, firstDof, motions } = compiled;
+  const maps = new Float64Array(9 * jointCount);
+  const turns = new Float64Array(9 * jointCount);
+  const local = new Float64Array(16);
+  for (let j = 0; j < jointCount; j++) {
+    motions[j].write(reference, firstDof[j], local, 0);
+    rotationPart(local, 0);
+    for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) turns[9 * j + 3 * c + r] = local[4 * c + r];
+  }
+  const turned = new Float64Array(9);
+  const own = new Float64Array(9);
+  for (let j = 0; j < jointCount; j++) {
+    const other = partner[j];
+    if (other < 0) continue;
+    const above = parent[j];
+    const isKnown = above >= 0 && partner[above] >= 0;
+    multiply3(isKnown ? maps : matrix, isKnown ? 9 * above : 0, turns, 9 * j, turned, 0);
+    backMultiply3(turns, 9 * other, turned, 0, own, 0);
+    maps.set(fittingMap(skeleton, partner, j, own), 9 * j);
+  }
+  return maps;
+}
+
+/** Of that part of the offsets a map may miss them; another one has to miss them by so much less. */
+const MISSED = 0.15;
+const MUCH_LESS = 0.25;
+
+/**
+ * The map itself where it takes the offsets of the joint's children to those of their counterparts, as it should; else
+ * the one that does, of those that leave axes along axes. Against the bone instead of along it, all three axes are.
+ */
+export function fittingMap({ joints }: Skeleton, partner: Int32Array, j: number, map: Float64Array): Float64Array {
+  const other = partner[j];
+  const pairs: (readonly [Vec3, Vec3])[] = [];
+  let length = 0;
+  const add = (from: Vec3, to: Vec3) => {
+    pairs.push([from, to]);
+    length += Math.hypot(...from);
+  };
+  for (const c of childrenOf(joints)[j]) {
+    if (partner[c] >= 0 && joints[partner[c]].parent === other) add(joints[c].offset, joints[partner[c]].offset);
+  }
+  const ends = joints[other].endSites ?? [];
+  joints[j].endSites?.forEach((end, i) => {
+    if (ends.length === joints[j].endSites?.length) add(end, ends[i]);
+  });
+  const missed = (m: Float64Array) => {
+    let sum = 0;
+    for (const [[x, y, z], to] of pairs) {
+      sum += Math.hypot(...[0, 1, 2].map((k) => m[k] * x + m[3 + k] * y + m[6 + k] * z - to[k]));
+    }
+    return sum;
+  };
+  const own = missed(map);
+  if (own <= MISSED * length) return map;
+  let best = map;
+  let least = MUCH_LESS * own;
+  for (const candidate of other === j ? [ACROSS_X, ACROSS_Z, ACROSS_Y] : [AGAINST, ACROSS_X, ACROSS_Y, ACROSS_Z]) {
+    const its = missed(candidate);
+    if (its >= least) continue;
+    best = candidate;
+    least = 0.9 * its;
+  }
+  return best;
+}
+
+const lists = new WeakMap<readonly Joint[], readonly number[][]>();
+
+function childrenOf(joints: readonly Joint[]): readonly number[][] {
+  const known = lists.get(joints);
+  if (known) return known;
+  const children: number[][] = joints.map(() => []);
+  joints.forEach(({ parent }, j) => {
+    if (parent >= 0) children[parent].push(j);
+  });
+  lists.set(joints, children);
+  return children;
+}

@@ -1,0 +1,33 @@
+/** What of a character's takes goes with DOFs that a joint no longer has. */
+import { isSampled } from '../../model/clip.ts';
+import type { Character } from '../../model/document.ts';
+import { firstDofs } from '../../model/dofs.ts';
+import { dofsOf } from '../../model/skeleton.ts';
+import type { JointMap } from './joint-map.ts';
+
+/** `3 keys of r`, `7 keys and the samples of ry and rz`; undefined where nothing goes. */
+export function lostKeys(
+  { clips }: Pick<Character, 'clips'>,
+  { before, dofs }: JointMap,
+  joint: number,
+): string | undefined {
+  const kept = new Set(dofs.map(({ from }) => from));
+  const first = firstDofs(before)[joint];
+  const names: string[] = [];
+  let keys = 0;
+  let hasSamples = false;
+  dofsOf(before.joints[joint].motion).forEach(({ name }, d) => {
+    const dof = first + d;
+    if (kept.has(dof)) return;
+    const own = clips.reduce((sum, { channels }) => sum + (channels[dof]?.times.length ?? 0), 0);
+    const sampled = clips.some((clip) => isSampled(clip, dof));
+    keys += own;
+    hasSamples ||= sampled;
+    if (own > 0 || sampled) names.push(name);
+  });
+  if (names.length === 0) return undefined;
+  const counted = keys > 0 ? [keys === 1 ? '1 key' : `${keys} keys`] : [];
+  const what = [...counted, ...(hasSamples ? ['the samples'] : [])].join(' and ');
+  const last = names.pop();
+  return `${what} of ${names.length ? `${names.join(', ')} and ${last}` : last}`;
+}

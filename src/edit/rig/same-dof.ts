@@ -1,0 +1,42 @@
+/**
+ * Which DOF of one motion is which of another: the one of that name. A turn about an axis of the joint's space is one
+ * about that axis, whatever it is called:
+ *
+ *     r of a hinge or screw about ±x, ±y or ±z   ⇄   ± rx, ry or rz
+ */
+import { dofsOf, type Motion } from '../../model/skeleton.ts';
+
+export interface SameDof {
+  readonly name: string;
+  /** What values are multiplied by. */
+  readonly sign: 1 | -1;
+}
+
+/** The DOF of `before` that does what the one of that name does in `after`; it goes for both directions. */
+export function sameDof(before: Motion, after: Motion, name: string): SameDof | undefined {
+  if (has(before, name)) return { name, sign: 1 };
+  if (name === 'r') {
+    const turn = turnOf(after);
+    return turn && has(before, turn.name) ? turn : undefined;
+  }
+  const turn = turnOf(before);
+  return turn?.name === name && !has(after, 'r') ? { name: 'r', sign: turn.sign } : undefined;
+}
+
+/** −v, where 0 stays 0: −0 would be written with its sign. */
+export function timesSign(value: number, sign: 1 | -1): number {
+  return sign < 0 ? 0 - value : value;
+}
+
+function has(motion: Motion, name: string): boolean {
+  return dofsOf(motion).some((dof) => dof.name === name);
+}
+
+/** What turning about its axis is called elsewhere, for an axis along x, y or z. */
+function turnOf(motion: Motion): SameDof | undefined {
+  if (motion.kind !== 'hinge' && motion.kind !== 'screw') return undefined;
+  const along = [0, 1, 2].filter((k) => motion.axis[k] !== 0);
+  if (along.length !== 1) return undefined;
+  const [k] = along;
+  return { name: `r${'xyz'[k]}`, sign: motion.axis[k] < 0 ? -1 : 1 };
+}

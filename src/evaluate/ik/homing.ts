@@ -1,0 +1,76 @@
+/**
+ * The way back to another pose that moves no pin: of the difference d to it, what the pins leave free,
+ *
+ *     h = d − Jᵀ·(J·Jᵀ + λI)⁻¹·J·d
+ *
+ * the projection onto the null space of the Jacobian (Liégeois 1977), damped by a sliver. A DOF at its limit that h would
+ * press against is taken out and the rest is projected again. To first order no pin moves by it; `solve` puts right what
+ * remains.
+ */
+import { writeJacobian } from './jacobian.ts';
+import { solveDamped, writeNormal } from './normal.ts';
+import type { IkProblem } from './state.ts';
+
+/** Of the mean of the diagonal. Less than that and directions that nothing can move in would be divided by nothing. */
+const DAMPING = 1e-7;
+/** How often it is projected again because of limits. */
+const MOST_ROUNDS = 3;
+
+/**
+ * Writes h to `problem.scratch.step`, in unknowns. The pose in `dofs` is the one last looked at.
+ * @param home the character's DOFs that it is to be nearer to
+ * @returns the largest change of an unknown that it asks for: radians, factors, parts of the reach; 0 where there is none
+ */
+export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: ArrayLike<number>): number {
+  const { variables, scratch, jacobian, rows } = problem;
+  const { count: n, dof, scale, relative, lower, upper } = variables;
+  const { step, held, fixedStep: way, freeColumns, rest, normal, factor, solution } = scratch;
+  if (n === 0) return 0;
+  writeJacobian(problem, dofs);
+  held.fill(0);
+  for (let round = 0; ; round++) {
+    for (let v = 0; v < n; v++) way[v] = held[v] ? 0 : (home[dof[v]] - dofs[dof[v]]) / scale[v];
+    for (let r = 0; r < rows; r++) {
+      let sum = 0;
+      for (let v = 0; v < n; v++) {
+        const j = held[v] ? 0 : jacobian[r * n + v];
+        freeColumns[r * n + v] = j;
+        sum += j * way[v];
+      }
+      rest[r] = sum;
+    }
+    writeNormal(freeColumns, rows, n, normal);
+    const size = Math.min(rows, n);
+    let trace = 0;
+    for (let i = 0; i < size; i++) trace += normal[i * size + i];
+    const damping = DAMPING * (trace / size) + 1e-300;
+    // The step that undoes what d does to the pins.
+    if (!solveDamped(freeColumns, rows, n, rest, normal, damping, factor, solution, step)) return 0;
+    let isFree = true;
+    for (let v = 0; v < n; v++) {
+      step[v] += way[v];
+      if (held[v]) {
+        step[v] = 0;
+        continue;
+      }
+      const value = dofs[dof[v]];
+      const pressed = (value <= lower[v] && step[v] < 0) || (value >= upper[v] && step[v] > 0);
+      if (!pressed || round >= MOST_ROUNDS) continue;
+      held[v] = 1;
+      isFree = false;
+    }
+    if (isFree) break;
+  }
+  let most = 0;
+  for (let v = 0; v < n; v++) most = Math.max(most, Math.abs(step[v] * relative[v]));
+  return most;
+}
+
+/** Goes that part of what `writeWayHome` wrote, within the limits. */
+export function goHome({ variables, scratch }: IkProblem, dofs: Float64Array, part: number): void {
+  const { count: n, dof, scale, lower, upper } = variables;
+  for (let v = 0; v < n; v++) {
+    const value = dofs[dof[v]] + part * scratch.step[v] * scale[v];
+    dofs[dof[v]] = Math.min(upper[v], Math.max(lower[v], value));
+  }
+}

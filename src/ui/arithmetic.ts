@@ -1,0 +1,112 @@
+/**
+ * Numbers that people type, worked out:
+ *
+ *     sum     = product { ("+" | "-") product }
+ *     product = signed { ("*" | "/") signed }
+ *     signed  = [ "+" | "-" ] amount
+ *     amount  = ( number | "pi" | "(" sum ")" ) [ unit ]
+ *
+ * A plain number is read exactly as JavaScript reads it. A unit is a factor: what it is in the unit of the field.
+ */
+
+/** Names of units in small letters, and what one of each is in the unit of the field. */
+export type Units = Readonly<Record<string, number>>;
+
+const NUMBER = /^(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:e[+-]?\d+)?/i;
+const WORD = /^(?:[°π]|[a-z]+)/i;
+const PI: Readonly<Record<string, number>> = { pi: Math.PI, π: Math.PI };
+/** Nobody types more; a paste of a million parentheses is no number. */
+const LONGEST = 200;
+
+/** What the text comes to; undefined where it is not of that grammar, or comes to no finite number. */
+export function workedOut(text: string, units: Units): number | undefined {
+  if (text.length > LONGEST) return undefined;
+  const reader = new Reader(text.replaceAll('−', '-').replaceAll('×', '*').replaceAll('÷', '/'), units);
+  const value = reader.sum();
+  return reader.isAtEnd && Number.isFinite(value) ? value : undefined;
+}
+
+/** NaN is what nothing can be made of; it stays NaN whatever it is added to. */
+class Reader {
+  private at = 0;
+
+  constructor(
+    private readonly text: string,
+    private readonly units: Units,
+  ) {}
+
+  get isAtEnd(): boolean {
+    this.skipBlanks();
+    return this.at === this.text.length;
+  }
+
+  sum(): number {
+    let value = this.product();
+    for (;;) {
+      if (this.take('+')) value += this.product();
+      else if (this.take('-')) value -= this.product();
+      else return value;
+    }
+  }
+
+  private product(): number {
+    let value = this.signed();
+    for (;;) {
+      if (this.take('*')) value *= this.signed();
+      else if (this.take('/')) value /= this.signed();
+      else return value;
+    }
+  }
+
+  private signed(): number {
+    if (this.take('-')) return -this.amount();
+    this.take('+');
+    return this.amount();
+  }
+
+  private amount(): number {
+    const value = this.bare();
+    const unit = this.lookAt(WORD);
+    const factor = own(this.units, unit);
+    if (factor === undefined) return value;
+    this.at += unit.length;
+    return value * factor;
+  }
+
+  private bare(): number {
+    if (this.take('(')) {
+      const value = this.sum();
+      return this.take(')') ? value : Number.NaN;
+    }
+    const digits = this.lookAt(NUMBER);
+    if (digits) {
+      this.at += digits.length;
+      return Number(digits.replace(',', '.'));
+    }
+    const word = this.lookAt(WORD);
+    this.at += word.length;
+    return own(PI, word) ?? Number.NaN;
+  }
+
+  /** What stands here of that form; empty where something else does. */
+  private lookAt(form: RegExp): string {
+    this.skipBlanks();
+    return form.exec(this.text.slice(this.at))?.[0] ?? '';
+  }
+
+  private take(sign: string): boolean {
+    this.skipBlanks();
+    if (this.text[this.at] !== sign) return false;
+    this.at++;
+    return true;
+  }
+
+  private skipBlanks(): void {
+    while (/\s/.test(this.text.charAt(this.at))) this.at++;
+  }
+}
+
+function own(words: Units, word: string): number | undefined {
+  const name = word.toLowerCase();
+  return Object.hasOwn(words, name) ? words[name] : undefined;
+}

@@ -1,0 +1,67 @@
+/** How long a passing message is shown: so many milliseconds in all in which the pointer is not on it. */
+
+/** `setTimeout` and its kin, so that a test can stand in for time. */
+export interface Clock {
+  now(): number;
+  /** Calls back once; gives the way to call it off. */
+  after(ms: number, run: () => void): () => void;
+}
+
+export const PAGE_CLOCK: Clock = {
+  now: () => performance.now(),
+  after(ms, run) {
+    const timer = setTimeout(run, ms);
+    return () => clearTimeout(timer);
+  },
+};
+
+export class PassingTime {
+  private left = 0;
+  private isHeld = false;
+  private since = 0;
+  private callOff: (() => void) | undefined;
+
+  constructor(
+    private readonly ms: number,
+    private readonly over: () => void,
+    private readonly clock: Clock = PAGE_CLOCK,
+  ) {}
+
+  /** From the beginning: another message. */
+  begin(): void {
+    this.callOff?.();
+    this.callOff = undefined;
+    this.left = this.ms;
+    this.goOn();
+  }
+
+  /** The message is gone, and nobody is at it any more. */
+  end(): void {
+    this.callOff?.();
+    this.callOff = undefined;
+    this.left = 0;
+    this.isHeld = false;
+  }
+
+  /** While someone is at it, its time stands still. */
+  hold(isHeld: boolean): void {
+    if (isHeld === this.isHeld) return;
+    this.isHeld = isHeld;
+    if (!isHeld) this.goOn();
+    else if (this.callOff) {
+      this.callOff();
+      this.callOff = undefined;
+      this.left -= this.clock.now() - this.since;
+    }
+  }
+
+  private goOn(): void {
+    if (this.isHeld || this.left <= 0) return;
+    this.since = this.clock.now();
+    this.callOff = this.clock.after(this.left, () => {
+      this.callOff = undefined;
+      this.left = 0;
+      this.over();
+    });
+  }
+}

@@ -1,0 +1,66 @@
+/** What the hand does with a card of the library: a press that takes the pose on, and a drag that blends to it. */
+import { applyPose } from '../../edit/commands/poses.ts';
+import { HandEdit } from '../hand-edit.ts';
+import type { Workbench } from '../workbench.ts';
+import { moment } from './pose-edits.ts';
+
+/** A drag of that many CSS pixels to the right is the whole pose. */
+const WHOLE_DRAG = 160;
+
+/**
+ * Follows a press to where it ends, be that outside of the page; nothing listens after it.
+ * @param released is told where the pointer was let go; not where the browser took it away
+ * @returns gives it up
+ */
+export function followPress(down: PointerEvent, released: (up: PointerEvent) => void): () => void {
+  const listening = new AbortController();
+  const { signal } = listening;
+  const end = (event: PointerEvent) => {
+    if (event.pointerId !== down.pointerId) return;
+    listening.abort();
+    if (event.type === 'pointerup') released(event);
+  };
+  window.addEventListener('pointerup', end, { signal });
+  window.addEventListener('pointercancel', end, { signal });
+  return () => listening.abort();
+}
+
+export interface Blended {
+  readonly characterId: string;
+  readonly pose: number;
+  readonly joint: number | undefined;
+}
+
+/**
+ * As much of the pose as the hand has moved to the right; one undo step.
+ * @param grid holds the pointer
+ * @param show is told how much; undefined: it is over
+ */
+export function blendByDrag(
+  wb: Workbench,
+  grid: HTMLElement,
+  down: PointerEvent,
+  { characterId, pose, joint }: Blended,
+  show: (share: number | undefined) => void,
+): void {
+  const hand = new HandEdit(wb.store, wb.messages);
+  const at = moment(wb);
+  grid.setPointerCapture(down.pointerId);
+  const listening = new AbortController();
+  const { signal } = listening;
+  const move = (event: PointerEvent) => {
+    if (hand.cancelled) return end(event);
+    const share = Math.min(1, Math.max(0, (event.clientX - down.clientX) / WHOLE_DRAG));
+    hand.preview(applyPose, { characterId, pose, share, joint, ...at });
+    show(share);
+  };
+  const end = (event: PointerEvent) => {
+    listening.abort();
+    if (event.type === 'pointercancel') hand.cancel();
+    hand.commit();
+    show(undefined);
+  };
+  grid.addEventListener('pointermove', move, { signal });
+  grid.addEventListener('pointerup', end, { signal });
+  grid.addEventListener('pointercancel', end, { signal });
+}

@@ -1,0 +1,49 @@
+/**
+ * The handles of the selected joint, asked for before every picture and worked out only where the pose, its place or the
+ * joint is another: pictures in which nothing but the camera moved, or the pointer, find the very same ones.
+ */
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { type JointHandles, jointHandles } from '../../../view/gizmo/handles.ts';
+
+export class KnownHandles {
+  private known: JointHandles | undefined;
+  private skeleton: Skeleton | undefined;
+  private joint = -1;
+  private dofs = new Float64Array(0);
+  private placement = new Float64Array(0);
+
+  /** As of `jointHandles`; `world` is of the pose of `dofs`. */
+  of(
+    skeleton: Skeleton,
+    joint: number,
+    dofs: Float64Array,
+    world: Float64Array,
+    placement: Float64Array,
+  ): JointHandles {
+    const isSame =
+      skeleton === this.skeleton &&
+      joint === this.joint &&
+      sameNumbers(dofs, this.dofs) &&
+      sameNumbers(placement, this.placement);
+    if (this.known && isSame) return this.known;
+    this.skeleton = skeleton;
+    this.joint = joint;
+    this.dofs = copied(dofs, this.dofs);
+    this.placement = copied(placement, this.placement);
+    this.known = jointHandles(skeleton, joint, dofs, world, placement);
+    return this.known;
+  }
+}
+
+function sameNumbers(a: Float64Array, b: Float64Array): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; i++) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+/** In the array that is there, where it has the room. */
+function copied(from: Float64Array, to: Float64Array<ArrayBuffer>): Float64Array<ArrayBuffer> {
+  if (from.length !== to.length) return from.slice();
+  to.set(from);
+  return to;
+}

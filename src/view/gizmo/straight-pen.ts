@@ -1,0 +1,93 @@
+/** Arrows and boxes, with how far limits let them go. */
+import type { StageTheme } from '../theme.ts';
+import { type DraggedHandle, type GizmoState, lookOf, TICK } from './gizmo-look.ts';
+import type { Shape } from './shapes.ts';
+
+const AWAY = 0.2;
+/** CSS pixels. */
+const HEAD = 6;
+
+export class StraightPen {
+  /** @param side of the canvas in CSS pixels */
+  constructor(
+    private readonly pen: CanvasRenderingContext2D,
+    private readonly side: number,
+  ) {}
+
+  draw(shape: Shape, state: GizmoState, theme: StageTheme): void {
+    const { points, form, isAway } = shape;
+    const { isActive, isLit, color } = lookOf(shape, state, theme);
+    const { pen } = this;
+    const [ax, ay, bx, by] = points;
+    pen.globalAlpha = isAway ? AWAY : 1;
+    if (isActive || isLit) this.rail(shape, state.dragged, color, theme);
+    for (const [width, stroke] of [
+      [isLit || isActive ? 5 : 4, theme.labelHalo],
+      [isLit || isActive ? 3 : 1.75, color],
+    ] as const) {
+      pen.lineWidth = width;
+      pen.strokeStyle = stroke;
+      pen.beginPath();
+      pen.moveTo(ax, ay);
+      pen.lineTo(bx, by);
+      pen.stroke();
+    }
+    pen.save();
+    pen.translate(bx, by);
+    pen.rotate(form === 'diamond' ? Math.PI / 4 : Math.atan2(by - ay, bx - ax));
+    pen.beginPath();
+    if (form === 'arrow') {
+      pen.moveTo(HEAD + 4, 0);
+      pen.lineTo(-HEAD, HEAD - 0.5);
+      pen.lineTo(-HEAD, 0.5 - HEAD);
+      pen.closePath();
+    } else pen.rect(-HEAD + 1, -HEAD + 1, 2 * HEAD - 2, 2 * HEAD - 2);
+    pen.lineWidth = 2;
+    pen.strokeStyle = theme.labelHalo;
+    pen.stroke();
+    pen.fillStyle = color;
+    pen.fill();
+    pen.restore();
+    pen.globalAlpha = 1;
+  }
+
+  /** How far a length may go along its arrow, where limits hold it: dashes, with a tick at either end that is near. */
+  private rail(
+    { points, range, step, form }: Shape,
+    dragged: DraggedHandle | undefined,
+    color: string,
+    theme: StageTheme,
+  ): void {
+    if (form !== 'arrow' || !(Number.isFinite(range.min) && Number.isFinite(range.max))) return;
+    const [ax, ay, bx, by] = points;
+    const { pen, side } = this;
+    const length = Math.hypot(bx - ax, by - ay) || 1;
+    const most = (0.48 * side) / length;
+    const [nx, ny] = [-(by - ay) / length, (bx - ax) / length];
+    const at = (value: number): readonly [number, boolean] => {
+      const part = (value - range.value) / step;
+      return [Math.max(-most, Math.min(most, part)), Math.abs(part) <= most];
+    };
+    const ends = [at(range.min), at(range.max)] as const;
+    pen.save();
+    pen.setLineDash([3, 4]);
+    pen.lineWidth = 1.5;
+    pen.strokeStyle = color;
+    pen.beginPath();
+    pen.moveTo(ax + ends[0][0] * (bx - ax), ay + ends[0][0] * (by - ay));
+    pen.lineTo(ax + ends[1][0] * (bx - ax), ay + ends[1][0] * (by - ay));
+    pen.stroke();
+    pen.restore();
+    ends.forEach(([part, isNear], i) => {
+      if (!isNear) return;
+      const isStop = dragged?.stop === (i === 0 ? 'min' : 'max');
+      const [x, y] = [ax + part * (bx - ax), ay + part * (by - ay)];
+      pen.lineWidth = isStop ? 4 : 2;
+      pen.strokeStyle = isStop ? theme.ghostAfter : color;
+      pen.beginPath();
+      pen.moveTo(x - TICK * nx, y - TICK * ny);
+      pen.lineTo(x + TICK * nx, y + TICK * ny);
+      pen.stroke();
+    });
+  }
+}

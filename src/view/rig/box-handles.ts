@@ -1,0 +1,96 @@
+/** The box of the selected joint: its edges, and on each face a dot to take hold of. */
+import { Group, Mesh } from 'three';
+import { hasBox } from '../../model/boxes.ts';
+import type { Box, Joint } from '../../model/skeleton.ts';
+import type { CameraProjection } from '../camera-projection.ts';
+import { boxMatrix } from '../joint-shapes.ts';
+import type { StageTheme } from '../theme.ts';
+import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
+import { colorDots, type Dots, disposeDots, putDot, rigDots } from './rig-dots.ts';
+import { AXES } from './rig-screen.ts';
+
+/** A box that is smaller than this on the screen has no handles: they would be one upon the other. CSS pixels. */
+const LEAST_BOX = 26;
+
+export class BoxHandles {
+  readonly object = new Group();
+  /** x y of each face's handle, −x +x −y +y −z +z; NaN where it is not drawn. */
+  readonly screen = new Float64Array(12).fill(Number.NaN);
+  private readonly faces: readonly Dots[] = AXES.map(() => rigDots(2, 10, 46));
+  private readonly edges = new Mesh(
+    segmentsGeometry(unitBoxEdges()),
+    lineMaterial({ width: 1.25, opacity: 0.9 }, { depthTest: false, depthWrite: false }),
+  );
+
+  constructor() {
+    this.edges.matrixAutoUpdate = false;
+    this.edges.frustumCulled = false;
+    this.edges.renderOrder = 42;
+    this.object.add(...this.faces, this.edges);
+  }
+
+  /** @param world of the joint, in `world[o …]` */
+  place(projection: CameraProjection, joint: Joint | undefined, world: Float64Array, o: number): void {
+    const { screen, edges, faces } = this;
+    this.hide();
+    if (!joint || !hasBox(joint)) return;
+    edges.visible = true;
+    boxMatrix(world, o, joint.box, 0, BOX, 0);
+    edges.matrix.fromArray(BOX);
+    for (let f = 0; f < 6; f++) {
+      facePoint(world, o, joint.box, f, AT);
+      projection.toPixels(AT[0], AT[1], AT[2], screen, 2 * f);
+      putDot(faces[f >> 1], f & 1, AT, 0);
+    }
+    const isTiny = AXES.every((axis) => {
+      const [x, y] = [4 * axis, 4 * axis + 1];
+      return !(Math.hypot(screen[x + 2] - screen[x], screen[y + 2] - screen[y]) >= LEAST_BOX);
+    });
+    if (isTiny) {
+      screen.fill(Number.NaN);
+      return;
+    }
+    for (const mark of faces) {
+      mark.count = 2;
+      mark.instanceMatrix.needsUpdate = true;
+    }
+  }
+
+  hide(): void {
+    this.edges.visible = false;
+    for (const mark of this.faces) mark.count = 0;
+    this.screen.fill(Number.NaN);
+  }
+
+  setTheme(theme: StageTheme): void {
+    const colors = [theme.axisX, theme.axisY, theme.axisZ];
+    for (const axis of AXES) colorDots(this.faces[axis], colors[axis], theme);
+    this.edges.material.uniforms.color.value.copy(rawColor(theme.selected));
+  }
+
+  dispose(): void {
+    for (const mark of this.faces) disposeDots(mark);
+    this.edges.geometry.dispose();
+    this.edges.material.dispose();
+  }
+}
+
+/** Scratch, never escapes. */
+const BOX = new Float32Array(16);
+const AT = new Float64Array(3);
+
+/** Writes where the handle of a face is, −x +x −y +y −z +z, in the world. */
+function facePoint(world: Float64Array, o: number, { min, max }: Box, face: number, out: Float64Array): void {
+  const p = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
+  p[face >> 1] = (face & 1 ? max : min)[face >> 1];
+  for (let k = 0; k < 3; k++)
+    out[k] = world[o + k] * p[0] + world[o + 4 + k] * p[1] + world[o + 8 + k] * p[2] + world[o + 12 + k];
+}
+
+function unitBoxEdges(): number[] {
+  const points: number[] = [];
+  for (const a of [-0.5, 0.5]) {
+    for (const b of [-0.5, 0.5]) points.push(-0.5, a, b, 0.5, a, b, a, -0.5, b, a, 0.5, b, a, b, -0.5, a, b, 0.5);
+  }
+  return points;
+}

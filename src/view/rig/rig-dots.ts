@@ -1,0 +1,33 @@
+/** Dots of rig mode: over everything, in places that are other ones with each picture. */
+import type { BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
+import { dots } from '../dots.ts';
+import { sphereMatrix } from '../joint-shapes.ts';
+import type { StageTheme } from '../theme.ts';
+import { rawColor } from '../thick-lines.ts';
+
+export type Dots = InstancedMesh<BufferGeometry, ShaderMaterial>;
+
+/** @param size CSS pixels across */
+export function rigDots(count: number, size: number, renderOrder: number, hollow = false): Dots {
+  const mark = dots(count, { size, depthTest: false, hollow });
+  mark.matrixAutoUpdate = false;
+  mark.renderOrder = renderOrder;
+  return mark;
+}
+
+/** Instance `i` at the place in `at[o …]`. */
+export function putDot(mark: Dots, i: number, at: ArrayLike<number>, o: number): void {
+  // Made as a Float32Array, by `dots` and by three.js; its type says any array.
+  sphereMatrix(at[o], at[o + 1], at[o + 2], 1, mark.instanceMatrix.array as Float32Array, 16 * i);
+}
+
+export function colorDots(mark: Dots, color: string, theme: StageTheme): void {
+  mark.material.uniforms.color.value.copy(rawColor(color));
+  mark.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
+}
+
+export function disposeDots(mark: Dots): void {
+  mark.geometry.dispose();
+  mark.material.dispose();
+  mark.dispose();
+}

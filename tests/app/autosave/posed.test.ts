@@ -1,0 +1,75 @@
+import { expect, it } from 'vitest';
+import { Keeper } from '../../../src/app/autosave/keeper.ts';
+import { Origins } from '../../../src/app/autosave/origins.ts';
+import { readSession } from '../../../src/app/autosave/restore.ts';
+import { savingMarks } from '../../../src/app/autosave/saving-marks.ts';
+import { DiskHandles } from '../../../src/app/disk-handles.ts';
+import { saveCharacter } from '../../../src/app/saving.ts';
+import { Unsaved } from '../../../src/app/unsaved.ts';
+import { pinPoint, setStiffness } from '../../../src/edit/commands/ik.ts';
+import { keepPose } from '../../../src/edit/commands/poses.ts';
+import { openFiles } from '../../../src/edit/open-files.ts';
+import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
+import { Store } from '../../../src/edit/store.ts';
+import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import { NOTHING_SELECTED } from '../../../src/model/session.ts';
+import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/timeline/timeline.ts';
+import { parse } from '../../../src/worker/parse.ts';
+import type { GivenBlob } from '../../../src/worker/protocol.ts';
+import { character } from '../../helpers/builders.ts';
+import { memoryStore } from './memory-store.ts';
+
+const text = (kind: 'skel' | 'pose') =>
+  saveCharacter(character({ poses: [{ name: 'sit', values: [1, 2, 3, 0.5] }] }), kind)[0].text;
+const FILES: readonly GivenBlob[] = [
+  { path: 'hero.skel', blob: new Blob([text('skel')]) },
+  { path: 'hero.pose', blob: new Blob([text('pose')]) },
+];
+const read = async (files: readonly GivenBlob[]) => structuredClone(await parse({ files }, () => undefined));
+const worker = { run: (_job: 'parse', { files }: { files: readonly GivenBlob[] }) => read(files) };
+
+/** A page with the files open, and a session of it kept and read again. */
+async function page(edit: (store: Store) => void) {
+  const origins = new Origins();
+  const { files } = await read(FILES);
+  origins.learn(FILES, files);
+  const store = new Store();
+  const unsaved = new Unsaved(store);
+  store.replace('Open', { ...openFiles(EMPTY_DOCUMENT, files), selection: NOTHING_SELECTED });
+  unsaved.opened(files);
+  edit(store);
+  const kept = memoryStore();
+  const camera = { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 } as const;
+  const rest = { selection: NOTHING_SELECTED, transport: DEFAULT_PLAYBACK, timeline: DEFAULT_TIMELINE_VIEW, camera };
+  const saving = savingMarks(store, unsaved, new DiskHandles()).snapshot();
+  await new Keeper('s', kept, origins).save({ document: store.document, ...rest, saving }, 1);
+  const reading = { signal: new AbortController().signal, onProgress: () => undefined };
+  const { state } = await readSession('s', kept, worker, new Origins(1000), reading);
+  const next = new Store();
+  next.replace('Restore', { document: state.document, selection: NOTHING_SELECTED });
+  const nextUnsaved = new Unsaved(next);
+  savingMarks(next, nextUnsaved, new DiskHandles()).restore(state.saving);
+  return { before: store.document.characters[0], after: next.document.characters[0], unsaved: nextUnsaved };
+}
+
+it('brings back poses that were kept, and what is pinned, locked and stiff', async () => {
+  const { before, after, unsaved } = await page((store) => {
+    store.apply(keepPose, { characterId: 'c1', name: 'kept by hand', timeSeconds: 0 });
+    store.apply(pinPoint, { characterId: 'c1', joint: 1, point: [0, 1, 0], weight: 2, holdsOrientation: true });
+    store.apply(setStiffness, { characterId: 'c1', joints: [0], stiffness: 4 });
+  });
+  expect(after.poses?.map(({ name }) => name)).toEqual(['sit', 'kept by hand']);
+  expect(after.poses).toEqual(before.poses);
+  expect(after.ik).toEqual({
+    pins: [{ id: 1, joint: 1, point: [0, 1, 0], weight: 2, holdsOrientation: true }],
+    stiff: [{ joint: 0, stiffness: 4 }],
+    rootIsFree: true,
+  });
+  expect(unsaved.current().map(({ name }) => name)).toEqual(['hero.pose']);
+});
+
+it('knows poses that are as in their file', async () => {
+  const { after, unsaved } = await page(() => undefined);
+  expect(after.poses?.map(({ name }) => name)).toEqual(['sit']);
+  expect(unsaved.current()).toEqual([]);
+});
