@@ -18,7 +18,10 @@ import {
 } from '../../../evaluate/ik/set-up.ts';
 import { type IkMode, solve } from '../../../evaluate/ik/solve.ts';
 import type { IkProblem } from '../../../evaluate/ik/state.ts';
+import { compileSkeleton } from '../../../evaluate/kinematics.ts';
+import { movedDofs } from '../../../evaluate/retarget/moved-dofs.ts';
 import type { Character } from '../../../model/document.ts';
+import type { IkSetup } from '../../../model/ik.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { inertia } from './inertia.ts';
 
@@ -62,9 +65,12 @@ export class HandProblem {
     const setup = ikOf(character);
     this.dofs = Float64Array.from(start);
     const moves = inertia(skeleton);
+    const stays = staysBeside(character, skeleton, 'pin' in dragged ? jointOfPin(setup, dragged.pin) : dragged.joint);
     this.problem = ikProblem(skeleton, ikPinsOf(setup, targets, dragged), this.dofs, {
       clamps: character.clampsToLimits,
-      stiffness: stiffnessOf(skeleton, setup).map((factor, dof) => factor * (moves[dof] ?? 1)),
+      stiffness: stiffnessOf(skeleton, setup).map((factor, dof) =>
+        stays(dof) ? Infinity : factor * (moves[dof] ?? 1),
+      ),
     });
     const { pins, reach } = this.problem;
     this.reach = reach;
@@ -180,4 +186,25 @@ export class HandProblem {
     problem.pins.turnWeights[index] = this.ownTurnWeight * pull;
     this.left -= solve(problem, this.dofs, mode).iterations;
   }
+}
+
+function jointOfPin({ pins }: IkSetup, id: number): number {
+  return pins.find((pin) => pin.id === id)?.joint ?? -1;
+}
+
+/**
+ * Which DOFs stay because another character's take moves the others. What is posed over that take goes with it; in joints
+ * that the take leaves alone it would be for good, of a drag that was about the others. What is dragged itself may move,
+ * with what is above it up to the first joint that the take moves.
+ */
+function staysBeside(character: Character, skeleton: Skeleton, dragged: number): (dof: number) => boolean {
+  const moved = movedDofs(character);
+  if (!moved) return () => false;
+  const { firstDof, parent } = compileSkeleton(skeleton);
+  const free = new Set(moved);
+  for (let j = dragged; j >= 0; j = parent[j]) {
+    if (moved.has(firstDof[j])) break;
+    for (let dof = firstDof[j]; dof < firstDof[j + 1]; dof++) free.add(dof);
+  }
+  return (dof) => !free.has(dof);
 }

@@ -19,6 +19,8 @@ export interface Label {
 /** CSS pixels from the point, and from the edges of the picture. */
 const BESIDE = 14;
 const EDGE = 4;
+/** Above and below what floats over the top. */
+const HEAD_ROOM = 12;
 /** CSS pixels: of a label, as `ik.css` has it, and of a letter of the small font. */
 const WIDEST = 280;
 const LETTER = 7;
@@ -31,6 +33,7 @@ export function oneForEach(labels: readonly Label[]): Label[] {
 /**
  * Where a label stands, as CSS has it, with nothing measured: percentages are of its own size.
  * @param x of its point, from the picture's left
+ * @param top how high what floats over the top of the picture is
  */
 export function labelPlace(
   { side, text }: Pick<Label, 'side' | 'text'>,
@@ -38,6 +41,7 @@ export function labelPlace(
   y: number,
   width: number,
   height: number,
+  top = 0,
 ): string {
   const px = (value: number) => `${value.toFixed(1)}px`;
   // The point itself is not to be hidden: where there is no room for the text, about, it goes to the other side.
@@ -45,8 +49,9 @@ export function labelPlace(
   const [hasLeft, hasRight] = [x >= room, x + room <= width];
   const isRight = side === 'right' ? hasRight || !hasLeft : hasRight && !hasLeft;
   const start = isRight ? px(x + BESIDE) : `calc(${px(x - BESIDE)} - 100%)`;
-  const within = (size: number, at: string) => `clamp(${px(EDGE)}, ${at}, calc(${px(size - EDGE)} - 100%))`;
-  return `translate(${within(width, start)}, ${within(height, `calc(${px(y)} - 50%)`)})`;
+  const within = (from: number, to: number, at: string) => `clamp(${px(from)}, ${at}, calc(${px(to - EDGE)} - 100%))`;
+  const high = top > 0 ? top + HEAD_ROOM : EDGE;
+  return `translate(${within(EDGE, width, start)}, ${within(high, height, `calc(${px(y)} - 50%)`)})`;
 }
 
 export class IkLabels {
@@ -55,8 +60,26 @@ export class IkLabels {
   /** What is in the way, said once it stays: it changes with every move of the hand. */
   private readonly spoken = element('div', { class: 'visually-hidden', role: 'status' });
 
+  /** Under what floats over the picture's top. */
+  private top = 0;
+  private readonly resizing = new ResizeObserver(([{ target }]) => {
+    this.top = target.clientHeight;
+  });
+
   constructor(private readonly wb: Workbench) {
     this.element.append(this.spoken);
+  }
+
+  enter(): void {
+    const { viewportElement } = this.wb;
+    viewportElement.append(this.element);
+    const head = viewportElement.parentElement?.querySelector('.stage-head');
+    if (head) this.resizing.observe(head);
+  }
+
+  leave(): void {
+    this.resizing.disconnect();
+    this.element.remove();
   }
 
   show(labels: readonly Label[]): void {
@@ -74,7 +97,7 @@ export class IkLabels {
       line.hidden = isOut && kind === 'name';
       const inX = Math.min(Math.max(x - left, 0), width);
       const inY = Math.min(Math.max(y - top, 0), height);
-      line.style.transform = labelPlace(label, inX, inY, width, height);
+      line.style.transform = labelPlace(label, inX, inY, width, height, this.top);
     });
     for (let i = shown.length; i < this.lines.length; i++) this.lines[i].hidden = true;
   }

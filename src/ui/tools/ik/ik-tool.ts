@@ -50,7 +50,7 @@ class IkTool implements ModeTool {
     const { wb, labels } = this;
     const overlay = new PinOverlay((painter) => labels.show(paintPins(wb, painter, this.now)));
     const { selected, pointedAt, targets } = ikInHand(wb);
-    wb.viewportElement.append(labels.element);
+    labels.enter();
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
     // Another joint may have been selected in another mode.
@@ -81,7 +81,7 @@ class IkTool implements ModeTool {
     this.hover(undefined);
     for (const stop of this.stops) stop();
     this.stops = [];
-    labels.element.remove();
+    labels.leave();
     wb.posing.controls.set(undefined);
   }
 
