@@ -32,7 +32,9 @@ export function lostOver(before: Character, after: Character, file: string): Dia
   const problems: Diagnostic[] = [];
   const say = (code: string, message: string) => problems.push(withoutPlace('info', code, message, file));
   const called = (list: readonly number[]) => {
-    const names = [...new Set(list)].map((joint) => (joints[joint].name ? `"${joints[joint].name}"` : `#${joint}`));
+    const names = [...new Set(list)].map((joint) =>
+      joints[joint].name ? `"${joints[joint].name}"` : `joint ${joint}`,
+    );
     return names.length > 1 ? `${names[0]} and ${names.length - 1} more` : names[0];
   };
   const unposed = posedInVain(before, after.skeleton, to);

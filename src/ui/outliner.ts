@@ -197,7 +197,7 @@ function searchBox() {
 
 function drawRow(wb: Workbench, row: OutlineRow): Node[] {
   const unsaved = isUnsaved(wb, row);
-  const unnamed = row.kind === 'joint' ? `#${row.detail}` : 'no name';
+  const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'no name';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
   if (row.label) {
     label.textContent = row.label;

@@ -5,6 +5,7 @@
  * dancers who pass each other do not take each other's names away and back; then joints, nearer ones first.
  */
 import { type Camera, Matrix4 } from 'three';
+import { jointName } from '../model/joint-name.ts';
 import type { Display, Selection } from '../model/session.ts';
 import { placeName } from './character-names.ts';
 import { type DrawnSkeleton, instanceOf, type JointRef, jointAt } from './drawn-skeletons.ts';
@@ -84,8 +85,8 @@ export class Labels {
     this.names = [];
     if (display.names) {
       for (const { skeleton } of drawn) {
-        skeleton.joints.forEach(({ name }, j) => {
-          this.names.push(this.measure(name || `#${j}`));
+        skeleton.joints.forEach((_, j) => {
+          this.names.push(this.measure(jointName(skeleton, j)));
         });
       }
     }
@@ -221,7 +222,7 @@ export class Labels {
   private nameUnderPointer({ characterId, joint }: JointRef): Name | undefined {
     const drawn = this.drawn.find((d) => d.characterId === characterId);
     if (!drawn) return undefined;
-    const own = drawn.skeleton.joints[joint]?.name || `#${joint}`;
+    const own = jointName(drawn.skeleton, joint);
     if (this.drawn.length < 2 || !drawn.name) return this.measure(own);
     return this.measure(`${cut(drawn.name, MAX_BEFORE)} · ${cut(own, MAX_LETTERS)}`, Infinity);
   }

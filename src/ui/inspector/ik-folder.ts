@@ -47,6 +47,11 @@ export class IkFolder {
   private readonly jointRow: HTMLElement;
   private readonly list = element('ul', { class: 'ik-pins', 'aria-label': 'Pins' });
   private readonly empty = element('p', { class: 'faint' }, 'No pins: in IK mode click a point of the character.');
+  private readonly note = element(
+    'p',
+    { class: 'faint' },
+    'Drags keep pinned points in place; sliders and fields move them too.',
+  );
   private readonly hold: HTMLButtonElement;
   private readonly rows = new Map<number, Row>();
   private characterId: string | undefined;
@@ -75,7 +80,7 @@ export class IkFolder {
       'Root travels where a pin asks for it',
     );
     folder.$children.append(
-      element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty, this.hold),
+      element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty, this.note, this.hold),
     );
     this.root.addEventListener('change', () => {
       if (this.characterId) freeRoot(wb, this.characterId, this.root.checked);
@@ -126,7 +131,7 @@ export class IkFolder {
       this.rows.delete(id);
     }
     this.empty.hidden = pins.length > 0;
-    this.hold.hidden = pins.length === 0;
+    this.hold.hidden = this.note.hidden = pins.length === 0;
     for (const pin of pins) {
       let row = this.rows.get(pin.id);
       if (!row) {

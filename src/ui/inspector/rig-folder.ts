@@ -137,7 +137,7 @@ export class RigFolder {
         },
       ),
     );
-    const parents = possibleParents(joints, joint).map((p) => [p, joints[p].name || `#${p}`] as const);
+    const parents = possibleParents(joints, joint).map((p) => [p, joints[p].name || jointName(undefined, p)] as const);
     if (own.parent >= 0) {
       this.put(
         choiceRow(

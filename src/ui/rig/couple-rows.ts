@@ -1,6 +1,7 @@
 /** What of a joint's DOFs follow others: a line to say whom, and one for gain and offset; and the way to add one. */
 import { type SetCouple, setCouple } from '../../edit/commands/couples.ts';
 import { findCharacter } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { type Couple, type Dof, type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../angles.ts';
 import { attempt } from '../attempt.ts';
@@ -34,7 +35,7 @@ export function coupleRow(
 
   const whom = element('select', { 'aria-label': `Joint that ${dof.name} follows` });
   const followable = [...joints.keys()].filter((j) => dofsOf(joints[j].motion).length > (j === joint ? 1 : 0));
-  for (const j of followable) whom.append(element('option', { value: String(j) }, joints[j].name || `#${j}`));
+  for (const j of followable) whom.append(element('option', { value: String(j) }, jointName(skeleton, j)));
   const which = element('select', { 'aria-label': `DOF that ${dof.name} follows` });
   whom.addEventListener('change', () => {
     const other = Number(whom.value);

@@ -1,5 +1,7 @@
 /** A joint's context menu, as far as it changes the skeleton. */
+
 import type { Character } from '../../model/document.ts';
+import { jointName } from '../../model/joint-name.ts';
 import { actionsOf, runAction } from '../actions.ts';
 import { isMac } from '../keys.ts';
 import type { MenuEntry } from '../menu.ts';
@@ -45,7 +47,7 @@ export function jointEntries(
   const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
     item(label, () => void edits().then(run), shortcut);
   const joints = character.skeleton?.joints ?? [];
-  const nameOf = (j: number) => joints[j].name || `#${j}`;
+  const nameOf = (j: number) => jointName(character.skeleton, j);
   const parents: MenuEntry = {
     kind: 'menu',
     label: 'Move under',
