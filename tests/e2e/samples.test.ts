@@ -92,8 +92,9 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
     const steps: (string | undefined)[] = [await undoLabel(page)];
     const texts: string[] = [await saved(page)];
     const stepMade = async () => {
+      // A release of the mouse may still be on its way through the browser.
+      await page.waitForFunction((before) => window.marrow.steps().undo !== before, steps.at(-1));
       const label = await undoLabel(page);
-      expect(label).not.toBe(steps.at(-1));
       steps.push(label);
       texts.push(await saved(page));
       expect(texts.at(-1)).not.toBe(texts.at(-2));

@@ -1,7 +1,6 @@
 /**
- * Colours of the curves. What goes by an axis (`model/dof-axis.ts`) has its red, green or blue, translations and factors
- * with dashes of their own; what else there is (morph weights) has mixtures of these and the accent. Several joints at once are told apart by a part of the text's
- * colour mixed in, and past that by dashes: mixing towards the text only ever makes a line easier to see, and nothing
+ * Colours of the curves. What goes by an axis (`model/dof-axis.ts`) has its red, green or blue; what else there is (morph weights) has mixtures of these and the accent. Several joints
+ * at once are told apart by a part of the text's colour mixed in, and past that by dashes: mixing towards the text only ever makes a line easier to see, and nothing
  * comes near the orange of what is selected, as turning the hue would. Only what follows another DOF is fainter: its keys
  * count for nothing.
  *
@@ -9,7 +8,6 @@
  * same arithmetic here for canvases, which can't read custom properties.
  */
 import type { AxisLetter } from '../../model/dof-axis.ts';
-import type { DofUnit } from '../../model/skeleton.ts';
 
 /** Colours that can be mixed, and the custom properties that hold them. */
 export const BASE_COLOURS = {
@@ -33,12 +31,6 @@ export interface LineColour {
 
 const UNBROKEN: readonly number[] = [];
 const DASHED: readonly number[] = [10, 3];
-/** Of the first three joints and of the next ones. */
-const SLIDES: readonly (readonly number[])[] = [
-  [12, 3, 3, 3],
-  [6, 3, 2, 3],
-];
-const FACTORS: readonly number[] = [5, 3];
 const FOLLOWS: readonly number[] = [1, 4];
 /** How much of the text's colour is in the lines of the first, second and third joint. */
 const TINTS = [0, 0.34, 0.64];
@@ -50,15 +42,14 @@ const MORPHS: readonly (readonly [BaseColour, BaseColour, number])[] = [
   ['y', 'x', 0.4],
 ];
 
-/**
- * @param ordinal which of the joints shown together it is, from 0
- * @param unit what the DOF measures: a translation and a rotation on one axis are drawn together
- */
-export function axisColour(axis: AxisLetter, ordinal: number, unit: DofUnit = 'angle'): LineColour {
-  const isSecond = Math.floor(ordinal / TINTS.length) % 2 === 1;
-  const turns = isSecond ? DASHED : UNBROKEN;
-  const dash = unit === 'length' ? SLIDES[isSecond ? 1 : 0] : unit === 'factor' ? FACTORS : turns;
-  return { base: axis, with: 'text', part: TINTS[ordinal % TINTS.length], dash };
+/** @param ordinal which of the joints shown together it is, from 0 */
+export function axisColour(axis: AxisLetter, ordinal: number): LineColour {
+  return {
+    base: axis,
+    with: 'text',
+    part: TINTS[ordinal % TINTS.length],
+    dash: Math.floor(ordinal / TINTS.length) % 2 ? DASHED : UNBROKEN,
+  };
 }
 
 /** For a DOF that follows another one. */
