@@ -88,6 +88,15 @@ describe('a file in pieces', () => {
     fc.assert(property, { numRuns: 1000 });
   });
 
+  it('reads a row of weights that is said to be endless the same, cut after a joint or after its weight', () => {
+    const b = bytesOf(
+      `positions 2 { 0 0 0 1 0 0 } skinweights 2 { 1e92 ${'5 0.5 '.repeat(9)}} bindings 1 { matrix { 1 0 0 0 1 0 0 0 1 0 0 0 } }`,
+    );
+    const whole = read('x.skin', b);
+    expect(whole.diagnostics.some(({ message }) => message.includes('(and 8 more like it)'))).toBe(true);
+    for (let at = 0; at <= b.length; at++) expect(readInPieces('x.skin', b, [at])).toEqual(whole);
+  });
+
   it('has the same excerpts when a line is far longer than what is shown, or than a piece', () => {
     const long = fc.tuple(fc.nat(900), fc.constantFrom('a', 'ü', '骨', '\u{1F9B4}'), fc.nat(900));
     const property = fc.property(long, fc.array(fc.nat(6000), { maxLength: 20 }), ([before, filler, after], at) => {

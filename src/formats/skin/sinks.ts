@@ -88,6 +88,8 @@ export class AttachmentSink implements NumberSink {
   private weights: Float64Array;
   private attachments = 0;
   private sum = 0;
+  /** Whether a joint came without its weight yet. (A huge `missing` doesn't tell odd from even.) */
+  private isHalf = false;
   private readonly wrongCounts = new WrongIndices('a number of attachments', () => ' from 0 up');
   private readonly wrongJoints = new WrongIndices('the index of a joint', () => ' from 0 up');
   private readonly stairs = new Stairs();
@@ -126,7 +128,7 @@ export class AttachmentSink implements NumberSink {
     this.grow(t);
     const { start, joints, weights } = this;
     let { rows, attachments, missing, sum } = this;
-    let isJoint = missing % 2 === 0;
+    let isJoint = !this.isHalf;
     let { max } = stairs;
     let i = 0;
     while (i < count) {
@@ -177,6 +179,7 @@ export class AttachmentSink implements NumberSink {
     this.attachments = attachments;
     this.missing = missing;
     this.sum = sum;
+    this.isHalf = !isJoint;
     this.count = 0;
   }
 
