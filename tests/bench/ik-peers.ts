@@ -39,7 +39,8 @@ export function ours({ skeleton, targets }: Grip, mode: IkMode = 'drag'): Dragge
   const pose = Float64Array.from(filePose(skeleton, 0));
   const problem = ikProblem(
     skeleton,
-    targets.map((target, p) => tipPin(skeleton, target, p > 0)),
+    // A drag has pins that hold; where all are set at once by a click, none does.
+    targets.map((target, p) => tipPin(skeleton, target, mode === 'drag' && p > 0)),
     pose,
   );
   return {

@@ -80,19 +80,22 @@ export function writeErrors({ pins, errors }: IkProblem): number {
 
 /** Of a pin, from where it aims; in the unit of the character. */
 export function aimDistance({ positions, aims }: IkProblem['pins'], p: number): number {
-  const x = positions[3 * p] - aims[3 * p];
-  const y = positions[3 * p + 1] - aims[3 * p + 1];
-  const z = positions[3 * p + 2] - aims[3 * p + 2];
-  return Math.sqrt(x * x + y * y + z * z);
+  return distance(positions, aims, 3 * p);
 }
 
 /** Of a pin, from where it should be, however far. */
 export function residual({ positions, targets }: IkProblem['pins'], p: number): number {
-  return Math.hypot(
-    positions[3 * p] - targets[3 * p],
-    positions[3 * p + 1] - targets[3 * p + 1],
-    positions[3 * p + 2] - targets[3 * p + 2],
-  );
+  return distance(positions, targets, 3 * p);
+}
+
+/** Between the points at `a[o]` and `b[o]`. */
+function distance(a: Float64Array, b: Float64Array, o: number): number {
+  const x = a[o] - b[o];
+  const y = a[o + 1] - b[o + 1];
+  const z = a[o + 2] - b[o + 2];
+  const square = x * x + y * y + z * z;
+  // `hypot` takes several times as long, and is needed only where squares are too large or too small to be numbers.
+  return square > 1e-280 && square < Infinity ? Math.sqrt(square) : Math.hypot(x, y, z);
 }
 
 /** The angle that a pin's joint has still to turn; 0 for one that holds no orientation. Radians. */

@@ -17,8 +17,9 @@ import { writeTwists } from './twists.ts';
 /** Of the pose last looked at, which is in `dofs`. */
 export function writeJacobian(problem: IkProblem, dofs: Float64Array): void {
   problem.jacobian.fill(0);
+  writeHingeColumns(problem);
   writeRootColumns(problem);
-  writeScrewColumns(problem);
+  writeOtherScrewColumns(problem);
   if (problem.slots.allScrews) return;
   writeTwistColumns(problem, dofs);
   for (let p = 0; p < problem.pins.count; p++) writeStretchingColumns(problem, dofs, p);
@@ -33,42 +34,67 @@ function writeRootColumns({ pins, variables, rootVariables, jacobian }: IkProble
   }
 }
 
-function writeScrewColumns(problem: IkProblem): void {
-  const { slots, screws, pins, variables, jacobian } = problem;
-  const { firstPin, pinsBelow } = slots;
-  const { first, variable, follower, turns, slides, lines } = screws;
-  const { count: n, scale } = variables;
-  const { slope } = variables.followers;
-  const { positions, weights, row, holdsOrientation } = pins;
-  for (let s = 0; s < slots.count; s++) {
-    for (let i = first[s]; i < first[s + 1]; i++) {
-      const v = variable[i];
-      if (v < 0) continue;
-      const f = follower[i] < 0 ? scale[v] : scale[v] * slope[follower[i]];
-      const line = 6 * i;
+/** Nearly all of the work for nearly all skeletons. */
+function writeHingeColumns({ pins, screws, screwColumns, variables, jacobian }: IkProblem): void {
+  const { positions, weights } = pins;
+  const { lines } = screws;
+  const { firstHinge, hinges, hingeScales } = screwColumns;
+  const n = variables.count;
+  for (let p = 0; p < pins.count; p++) {
+    const w = weights[p];
+    const px = positions[3 * p];
+    const py = positions[3 * p + 1];
+    const pz = positions[3 * p + 2];
+    for (let h = firstHinge[p]; h < firstHinge[p + 1]; h++) {
+      const line = hinges[2 * h];
+      const at = hinges[2 * h + 1];
+      const f = w * hingeScales[h];
       const ax = f * lines[line];
       const ay = f * lines[line + 1];
       const az = f * lines[line + 2];
-      const slide = slides[i];
-      for (let b = firstPin[s]; b < firstPin[s + 1]; b++) {
-        const p = pinsBelow[b];
-        const w = weights[p];
-        const at = row[p] * n + v;
-        if (turns[i] === 1) {
-          const x = positions[3 * p] - lines[line + 3];
-          const y = positions[3 * p + 1] - lines[line + 4];
-          const z = positions[3 * p + 2] - lines[line + 5];
-          jacobian[at] += w * (ay * z - az * y);
-          jacobian[at + n] += w * (az * x - ax * z);
-          jacobian[at + 2 * n] += w * (ax * y - ay * x);
-          if (holdsOrientation[p]) addTurn(problem, p, v, ax, ay, az);
-        }
-        if (slide !== 0) {
-          jacobian[at] += w * slide * ax;
-          jacobian[at + n] += w * slide * ay;
-          jacobian[at + 2 * n] += w * slide * az;
-        }
-      }
+      const x = px - lines[line + 3];
+      const y = py - lines[line + 4];
+      const z = pz - lines[line + 5];
+      // Nothing but its own couples adds to it, later.
+      jacobian[at] = ay * z - az * y;
+      jacobian[at + n] = az * x - ax * z;
+      jacobian[at + 2 * n] = ax * y - ay * x;
+    }
+  }
+}
+
+function writeOtherScrewColumns(problem: IkProblem): void {
+  const { screws, screwColumns, pins, variables, jacobian } = problem;
+  const { variable, follower, turns, slides, lines } = screws;
+  const { others } = screwColumns;
+  const { count: n, scale } = variables;
+  const { slope } = variables.followers;
+  const { positions, weights, row, holdsOrientation } = pins;
+  for (let k = 0; k < others.length; k += 2) {
+    const i = others[k];
+    const p = others[k + 1];
+    const v = variable[i];
+    const f = follower[i] < 0 ? scale[v] : scale[v] * slope[follower[i]];
+    const line = 6 * i;
+    const ax = f * lines[line];
+    const ay = f * lines[line + 1];
+    const az = f * lines[line + 2];
+    const slide = slides[i];
+    const w = weights[p];
+    const at = row[p] * n + v;
+    if (turns[i] === 1) {
+      const x = positions[3 * p] - lines[line + 3];
+      const y = positions[3 * p + 1] - lines[line + 4];
+      const z = positions[3 * p + 2] - lines[line + 5];
+      jacobian[at] += w * (ay * z - az * y);
+      jacobian[at + n] += w * (az * x - ax * z);
+      jacobian[at + 2 * n] += w * (ax * y - ay * x);
+      if (holdsOrientation[p] === 1) addTurn(problem, p, v, ax, ay, az);
+    }
+    if (slide !== 0) {
+      jacobian[at] += w * slide * ax;
+      jacobian[at + n] += w * slide * ay;
+      jacobian[at + 2 * n] += w * slide * az;
     }
   }
 }

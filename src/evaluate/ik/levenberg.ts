@@ -21,7 +21,7 @@ import type { IkProblem } from './state.ts';
 const LONGEST_STEP = 1;
 /** How often a step is solved again because of limits that it would cross. */
 const MOST_ROUNDS = 4;
-const FIRST_BOOST = 0.3;
+const FIRST_BOOST = 0.1;
 const LEAST_BOOST = 1e-4;
 /** Past that, no step however short lowers the error. */
 const MOST_BOOST = 1e12;

@@ -84,15 +84,20 @@ export function solveDamped(
   step: Float64Array,
 ): boolean {
   const size = rows <= n ? rows : n;
-  if (!factorise(normal, size, damping, factor)) return false;
+  if (!(size === 3 ? factorise3(normal, damping, factor) : factorise(normal, size, damping, factor))) return false;
   if (rows <= n) {
     for (let r = 0; r < rows; r++) solution[r] = errors[r];
-    substitute(factor, rows, solution);
-    for (let v = 0; v < n; v++) step[v] = 0;
-    for (let r = 0; r < rows; r++) {
-      const z = solution[r];
+    if (rows === 3) substitute3(factor, solution);
+    else substitute(factor, rows, solution);
+    for (let r = 0; r < rows; r += 3) {
+      const x = solution[r];
+      const y = solution[r + 1];
+      const z = solution[r + 2];
       const a = r * n;
-      for (let v = 0; v < n; v++) step[v] -= z * jacobian[a + v];
+      const b = a + n;
+      const c = b + n;
+      if (r === 0) for (let v = 0; v < n; v++) step[v] = -(x * jacobian[v] + y * jacobian[b + v] + z * jacobian[c + v]);
+      else for (let v = 0; v < n; v++) step[v] -= x * jacobian[a + v] + y * jacobian[b + v] + z * jacobian[c + v];
     }
     return true;
   }
@@ -123,6 +128,35 @@ function factorise(a: Float64Array, size: number, damping: number, l: Float64Arr
     }
   }
   return true;
+}
+
+/** The same of three equations, one pin's: loops of three cost more than what is in them. */
+function factorise3(a: Float64Array, damping: number, l: Float64Array): boolean {
+  const xx = a[0] + damping;
+  const x = 1 / Math.sqrt(xx);
+  const yx = a[3] * x;
+  const yy = a[4] + damping - yx * yx;
+  const y = 1 / Math.sqrt(yy);
+  const zx = a[6] * x;
+  const zy = (a[7] - zx * yx) * y;
+  const zz = a[8] + damping - zx * zx - zy * zy;
+  if (!(xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity)) return false;
+  l[0] = x;
+  l[3] = yx;
+  l[4] = y;
+  l[6] = zx;
+  l[7] = zy;
+  l[8] = 1 / Math.sqrt(zz);
+  return true;
+}
+
+function substitute3(l: Float64Array, b: Float64Array): void {
+  const x = b[0] * l[0];
+  const y = (b[1] - l[3] * x) * l[4];
+  const z = (b[2] - l[6] * x - l[7] * y) * l[8] * l[8];
+  b[2] = z;
+  b[1] = (y - l[7] * z) * l[4];
+  b[0] = (x - l[3] * b[1] - l[6] * z) * l[0];
 }
 
 /** Solves L·Lᵀ·x = b in place. */

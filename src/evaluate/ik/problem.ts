@@ -7,10 +7,11 @@
  */
 import type { Skeleton } from '../../model/skeleton.ts';
 import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../kinematics.ts';
+import { lookAt } from './forward.ts';
 import { FRAME_SIZE, writeTurnFrame } from './orientation.ts';
 import { checkPins, HOLDING_WEIGHT, type IkOptions, type IkPin, ikStiffness } from './pins.ts';
 import { ballsOf, reachOf } from './reach.ts';
-import { screwsOf } from './screws.ts';
+import { screwColumnsOf, screwsOf } from './screws.ts';
 import type { IkProblem, PinArrays, Scratch, Slots } from './state.ts';
 import { type IkVariables, ikVariables } from './variables.ts';
 
@@ -43,13 +44,14 @@ export function ikProblem(
   const arrays = pinArrays(pins, slots, reach);
   const rootVariables = compiled.hasRootTranslation ? variables.ofDof.slice(0, 3) : Int32Array.of(-1, -1, -1);
   const rows = pins.reduce((sum, { orientation }) => sum + (orientation ? 6 : 3), 0);
-  return {
+  const problem: IkProblem = {
     skeleton: compiled,
     clamps,
     reach,
     pins: arrays,
     slots,
     screws,
+    screwColumns: screwColumnsOf(screws, slots, arrays, variables),
     balls: ballsOf(
       compiled,
       slots,
@@ -73,6 +75,9 @@ export function ikProblem(
       bindingCount: 0,
     },
   };
+  // Most are solved from this very pose first, which is then known.
+  lookAt(problem, dofs);
+  return problem;
 }
 
 /** Another target, nothing allocated. What is not finite is not taken, and false comes back. */
@@ -122,6 +127,7 @@ function slotsOf(
     count: joints.length,
     joint: Int32Array.from(joints),
     parent,
+    offsets: Float64Array.from(joints.flatMap((j) => [...compiled.offsets.subarray(3 * j, 3 * j + 3)])),
     locals: new Float64Array(16 * joints.length),
     worlds: new Float64Array(16 * joints.length),
     isRigid,
@@ -188,8 +194,7 @@ function scratchOf(compiled: CompiledSkeleton, rows: number, unknowns: number, d
     free: new Int32Array(unknowns),
     fixedStep: new Float64Array(unknowns),
     before: new Float64Array(unknowns),
-    // Nothing is the same as NaN: no pose was looked at yet.
-    seen: new Float64Array(dofs).fill(Number.NaN),
+    seen: new Float64Array(dofs),
     bestPose: new Float64Array(dofs),
     startPose: new Float64Array(dofs),
     freeColumns: new Float64Array(rows * unknowns),

@@ -133,6 +133,8 @@ export function aimPins({ centre, radius }: Balls, pins: PinArrays, { worlds }: 
     const x = targets[a] - worlds[c];
     const y = targets[a + 1] - worlds[c + 1];
     const z = targets[a + 2] - worlds[c + 2];
+    // Within the ball by far, which is told without the root.
+    if (x * x + y * y + z * z <= 0.99 * radius[p] * radius[p]) continue;
     const away = Math.hypot(x, y, z);
     if (!(away > radius[p])) continue;
     const part = radius[p] / away;

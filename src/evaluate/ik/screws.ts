@@ -9,9 +9,11 @@
  */
 import { setIdentity } from '../../math/mat4.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
-import type { IkProblem, Screws, Slots } from './state.ts';
+import type { IkProblem, PinArrays, ScrewColumns, Screws, Slots } from './state.ts';
 import type { IkVariables } from './variables.ts';
 
+/** Numbers of a screw's rule: its axis, whether it turns, how far it slides. */
+const RULE = 5;
 /** About a slanted axis. */
 const SLANTED = 3;
 
@@ -37,10 +39,42 @@ export function screwsOf(
       const along = axis.indexOf(1);
       return along < 0 ? SLANTED : along;
     }),
-    axes: Float64Array.from(all.flatMap(({ axis }) => axis)),
+    rules: Float64Array.from(all.flatMap(({ axis, turn, slide }) => [...axis, turn, slide])),
     turns: Uint8Array.from(all, ({ turn }) => turn),
     slides: Float64Array.from(all, ({ slide }) => slide),
     lines: new Float64Array(6 * all.length),
+  };
+}
+
+/** Which pins are moved by which screws. */
+export function screwColumnsOf(
+  { first, variable, follower, turns, slides }: Screws,
+  { parent }: Slots,
+  { count, slot, row, holdsOrientation }: PinArrays,
+  variables: IkVariables,
+): ScrewColumns {
+  const firstHinge = new Int32Array(count + 1);
+  const hinges: number[] = [];
+  const hingeScales: number[] = [];
+  const others: number[] = [];
+  for (let p = 0; p < count; p++) {
+    for (let s = slot[p]; s >= 0; s = parent[s]) {
+      for (let i = first[s]; i < first[s + 1]; i++) {
+        const v = variable[i];
+        if (v < 0) continue;
+        if (follower[i] < 0 && turns[i] === 1 && slides[i] === 0 && holdsOrientation[p] === 0) {
+          hinges.push(6 * i, row[p] * variables.count + v);
+          hingeScales.push(variables.scale[v]);
+        } else others.push(i, p);
+      }
+    }
+    firstHinge[p + 1] = hingeScales.length;
+  }
+  return {
+    firstHinge,
+    hinges: Int32Array.from(hinges),
+    hingeScales: Float64Array.from(hingeScales),
+    others: Int32Array.from(others),
   };
 }
 
@@ -55,19 +89,18 @@ export function writeMatrices(
   writeOther: (problem: IkProblem, dofs: Float64Array, slot: number) => void,
 ): void {
   const { skeleton, slots, screws } = problem;
-  const { offsets, hasRootTranslation } = skeleton;
-  const { count, joint, parent, worlds: w, takesScrews } = slots;
-  const { first, dof, axisKind, axes, turns, slides, lines } = screws;
+  const { hasRootTranslation } = skeleton;
+  const { count, parent, offsets, worlds: w, takesScrews } = slots;
+  const { first, dof, axisKind, rules, lines } = screws;
   for (let s = 0; s < count; s++) {
     if (takesScrews[s] === 0) {
       writeOther(problem, dofs, s);
       continue;
     }
     const o = 16 * s;
-    const offset = 3 * joint[s];
-    const dx = offsets[offset];
-    const dy = offsets[offset + 1];
-    const dz = offsets[offset + 2];
+    const dx = offsets[3 * s];
+    const dy = offsets[3 * s + 1];
+    const dz = offsets[3 * s + 2];
     // Where the columns are before the next screw: the parent's, then its own.
     let g = 16 * parent[s];
     if (g < 0) {
@@ -85,6 +118,12 @@ export function writeMatrices(
       const value = dofs[dof[i]];
       const kind = axisKind[i];
       const line = 6 * i;
+      const rule = RULE * i;
+      const slide = rules[rule + 4] * value;
+      const angle = rules[rule + 3] * value;
+      // A slide alone turns by nothing.
+      const cos = Math.cos(angle);
+      const sin = Math.sin(angle);
       lines[line + 3] = w[o + 12];
       lines[line + 4] = w[o + 13];
       lines[line + 5] = w[o + 14];
@@ -96,16 +135,11 @@ export function writeMatrices(
         lines[line] = x;
         lines[line + 1] = y;
         lines[line + 2] = z;
-        if (slides[i] !== 0) {
-          const slide = slides[i] * value;
+        if (slide !== 0) {
           w[o + 12] += slide * x;
           w[o + 13] += slide * y;
           w[o + 14] += slide * z;
         }
-        // A slide alone turns by nothing.
-        const angle = turns[i] * value;
-        const cos = Math.cos(angle);
-        const sin = Math.sin(angle);
         const u = kind === 2 ? 0 : along + 4;
         const v = kind === 0 ? 8 : along - 4;
         const u0 = w[g + u];
@@ -124,9 +158,9 @@ export function writeMatrices(
         w[o + v + 1] = cos * v1 - sin * u1;
         w[o + v + 2] = cos * v2 - sin * u2;
       } else {
-        const a = axes[3 * i];
-        const b = axes[3 * i + 1];
-        const c = axes[3 * i + 2];
+        const a = rules[rule];
+        const b = rules[rule + 1];
+        const c = rules[rule + 2];
         const p0 = w[g];
         const p1 = w[g + 1];
         const p2 = w[g + 2];
@@ -139,13 +173,11 @@ export function writeMatrices(
         lines[line] = x;
         lines[line + 1] = y;
         lines[line + 2] = z;
-        const slide = slides[i] * value;
-        w[o + 12] += slide * x;
-        w[o + 13] += slide * y;
-        w[o + 14] += slide * z;
-        const angle = turns[i] * value;
-        const cos = Math.cos(angle);
-        const sin = Math.sin(angle);
+        if (slide !== 0) {
+          w[o + 12] += slide * x;
+          w[o + 13] += slide * y;
+          w[o + 14] += slide * z;
+        }
         // The columns are unit vectors, and the axis has the same parts along them before and after.
         const p = (1 - cos) * a;
         const q = (1 - cos) * b;

@@ -16,6 +16,7 @@ export interface IkProblem {
   readonly pins: PinArrays;
   readonly slots: Slots;
   readonly screws: Screws;
+  readonly screwColumns: ScrewColumns;
   readonly balls: Balls;
   readonly variables: IkVariables;
   /** Of the root translation, those that are unknowns: -1 for the others. */
@@ -73,6 +74,8 @@ export interface Slots {
   readonly joint: Int32Array;
   /** Its slot, or -1. */
   readonly parent: Int32Array;
+  /** Of its joint, 3 each. */
+  readonly offsets: Float64Array;
   /** 16 each, at the pose last looked at. */
   readonly locals: Float64Array;
   readonly worlds: Float64Array;
@@ -135,10 +138,25 @@ export interface Screws {
   readonly follower: Int32Array;
   /** 0, 1, 2 for x, y, z, or 3. */
   readonly axisKind: Uint8Array;
-  /** 3 each, in the joint's own space. */
-  readonly axes: Float64Array;
+  /** 5 each: the axis in the joint's own space, 1 or 0 times a turn about it, and how far it slides for each radian. */
+  readonly rules: Float64Array;
   readonly turns: Uint8Array;
   readonly slides: Float64Array;
   /** At the pose last looked at: the axis in the world and a point on it, 6 numbers each. */
   readonly lines: Float64Array;
+}
+
+/**
+ * What screws write to the Jacobian: three numbers for each pin and each screw on the path from it that an unknown
+ * moves. Most only turn and are followed by nothing, and their pins hold no orientation: these HINGES are listed apart.
+ */
+export interface ScrewColumns {
+  /** Of pin p: those from `firstHinge[p]` up to `firstHinge[p + 1]`. */
+  readonly firstHinge: Int32Array;
+  /** Where the line of each is in `lines`, and where its first number is in the Jacobian. */
+  readonly hinges: Int32Array;
+  /** By how much the DOF of each changes where its unknown does by 1. */
+  readonly hingeScales: Float64Array;
+  /** All others: screw and pin. */
+  readonly others: Int32Array;
 }

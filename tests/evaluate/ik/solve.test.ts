@@ -278,7 +278,8 @@ describe('what may move', () => {
     expect(solve(ikProblem(skeleton, [{ joint: 2, point: [0, 1, 0], target }], dofs), dofs, 'settle').isSolved).toBe(
       true,
     );
-    expectClose(dofs.subarray(3), [0, -0.3, 0.7], 1e-5);
+    // The aim is 1e-5 of the reach, which is 2 here; the arm of the pin is 1.
+    expectClose(dofs.subarray(3), [0, -0.3, 0.7], 2e-5);
   });
 });
 
