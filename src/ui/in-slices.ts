@@ -18,16 +18,26 @@ export interface Slices<T> {
 
 /** Does the first slice now. */
 export function inSlices<T>(steps: Generator<number, T>, slices: Slices<T>): void {
-  if (slices.isOver()) return;
-  const until = performance.now() + SLICE_MS;
-  try {
+  slice(slices, () => {
+    const until = performance.now() + SLICE_MS;
     let step = steps.next();
     while (!step.done && performance.now() < until) step = steps.next();
-    if (step.done) slices.done(step.value);
-    else {
+    if (!step.done) {
       slices.progress(step.value);
       setTimeout(() => inSlices(steps, slices));
+      return;
     }
+    const { value } = step;
+    // What is done with a result takes its time too, and the slice may be used up.
+    if (performance.now() < until) slices.done(value);
+    else setTimeout(() => slice(slices, () => slices.done(value)));
+  });
+}
+
+function slice<T>(slices: Slices<T>, work: () => void): void {
+  if (slices.isOver()) return;
+  try {
+    work();
   } catch (error) {
     slices.failed(error);
   }

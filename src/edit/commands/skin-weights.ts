@@ -46,6 +46,8 @@ export interface AutoWeighted {
   readonly skin: Skin;
   /** Vertices whose weights are by distance alone. */
   readonly byDistance: number;
+  /** How many joints move any vertex. */
+  readonly moving: number;
   /** Joints that have a bone, and move no vertex: it lies outside the mesh, or others lie nearer to all of it. */
   readonly idle: readonly number[];
 }
@@ -84,12 +86,16 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
   }
   const bones = boneSegments(skeleton, bindings);
   const { attachments, byDistance } = yield* heatWeights(skin, bones, most);
-  const moving = new Set(attachments.joints);
-  const idle = [...new Set(bones.joints)].filter((joint) => !moving.has(joint));
+  yield 1;
+  const isMoving = new Uint8Array(skeleton.joints.length);
+  for (let i = 0; i < attachments.joints.length; i++) isMoving[attachments.joints[i]] = 1;
+  const moving = isMoving.reduce((sum, is) => sum + is, 0);
+  const idle = [...new Set(bones.joints)].filter((joint) => isMoving[joint] === 0);
+  yield 1;
   const weighted: Skin = { ...skin, attachments, bindings };
-  if (sameWeights(skin, weighted)) return { document, skin, byDistance, idle };
+  if (sameWeights(skin, weighted)) return { document, skin, byDistance, moving, idle };
   const changed = changeCharacter(document, character.id, (c) => ({ ...c, skins: c.skins.with(index, weighted) }));
-  return { document: changed, skin: weighted, byDistance, idle };
+  return { document: changed, skin: weighted, byDistance, moving, idle };
 }
 
 const WHY_NOT: Readonly<Record<BindPlace, string>> = {

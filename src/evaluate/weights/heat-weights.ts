@@ -37,6 +37,7 @@ const NEAREST = 1e-4;
 const WELD_DONE = 0.02;
 const TREE_DONE = 0.08;
 const SIGHT_DONE = 0.35;
+const SETTLED = 0.98;
 /** Of the systems' time, what their matrix and its factor take. */
 const MATRIX_MADE = 0.05;
 const FACTORISED = 0.5;
@@ -56,17 +57,17 @@ export function* heatWeights(
   const influences = new Influences(mesh.vertexCount, mostInfluences);
   const tree = yield* within(triangleTree(mesh), WELD_DONE, TREE_DONE);
   const warmth = yield* within(visibleBones(tree, bones), TREE_DONE, SIGHT_DONE);
-  yield* within(equilibria(mesh, warmth, influences), SIGHT_DONE, 1);
+  yield* within(equilibria(mesh, warmth, influences), SIGHT_DONE, SETTLED);
   const isCold = new Uint8Array(mesh.vertexCount);
   for (let v = 0; v < mesh.vertexCount; v++) {
     if (influences.has(v)) continue;
     isCold[v] = 1;
     addByDistance(mesh, v, bones, influences);
-    if (v % VERTICES_A_STEP === 0) yield 1;
+    if (v % VERTICES_A_STEP === 0) yield SETTLED;
   }
   let byDistance = 0;
   for (const v of mesh.of) byDistance += isCold[v];
-  return { attachments: influences.attachments(mesh.of), byDistance };
+  return { attachments: yield* within(influences.attachments(mesh.of), SETTLED, 1), byDistance };
 }
 
 /** One system for each joint that warms anything. */

@@ -5,6 +5,8 @@ import type { Attachments } from '../../model/skin.ts';
 const LEAST_PART = 0.004;
 /** Weights are written with so many decimals. */
 const SCALE = 1e4;
+/** Vertices between two pauses. */
+const A_STEP = 5000;
 
 export class Influences {
   /** `most` a vertex, heaviest first; weight 0 where there are fewer. */
@@ -39,15 +41,17 @@ export class Influences {
 
   /**
    * Weights that sum to 1, in ten-thousandths; what rounding leaves goes to the heaviest. Joints ascend at each vertex.
+   * Pauses every few milliseconds with the part that is done.
    * @param of the vertex here of each vertex of the skin
    */
-  attachments(of: Uint32Array): Attachments {
+  *attachments(of: Uint32Array): Generator<number, Attachments> {
     const start = new Uint32Array(of.length + 1);
     const joints = new Uint32Array(of.length * this.most);
     const weights = new Float64Array(of.length * this.most);
     const parts = new Float64Array(this.most);
     let end = 0;
     for (let v = 0; v < of.length; v++) {
+      if (v % A_STEP === 0) yield v / of.length;
       const from = of[v] * this.most;
       const count = this.rounded(from, parts);
       for (let i = 0; i < count; i++) {

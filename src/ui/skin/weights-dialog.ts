@@ -1,5 +1,6 @@
 /** What finding weights for a skin asks: how many joints may share a vertex, and where mesh and skeleton meet. */
 import {
+  type AutoWeighted,
   type AutoWeights,
   autoWeights,
   autoWeightsSteps,
@@ -11,7 +12,7 @@ import {
 import { shownSkin } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Skin, vertexCount } from '../../model/skin.ts';
+import { vertexCount } from '../../model/skin.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { type Asked, toolDialog } from '../curves/tool-dialog.ts';
 import type { DialogContent } from '../dialog.ts';
@@ -56,7 +57,7 @@ export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
     *steps(document, args) {
       const made = yield* autoWeightsSteps(document, args);
       const warning = idleText(skeleton, made.idle);
-      return { change: made.document, text: resultText(made.skin, made.byDistance), ...(warning && { warning }) };
+      return { change: made.document, text: resultText(made), ...(warning && { warning }) };
     },
     result: () => '',
   });
@@ -91,11 +92,10 @@ export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
 }
 
 /** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
-export function resultText(skin: Skin, byDistance: number): string {
-  const joints = new Set(skin.attachments?.joints).size;
-  const each = joints > 1 ? `, ${shown(meanInfluences(skin), 1)} of them each` : '';
+export function resultText({ skin, moving, byDistance }: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
+  const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} of them each` : '';
   const apart = byDistance
     ? ` ${plural(byDistance, 'vertex', 'vertices')} no bone is seen from: by distance alone.`
     : '';
-  return `${plural(vertexCount(skin), 'vertex', 'vertices')} follow ${plural(joints, 'joint')}${each}.${apart}`;
+  return `${plural(vertexCount(skin), 'vertex', 'vertices')} follow ${plural(moving, 'joint')}${each}.${apart}`;
 }
