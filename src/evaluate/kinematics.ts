@@ -9,7 +9,8 @@
 import { multiplyAffine } from '../math/mat4.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
-import { dofsOf, type Joint, type Skeleton, takesLimits, UNLIMITED } from '../model/skeleton.ts';
+import { dofsOf, type Joint, type Motion, type Skeleton, takesLimits, UNLIMITED } from '../model/skeleton.ts';
+import { appliedDofs, eulerDofs } from './euler-dofs.ts';
 import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
 
@@ -36,6 +37,8 @@ export interface CompiledSkeleton {
   /** Which of them any limit holds: none of motion capture's, whose limits are those that mean none. */
   readonly limited: Int32Array;
   readonly motions: readonly JointMotion[];
+  /** Three a joint that does nothing but turn by three angles: its DOFs in the order in which they are applied; else −1. */
+  readonly turns: Int32Array;
   /** DOFs that follow others, each after the one that it follows. */
   readonly couples: readonly DofCouple[];
 }
@@ -88,8 +91,14 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     upper: Float64Array.from(upper),
     limited: Int32Array.from([...lower.keys()].filter((d) => lower[d] > UNLIMITED.min || upper[d] < UNLIMITED.max)),
     motions: joints.map((j) => jointMotion(j.motion)),
+    turns: Int32Array.from(joints.flatMap(({ motion }, j) => turnsOf(motion, firstDof[j]))),
     couples: couplesOf(skeleton).ordered,
   };
+}
+
+function turnsOf(motion: Motion, first: number): readonly number[] {
+  const euler = dofsOf(motion).length === 3 ? eulerDofs(motion) : undefined;
+  return euler ? appliedDofs(euler).map((dof) => first + dof) : [-1, -1, -1];
 }
 
 /** Where among the DOFs of a joint that moves by itself those along x, y and z are. */
@@ -146,36 +155,77 @@ export function localMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, ou
 const local = new Float64Array(16);
 
 /**
- * Both: each joint's matrix in its parent's space, and in the character's.
+ * Each joint's matrix in the character's space.
  * @param known rotations that may be those of the same angles: see `known-rotations.ts`
  */
-export function localAndWorldMatrices(
+export function worldMatrices(
   skeleton: CompiledSkeleton,
   dofs: Float64Array,
-  locals: Float64Array,
   world: Float64Array,
   known?: Float64Array,
 ): void {
   const { parent, jointCount } = skeleton;
   for (let j = 0; j < jointCount; j++) {
-    const o = 16 * j;
-    writeLocal(skeleton, j, dofs, locals, o, known);
-    if (parent[j] >= 0) multiplyAffine(world, 16 * parent[j], locals, o, world, o);
-    else for (let i = o; i < o + 16; i++) world[i] = locals[i];
-  }
-}
-
-/** Each joint's matrix in the character's space. */
-export function worldMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, world: Float64Array): void {
-  const { parent, jointCount } = skeleton;
-  for (let j = 0; j < jointCount; j++) {
     const above = parent[j];
-    if (above < 0) writeLocal(skeleton, j, dofs, world, 16 * j);
-    else {
-      writeLocal(skeleton, j, dofs, local, 0);
+    if (above < 0) writeLocal(skeleton, j, dofs, world, 16 * j, known);
+    else if (!known || !turnWorld(skeleton, j, dofs, known, world)) {
+      writeLocal(skeleton, j, dofs, local, 0, known);
       multiplyAffine(world, 16 * above, local, 0, world, 16 * j);
     }
   }
+}
+
+/**
+ * W = W_parent · L of a joint whose rotation is known: most joints of a crowd are such, and their local matrices are
+ * nowhere written. False, and nothing written, for all others.
+ */
+function turnWorld(
+  { turns, parent, offsets }: CompiledSkeleton,
+  j: number,
+  dofs: Float64Array,
+  known: Float64Array,
+  out: Float64Array,
+): boolean {
+  const first = turns[3 * j];
+  const k = 8 * first;
+  if (
+    first < 0 ||
+    known[k] !== dofs[first] ||
+    known[k + 1] !== dofs[turns[3 * j + 1]] ||
+    known[k + 2] !== dofs[turns[3 * j + 2]]
+  ) {
+    return false;
+  }
+  const x = known[k + 3];
+  const y = known[k + 4];
+  const z = known[k + 5];
+  const w = known[k + 6];
+  const l0 = 1 - 2 * (y * y + z * z);
+  const l1 = 2 * (x * y + w * z);
+  const l2 = 2 * (x * z - w * y);
+  const l4 = 2 * (x * y - w * z);
+  const l5 = 1 - 2 * (x * x + z * z);
+  const l6 = 2 * (y * z + w * x);
+  const l8 = 2 * (x * z + w * y);
+  const l9 = 2 * (y * z - w * x);
+  const l10 = 1 - 2 * (x * x + y * y);
+  const tx = offsets[3 * j];
+  const ty = offsets[3 * j + 1];
+  const tz = offsets[3 * j + 2];
+  const p = 16 * parent[j];
+  const o = 16 * j;
+  for (let r = 0; r < 3; r++) {
+    const a = out[p + r];
+    const b = out[p + r + 4];
+    const c = out[p + r + 8];
+    out[o + r] = a * l0 + b * l1 + c * l2;
+    out[o + r + 4] = a * l4 + b * l5 + c * l6;
+    out[o + r + 8] = a * l8 + b * l9 + c * l10;
+    out[o + r + 12] = a * tx + b * ty + c * tz + out[p + r + 12];
+  }
+  out[o + 3] = out[o + 7] = out[o + 11] = 0;
+  out[o + 15] = 1;
+  return true;
 }
 
 function writeLocal(

@@ -4,9 +4,9 @@
  * with the angles that came of it: where a joint has the very same ones, its matrix is the quaternion's. As it goes by
  * the angles' values, it does not matter whose they are, nor what limits or hands have changed since.
  *
- *     8 numbers a rotation, at 8 · (index of the DOF that is applied first):  α β γ  x y z w  −
+ *     8 numbers a rotation, at 8 · (index of the DOF that is applied first):  φ φ φ  x y z w  −
  *
- * α β γ are as in `math/euler.ts`, of Rz(γ)·Ry(β)·Rx(α) with the axes renamed (and the signs with them).
+ * φ are the three angles in the order in which they are applied.
  */
 export class KnownRotations {
   /** NaN, which no angle is, where nothing is known. */

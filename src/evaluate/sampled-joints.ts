@@ -20,6 +20,10 @@ export interface SampledJoints {
    * has to be renamed, neither for slerp nor for the way back to angles: they are the same in any axes.
    */
   readonly eulerSigns: Float64Array;
+  /** Three a rotation: which of x, y, z (0, 1, 2) α, β and γ turn about. */
+  readonly eulerAxes: Int32Array;
+  /** Three a rotation: what makes half of α, β or γ of the number in its column. */
+  readonly eulerHalves: Float64Array;
   /** Four a rotation: x y z w. */
   readonly quaternionDofs: Int32Array;
   readonly quaternionColumns: Int32Array;
@@ -43,10 +47,11 @@ export function sampledJoints(clip: CompiledClip, skeleton: Skeleton): SampledJo
 }
 
 /** A joint of which only some angles follow samples has no rotation in them: each of those goes by itself. */
-function sort({ columns }: CompiledClip, skeleton: Skeleton): SampledJoints {
+function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJoints {
   const first = firstDofs(skeleton);
   const eulers: number[] = [];
   const signs: number[] = [];
+  const axes: number[] = [];
   const quaternions: number[] = [];
   const angles: number[] = [];
   const done = new Set<number>();
@@ -61,7 +66,11 @@ function sort({ columns }: CompiledClip, skeleton: Skeleton): SampledJoints {
     const euler = eulerDofs(motion);
     if (euler) {
       const applied = appliedDofs(euler).map((dof) => first[j] + dof);
-      if (take(applied, eulers)) signs.push(renamedAxes(euler.order).sign);
+      const renamed = renamedAxes(euler.order);
+      if (take(applied, eulers)) {
+        signs.push(renamed.sign);
+        axes.push(...renamed.axes);
+      }
     }
     if (motion.kind === 'quaternion')
       take(
@@ -85,6 +94,11 @@ function sort({ columns }: CompiledClip, skeleton: Skeleton): SampledJoints {
     eulerDofs: Int32Array.from(eulers),
     eulerColumns: columnsOf(eulers),
     eulerSigns: Float64Array.from(signs),
+    eulerAxes: Int32Array.from(axes),
+    eulerHalves: Float64Array.from(
+      eulers,
+      (dof, i) => (signs[Math.floor(i / 3)] * (samples?.scales[columns[dof]] ?? 0)) / 2,
+    ),
     quaternionDofs: Int32Array.from(quaternions),
     quaternionColumns: columnsOf(quaternions),
   };

@@ -16,6 +16,7 @@
 import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler } from '../math/euler.ts';
 import { slerpWeight } from '../math/slerp.ts';
 import type { Samples } from '../model/samples.ts';
+import { nearEuler, readRows } from './near-eulers.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 import { catmullRom } from './sampling.ts';
 
@@ -30,68 +31,76 @@ const angles = new Float64Array(3);
 /** Writes the DOFs of joints that turn by three Euler angles; `part`, of the way to the next row, is not 0. */
 export function betweenEulers(
   samples: Samples,
-  { eulerDofs, eulerColumns, eulerSigns }: SampledJoints,
+  joints: SampledJoints,
   row: number,
   part: number,
   out: Float64Array,
   known?: Float64Array,
 ): void {
-  const { values, scales, frameCount, interpolation } = samples;
-  const width = scales.length;
-  const at = row * width;
-  const to = at + width;
-  for (let r = 0; r < eulerSigns.length; r++) {
-    const ca = eulerColumns[3 * r];
-    const cb = eulerColumns[3 * r + 1];
-    const cc = eulerColumns[3 * r + 2];
-    const sign = eulerSigns[r];
-    const sa = sign * scales[ca];
-    const sb = sign * scales[cb];
-    const sc = sign * scales[cc];
-    const a0 = values[at + ca] * sa;
-    const b0 = values[at + cb] * sb;
-    const c0 = values[at + cc] * sc;
-    const a1 = values[to + ca] * sa;
-    const b1 = values[to + cb] * sb;
-    const c1 = values[to + cc] * sc;
-    angles[0] = a0;
-    angles[1] = b0;
-    angles[2] = c0;
-    if (interpolation === 'cubic') {
-      quaternionsOfEulers(a0 / 2, b0 / 2, c0 / 2, a1 / 2, b1 / 2, c1 / 2, here, next);
-      const hasBefore = row > 0;
-      const hasAfter = row + 2 < frameCount;
-      const b = at - width;
-      const f = to + width;
-      if (hasBefore) {
-        quaternionOfEuler((values[b + ca] * sa) / 2, (values[b + cb] * sb) / 2, (values[b + cc] * sc) / 2, before, 0);
-      }
-      if (hasAfter) {
-        quaternionOfEuler((values[f + ca] * sa) / 2, (values[f + cb] * sb) / 2, (values[f + cc] * sc) / 2, after, 0);
-      }
-      align(next, here);
-      spline(hasBefore, hasAfter, part);
-      turnAngles(a1, b1, c1, part);
-    } else if (a0 !== a1 || b0 !== b1 || c0 !== c1) {
-      quaternionsOfEulers(a0 / 2, b0 / 2, c0 / 2, a1 / 2, b1 / 2, c1 / 2, here, next);
-      slerp(part);
-      turnAngles(a1, b1, c1, part);
-      if (known) know(known, 8 * eulerDofs[3 * r]);
-    }
-    out[eulerDofs[3 * r]] = sign * angles[0];
-    out[eulerDofs[3 * r + 1]] = sign * angles[1];
-    out[eulerDofs[3 * r + 2]] = sign * angles[2];
+  const isLinear = samples.interpolation === 'linear';
+  if (isLinear) readRows(samples, joints, row, part);
+  for (let r = 0; r < joints.eulerSigns.length; r++) {
+    if (!isLinear || !nearEuler(joints, r, out, known)) betweenAnyEuler(samples, joints, r, row, part, out, known);
   }
 }
 
-/** Puts down the rotation `turned`, of length 1, for `angles`. */
-function know(known: Float64Array, o: number): void {
-  known[o] = angles[0];
-  known[o + 1] = angles[1];
-  known[o + 2] = angles[2];
-  known[o + 3] = turned[0];
-  known[o + 4] = turned[1];
-  known[o + 5] = turned[2];
+/** One of those rotations, number `r`. */
+function betweenAnyEuler(
+  { values, scales, frameCount, interpolation }: Samples,
+  { eulerDofs, eulerColumns, eulerHalves, eulerSigns, eulerAxes }: SampledJoints,
+  r: number,
+  row: number,
+  part: number,
+  out: Float64Array,
+  known?: Float64Array,
+): void {
+  const width = scales.length;
+  const at = row * width;
+  const to = at + width;
+  const ca = eulerColumns[3 * r];
+  const cb = eulerColumns[3 * r + 1];
+  const cc = eulerColumns[3 * r + 2];
+  const fa = eulerHalves[3 * r];
+  const fb = eulerHalves[3 * r + 1];
+  const fc = eulerHalves[3 * r + 2];
+  const a0 = values[at + ca] * fa;
+  const b0 = values[at + cb] * fb;
+  const c0 = values[at + cc] * fc;
+  const a1 = values[to + ca] * fa;
+  const b1 = values[to + cb] * fb;
+  const c1 = values[to + cc] * fc;
+  angles[0] = 2 * a0;
+  angles[1] = 2 * b0;
+  angles[2] = 2 * c0;
+  if (interpolation === 'cubic') {
+    quaternionsOfEulers(a0, b0, c0, a1, b1, c1, here, next);
+    const hasBefore = row > 0;
+    const hasAfter = row + 2 < frameCount;
+    const b = at - width;
+    const f = to + width;
+    if (hasBefore) quaternionOfEuler(values[b + ca] * fa, values[b + cb] * fb, values[b + cc] * fc, before, 0);
+    if (hasAfter) quaternionOfEuler(values[f + ca] * fa, values[f + cb] * fb, values[f + cc] * fc, after, 0);
+    align(next, here);
+    spline(hasBefore, hasAfter, part);
+    turnAngles(2 * a1, 2 * b1, 2 * c1, part);
+  } else if (a0 !== a1 || b0 !== b1 || c0 !== c1) {
+    quaternionsOfEulers(a0, b0, c0, a1, b1, c1, here, next);
+    slerp(part);
+    turnAngles(2 * a1, 2 * b1, 2 * c1, part);
+    if (known) know(known, 8 * eulerDofs[3 * r], eulerSigns[r], eulerAxes, 3 * r);
+  }
+  const sign = eulerSigns[r];
+  out[eulerDofs[3 * r]] = sign * angles[0];
+  out[eulerDofs[3 * r + 1]] = sign * angles[1];
+  out[eulerDofs[3 * r + 2]] = sign * angles[2];
+}
+
+/** Puts down the rotation `turned`, of length 1, for `angles`; their axes are at `axes[i]`. */
+function know(known: Float64Array, o: number, sign: number, axes: Int32Array, i: number): void {
+  for (let k = 0; k < 3; k++) {
+    known[o + k] = sign * angles[k];
+    known[o + 3 + axes[i + k]] = sign * turned[k];
+  }
   known[o + 6] = turned[3];
 }
 

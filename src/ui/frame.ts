@@ -48,3 +48,18 @@ export function atMostEvery(intervalMs: number, work: () => void): () => void {
     if (timer === undefined) timer = setTimeout(run, Math.max(0, last + intervalMs - performance.now()));
   };
 }
+
+/**
+ * For what is drawn while time runs, but is no movement that an eye follows: a number that changes sixty times a second
+ * can't be read. Says whether so much time has gone by since it last said yes.
+ * @param now milliseconds
+ */
+export function isTimeAgain(intervalMs: number, now: () => number = () => performance.now()): () => boolean {
+  let last = -Infinity;
+  return () => {
+    const time = now();
+    if (time - last < intervalMs) return false;
+    last = time;
+    return true;
+  };
+}

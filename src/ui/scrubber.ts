@@ -5,7 +5,7 @@
 import { stepFrames } from '../edit/playback.ts';
 import { findCharacter, rangeOfClips } from '../model/document.ts';
 import { element } from './dom.ts';
-import { oncePerFrame } from './frame.ts';
+import { isTimeAgain, oncePerFrame } from './frame.ts';
 import { seconds, shown } from './number-text.ts';
 import { drawPlayhead, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
 import { type ShownChannel, shownKeys } from './shown-keys.ts';
@@ -15,6 +15,8 @@ import type { Workbench } from './workbench.ts';
 /** An end of the range is taken from this many pixels away. */
 const GRAB_PIXELS = 6;
 const ZOOM_STEP = 1.15;
+/** While time runs the playhead, which creeps by a pixel or two, goes on in every other frame. */
+const RUNNING_PLAYHEAD_MS = 25;
 
 type Handle = 'time' | 'in' | 'out' | 'pan';
 
@@ -37,6 +39,7 @@ export class Scrubber {
   private width = 0;
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
+  private readonly isPlayheadDue = isTimeAgain(RUNNING_PLAYHEAD_MS);
 
   constructor(private readonly wb: Workbench) {
     this.window = this.whole();
@@ -108,6 +111,7 @@ export class Scrubber {
   private draw(): void {
     const { width, height } = this;
     if (!width || !height) return;
+    if (!this.stale && this.wb.transport.get().playing && !this.isPlayheadDue()) return;
     const ratio = window.devicePixelRatio;
     this.colours ??= readColours(this.element);
     const { timeSeconds, range } = this.wb.transport.get();

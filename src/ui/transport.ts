@@ -3,7 +3,7 @@ import { FRAME_RATES, LOOP_MODES } from '../edit/playback.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions/play-actions.ts';
 import { actionsOf, runAction } from './actions.ts';
 import { button, element, keepsFocusElsewhere, setAttribute } from './dom.ts';
-import { oncePerFrame } from './frame.ts';
+import { isTimeAgain, oncePerFrame } from './frame.ts';
 import { type IconName, icon } from './icons.ts';
 import { type MenuEntry, menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
@@ -13,6 +13,9 @@ import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';
 import { keepTooltip, withKey } from './tooltips.ts';
 import type { Workbench } from './workbench.ts';
+
+/** While time runs, its numbers are written so often. */
+const RUNNING_NUMBERS_MS = 80;
 
 export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
   return element(
@@ -174,8 +177,10 @@ function times(wb: Workbench): HTMLElement[] {
     refuse,
     step: 1,
   });
+  const isRead = isTimeAgain(RUNNING_NUMBERS_MS);
   const show = oncePerFrame(() => {
-    const { timeSeconds, framesPerSecond } = wb.transport.get();
+    const { timeSeconds, framesPerSecond, playing } = wb.transport.get();
+    if (playing && !isRead()) return;
     time.show(timeSeconds);
     frame.show(noNoise(timeSeconds * framesPerSecond));
     fps.show(framesPerSecond);

@@ -2,12 +2,13 @@
  * A skeleton as three.js's bones. A bone is its joint by index, so names may repeat and be empty.
  *
  * Bones stand in their true hierarchy, but their matrices are ours, in doubles: `matrix` (in the parent) and
- * `matrixWorld` (in the character's space, before any placement) are windows on two arrays that are filled each frame,
- * and three.js is kept from walking them. 100 characters of 25 joints would otherwise be 2,500 calls and products a
- * frame, for values that are known already.
+ * `matrixWorld` (in the character's space, before any placement) are windows on two arrays, and three.js is kept from
+ * walking them. 100 characters of 25 joints would otherwise be 2,500 calls and products a frame, for values that are known
+ * already. Those in the character's space are filled each frame. Those in the parent are made when someone reads one:
+ * nothing that is drawn does, and a crowd's would be as much to write as all the rest.
  */
 import { Bone, type Matrix4 } from 'three';
-import { type CompiledSkeleton, compileSkeleton, localAndWorldMatrices } from '../evaluate/kinematics.ts';
+import { type CompiledSkeleton, compileSkeleton, localMatrices, worldMatrices } from '../evaluate/kinematics.ts';
 import { setIdentity } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { hasBox } from '../model/boxes.ts';
@@ -60,27 +61,34 @@ class PosedBone extends Bone {
 export class Bones {
   readonly bones: readonly Bone[];
   readonly compiled: CompiledSkeleton;
-  /** 16 numbers a joint, column-major: in the parent's space. */
-  readonly local: Float64Array;
-  /** In the character's space. */
+  /** 16 numbers a joint, column-major: in the character's space. */
   readonly world: Float64Array;
 
   private readonly reaches: Reaches;
+  private readonly ownLocal: Float64Array;
+  /** The pose whose matrices in the parents' space nobody has asked for yet. */
+  private posed: Float64Array | undefined;
 
   constructor(skeleton: Skeleton) {
     this.reaches = reachesOf(skeleton);
     const compiled = compileSkeleton(skeleton);
     this.compiled = compiled;
-    this.local = new Float64Array(16 * compiled.jointCount);
+    this.ownLocal = new Float64Array(16 * compiled.jointCount);
     this.world = new Float64Array(16 * compiled.jointCount);
     const bones: Bone[] = [];
     skeleton.joints.forEach((joint, j) => {
       const bone = new PosedBone();
       bone.name = joint.name;
-      setIdentity(this.local, 16 * j);
+      setIdentity(this.ownLocal, 16 * j);
       setIdentity(this.world, 16 * j);
-      window(bone.matrix, this.local, j);
-      window(bone.matrixWorld, this.world, j);
+      const local = elementsOf(this.ownLocal, j);
+      Object.defineProperty(bone.matrix, 'elements', {
+        get: () => {
+          this.makeLocal();
+          return local;
+        },
+      });
+      bone.matrixWorld.elements = elementsOf(this.world, j);
       bones.push(bone);
       bones[joint.parent]?.add(bone);
     });
@@ -149,16 +157,24 @@ export class Bones {
   }
 
   /**
-   * Poses the bones: both arrays, and with them every bone's matrices.
+   * Poses the bones.
+   * @param dofs kept by reference, and to stay as they are until the next pose
    * @param known rotations that may be those of the same angles: see `known-rotations.ts`
    */
   pose(dofs: Float64Array, known?: Float64Array): void {
-    localAndWorldMatrices(this.compiled, dofs, this.local, this.world, known);
+    worldMatrices(this.compiled, dofs, this.world, known);
+    this.posed = dofs;
+  }
+
+  private makeLocal(): void {
+    if (!this.posed) return;
+    localMatrices(this.compiled, this.posed, this.ownLocal);
+    this.posed = undefined;
   }
 }
 
-/** Makes a matrix's elements those of joint `j` in `all`. */
-function window(matrix: Matrix4, all: Float64Array, j: number): void {
+/** Of joint `j` in `all`, for a matrix. */
+function elementsOf(all: Float64Array, j: number): Matrix4['elements'] {
   // three.js types elements as a tuple, but only ever indexes them.
-  matrix.elements = all.subarray(16 * j, 16 * j + 16) as unknown as Matrix4['elements'];
+  return all.subarray(16 * j, 16 * j + 16) as unknown as Matrix4['elements'];
 }

@@ -85,7 +85,9 @@ export class CharacterView {
   constructor(
     private readonly renderer?: WebGLRenderer,
     private readonly events: CharacterEvents = {},
-  ) {}
+  ) {
+    this.object.matrixAutoUpdate = false;
+  }
 
   /** One a placement, in their order; their matrices are the placements'. */
   get placements(): readonly Group[] {
@@ -176,7 +178,7 @@ export class CharacterView {
       localBox.min.set(box[0], box[1], box[2]);
       localBox.max.set(box[3], box[4], box[5]);
     } else localBox.makeEmpty();
-    localBox.getBoundingSphere(localSphere);
+    if (skin) localBox.getBoundingSphere(localSphere);
   }
 
   /**

@@ -17,6 +17,8 @@ export interface Shown {
   character: Character;
   /** 16 a placement: see `placements.ts`. */
   placements: Float64Array;
+  /** Whose they are; undefined where they change with the pose. */
+  placedFor: Character | undefined;
 }
 
 /** Of the played range, looked at when everything is framed. */
@@ -73,7 +75,7 @@ export class ShownCharacters {
     for (const character of document.characters) {
       let entry = byId.get(character.id);
       if (!entry) {
-        entry = { view: this.create(character.id), character, placements: new Float64Array(0) };
+        entry = { view: this.create(character.id), character, placements: new Float64Array(0), placedFor: undefined };
         byId.set(character.id, entry);
         this.parent.add(entry.view.object);
       } else if (character === entry.character && !everything) continue;
@@ -112,10 +114,14 @@ export class ShownCharacters {
     const { content, box, visible } = this;
     content.makeEmpty();
     for (let i = 0; i < visible.length; i++) {
-      const { view, character, placements } = visible[i];
-      const travel = view.travel(inPlace);
-      for (let p = 0; p < character.placements.length; p++) {
-        placementMatrix(character.placements[p], character.space, travel, placements, 16 * p);
+      const entry = visible[i];
+      const { view, character, placements } = entry;
+      if (inPlace || entry.placedFor !== character) {
+        const travel = view.travel(inPlace);
+        for (let p = 0; p < character.placements.length; p++) {
+          placementMatrix(character.placements[p], character.space, travel, placements, 16 * p);
+        }
+        entry.placedFor = inPlace ? undefined : character;
       }
       content.union(view.bounds(box));
     }

@@ -46,3 +46,20 @@ describe('the box around bones', () => {
     );
   });
 });
+
+describe('the matrices of bones in their parents', () => {
+  it('are those of the pose, whenever one asks', () => {
+    const bones = new Bones({ name: 'made', joints: [joint(-1), joint(0)] });
+    const pose = new Float64Array(9);
+    bones.pose(pose);
+    bones.pose(Float64Array.from([1, 2, 3, 0, 0, 0, 0, 0, 0.5]));
+    const [root, arm] = bones.bones;
+    expect(arm.matrix.elements.slice(12, 15)).toEqual(Float64Array.of(0, 1, 0));
+    expect(arm.matrix.elements[0]).toBeCloseTo(Math.cos(0.5), 15);
+    expect(new Matrix4().multiplyMatrices(root.matrix, arm.matrix).elements).toEqual(
+      Array.from(arm.matrixWorld.elements),
+    );
+    bones.pose(pose);
+    expect(arm.matrix.elements[0]).toBe(1);
+  });
+});

@@ -82,25 +82,20 @@ export function spreadBall(order: EulerOrder, x: number, y: number, z: number): 
       const beta = dofs[first + atJ];
       const gamma = dofs[first + atK];
       const k = 8 * (first + atI);
-      if (
-        known !== undefined &&
-        known[k] === sign * alpha &&
-        known[k + 1] === sign * beta &&
-        known[k + 2] === sign * gamma
-      ) {
+      if (known !== undefined && known[k] === alpha && known[k + 1] === beta && known[k + 2] === gamma) {
         const x = known[k + 3];
         const y = known[k + 4];
         const z = known[k + 5];
         const w = known[k + 6];
-        out[o + ii] = 1 - 2 * (y * y + z * z);
-        out[o + ij] = 2 * (x * y + w * z);
-        out[o + ik] = 2 * (x * z - w * y);
-        out[o + ji] = 2 * (x * y - w * z);
-        out[o + jj] = 1 - 2 * (x * x + z * z);
-        out[o + jk] = 2 * (y * z + w * x);
-        out[o + ki] = 2 * (x * z + w * y);
-        out[o + kj] = 2 * (y * z - w * x);
-        out[o + kk] = 1 - 2 * (x * x + y * y);
+        out[o] = 1 - 2 * (y * y + z * z);
+        out[o + 1] = 2 * (x * y + w * z);
+        out[o + 2] = 2 * (x * z - w * y);
+        out[o + 4] = 2 * (x * y - w * z);
+        out[o + 5] = 1 - 2 * (x * x + z * z);
+        out[o + 6] = 2 * (y * z + w * x);
+        out[o + 8] = 2 * (x * z + w * y);
+        out[o + 9] = 2 * (y * z - w * x);
+        out[o + 10] = 1 - 2 * (x * x + y * y);
         out[o + 3] = out[o + 7] = out[o + 11] = out[o + 12] = out[o + 13] = out[o + 14] = 0;
         out[o + 15] = 1;
         return;

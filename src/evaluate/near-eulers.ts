@@ -1,0 +1,182 @@
+/**
+ * Joints of three Euler angles between two frames that are near to each other, as those of a capture nearly always are:
+ * the same slerp and the same way back to angles as in `sampled-rotations.ts`, written out so that a crowd can play. What
+ * it gains: all sines and cosines of a row at once; the series of `math/slerp.ts`, of which all but the powers of
+ * cos θ − 1 depends on the part of the way alone, and so is the same for all joints; angles that change by little; and no
+ * number that goes by way of an array or of a call.
+ *
+ * From the angles of the frame to those of the rotation q between, with the vectors of `math/euler.ts`:
+ *
+ *     half sum, half difference     change by atan(cross product / dot product) of the frame's vector and that of q
+ *     β                             changes by asin(sin β_q · cos β − cos β_q · sin β)
+ *     sin β_q, cos β_q              are (d² − s²) / 2 and s·d, of the lengths s and d of the two vectors of q
+ *
+ * Polynomials are written so that few of their steps wait for each other, and cut short where the rest is below the last
+ * digit: half of the time went there.
+ */
+import type { Samples } from '../model/samples.ts';
+import { HalfAngles } from './half-angles.ts';
+import type { SampledJoints } from './sampled-joints.ts';
+
+/** Of the series of slerp, and the least of cos θ − 1 for which so many are exact. */
+const TERMS = 7;
+const NEAR = -0.02;
+/** From here on four terms are. */
+const VERY_NEAR = -0.0003;
+/** The most that one of the angles above changes by. */
+const SMALL = 0.1;
+/** The sum of the squares of all three, from which shorter series will do. */
+const VERY_SMALL = 4e-4;
+/** The square of a vector's length where β is a degree from gimbal lock. */
+const BESIDE_LOCK = 1e-4;
+
+/** Scratch, as all that follows. */
+const fromRow = new HalfAngles();
+const toRow = new HalfAngles();
+const ownTerms = new Float64Array(TERMS);
+const nextTerms = new Float64Array(TERMS);
+
+/**
+ * Makes ready what all rotations have in common.
+ * @param row the one before the time
+ * @param part of the way to the next one
+ */
+export function readRows(
+  { values, scales }: Samples,
+  { eulerColumns, eulerHalves }: SampledJoints,
+  row: number,
+  part: number,
+): void {
+  const at = row * scales.length;
+  fromRow.read(values, at, eulerColumns, eulerHalves);
+  toRow.read(values, at + scales.length, eulerColumns, eulerHalves);
+  if (nextTerms[0] === part) return;
+  writeTerms(1 - part, ownTerms);
+  writeTerms(part, nextTerms);
+}
+
+/**
+ * Writes the DOFs of rotation number `r`, after `readRows`. One at a time, for a loop around all this is at times run in
+ * a version of it that the browser made half-way through, and is half as fast.
+ * @returns false, and nothing written, where its angles are not near
+ */
+export function nearEuler(
+  { eulerDofs, eulerSigns, eulerAxes }: SampledJoints,
+  r: number,
+  out: Float64Array,
+  known: Float64Array | undefined,
+): boolean {
+  const { halves: from, sines: fromSines, cosines: fromCosines } = fromRow;
+  const { halves: to, sines: toSines, cosines: toCosines } = toRow;
+  const i = 3 * r;
+  let sx = fromSines[i];
+  let cx = fromCosines[i];
+  const sy = fromSines[i + 1];
+  const cy = fromCosines[i + 1];
+  let sz = fromSines[i + 2];
+  let cz = fromCosines[i + 2];
+  const x0 = sx * cy * cz - cx * sy * sz;
+  const y0 = cx * sy * cz + sx * cy * sz;
+  const z0 = cx * cy * sz - sx * sy * cz;
+  const w0 = cx * cy * cz + sx * sy * sz;
+  // Of β of the frame.
+  const sine = 2 * sy * cy;
+  const cosine = cy * cy - sy * sy;
+
+  sx = toSines[i];
+  cx = toCosines[i];
+  const ty = toSines[i + 1];
+  const uy = toCosines[i + 1];
+  sz = toSines[i + 2];
+  cz = toCosines[i + 2];
+  const x1 = sx * uy * cz - cx * ty * sz;
+  const y1 = cx * ty * cz + sx * uy * sz;
+  const z1 = cx * uy * sz - sx * ty * cz;
+  const w1 = cx * uy * cz + sx * ty * sz;
+
+  const e = x0 * x1 + y0 * y1 + z0 * z1 + w0 * w1 - 1;
+  const ee = e * e;
+  let p = ownTerms[0] + e * ownTerms[1] + ee * (ownTerms[2] + e * ownTerms[3]);
+  let q = nextTerms[0] + e * nextTerms[1] + ee * (nextTerms[2] + e * nextTerms[3]);
+  if (e < VERY_NEAR) {
+    p += ee * ee * (ownTerms[4] + e * ownTerms[5] + ee * ownTerms[6]);
+    q += ee * ee * (nextTerms[4] + e * nextTerms[5] + ee * nextTerms[6]);
+  }
+  const x = p * x0 + q * x1;
+  const y = p * y0 + q * y1;
+  const z = p * z0 + q * z1;
+  const w = p * w0 + q * w1;
+
+  const s0 = x0 + z0;
+  const c0 = w0 - y0;
+  const d0 = z0 - x0;
+  const e0 = w0 + y0;
+  const s1 = x + z;
+  const c1 = w - y;
+  const d1 = z - x;
+  const e1 = w + y;
+  const ofSum = s1 * s1 + c1 * c1;
+  const ofDifference = d1 * d1 + e1 * e1;
+  const sumCosine = c0 * c1 + s0 * s1;
+  const differenceCosine = e0 * e1 + d0 * d1;
+  let sum = (c0 * s1 - s0 * c1) / sumCosine;
+  let difference = (e0 * d1 - d0 * e1) / differenceCosine;
+  let beta = 0.5 * (ofDifference - ofSum) * cosine - Math.sqrt(ofSum * ofDifference) * sine;
+  const a = from[i] - to[i];
+  const b = from[i + 1] - to[i + 1];
+  const c = from[i + 2] - to[i + 2];
+  const u = sum * sum;
+  const v = difference * difference;
+  const t = beta * beta;
+  // Written so that NaN is far away. Beyond ±90° of β its cosine is negative; beside them one vector has hardly a
+  // direction. A dot product is negative where a vector turns by more than a quarter.
+  const isNear =
+    e > NEAR &&
+    a * a + b * b + c * c < 0.25 &&
+    sumCosine > 0 &&
+    differenceCosine > 0 &&
+    cosine > 0 &&
+    ofSum > BESIDE_LOCK &&
+    ofDifference > BESIDE_LOCK &&
+    u + v + t < SMALL * SMALL;
+  if (!isNear) return false;
+  if (u + v + t < VERY_SMALL) {
+    sum *= 1 - u * (1 / 3 - u * (1 / 5 - u * (1 / 7 - u * (1 / 9))));
+    difference *= 1 - v * (1 / 3 - v * (1 / 5 - v * (1 / 7 - v * (1 / 9))));
+    beta *= 1 + t * (1 / 6 + t * (3 / 40 + t * (5 / 112 + t * (35 / 1152))));
+  } else {
+    sum *= 1 - u * (1 / 3 - u * (1 / 5 - u * (1 / 7 - u * (1 / 9 - u * (1 / 11 - u * (1 / 13))))));
+    difference *= 1 - v * (1 / 3 - v * (1 / 5 - v * (1 / 7 - v * (1 / 9 - v * (1 / 11 - v * (1 / 13))))));
+    beta *= 1 + t * (1 / 6 + t * (3 / 40 + t * (5 / 112 + t * (35 / 1152 + t * (63 / 2816 + t * (231 / 13312))))));
+  }
+  let alpha = 2 * from[i];
+  let middle = 2 * from[i + 1];
+  let gamma = 2 * from[i + 2];
+  // What stands still keeps the very angles of the file.
+  if (a !== 0 || b !== 0 || c !== 0) {
+    alpha += sum - difference;
+    middle += beta;
+    gamma += sum + difference;
+  }
+  const sign = eulerSigns[r];
+  if (known) {
+    const o = 8 * eulerDofs[i];
+    known[o] = sign * alpha;
+    known[o + 1] = sign * middle;
+    known[o + 2] = sign * gamma;
+    known[o + 3 + eulerAxes[i]] = sign * x;
+    known[o + 3 + eulerAxes[i + 1]] = sign * y;
+    known[o + 3 + eulerAxes[i + 2]] = sign * z;
+    known[o + 6] = w;
+  }
+  out[eulerDofs[i]] = sign * alpha;
+  out[eulerDofs[i + 1]] = sign * middle;
+  out[eulerDofs[i + 2]] = sign * gamma;
+  return true;
+}
+
+/** Σ aₖ·(cos θ − 1)ᵏ is the weight of one of the two rotations; these are aₖ for a part of the way from the other one. */
+function writeTerms(t: number, out: Float64Array): void {
+  out[0] = t;
+  for (let k = 1; k < TERMS; k++) out[k] = (out[k - 1] * (t * t - k * k)) / (k * (2 * k + 1));
+}

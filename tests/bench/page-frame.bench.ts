@@ -1,0 +1,219 @@
+/**
+ * A frame of the built page while 50 motion captures of 70 joints play: all script of the main thread, three.js and the
+ * calls to WebGL included, in the thread's own time. To hold: within 3× of a bare loop that samples and multiplies the
+ * same joints in the same page.
+ *
+ * Windows of playing alternate, with and without a few bare loops in each frame; what those take is the difference.
+ * Drawing itself is left out (one instance a call, nothing rasterised): without a GPU the processor would be busy with it.
+ */
+import { existsSync } from 'node:fs';
+import type { Page } from 'playwright-core';
+import { bench, describe } from 'vitest';
+import { findChromium } from '../helpers/chromium.ts';
+import { withPage } from '../helpers/page.ts';
+import { bareCrowd } from './bare-crowd.ts';
+
+const CHARACTERS = 50;
+const JOINTS = 70;
+const FRAMES = 1200;
+const FRAME_SECONDS = 1 / 120;
+const WIDTH = 3 + 3 * JOINTS;
+/** Bare loops in each frame of a window that has them. */
+const LOOPS = 4;
+const WINDOWS = 9;
+const WINDOW_MS = 1500;
+/** Another build of the page, measured alternately with the one in `dist/`. */
+const COMPARED = process.env.MARROW_COMPARED;
+
+/** Numbers from 0 to 1 that look random, the same in every run. */
+function noise(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) | 0;
+    return (state >>> 0) / 2 ** 32;
+  };
+}
+
+const parentOf = (j: number) => (j === 0 ? -1 : Math.floor((j - 1) / 2));
+const offsetOf = (j: number) => (j === 0 ? [0, 90, 0] : [j % 2 ? 6 : -6, j < 8 ? 12 : -7, 1]);
+
+function joint(j: number): string {
+  const below = Array.from({ length: JOINTS }, (_, k) => k).filter((k) => parentOf(k) === j);
+  const positions = j === 0 ? '6 Xposition Yposition Zposition' : '3';
+  const inside = [
+    `OFFSET ${offsetOf(j).join(' ')}`,
+    `CHANNELS ${positions} Zrotation Xrotation Yrotation`,
+    ...(below.length > 0 ? below.map(joint) : ['End Site\n{\nOFFSET 0 -5 0\n}']),
+  ];
+  return `${j === 0 ? 'ROOT' : 'JOINT'} joint${j}\n{\n${inside.join('\n')}\n}`;
+}
+
+/** Joints that swing to and fro, each in its own time, up to 4° a frame. */
+function rows(): number[][] {
+  const random = noise(7);
+  const swings = Array.from({ length: WIDTH }, () => ({
+    reach: 5 + 30 * random(),
+    hertz: 0.2 + 1.8 * random(),
+    phase: 2 * Math.PI * random(),
+    middle: 40 * random() - 20,
+  }));
+  return Array.from({ length: FRAMES }, (_, f) =>
+    swings.map(({ reach, hertz, phase, middle }) => {
+      const value = middle + reach * Math.sin(2 * Math.PI * hertz * f * FRAME_SECONDS + phase);
+      return Number(value.toFixed(4));
+    }),
+  );
+}
+
+/** Joints in the order of the file. */
+function inOrder(j = 0): number[] {
+  return [
+    j,
+    ...Array.from({ length: JOINTS }, (_, k) => k)
+      .filter((k) => k > 0 && parentOf(k) === j)
+      .flatMap(inOrder),
+  ];
+}
+
+const values = rows();
+const bvh = `HIERARCHY\n${joint(0)}\nMOTION\nFrames: ${FRAMES}\nFrame Time: ${FRAME_SECONDS}\n${values.map((row) => row.join(' ')).join('\n')}\n`;
+
+/** Waits for the crowd, and has bare loops at hand: `window.bareLoops` of them in each frame. */
+async function awaitCrowd(page: Page): Promise<void> {
+  await page.waitForFunction((count) => window.marrow?.characters().length === count, CHARACTERS);
+  // The panels come when the page is idle.
+  await page.locator('.lil-gui').first().waitFor({ state: 'attached' });
+  const order = inOrder();
+  const crowd = {
+    parent: order.map((j) => order.indexOf(parentOf(j))),
+    offsets: order.flatMap(offsetOf),
+    frameSeconds: FRAME_SECONDS,
+  };
+  await page.evaluate(
+    ([source, given, motion, characters, frames]) => {
+      const make = new Function(`return ${source}`)();
+      const rows = Float64Array.from(motion);
+      const bare = make({ ...given, values: Array.from({ length: characters }, () => rows.slice()) }, 'slerp');
+      const seen = Object.assign(window, { bareLoops: 0, frames: 0 });
+      let tick = 0;
+      const frame = () => {
+        seen.frames++;
+        // Two frames of samples in one of the screen, and a bit: never at a frame, never in the same one twice.
+        for (let i = 0; i < seen.bareLoops; i++) bare(((tick++ * 2.003 + 0.31) % (frames - 2)) * given.frameSeconds);
+        requestAnimationFrame(frame);
+      };
+      requestAnimationFrame(frame);
+    },
+    [bareCrowd.toString(), crowd, values.flat(), CHARACTERS, FRAMES] as const,
+  );
+}
+
+/** Draws one instance a call, and none of its pixels. Runs in the page before its own script. */
+function drawNothing(): void {
+  const { prototype } = WebGL2RenderingContext;
+  const draw = prototype.drawElementsInstanced;
+  prototype.drawElementsInstanced = function (mode, count, type, offset) {
+    this.enable(this.RASTERIZER_DISCARD);
+    draw.call(this, mode, count, type, offset, 1);
+  };
+}
+
+class Measured {
+  readonly page: number[] = [];
+  readonly bare: number[] = [];
+
+  constructor(private readonly scriptMs: (loops: number) => Promise<number>) {}
+
+  async window(): Promise<void> {
+    const alone = await this.scriptMs(0);
+    const together = await this.scriptMs(LOOPS);
+    this.page.push(alone);
+    this.bare.push((together - alone) / LOOPS);
+  }
+
+  toString(): string {
+    const page = median(this.page);
+    const bare = median(this.bare);
+    const ratio = median(this.page.map((ms, i) => ms / this.bare[i]));
+    return `${page.toFixed(2)} ms of script a frame, a bare loop ${bare.toFixed(2)} ms: ${ratio.toFixed(2)} times`;
+  }
+}
+
+function median(numbers: readonly number[]): number {
+  return numbers.toSorted((a, b) => a - b)[Math.floor(numbers.length / 2)];
+}
+
+/** Milliseconds of script a frame, over a window of playing with so many bare loops in each. */
+async function meter(page: Page): Promise<(loops: number) => Promise<number>> {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  const script = async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return 1000 * (metrics.find(({ name }) => name === 'ScriptDuration')?.value ?? Number.NaN);
+  };
+  const frames = () => page.evaluate(() => Number(Reflect.get(window, 'frames')));
+  return async (loops) => {
+    await page.evaluate((count) => {
+      Object.assign(window, { bareLoops: count });
+      window.marrow.play();
+    }, loops);
+    await page.waitForTimeout(200);
+    const before = { ms: await script(), frames: await frames() };
+    await page.waitForTimeout(WINDOW_MS);
+    const ms = (await script()) - before.ms;
+    const count = (await frames()) - before.frames;
+    await page.evaluate(() => window.marrow.pause());
+    return ms / count;
+  };
+}
+
+function hasChromium(): boolean {
+  try {
+    findChromium();
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+const takes = Array.from({ length: CHARACTERS }, (_, i) => `take${i}.bvh`);
+const options = {
+  size: { width: 700, height: 500 },
+  before: drawNothing,
+  query: `?files=${takes}`,
+  files: Object.fromEntries(takes.map((name) => [name, bvh])),
+};
+
+describe.skipIf(!hasChromium())(
+  '50 captures of 70 joints play on the page (skipped where there is no Chromium)',
+  () => {
+    bench(
+      'a frame of it',
+      async () => {
+        if (!existsSync('dist/index.html')) throw new Error('There is no built page: "npm run build" first.');
+        const folders = COMPARED ? [undefined, COMPARED] : [undefined];
+        const measured: Measured[] = [];
+        const measure = async (remaining: readonly (string | undefined)[]): Promise<void> => {
+          const [folder, ...others] = remaining;
+          if (remaining.length === 0) {
+            for (let w = 0; w < WINDOWS; w++) for (const one of measured) await one.window();
+            return;
+          }
+          await withPage(
+            async ({ page }) => {
+              await awaitCrowd(page);
+              measured.push(new Measured(await meter(page)));
+              await measure(others);
+            },
+            { ...options, ...(folder && { folder }) },
+          );
+        };
+        await measure(folders);
+        measured.forEach((one, i) => {
+          console.log(`${folders[i] ?? 'dist'}: ${one}`);
+        });
+      },
+      { iterations: 1, time: 0, warmupIterations: 0, warmupTime: 0 },
+    );
+  },
+);
