@@ -1,17 +1,18 @@
 /**
- * A character's motion as three.js plays it: an `AnimationClip` of one track in an `AnimationMixer`.
+ * A character's motion as three.js plays it: an `AnimationClip` of one track, whose values are all of the character's
+ * DOFs, in an `AnimationMixer`.
  *
- *     transport's time ─► action.time ─► mixer.update(0) ─► our interpolant ─► evaluate/pose.ts ─► all DOFs
+ *     transport's time ─► action.time ─► mixer.update(0) ─► our interpolant ─► evaluate/pose.ts ─► Dofs
  *
- * One track for all DOFs is far cheaper than one a DOF: what a track costs in bindings, mixing and calls is then paid once
- * a character. The interpolant writes the DOFs where they are read, and leaves to the mixer one number, the moment that
- * they are of: as the track's values, they would be copied from array to array four times on their way. Their keyframes
- * are the channels' own, or the clip's samples, in doubles: the interpolant reads those and not the floats that three.js
- * keeps in a track, so tangents, steps and extrapolation are exact at any time, before 0 and past the end too, and a take
- * of 100,000 frames is not copied to be played. What the clip leaves free (DOFs without a channel, a pose set by hand,
- * limits) comes out of the same function that the command line uses.
+ * One track with as many values as there are DOFs is far cheaper than one a DOF: what a track costs in bindings, mixing
+ * and calls is then paid once a character. Its keyframes are the channels' own, or the clip's samples, in doubles: the
+ * interpolant reads those and not the floats that three.js keeps in a track, so tangents, steps and extrapolation are
+ * exact at any time, before 0 and past the end too, and a take of 100,000 frames is not copied to be played. What the
+ * clip leaves free (DOFs without a channel, a pose set by hand, limits) comes out of the same function that the command
+ * line uses.
  *
  * How it has to be done with three.js 0.187:
+ *  - The property that a track drives needs `fromArray` and `toArray`; a bare typed array is replaced by a number.
  *  - `createInterpolant` is put on the instance: the constructor sets its own there, over any method.
  *  - A clip's duration must be above 0. Nothing else is made of it, or of the track's own time, for the transport wraps,
  *    bounces and stops by itself; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
@@ -24,28 +25,51 @@ import { type Character, shownClip } from '../model/document.ts';
 /** One for all: a character's matrices are made right after its pose, while this is still in the cache. */
 const rotations = new KnownRotations();
 
-/** What a mixer is made for: three.js finds the track's property on it by name. */
-class Posed extends Object3D {
-  /** Seconds of the transport. */
-  moment = 0;
+/** The property that the track drives. */
+class Dofs {
+  readonly values: Float64Array;
+
+  constructor(count: number) {
+    this.values = new Float64Array(count);
+  }
+
+  fromArray(source: ArrayLike<number>, offset = 0): this {
+    for (let d = 0; d < this.values.length; d++) this.values[d] = source[offset + d];
+    return this;
+  }
+
+  toArray(target: number[] | Float64Array = [], offset = 0): number[] | Float64Array {
+    for (let d = 0; d < this.values.length; d++) target[offset + d] = this.values[d];
+    return target;
+  }
 }
 
-const TRACK = '.moment' satisfies `.${keyof Posed & string}`;
+/** What a mixer is made for: three.js finds the track's property on it by name. */
+class Posed extends Object3D {
+  readonly dofs: Dofs;
 
-/** Poses the character; the mixer lends it a buffer for the moment. */
+  constructor(count: number) {
+    super();
+    this.dofs = new Dofs(count);
+  }
+}
+
+const TRACK = '.dofs' satisfies `.${keyof Posed & string}`;
+
+/** Interpolates the keyframes of a character's channels; the mixer lends it the buffer. */
 class PoseInterpolant extends Interpolant {
   constructor(
-    track: NumberKeyframeTrack,
+    times: Float32Array,
+    values: Float32Array,
     private readonly player: PosePlayer,
   ) {
-    super(track.times, track.values, 1, new Float64Array(1));
+    super(times, values, values.length, new Float64Array(values.length));
   }
 
   override evaluate(timeSeconds: number): Float64Array {
     // The buffer is the constructor's above, or the mixer's, which is one of doubles too.
     const out = this.resultBuffer as Float64Array;
-    poseFrom(this.player.source, timeSeconds, this.player.dofs, rotations.values);
-    out[0] = timeSeconds;
+    poseFrom(this.player.source, timeSeconds, out, rotations.values);
     return out;
   }
 
@@ -69,14 +93,15 @@ export class PosePlayer {
     this.source = poseSource(character);
     const { count } = this.source;
     rotations.reserve(count);
-    this.dofs = new Float64Array(count);
-    const track = new NumberKeyframeTrack(TRACK, [0], [0]);
+    const track = new NumberKeyframeTrack(TRACK, [0], new Float32Array(count));
     // three.js declares the three methods it puts here one by one; it only ever calls this one.
-    Object.assign(track, { createInterpolant: () => new PoseInterpolant(track, this) });
+    Object.assign(track, { createInterpolant: () => new PoseInterpolant(track.times, track.values, this) });
     const clip = shownClip(character);
     const duration = clip ? clip.range[1] - clip.range[0] : 0;
     this.clip = new AnimationClip(clip?.name ?? 'pose', duration > 0 ? duration : 1, [track]);
-    this.mixer = new AnimationMixer(new Posed());
+    const posed = new Posed(count);
+    this.dofs = posed.dofs.values;
+    this.mixer = new AnimationMixer(posed);
     this.action = this.mixer.clipAction(this.clip).play();
   }
 
