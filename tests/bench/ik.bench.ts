@@ -3,9 +3,9 @@
  * drags of the reference cases that can be followed all the way. To hold: ten times closed-chain-ik's median, about
  * 12 µs for the chain of 30 joints with one pin and 60 µs with several, and no step unsolved.
  *
- * What is printed at the end is of whole paths: each is gone round several times, of each of its steps the shortest
+ * What is printed at the end is of whole paths: each is gone along several times, of each of its steps the shortest
  * time counts, so that what else the machine does counts for none, and of these the median is told; and how many steps
- * left a pin further off than 1e-3 of the reach in the last round. CCD goes round ten times, enough or not.
+ * left a pin further off than 1e-3 of the reach. CCD goes round ten times, enough or not.
  * Behind that, clicks: from the pose of the file straight to where random angles put the pins, ours with restarts.
  */
 import { afterAll, bench, describe } from 'vitest';
@@ -50,6 +50,12 @@ for (const [title, [drag]] of [
   });
 }
 
+/** What is asked of every solver: from the pose of the file, a path that the first pin is led along, or one place. */
+interface Task {
+  readonly grip: Grip;
+  readonly path: readonly number[];
+}
+
 interface Measured {
   /** Microseconds. */
   readonly median: number;
@@ -57,105 +63,79 @@ interface Measured {
   readonly unsolved: number;
 }
 
-const ROUNDS = 12;
+const ROUNDS = 16;
 
-/** Round and round the path. */
-function measure(grip: Grip, path: readonly number[], tolerance: number, dragger: Dragger) {
-  const times = Array.from({ length: path.length / 3 }, () => Infinity);
-  let unsolved = 0;
+/** The solvers take turns, round by round, so that a machine that is slow for a while is so for all of them. */
+function measure(tasks: readonly Task[], solvers: typeof SOLVERS, tolerance: number): Measured[] {
+  const runs = solvers.map(([, make]) =>
+    tasks.map(({ path }) => ({
+      make,
+      times: Array.from({ length: path.length / 3 }, () => Infinity),
+      unsolved: 0,
+    })),
+  );
   for (let round = 1; round <= ROUNDS; round++) {
-    for (let step = 0; step < times.length; step++) {
-      const [x, y, z] = path.slice(3 * step, 3 * step + 3);
-      const begin = performance.now();
-      dragger.step(x, y, z);
-      times[step] = Math.min(times[step], 1000 * (performance.now() - begin));
-      if (round === ROUNDS && isOff(grip, dragger, tolerance)) unsolved++;
+    for (const ofSolver of runs) {
+      ofSolver.forEach((run, t) => {
+        const { grip, path } = tasks[t];
+        const dragger = run.make(grip);
+        for (let step = 0; step < run.times.length; step++) {
+          const [x, y, z] = path.slice(3 * step, 3 * step + 3);
+          const begin = performance.now();
+          dragger.step(x, y, z);
+          run.times[step] = Math.min(run.times[step], 1000 * (performance.now() - begin));
+          const isOff = grip.targets.some((_, pin) => !(dragger.off(pin) <= tolerance * grip.reach));
+          if (round === ROUNDS && isOff) run.unsolved++;
+        }
+      });
     }
   }
-  return { times, unsolved };
-}
-
-function isOff(grip: Grip, dragger: Dragger, tolerance: number): boolean {
-  return grip.targets.some((_, pin) => !(dragger.off(pin) <= tolerance * grip.reach));
-}
-
-function measureAll(all: IkCases, drags: readonly IkDrag[], make: (grip: Grip) => Dragger): Measured {
-  const runs = drags.map((drag) => {
-    const grip = gripOf(all, drag);
-    return measure(grip, drag.path, all.tolerance, make(grip));
+  return runs.map((ofSolver) => {
+    const times = ofSolver.flatMap((run) => run.times).sort((p, q) => p - q);
+    return {
+      median: times[times.length >> 1],
+      steps: times.length,
+      unsolved: ofSolver.reduce((sum, run) => sum + run.unsolved, 0),
+    };
   });
-  return summary(runs);
 }
 
-function summary(runs: readonly { readonly times: readonly number[]; readonly unsolved: number }[]): Measured {
-  const times = runs.flatMap((run) => run.times).sort((a, b) => a - b);
-  return {
-    median: times[times.length >> 1],
-    steps: times.length,
-    unsolved: runs.reduce((sum, run) => sum + run.unsolved, 0),
-  };
-}
+const dragsOf = (all: IkCases, drags: readonly IkDrag[]): Task[] =>
+  drags.map((drag) => ({ grip: gripOf(all, drag), path: drag.path }));
 
-/** All targets from the pose of the file, a few times over. */
-function measureClicks(all: IkCases, grips: readonly Grip[], make: (grip: Grip) => Dragger): Measured {
-  const runs = grips.map(() => ({ times: [Infinity], unsolved: 0 }));
-  for (let round = 0; round < ROUNDS; round++) {
-    grips.forEach((grip, i) => {
-      const dragger = make(grip);
-      const [[, x, y, z]] = grip.targets;
-      const begin = performance.now();
-      dragger.step(x, y, z);
-      const [least] = runs[i].times;
-      runs[i] = {
-        times: [Math.min(least, 1000 * (performance.now() - begin))],
-        unsolved: isOff(grip, dragger, all.tolerance) ? 1 : 0,
-      };
-    });
-  }
-  return summary(runs);
-}
-
-function clicksOf(all: IkCases, skeletons: readonly string[], list: 'single' | 'multi'): Grip[] {
+function clicksOf(all: IkCases, skeletons: readonly string[], list: 'single' | 'multi'): Task[] {
   return skeletons.flatMap((name) => {
     const skeleton = caseSkeleton(all, name);
     const { reach } = all.skeletons[name];
-    return (all[list][name] ?? []).map((entry) => ({
-      skeleton,
-      reach,
+    return (all[list][name] ?? []).map((entry) => {
       // One target is four numbers, several are lists of four.
-      targets: list === 'single' ? [entry as Target] : (entry as readonly Target[]),
-    }));
+      const targets = list === 'single' ? [entry as Target] : (entry as readonly Target[]);
+      return { grip: { skeleton, reach, targets }, path: targets[0].slice(1) };
+    });
   });
 }
 
 afterAll(() => {
   if (!cases) return;
   const lines: string[] = [];
-  const tell = (title: string, solvers: typeof SOLVERS, measured: (make: (grip: Grip) => Dragger) => Measured) => {
-    const rows = solvers.map(([name, make]) => ({ name, ...measured(make) }));
-    for (const { name, median, steps, unsolved } of rows) {
+  const tell = (title: string, solvers: typeof SOLVERS, tasks: readonly Task[]) => {
+    const measured = measure(tasks, solvers, cases.tolerance);
+    measured.forEach(({ median, steps, unsolved }, s) => {
       lines.push(
-        `  ${title.padEnd(32)} ${name.padEnd(26)} ${median.toFixed(1).padStart(8)} µs` +
-          `${(median / rows[0].median).toFixed(1).padStart(8)}×  ${unsolved} of ${steps} unsolved`,
+        `  ${title.padEnd(32)} ${solvers[s][0].padEnd(26)} ${median.toFixed(1).padStart(8)} µs` +
+          `${(median / measured[0].median).toFixed(1).padStart(8)}×  ${unsolved} of ${steps} unsolved`,
       );
-    }
+    });
   };
-  for (const [title, drags] of [
-    ['drag: 30 joints, one pin', ofChain(1)],
-    ['drag: 30 joints, 2 and 3 pins', [...ofChain(2), ...ofChain(3)]],
-    ['drag: all skeletons, one pin', followed.filter(({ pinned }) => pinned.length === 0)],
-    ['drag: all skeletons, several', followed.filter(({ pinned }) => pinned.length > 0)],
-  ] as const) {
-    tell(title, SOLVERS, (make) => measureAll(cases, drags, make));
-  }
   const names = Object.keys(cases.skeletons);
-  for (const [title, grips] of [
-    ['click: 30 joints, one pin', clicksOf(cases, ['chain30'], 'single')],
-    ['click: 30 joints, 2 to 4 pins', clicksOf(cases, ['chain30'], 'multi')],
-    ['click: all skeletons, one pin', clicksOf(cases, names, 'single')],
-    ['click: all skeletons, 2 to 4', clicksOf(cases, names, 'multi')],
-  ] as const) {
-    tell(title, CLICKS, (make) => measureClicks(cases, grips, make));
-  }
+  tell('drag: 30 joints, one pin', SOLVERS, dragsOf(cases, ofChain(1)));
+  tell('drag: 30 joints, 2 and 3 pins', SOLVERS, dragsOf(cases, [...ofChain(2), ...ofChain(3)]));
+  const [free, pinned] = [followed.filter((d) => d.pinned.length === 0), followed.filter((d) => d.pinned.length > 0)];
+  tell('drag: all skeletons, one pin', SOLVERS, dragsOf(cases, free));
+  tell('drag: all skeletons, several', SOLVERS, dragsOf(cases, pinned));
+  tell('click: 30 joints, one pin', CLICKS, clicksOf(cases, ['chain30'], 'single'));
+  tell('click: 30 joints, 2 to 4 pins', CLICKS, clicksOf(cases, ['chain30'], 'multi'));
+  tell('click: all skeletons, one pin', CLICKS, clicksOf(cases, names, 'single'));
+  tell('click: all skeletons, 2 to 4', CLICKS, clicksOf(cases, names, 'multi'));
   console.log(`inverse kinematics, median\n${lines.join('\n')}`);
 }, 300_000);
