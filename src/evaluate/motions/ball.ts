@@ -1,4 +1,5 @@
 /** Three angles about x, y and z, multiplied in any order: balljoints, and the rotation of what has one within it. */
+import { writeRotation } from '../../math/quaternion.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { renamedAxes } from '../euler-dofs.ts';
 import { type JointMotion, turnAbout } from './motion.ts';
@@ -83,19 +84,7 @@ export function spreadBall(order: EulerOrder, x: number, y: number, z: number): 
       const gamma = dofs[first + atK];
       const k = 8 * (first + atI);
       if (known !== undefined && known[k] === alpha && known[k + 1] === beta && known[k + 2] === gamma) {
-        const x = known[k + 3];
-        const y = known[k + 4];
-        const z = known[k + 5];
-        const w = known[k + 6];
-        out[o] = 1 - 2 * (y * y + z * z);
-        out[o + 1] = 2 * (x * y + w * z);
-        out[o + 2] = 2 * (x * z - w * y);
-        out[o + 4] = 2 * (x * y - w * z);
-        out[o + 5] = 1 - 2 * (x * x + z * z);
-        out[o + 6] = 2 * (y * z + w * x);
-        out[o + 8] = 2 * (x * z + w * y);
-        out[o + 9] = 2 * (y * z - w * x);
-        out[o + 10] = 1 - 2 * (x * x + y * y);
+        writeRotation(known[k + 3], known[k + 4], known[k + 5], known[k + 6], out, o, 4);
         out[o + 3] = out[o + 7] = out[o + 11] = out[o + 12] = out[o + 13] = out[o + 14] = 0;
         out[o + 15] = 1;
         return;
