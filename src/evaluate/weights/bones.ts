@@ -1,7 +1,8 @@
 /**
  * What gives off heat when weights are found: the bones of a skeleton, as segments, each one of the joint that it turns
  * with. From a joint's pivot to that of each child, to its tip and its End Sites, and through its box where none of these
- * goes that way: a hand ends with no joint, and of a head the joints are the ears.
+ * goes that way: a hand ends with no joint, and of a head the joints are the ears. Last joints with nothing of all this
+ * are points here; how far they reach the mesh tells (`last-bones.ts`).
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { boneEnds } from '../../model/bone-ends.ts';
@@ -45,6 +46,19 @@ export function boneSegments(skeleton: Skeleton, frames: Float64Array): BoneSegm
     joints: Uint32Array.from(bones, (bone) => bone.joint),
     ends: Float64Array.from(bones.flatMap((bone) => bone.ends)),
   };
+}
+
+/** Whether a bone has no length. */
+export function isPoint(ends: Float64Array, bone: number): boolean {
+  const o = 6 * bone;
+  return ends[o] === ends[o + 3] && ends[o + 1] === ends[o + 4] && ends[o + 2] === ends[o + 5];
+}
+
+/** Whether a bone ends at another that has no length: the pivot of a last joint. */
+export function endsAt(ends: Float64Array, bone: number, point: number): boolean {
+  if (bone === point || !isPoint(ends, point)) return false;
+  for (let k = 0; k < 3; k++) if (ends[6 * bone + 3 + k] !== ends[6 * point + k]) return false;
+  return true;
 }
 
 /**

@@ -8,7 +8,7 @@
  *
  * that is (L + A·H)·w = A·H·p with cotangents and areas of the welded mesh (`laplacian.ts`), one system for each joint.
  * L has no negative weights and its rows sum to 0, so every w lies in 0 … 1 and all of them together are 1. Units of
- * length cancel. What is seen: `visible-bones.ts`.
+ * length cancel. What is seen: `visible-bones.ts`; where the bones of last joints end: `last-bones.ts`.
  *
  * Parts of a mesh that no bone warms, and vertices in no triangle, get weights by 1/d² of the bones' distances.
  *
@@ -20,6 +20,7 @@ import { type BoneSegments, squareToBone } from './bones.ts';
 import { Cholesky } from './cholesky.ts';
 import { Influences } from './influences.ts';
 import { laplacian } from './laplacian.ts';
+import { lastBones } from './last-bones.ts';
 import { triangleTree } from './triangle-tree.ts';
 import { visibleBones, type Warmth } from './visible-bones.ts';
 import { type WeldedMesh, weld } from './weld.ts';
@@ -36,7 +37,8 @@ const NEAREST = 1e-4;
 /** How the time goes, about. */
 const WELD_DONE = 0.02;
 const TREE_DONE = 0.08;
-const SIGHT_DONE = 0.35;
+const BONES_DONE = 0.25;
+const SIGHT_DONE = 0.4;
 const SETTLED = 0.98;
 /** Of the systems' time, what their matrix and its factor take. */
 const MATRIX_MADE = 0.05;
@@ -50,13 +52,14 @@ const VERTICES_A_STEP = 5000;
  */
 export function* heatWeights(
   { positions, triangles }: Pick<Skin, 'positions' | 'triangles'>,
-  bones: BoneSegments,
+  given: BoneSegments,
   mostInfluences: number,
 ): Generator<number, HeatWeights> {
   const mesh = yield* within(weld(positions, triangles), 0, WELD_DONE);
   const influences = new Influences(mesh.vertexCount, mostInfluences);
   const tree = yield* within(triangleTree(mesh), WELD_DONE, TREE_DONE);
-  const warmth = yield* within(visibleBones(tree, bones), TREE_DONE, SIGHT_DONE);
+  const bones = yield* within(lastBones(tree, given), TREE_DONE, BONES_DONE);
+  const warmth = yield* within(visibleBones(tree, bones), BONES_DONE, SIGHT_DONE);
   yield* within(equilibria(mesh, warmth, influences), SIGHT_DONE, SETTLED);
   const isCold = new Uint8Array(mesh.vertexCount);
   for (let v = 0; v < mesh.vertexCount; v++) {

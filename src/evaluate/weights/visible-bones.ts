@@ -1,5 +1,6 @@
 /**
- * Which bones warm a vertex: the nearest one that it sees through the inside of the body, and those just as near.
+ * Which bones warm a vertex: the nearest one that it sees through the inside of the body, and those just as near. Where
+ * the nearest is the end of a bone, and a last joint's pivot stands there without a bone of its own, it is that joint's.
  *
  * Inside is told along the segment from the vertex to the nearest point of the bone. Every part of the mesh that has a
  * volume is entered and left by its triangles' sides; a part is also inside at the start where it is left before it is
@@ -11,7 +12,7 @@
  * out of the middle, and the inner side of a leg is often nearer to the other leg's bone. Where none is seen through the
  * inside, the nearest that nothing at all hides counts: bones may run beside the mesh.
  */
-import { type BoneSegments, nearest, squareToBone } from './bones.ts';
+import { type BoneSegments, endsAt, nearest, squareToBone } from './bones.ts';
 import { type SurfaceSides, surfaceSides } from './surface-sides.ts';
 import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
 
@@ -19,6 +20,8 @@ import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
 const MOST_TRIED = 12;
 /** Distances that differ by a smaller part are the same. */
 const AS_NEAR = 1e-4;
+/** Nearer than this part of the mesh's diagonal, they are the same, too. */
+const AT_BONE = 1e-9;
 /** A part of the segment that may run outside: pivots stand a hair out of the skin, and meshes have gaps. */
 const OUTSIDE = 0.02;
 /** Of a bone's length, at both ends: looked for a little inside of them, since bones end at the skin, or stand out of it. */
@@ -46,6 +49,8 @@ export function* visibleBones(tree: TriangleTree, bones: BoneSegments): Generato
   const squares = new Float64Array(mesh.vertexCount).fill(Infinity);
   const start = new Uint32Array(mesh.vertexCount + 1);
   const joints: number[] = [];
+  /** Bones as near as the nearest, and as well seen. */
+  const equals: number[] = [];
   for (let v = 0; v < mesh.vertexCount; v++) {
     const x = mesh.positions[3 * v];
     const y = mesh.positions[3 * v + 1];
@@ -71,12 +76,19 @@ export function* visibleBones(tree: TriangleTree, bones: BoneSegments): Generato
     }
     if (found >= 0) {
       squares[v] = distances[found];
-      const most = distances[found] * (1 + AS_NEAR) ** 2;
+      const most = distances[found] * (1 + AS_NEAR) ** 2 + (AT_BONE * mesh.diagonal) ** 2;
       const from = joints.length;
+      equals.length = 0;
       for (let b = 0; b < boneCount; b++) {
+        if (distances[b] > most) continue;
+        // What stands at the end of one is seen where that is.
+        const isSeen = b === found || endsAt(bones.ends, found, b) || sight.from(v, bones, b, along[b]) === through;
+        if (isSeen) equals.push(b);
+      }
+      for (const b of equals) {
+        if (along[b] === 1 && equals.some((other) => endsAt(bones.ends, b, other))) continue;
         // Several bones of one joint are one source, and come one after another.
-        if (distances[b] > most || (joints.length > from && joints[joints.length - 1] === bones.joints[b])) continue;
-        if (b === found || sight.from(v, bones, b, along[b]) === through) joints.push(bones.joints[b]);
+        if (joints.length === from || joints[joints.length - 1] !== bones.joints[b]) joints.push(bones.joints[b]);
       }
     }
     start[v + 1] = joints.length;

@@ -1,0 +1,101 @@
+/**
+ * How far the bones of last joints reach that the skeleton knows only as points: no child, box, length or End Site, as the
+ * knees of legs whose feet need no joint. The mesh tells. To such a joint belong the vertices to which its pivot is the
+ * nearest that they see of all bones, and sheets that hang on it (`hanging-sheets.ts`). With c the middle of that surface
+ * by area and r how far it reaches along c, both seen from the pivot, the bone goes from there to
+ *
+ *     min(2 |c|, r) · c / |c|
+ *
+ * the far end of a limb, which has its middle half-way. Around a pivot that stands in the middle c is 0, and a point it
+ * stays. To go by the farthest vertex alone does as well for limbs, but a stray one turns the bone.
+ *
+ * Baran and Popović (`heat-weights.ts`) have no such joints: their skeletons are their own, and all bones have two ends.
+ */
+import { type BoneSegments, isPoint } from './bones.ts';
+import { hangingSheets } from './hanging-sheets.ts';
+import { surfaceSides } from './surface-sides.ts';
+import type { TriangleTree } from './triangle-tree.ts';
+import { visibleBones } from './visible-bones.ts';
+import type { WeldedMesh } from './weld.ts';
+import { within } from './within.ts';
+
+/** How the time goes, about. */
+const SEEN = 0.9;
+const SHEETS_DONE = 0.97;
+/** Shorter bones, beside the mesh's diagonal, stay points. */
+const SHORTEST = 1e-4;
+/** Corners or vertices between two pauses; a multiple of 3. */
+const A_STEP = 15000;
+
+/** The same bones, in their order, with ends for those that are points. Pauses with the part that is done. */
+export function* lastBones(tree: TriangleTree, bones: BoneSegments): Generator<number, BoneSegments> {
+  const points = [...bones.joints.keys()].filter((bone) => isPoint(bones.ends, bone));
+  if (points.length === 0) return bones;
+  const { mesh } = tree;
+  const warmth = yield* within(visibleBones(tree, bones), 0, SEEN);
+  const { sides } = yield* within(surfaceSides(mesh), SEEN, SEEN);
+  const sheets = yield* within(hangingSheets(mesh, sides, bones), SEEN, SHEETS_DONE);
+  const areas = yield* within(areasAround(mesh), SHEETS_DONE, 1);
+  const pointOf = new Map(points.map((point) => [bones.joints[point], point]));
+  /** Every vertex with each point that it belongs to. */
+  const each = function* (visit: (v: number, point: number) => void): Generator<number, void> {
+    for (let v = 0; v < mesh.vertexCount; v++) {
+      if (v % A_STEP === 0) yield 1;
+      const sheet = sheets[mesh.parts[v]];
+      if (sheet >= 0) visit(v, sheet);
+      for (let i = warmth.start[v]; sheet < 0 && i < warmth.start[v + 1]; i++) {
+        const point = pointOf.get(warmth.joints[i]);
+        if (point !== undefined) visit(v, point);
+      }
+    }
+  };
+  const { ends } = bones;
+  const from = (v: number, point: number, k: number) => mesh.positions[3 * v + k] - ends[6 * point + k];
+  /** c of each bone. */
+  const middles = new Float64Array(3 * bones.joints.length);
+  const all = new Float64Array(bones.joints.length);
+  yield* each((v, point) => {
+    for (let k = 0; k < 3; k++) middles[3 * point + k] += areas[v] * from(v, point, k);
+    all[point] += areas[v];
+  });
+  for (const point of points) {
+    for (let k = 0; k < 3; k++) middles[3 * point + k] /= all[point] || 1;
+  }
+  /** r · |c| */
+  const reaches = new Float64Array(bones.joints.length);
+  yield* each((v, point) => {
+    let dot = 0;
+    for (let k = 0; k < 3; k++) dot += middles[3 * point + k] * from(v, point, k);
+    reaches[point] = Math.max(reaches[point], dot);
+  });
+  const grown = ends.slice();
+  for (const point of points) {
+    const middle = middles.subarray(3 * point, 3 * point + 3);
+    const length = Math.hypot(...middle);
+    if (2 * length <= SHORTEST * mesh.diagonal) continue;
+    // In |c|, along c.
+    const times = Math.min(2, reaches[point] / length ** 2);
+    for (let k = 0; k < 3; k++) grown[6 * point + 3 + k] += times * middle[k];
+  }
+  return { joints: bones.joints, ends: grown };
+}
+
+/** Three times the area around each vertex. */
+function* areasAround({ positions: p, triangles, vertexCount }: WeldedMesh): Generator<number, Float64Array> {
+  const areas = new Float64Array(vertexCount);
+  for (let t = 0; t < triangles.length; t += 3) {
+    if (t % A_STEP === 0) yield t / triangles.length;
+    const a = 3 * triangles[t];
+    const b = 3 * triangles[t + 1];
+    const c = 3 * triangles[t + 2];
+    const ux = p[b] - p[a];
+    const uy = p[b + 1] - p[a + 1];
+    const uz = p[b + 2] - p[a + 2];
+    const wx = p[c] - p[a];
+    const wy = p[c + 1] - p[a + 1];
+    const wz = p[c + 2] - p[a + 2];
+    const area = Math.hypot(uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx) / 2;
+    for (let k = 0; k < 3; k++) areas[triangles[t + k]] += area;
+  }
+  return areas;
+}
