@@ -22,6 +22,11 @@ export class DiskHandles {
     }
   }
 
+  /** Whether a file of that path is known. */
+  has(path: string): boolean {
+    return this.files.has(path);
+  }
+
   /** Where a part lies. */
   ofPart(character: Character, part: Part): DiskFile | undefined {
     return this.files.get(keyOf(character, part));

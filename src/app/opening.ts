@@ -91,6 +91,8 @@ export class Opener {
       );
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
+      // Someone was quicker and has begun something of their own, which is no sample.
+      if (options.asOpeningSample && store.document.characters.length > 0) return [];
       store.settle();
       const { reloads } = options;
       const meant = reloads ?? store.selection.characterId;

@@ -1,26 +1,19 @@
 /**
  * Saving: what changed, in place where the browser lets us, else where the person says, else as a download. What could
  * not be saved stays marked, and a message says why.
+ *
+ * A browser opens one dialog for a click or a key. So of several files without a place each save asks about one, and
+ * says which ones wait; giving up a dialog gives up the others too.
  */
-import type { Store } from '../edit/store.ts';
-import { DiskError, type DiskFile } from '../io/disk-files.ts';
+import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, type Document, findCharacter } from '../model/document.ts';
+import { findCharacter } from '../model/document.ts';
 import type { Messages } from '../ui/messages.ts';
-import type { SaveKind, UnsavedPart } from '../ui/workbench.ts';
-import type { DiskHandles } from './disk-handles.ts';
-import { fileNameOf, isExport, jointPose, type Part, partKindOf, partsOf, poseToSave, sourceOf } from './parts.ts';
-import {
-  exportCharacter,
-  type FilePiece,
-  type LongFile,
-  type SavedFile,
-  saveCharacter,
-  savePart,
-  saveSkeletons,
-  saveTakes,
-} from './saving.ts';
-import type { Unsaved } from './unsaved.ts';
+import type { SaveKind } from '../ui/workbench.ts';
+import { fileNameOf, jointPose, partsOf, sourceOf } from './parts.ts';
+import { changedFiles, distinctJobs, filesOf, type Job, type JobParts } from './save-jobs.ts';
+import { SavedSources } from './saved-sources.ts';
+import type { FilePiece } from './saving.ts';
 
 /** What of `io` it takes, so that a test can stand in for browser and disk. */
 export interface Disk {
@@ -34,30 +27,9 @@ export interface Disk {
 /** Of a file: a text, the bytes of a zip, or a file of any length that was put together from pieces. */
 type Content = string | Uint8Array<ArrayBuffer> | Blob;
 
-export interface SaverParts {
-  readonly store: Store;
+export interface SaverParts extends JobParts {
   readonly messages: Pick<Messages, 'note' | 'report'>;
-  readonly unsaved: Unsaved;
-  readonly handles: DiskHandles;
   readonly disk: Disk;
-  /** At which keys are sampled for motion capture; absent: 30. */
-  readonly framesPerSecond?: () => number;
-}
-
-/** A part with whose it is, and the pose that goes into a skeleton's file. */
-interface Owned {
-  readonly character: Character;
-  readonly part: Part;
-  readonly pose: readonly number[];
-}
-
-/** One file to be written. */
-interface Job {
-  readonly name: string;
-  /** What it holds: several skeletons where a `.skel` has several roots, otherwise one part; none for a `.rig`. */
-  readonly holds: readonly Owned[];
-  readonly target: DiskFile | undefined;
-  write(): Omit<SavedFile, 'name'> | Omit<LongFile, 'name'> | { readonly bytes: Uint8Array<ArrayBuffer> };
 }
 
 /** For this long a long file is written at a stretch; milliseconds. */
@@ -65,19 +37,20 @@ const STRETCH = 12;
 
 export class Saver {
   private last: Promise<unknown> = Promise.resolve();
+  private readonly sources: SavedSources;
   /** Versions on disk that the person was told of: saving again means it. */
   private readonly warnedOf = new Map<string, string>();
 
-  constructor(private readonly parts: SaverParts) {}
+  constructor(private readonly parts: SaverParts) {
+    this.sources = new SavedSources(parts.store, (path) => parts.handles.has(path));
+  }
 
   /** Saves all that changed. Never rejects: what goes wrong is a message. */
   saveChanged(): Promise<void> {
     return this.inTurn(async () => {
-      const jobs = this.changedFiles();
+      const jobs = changedFiles(this.parts);
       if (jobs.length === 0) this.parts.messages.note('Everything is saved. Save as… writes copies.');
-      // Dialogs last: each needs the key that was pressed to be fresh, and writing in place may ask once itself.
-      const [inPlace, others] = [jobs.filter((j) => j.target?.handle), jobs.filter((j) => !j.target?.handle)];
-      await this.run([...inPlace, ...others], (job) => job.target);
+      await this.run(jobs, (job) => job.target);
     });
   }
 
@@ -85,7 +58,7 @@ export class Saver {
   saveAs(characterId: string, kind: SaveKind): Promise<void> {
     return this.inTurn(async () => {
       const character = findCharacter(this.parts.store.document, characterId);
-      const jobs = character ? this.filesOf(character, kind) : [];
+      const jobs = character ? filesOf(this.parts, character, kind) : [];
       if (jobs.length === 0) {
         const who = character?.name ?? 'The character';
         this.parts.messages.note(`${who} has nothing that could be saved as .${kind}.`, 'warning');
@@ -114,28 +87,51 @@ export class Saver {
   }
 
   private async run(jobs: readonly Job[], targetOf: (job: Job) => DiskFile | undefined, asks = true): Promise<void> {
-    const { messages } = this.parts;
+    const { disk, messages } = this.parts;
     const names: string[] = [];
     const diagnostics: Diagnostic[] = [];
     const well: string[] = [];
-    for (const job of jobs) {
+    const left: string[] = [];
+    let dialogs: 'open' | 'given up' | 'used up' = 'open';
+    for (const job of distinctJobs(jobs, targetOf)) {
+      const wantsDialog = asks && !targetOf(job)?.handle && disk.asksWhereToSave();
+      if (wantsDialog && dialogs !== 'open') {
+        left.push(job.name);
+        continue;
+      }
       try {
         const written = job.write();
         const make = async () =>
           'bytes' in written ? written.bytes : 'text' in written ? written.text : await blobOf(written.pieces);
-        const saved = await this.put(job, make, targetOf(job), asks);
-        if (saved === undefined) continue;
+        const saved = await this.put(job, make, targetOf(job), wantsDialog);
+        if (saved === undefined) {
+          dialogs = 'given up';
+          left.push(job.name);
+          continue;
+        }
         names.push(saved);
         well.push(job.name);
         if ('text' in written) diagnostics.push(...written.diagnostics);
         else if ('pieces' in written) diagnostics.push(...written.diagnostics());
       } catch (error) {
+        // A dialog before it, or a long time, has used up the click: that is no fault of anyone's.
+        if (error instanceof NotNowError) {
+          dialogs = 'used up';
+          left.push(job.name);
+          continue;
+        }
         const why = error instanceof Error ? error.message : String(error);
         diagnostics.push(withoutPlace('error', 'save-failed', `Not saved. ${why}`, job.name));
       }
     }
     messages.report(diagnostics, well);
-    if (names.length) messages.note(`Saved ${names.join(', ')}.`);
+    const said = names.length ? [`Saved ${names.join(', ')}.`] : [];
+    // Who gives up the only one knows it.
+    if (left.length && (jobs.length > 1 || dialogs === 'used up')) said.push(`Not saved: ${left.join(', ')}.`);
+    if (dialogs === 'used up') said.push('The browser asks about one file at a time: save again.');
+    // Where it did not ask at all, nobody has seen that anything was meant to happen.
+    const severity = dialogs === 'used up' && names.length === 0 ? 'warning' : 'info';
+    if (said.length) messages.note(said.join(' '), severity);
   }
 
   /** Gives the name under which it was saved; undefined where the person gave up. */
@@ -143,34 +139,44 @@ export class Saver {
     job: Job,
     make: () => Promise<Content>,
     target: DiskFile | undefined,
-    asks: boolean,
+    wantsDialog: boolean,
   ): Promise<string | undefined> {
     const { disk, handles, unsaved } = this.parts;
     let savedAs = job.name;
-    if (target?.handle) await this.putInPlace(job, await make(), target, target.handle);
-    else if (asks && disk.asksWhereToSave()) {
+    let content: Content;
+    let file: Omit<DiskFile, 'path'> | undefined;
+    if (target?.handle) {
+      content = await make();
+      file = { ...target, version: await this.overwrite(job, content, target, target.handle) };
+    } else if (wantsDialog) {
       const handle = await disk.pickTarget(job.name);
       if (!handle) return undefined;
       // After the dialog, which wants the key that was pressed to be fresh: a long file takes a while.
-      const content = await make();
-      const version = await disk.writeTo(handle, content);
+      content = await make();
+      file = { handle, version: await disk.writeTo(handle, content) };
       savedAs = handle.name;
-      if (!(content instanceof Uint8Array)) {
-        for (const { character, part } of job.holds) {
-          handles.setPart(character, part, { path: target?.path ?? job.name, handle, version });
-        }
+    } else {
+      content = await make();
+      disk.download(job.name, content);
+    }
+    // A zip is no file of a part's.
+    if (!(content instanceof Uint8Array)) {
+      for (const { character, part } of this.sources.written(job.holds, savedAs, new Blob([content]).size)) {
+        const path = sourceOf(character, part)?.path ?? target?.path ?? fileNameOf(character, part);
+        if (file) handles.setPart(character, part, { ...file, path });
       }
-    } else disk.download(job.name, await make());
+    }
     for (const { character, part, pose } of job.holds) unsaved.saved(character.id, part, pose);
     return savedAs;
   }
 
-  private async putInPlace(
+  /** Gives the file's new version. */
+  private async overwrite(
     { holds, name }: Job,
     content: Content,
     target: DiskFile,
     handle: FileSystemFileHandle,
-  ): Promise<void> {
+  ): Promise<string> {
     const { disk, handles } = this.parts;
     const onDisk = await disk.versionOnDisk(handle);
     if (onDisk !== undefined && target.version !== undefined && onDisk !== target.version) {
@@ -182,8 +188,7 @@ export class Saver {
       }
     }
     try {
-      const version = await disk.writeTo(handle, content);
-      for (const { character, part } of holds) handles.setPart(character, part, { ...target, version });
+      return await disk.writeTo(handle, content);
     } catch (error) {
       if (!(error instanceof DiskError) || !error.isGone) throw error;
       // Asking the same place again would fail for ever.
@@ -192,73 +197,6 @@ export class Saver {
       throw new DiskError(`${error.message} Save again to choose another place.`);
     }
   }
-
-  private changedFiles(): readonly Job[] {
-    const { store, unsaved } = this.parts;
-    const jobs: Job[] = [];
-    for (const changed of unsaved.current()) {
-      const owned = find(store.document, changed);
-      if (!owned || jobs.some((job) => job.holds.some((h) => h.part.part === owned.part.part))) continue;
-      jobs.push(this.fileOf(owned.character, owned.part, (c) => poseToSave(c, unsaved.poseInFile(c))));
-    }
-    return jobs;
-  }
-
-  private filesOf(character: Character, kind: SaveKind): readonly Job[] {
-    if (kind === 'rig') {
-      return saveCharacter(character, kind).map((file) => {
-        return { name: file.name, holds: [], target: undefined, write: () => file };
-      });
-    }
-    if (isExport(character, kind)) {
-      const { framesPerSecond } = this.parts;
-      return exportCharacter(character, kind, framesPerSecond && { framesPerSecond: framesPerSecond() }).map((file) => {
-        return { name: file.name, holds: [], target: undefined, write: () => file };
-      });
-    }
-    const parts = partsOf(character).filter((part) => part.kind === partKindOf(kind));
-    return parts.map((part) => this.fileOf(character, part, jointPose));
-  }
-
-  /** The file that a part is in, with whatever else has to be written for it to stay whole. */
-  private fileOf(character: Character, part: Part, poseOf: (c: Character) => readonly number[]): Job {
-    const { store, handles } = this.parts;
-    const name = fileNameOf(character, part);
-    const target = handles.ofPart(character, part);
-    if (part.kind === 'bvh') {
-      const roots = takesBeside(store.document, character, part);
-      return {
-        name,
-        holds: roots.map(({ character: c, take }) => ({ character: c, part: { kind: 'bvh', part: take }, pose: [] })),
-        target,
-        write: () => saveTakes(name, roots),
-      };
-    }
-    if (part.kind !== 'skel') {
-      const holds = [{ character, part, pose: [] }];
-      return { name, holds, target, write: () => savePart(part, name, []) };
-    }
-    const roots = rootsBeside(store.document, character, part).map((root) => ({
-      ...root,
-      pose: poseOf(root.character),
-    }));
-    return {
-      name,
-      holds: roots.map(({ character: c, skeleton, pose }) => ({
-        character: c,
-        part: { kind: 'skel', part: skeleton },
-        pose,
-      })),
-      target,
-      write: () => saveSkeletons(name, roots),
-    };
-  }
-}
-
-function find(document: Document, { characterId, kind, index }: UnsavedPart) {
-  const character = findCharacter(document, characterId);
-  const part = character && partsOf(character).filter((p) => p.kind === kind)[index];
-  return character && part && { character, part };
 }
 
 /**
@@ -278,31 +216,4 @@ async function blobOf(pieces: Iterable<FilePiece>): Promise<Blob> {
     begun = performance.now();
   }
   return new Blob([...parts, ...batch], { type: 'text/plain' });
-}
-
-/** The takes of one `.bvh`, in their order: one character each. */
-function takesBeside(document: Document, character: Character, part: Extract<Part, { kind: 'bvh' }>) {
-  const path = sourceOf(character, part)?.path;
-  const roots: { readonly character: Character; readonly take: typeof part.part }[] = [];
-  for (const other of document.characters) {
-    for (const own of partsOf(other)) {
-      if (own.kind !== 'bvh') continue;
-      const isBeside = path !== undefined && other !== character && sourceOf(other, own)?.path === path;
-      if (own.part === part.part || isBeside) roots.push({ character: other, take: own.part });
-    }
-  }
-  return roots;
-}
-
-/** The skeletons of one `.skel`, in their order: one character each. */
-function rootsBeside(document: Document, character: Character, part: Part) {
-  const path = sourceOf(character, part)?.path;
-  const roots: { readonly character: Character; readonly skeleton: NonNullable<Character['skeleton']> }[] = [];
-  for (const other of document.characters) {
-    const { skeleton } = other;
-    if (!skeleton) continue;
-    const isBeside = path !== undefined && sourceOf(other, { kind: 'skel', part: skeleton })?.path === path;
-    if (other === character || isBeside) roots.push({ character: other, skeleton });
-  }
-  return roots;
 }

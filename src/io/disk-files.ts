@@ -41,6 +41,9 @@ export class DiskError extends Error {
   }
 }
 
+/** The browser asks the person nothing just now: each of its dialogs wants a click or a key of its own. */
+export class NotNowError extends DiskError {}
+
 /** Where a file that was opened or saved lies, as far as the browser knows. Plain: can be kept between visits. */
 export interface DiskFile {
   /** As it was opened: with folders, `/` between them. */
@@ -81,19 +84,22 @@ export function asksWhereToSave(): boolean {
   return window.showSaveFilePicker !== undefined;
 }
 
-/** Asks where to save. Throws a `DiskError` where the browser won't open its dialog just now. */
+/** Asks where to save; undefined where that was given up. Throws a `NotNowError` where the browser won't ask just now. */
 export async function pickTarget(suggestedName: string): Promise<FileSystemFileHandle | undefined> {
   try {
     return await window.showSaveFilePicker?.({ suggestedName });
   } catch (error) {
     if (isNamed(error, 'AbortError')) return undefined;
-    // Each dialog wants a click or a key of its own: a second one after a long first is refused.
-    if (isNamed(error, 'SecurityError')) throw new DiskError('Save again to choose where it goes.');
+    if (isNamed(error, 'SecurityError') || isNamed(error, 'NotAllowedError'))
+      throw new NotNowError('Save again to choose where it goes.');
     throw asDiskError(error);
   }
 }
 
-/** Writes a file in place; it is only replaced when all of it is written. Gives the version that it is now. */
+/**
+ * Writes a file in place; it is only replaced when all of it is written. Gives the version that it is now. Throws a
+ * `NotNowError` where the browser would have to ask first, and won't just now.
+ */
 export async function writeTo(
   handle: FileSystemFileHandle,
   content: string | Uint8Array<ArrayBuffer> | Blob,
@@ -105,6 +111,7 @@ export async function writeTo(
     await stream.close();
     return versionOf(await handle.getFile());
   } catch (error) {
+    if (isNamed(error, 'SecurityError')) throw new NotNowError('Save again to be asked whether it may be written.');
     throw asDiskError(error);
   }
 }

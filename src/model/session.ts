@@ -6,6 +6,8 @@
 /** What is picked; indices are into the character's own lists. */
 export interface Selection {
   readonly characterId?: string;
+  /** Which of the character's copies was picked; absent where that does not matter, as in a list. */
+  readonly placement?: number;
   readonly joint?: number;
   readonly vertex?: number;
   /** Keys of the clip that the character shows; absent where none is selected. */

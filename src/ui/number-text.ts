@@ -23,6 +23,16 @@ export function shown(value: number, decimals = 4): string {
   return trimmed === '-0' ? '0' : trimmed;
 }
 
+/**
+ * For a field, which gives the exact number to who looks at it: at most so many decimals, up to four where fewer would
+ * leave nothing of a small number, and 0 for what is smaller still. What a computation leaves behind is no number to read.
+ */
+export function inField(value: number, decimals = 4): string {
+  const places = Math.abs(value) < 10 ** -decimals ? Math.max(decimals, LEAST_IN_FIELD) : decimals;
+  return shown(Math.abs(value) < 0.5 * 10 ** -places ? 0 : value, places);
+}
+const LEAST_IN_FIELD = 4;
+
 /** Always so many decimals, so that columns line up; a true minus sign's width is kept by tabular figures. */
 export function aligned(value: number, decimals = 4): string {
   if (!Number.isFinite(value)) return Number.isNaN(value) ? 'NaN' : value > 0 ? '∞' : '−∞';
@@ -37,10 +47,10 @@ export function fitted(value: number, decimals: number, characters: number): str
   return aligned(value, Number.isFinite(whole) ? Math.max(1, Math.min(decimals, characters - whole)) : decimals);
 }
 
-/** `shown` with fewer decimals for larger numbers, so that a field of `characters` holds it. */
+/** `inField` with fewer decimals for larger numbers, so that a field of `characters` holds it. */
 export function brief(value: number, decimals: number, characters: number): string {
   const whole = String(Math.trunc(Math.abs(value))).length + (value < 0 ? 2 : 1);
-  return shown(value, Math.max(0, Math.min(decimals, characters - whole)));
+  return inField(value, Math.max(0, Math.min(decimals, characters - whole)));
 }
 
 /** Times on screen: up to 6 decimals of a second. */

@@ -8,7 +8,7 @@ import { type IconName, icon } from './icons.ts';
 import { type MenuEntry, menuButton } from './menu.ts';
 import { itemOf } from './menu-entries.ts';
 import { NumberField } from './number-field.ts';
-import { seconds, shown } from './number-text.ts';
+import { inField, seconds } from './number-text.ts';
 import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';
 import { keepTooltip, withKey } from './tooltips.ts';
@@ -160,7 +160,7 @@ function times(wb: Workbench): HTMLElement[] {
   const frame = new NumberField({
     label: 'Frame',
     class: 'frame-field',
-    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : shown(value, 3)),
+    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : inField(value, 3)),
     commit: (value) => at(value / wb.transport.get().framesPerSecond),
     refuse,
     step: 1,
@@ -168,7 +168,7 @@ function times(wb: Workbench): HTMLElement[] {
   const fps = new NumberField({
     label: 'Frames per second',
     class: 'fps-field',
-    text: (value) => shown(value, 3),
+    text: (value) => inField(value, 3),
     commit(framesPerSecond) {
       const [least, most] = FRAME_RATES;
       if (framesPerSecond >= least && framesPerSecond <= most) wb.transport.update((p) => ({ ...p, framesPerSecond }));
@@ -212,7 +212,7 @@ function range(wb: Workbench): HTMLElement[] {
     new NumberField({
       label,
       class: 'range-field',
-      text: (value) => shown(value, 4),
+      text: (value) => inField(value, 4),
       commit(value) {
         typeRange(wb, make(value / perUnit(), wb.transport.get().range));
         // What was refused shows as it is.

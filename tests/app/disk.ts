@@ -4,7 +4,7 @@ import { type Disk, Saver } from '../../src/app/saver.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
 import { openFiles } from '../../src/edit/open-files.ts';
 import { Store } from '../../src/edit/store.ts';
-import { DiskError } from '../../src/io/disk-files.ts';
+import { DiskError, NotNowError } from '../../src/io/disk-files.ts';
 import type { GivenFile } from '../../src/io/given.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
@@ -24,7 +24,9 @@ export class FakeDisk implements Disk {
   /** Names that the person was asked about. */
   readonly asked: string[] = [];
   /** What the person picks; none downloads, `give up` closes the dialog. */
-  picks: FileSystemFileHandle | 'give up' | undefined;
+  picks: FileSystemFileHandle | 'as suggested' | 'give up' | undefined;
+  /** So many dialogs the browser opens yet. */
+  dialogs = Number.POSITIVE_INFINITY;
 
   put(name: string, text: string): FileSystemFileHandle {
     const handle = handleOf(name);
@@ -33,7 +35,9 @@ export class FakeDisk implements Disk {
   }
   asksWhereToSave = () => this.picks !== undefined;
   pickTarget = async (name: string) => {
+    if (this.dialogs-- <= 0) throw new NotNowError('Save again.');
     this.asked.push(name);
+    if (this.picks === 'as suggested') return this.put(name, '');
     return this.picks === 'give up' ? undefined : this.picks;
   };
   writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array | Blob) => {

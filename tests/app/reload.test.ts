@@ -8,23 +8,9 @@ import { keylessChannel } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { observable } from '../../src/ui/observable.ts';
 import type { Loading } from '../../src/ui/workbench.ts';
-import { WorkerClient } from '../../src/worker/client.ts';
-import { parse } from '../../src/worker/parse.ts';
-import type { Jobs } from '../../src/worker/protocol.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
-
-/** The worker's job without a thread. */
-class InThisThread extends WorkerClient {
-  constructor() {
-    super(() => {
-      throw new Error('No worker is needed.');
-    });
-  }
-  override run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
-    return parse(input, () => undefined);
-  }
-}
+import { InThisThread } from './in-this-thread.ts';
 
 const SKEL = saveCharacter(character(), 'skel')[0].text;
 const animOf = (value: number, name = 'hero_walk') =>

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { saveCharacter } from '../../src/app/saving.ts';
+import { createRig } from '../../src/edit/commands/rig.ts';
 import type { Character } from '../../src/model/document.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
@@ -151,6 +152,129 @@ describe('saving what changed', () => {
     await page.saver.saveChanged();
     expect(page.names()).toEqual(['hero.skel']);
     expect(page.text('hero_walk.anim')).toContain('range 0 7');
+  });
+});
+
+/** Characters of one joint, made here one after the other. */
+async function withMadeHere(count: number) {
+  const page = await pageWith({});
+  page.disk.picks = 'as suggested';
+  for (let i = 0; i < count; i++) page.store.apply(createRig, {});
+  return page;
+}
+const listed = (page: Awaited<ReturnType<typeof pageWith>>) =>
+  page.store.document.characters.map(({ sources }) => sources.map(({ name }) => name));
+
+describe('saving several files that have no place yet', () => {
+  it('ends with the first dialog that is given up, and says in one note what is not saved', async () => {
+    const page = await withMadeHere(3);
+    page.disk.picks = 'give up';
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['character.skel']);
+    expect(page.messages.list.get()).toEqual([]);
+    expect(said(page)).toBe('Not saved: character.skel, character2.skel, character3.skel.');
+    expect(page.names()).toEqual(['character.skel', 'character2.skel', 'character3.skel']);
+  });
+
+  it('goes on with the next at the next click, where the browser opens one dialog for each', async () => {
+    const page = await withMadeHere(3);
+    page.disk.dialogs = 1;
+    await page.saver.saveChanged();
+    expect(page.messages.list.get()).toEqual([]);
+    expect(said(page)).toBe(
+      'Saved character.skel. Not saved: character2.skel, character3.skel. ' +
+        'The browser asks about one file at a time: save again.',
+    );
+    page.disk.dialogs = 1;
+    await page.saver.saveChanged();
+    page.disk.dialogs = 1;
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['character.skel', 'character2.skel', 'character3.skel']);
+    expect(said(page)).toBe('Saved character3.skel.');
+    expect(page.names()).toEqual([]);
+  });
+
+  it('warns where the browser opens no dialog at all', async () => {
+    const page = await withMadeHere(2);
+    page.disk.dialogs = 0;
+    await page.saver.saveChanged();
+    expect(page.messages.list.get()).toMatchObject([
+      {
+        severity: 'warning',
+        text: 'Not saved: character.skel, character2.skel. The browser asks about one file at a time: save again.',
+      },
+    ]);
+  });
+
+  it('never gives two the same name', async () => {
+    const page = await pageWith(HERO);
+    for (const name of ['hero', 'Hero', 'hero']) page.store.apply(createRig, { name });
+    page.change(posed);
+    await page.saver.saveChanged();
+    expect(page.disk.downloads).toEqual(['hero2.skel', 'Hero3.skel', 'hero4.skel']);
+    expect(page.text('hero.skel')).toContain('pose 0 0.25 0');
+  });
+});
+
+describe('a part that was made here', () => {
+  it('comes from the file that it was saved as, under the name that was picked', async () => {
+    const page = await withMadeHere(1);
+    page.disk.picks = page.disk.put('crab.skel', '');
+    await page.saver.saveChanged();
+    const bytes = page.text('crab.skel')?.length;
+    expect(page.store.document.characters[0].sources).toEqual([{ name: 'crab.skel', path: 'crab.skel', bytes }]);
+    expect(page.store.undoLabel).toBe('New character');
+    page.change(limited);
+    expect(page.names()).toEqual(['crab.skel']);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toHaveLength(1);
+    expect(page.store.document.characters[0].sources[0].bytes).toBe(page.text('crab.skel')?.length);
+  });
+
+  it('keeps its file when what was done before the saving is undone', async () => {
+    const page = await withMadeHere(1);
+    page.change(limited);
+    await page.saver.saveChanged();
+    page.store.undo();
+    await Promise.resolve();
+    expect(listed(page)).toEqual([['character.skel']]);
+    expect(page.names()).toEqual(['character.skel']);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toHaveLength(1);
+    expect(page.text('character.skel')).not.toContain('rotxlimit');
+    page.store.redo();
+    expect(listed(page)).toEqual([['character.skel']]);
+    page.store.undo();
+    page.store.undo();
+    await Promise.resolve();
+    expect(page.store.document.characters).toEqual([]);
+  });
+
+  it('is listed where it was downloaded, too', async () => {
+    const page = await withMadeHere(1);
+    page.disk.picks = undefined;
+    await page.saver.saveChanged();
+    expect(listed(page)).toEqual([['character.skel']]);
+  });
+
+  it('is put back in its place by its file', async () => {
+    const page = await withMadeHere(1);
+    await page.saver.saveChanged();
+    await page.open([{ path: 'character.skel', blob: new Blob([SKEL]) }]);
+    expect(listed(page)).toEqual([['character.skel']]);
+    expect(page.store.document.characters[0].skeleton?.joints).toHaveLength(2);
+  });
+
+  it('is not taken for a root of another file of that name', async () => {
+    const page = await pageWith(HERO);
+    page.store.apply(createRig, { name: 'hero' });
+    page.disk.picks = page.disk.put('hero.skel', '');
+    await page.saver.saveChanged();
+    expect(page.store.document.characters[1].sources[0]).toMatchObject({ name: 'hero.skel', path: 'c2/hero.skel' });
+    page.change(posed);
+    await page.saver.saveChanged();
+    expect(page.text('hero.skel')).toMatch(/pose 0 0.25 0/);
+    expect(page.text('hero.skel')).not.toContain('balljoint root ');
   });
 });
 

@@ -90,6 +90,48 @@ const firstName = async (page: Page) => {
   return page.evaluate(() => window.marrow.characters()[0].name);
 };
 
+/** Saves as a person does who has several new characters: with dialogs whose end `answers` says, one after the other. */
+function dialogsOneByOne(): void {
+  const answers: ('AbortError' | 'NotAllowedError' | 'saved')[] = ['AbortError', 'saved', 'NotAllowedError', 'saved'];
+  const asked: string[] = [];
+  Object.assign(window, { asked });
+  window.showSaveFilePicker = async ({ suggestedName }) => {
+    asked.push(suggestedName);
+    const answer = answers.shift();
+    if (answer !== 'saved') throw new DOMException('', answer);
+    return (await navigator.storage.getDirectory()).getFileHandle(suggestedName, { create: true });
+  };
+}
+
+it('asks for one place after the other, ends when a dialog is given up, and lists what was saved', () =>
+  withPage(
+    async ({ page }) => {
+      await firstName(page);
+      await page.evaluate(() => {
+        window.marrow.run('rig.create', {});
+        window.marrow.run('rig.create', {});
+      });
+      await page.getByText('Unsaved: character.skel and 1 more').waitFor();
+      const said = page.locator('.message-line');
+      const asked = () => page.evaluate(() => Reflect.get(window, 'asked'));
+      await page.keyboard.press('Control+s');
+      await said.getByText('Not saved: character.skel, character2.skel.').waitFor();
+      expect(await asked()).toEqual(['character.skel']);
+      await page.getByRole('button', { name: 'Save changes' }).click();
+      await said.getByText('Saved character.skel. Not saved: character2.skel.').waitFor();
+      expect(await page.locator('.severity-error, .severity-warning').count()).toBe(0);
+      await titled(page, '• character2.skel – Marrow');
+      await page.getByRole('button', { name: 'Save changes' }).click();
+      await titled(page, 'Marrow');
+      const bytes = (await read(page, 'character2.skel')).length;
+      expect(await page.locator('.file-row').allInnerTexts()).toEqual([
+        `character.skel\n${bytes} bytes`,
+        `character2.skel\n${bytes} bytes`,
+      ]);
+    },
+    { before: dialogsOneByOne },
+  ));
+
 describe('saving in place', () => {
   it('marks what changed in title and menu bar, takes the mark back with undo, and writes it', () =>
     withHero(async (page) => {

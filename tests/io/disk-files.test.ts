@@ -3,6 +3,7 @@ import {
   asksWhereToSave,
   DiskError,
   diskFileOf,
+  NotNowError,
   pickFiles,
   pickTarget,
   readAgain,
@@ -129,8 +130,10 @@ describe('dialogs', () => {
   });
 
   it('that the browser does not open say to try again', async () => {
-    vi.stubGlobal('window', { showSaveFilePicker: () => Promise.reject(new DOMException('', 'SecurityError')) });
-    await expect(pickTarget('a.anim')).rejects.toThrow(new DiskError('Save again to choose where it goes.'));
+    for (const name of ['SecurityError', 'NotAllowedError']) {
+      vi.stubGlobal('window', { showSaveFilePicker: () => Promise.reject(new DOMException('', name)) });
+      await expect(pickTarget('a.anim')).rejects.toThrow(new NotNowError('Save again to choose where it goes.'));
+    }
   });
 
   it('are not everywhere', () => {
@@ -154,6 +157,8 @@ describe('writing', () => {
     expect(state.asked).toEqual(['readwrite']);
     own.requestPermission = async () => 'denied';
     await expect(writeTo(own, 'newer')).rejects.toThrow('The browser was not allowed to.');
+    own.requestPermission = () => Promise.reject(new DOMException('', 'SecurityError'));
+    await expect(writeTo(own, 'newer')).rejects.toBeInstanceOf(NotNowError);
     expect(state.text).toBe('new');
   });
 

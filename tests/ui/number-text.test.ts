@@ -9,6 +9,7 @@ import {
   duration,
   exact,
   fitted,
+  inField,
   notANumber,
   parseNumber,
   plural,
@@ -47,6 +48,33 @@ describe('shown', () => {
 
   it('keeps the zeros of whole numbers', () => {
     expect(shown(1200, 0)).toBe('1200');
+  });
+});
+
+describe('inField', () => {
+  it.each([
+    [7.8e-8, 4, '0'],
+    [-7.8e-8, 2, '0'],
+    [4.9e-5, 3, '0'],
+    [0.0013, 2, '0.0013'],
+    [-0.0013, 0, '-0.0013'],
+    [0.00996, 2, '0.01'],
+    [0.0149, 2, '0.01'],
+    [12.3456, 2, '12.35'],
+    [0.00003, 6, '0.00003'],
+    [1e-9, 8, '0'],
+    [-1e8, 2, '-1.0000e+8'],
+    [Number.NaN, 2, 'NaN'],
+  ])('writes %d with %d decimals as %s', (value, decimals, text) => {
+    expect(inField(value, decimals)).toBe(text);
+  });
+
+  it('writes no power of ten of anything small', () => {
+    fc.assert(
+      fc.property(fc.double({ min: -1, max: 1, noNaN: true }), fc.integer({ min: 0, max: 8 }), (value, decimals) => {
+        expect(inField(value, decimals)).toMatch(/^-?\d(\.\d{1,8})?$/);
+      }),
+    );
   });
 });
 
@@ -164,6 +192,7 @@ it.each([
   [-12345.678, '-12345.7'],
   [1234567.89, '1234568'],
   [90, '90'],
+  [7.8e-8, '0'],
 ])('writes %d briefly', (value, text) => {
   expect(brief(value, 4, 8)).toBe(text);
 });

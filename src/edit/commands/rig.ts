@@ -12,7 +12,7 @@ import { called, calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts'
 import { jointName, vector } from '../rig/checks.ts';
 import { changedTree } from '../rig/joint-map.ts';
 import { mirrored } from '../rig/mirror.ts';
-import { childName } from '../rig/names.ts';
+import { childName, freeName } from '../rig/names.ts';
 import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
 import { type Kept, keepPlaces } from '../rig/places.ts';
 import {
@@ -39,15 +39,18 @@ export const createRig: Command<CreateRig, Document | Edit> = {
     const { unused, charactersMade } = document;
     const base = document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
     const id = `c${charactersMade + 1}`;
-    const made = withSkeleton(newCharacter(id, name ?? 'character'), {
-      name: name ?? 'character',
-      joints: [newRoot('root')],
-    });
+    const own = name ?? freeName(namesIn(base), 'character', '');
+    const made = withSkeleton(newCharacter(id, own), { name: own, joints: [newRoot('root')] });
     const placed = { ...made, placements: [placeBeside(base.characters, made)] };
     const next = { ...base, characters: [...base.characters, placed], charactersMade: charactersMade + 1 };
     return { document: next, keys: [], selected: { characterId: id, joint: 0 } };
   },
 };
+
+/** Of its characters, and of their skeletons, after which files are called. */
+function namesIn({ characters }: Document): ReadonlySet<string> {
+  return new Set(characters.flatMap(({ name, skeleton }) => (skeleton ? [name, skeleton.name] : [name])));
+}
 
 function begun(document: Document, characterId: string): Edit {
   const { skeleton, name } = requireCharacter(document, characterId);

@@ -9,6 +9,7 @@ import { rotationPart } from '../../evaluate/euler-angles.ts';
 import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
 import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
+import { withoutRoundOff } from '../../math/round-off.ts';
 import { isBvh } from '../../model/document.ts';
 import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import { fitLocal } from './fit-local.ts';
@@ -114,7 +115,12 @@ function jointsMeant(compiled: CompiledSkeleton, { partner }: Reflection, { join
 function mirrorTravel({ matrix: m, reference }: Reflection, from: Float64Array, out: Float64Array): void {
   const [x, y, z] = [from[0] - reference[0], from[1] - reference[1], from[2] - reference[2]];
   // Without -0: nothing is as far to one side as to the other.
-  for (let k = 0; k < 3; k++) out[k] = reference[k] + (m[k] * x + m[3 + k] * y + m[6 + k] * z) + 0;
+  for (let k = 0; k < 3; k++) {
+    const way = m[k] * x + m[3 + k] * y + m[6 + k] * z;
+    // Through the origin every digit stays.
+    const from = Math.abs(reference[k]);
+    out[k] = from === 0 ? way + 0 : withoutRoundOff(reference[k] + way, Math.max(from, Math.abs(way)));
+  }
 }
 
 /** Farther than this from the rotation that it should have: those below make up for it. */

@@ -4,6 +4,7 @@
  */
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { multiply3 } from '../../evaluate/retarget/rotations.ts';
+import { withoutRoundOff } from '../../math/round-off.ts';
 import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
 import type { JointMaps } from './reflection-maps.ts';
 
@@ -66,10 +67,10 @@ export function signsOf(skeleton: Skeleton, compiled: CompiledSkeleton, reflecti
   return signs;
 }
 
-/** A mirrored value by its sign: as far from the reference, without losing bits where that is nothing, or mirrored too. */
+/** A mirrored value by its sign: as far from the reference, digit for digit where that is nothing, or mirrored too. */
 export function signed(sign: number, from: number, to: number, value: number): number {
-  if (sign > 0) return from === to ? value : to + (value - from);
-  return (from === -to ? -value : to - (value - from)) + 0;
+  if (from === sign * to) return sign * value + 0;
+  return withoutRoundOff(to + sign * (value - from), Math.max(Math.abs(from), Math.abs(to), Math.abs(value)));
 }
 
 /** Scratch, never escapes. */

@@ -7,6 +7,7 @@
  * Who is whose counterpart is told as for mirrored poses (`pose/partners.ts`): by name, else by place. What is found by
  * place has to be quite near to where it is looked for; else a joint beside a leg would be taken for the other leg.
  */
+import { withoutRoundOff } from '../../math/round-off.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
@@ -166,9 +167,11 @@ class Mirroring {
     const found = this.counterpart(index);
     const there = found >= 0 ? branches[found] : undefined;
     const { motion, signs } = mirroredMotion(joint.motion, across, there?.joint.motion);
-    const [x, y, z] = reflected(joint.offset, across);
+    const offset = reflected(joint.offset, across);
+    // Where nothing is to be made up for, every digit stays.
+    const at = (k: number) => (correction[k] === 0 ? offset[k] : withoutRoundOff(offset[k] + correction[k], this.size));
     const own = {
-      offset: [x + correction[0], y + correction[1], z + correction[2]] as const,
+      offset: [at(0), at(1), at(2)] as const,
       box: reflectedBox(joint.box, across),
       motion,
       limits: joint.limits.map((limit, d) => mirroredLimit(limit, signs[d] ?? 1)),

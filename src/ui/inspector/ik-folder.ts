@@ -13,7 +13,7 @@ import { runAction } from '../actions.ts';
 import { button, element, setAttribute, setText } from '../dom.ts';
 import { icon } from '../icons.ts';
 import { NumberField } from '../number-field.ts';
-import { shown } from '../number-text.ts';
+import { inField } from '../number-text.ts';
 import { ikInHand, type PinRef, selectedPin } from '../tools/ik/in-hand.ts';
 import { changePin, freeRoot, letGo, selectPin, stiffen } from '../tools/ik/pin-edits.ts';
 import { pointName } from '../tools/ik/pin-picture.ts';
@@ -62,7 +62,7 @@ export class IkFolder {
   ) {
     this.stiffness = new NumberField({
       label: 'How stiff: 1 is as usual, 4 half as far for the same need',
-      text: (value) => shown(value, 3),
+      text: (value) => inField(value, 3),
       commit: (value) => this.bend(value),
       refuse: (reason) => wb.messages.note(reason, 'warning'),
       step: 1,
@@ -154,7 +154,7 @@ export class IkFolder {
     choose.append(name, kind);
     const weight = new NumberField({
       label: 'Weight beside the other pins',
-      text: (value) => shown(value, 3),
+      text: (value) => inField(value, 3),
       commit: (value) => {
         changePin(wb, ref, { weight: value });
         this.update();

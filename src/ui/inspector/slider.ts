@@ -11,7 +11,7 @@ import { NumberController } from 'lil-gui';
 import type { Units } from '../arithmetic.ts';
 import { element } from '../dom.ts';
 import { isTypedIn, letGo } from '../focus.ts';
-import { exact, notANumber, parseNumber, shown } from '../number-text.ts';
+import { exact, inField, notANumber, parseNumber, shown } from '../number-text.ts';
 
 export interface SliderOptions {
   /** What the slider spans; absent for a field without a slider. */
@@ -58,6 +58,12 @@ export class Slider extends NumberController {
     this.$input.setAttribute('inputmode', 'decimal');
     // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
     this.updateDisplay();
+    // Written when someone looks: sliders may show sixty numbers a second.
+    this.$input.addEventListener('pointerenter', () => {
+      // Why it can't be typed into is said of the whole row.
+      if (this.$input.disabled) return;
+      this.$input.title = `${exact(this.object.value)}${options.suffix ?? ''}`;
+    });
     this.$input.addEventListener('focus', () => {
       this.before = this.object.value;
       this.$input.value = exact(this.object.value);
@@ -140,7 +146,7 @@ export class Slider extends NumberController {
       this.$slider.classList.toggle('beyond', value < span[0] || value > span[1]);
     }
     if (!this._inputFocused) {
-      const text = shown(value, options.decimals) + (options.suffix ?? '');
+      const text = inField(value, options.decimals) + (options.suffix ?? '');
       if (this.$input.value !== text) this.$input.value = text;
     }
     return this;

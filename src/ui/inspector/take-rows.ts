@@ -8,7 +8,7 @@ import { withoutNoise } from '../angles.ts';
 import { attempt } from '../attempt.ts';
 import { element } from '../dom.ts';
 import { NumberField } from '../number-field.ts';
-import { shown } from '../number-text.ts';
+import { inField } from '../number-text.ts';
 import { openPanel } from '../panels.ts';
 import type { Workbench } from '../workbench.ts';
 
@@ -43,7 +43,7 @@ export function addTakeRows(
   const end = (label: string, make: (value: number, range: readonly [number, number]) => readonly [number, number]) =>
     new NumberField({
       label,
-      text: (value) => shown(value, 4),
+      text: (value) => inField(value, 4),
       commit(value) {
         const clip = now();
         if (clip) wb.store.apply(setClipRange, { characterId: id, range: make(value / perUnit(), clip.range) });

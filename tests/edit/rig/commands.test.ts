@@ -62,6 +62,14 @@ describe('rig.create', () => {
     expect(saveCharacter(store.document.characters[0], 'skel')[0].text).toContain('balljoint root');
   });
 
+  it('numbers those that nobody names', () => {
+    const store = new Store();
+    for (let i = 0; i < 3; i++) store.apply(createRig, {});
+    const made = store.document.characters;
+    expect(made.map(({ name }) => name)).toEqual(['character', 'character2', 'character3']);
+    expect(made.map(({ skeleton }) => skeleton?.name)).toEqual(['character', 'character2', 'character3']);
+  });
+
   it('drives the opening sample away, as files do, and stands beside others', () => {
     const sample = { ...body(), isOpeningSample: true, charactersMade: 1 };
     expect(documentIn(createRig.run(sample, {})).characters.map(({ id }) => id)).toEqual(['c2']);

@@ -133,6 +133,23 @@ describe('rig.mirror', () => {
     );
   });
 
+  it('writes offsets with as many digits as those they are made of', () => {
+    const ball = { kind: 'ball', order: 'xyz' } as const;
+    const joints = (x: number, arm: number) => [
+      jointOf(ball, 'root', -1, {}),
+      jointOf(ball, 'body', 0, { offset: [x, 1, 0] }),
+      jointOf(ball, 'arm_l', 1, { offset: [arm, 0.3, 0.1] }),
+    ];
+    const mirroredArm = (x: number, arm: number) =>
+      skeletonIn(mirrorOf({ name: 'hero', joints: joints(x, arm) }, 2, 0).next).joints[3].offset;
+    const long = 0.47259999999999996;
+    expect(mirroredArm(0, long)).toEqual([-long, 0.3, 0.1]);
+    // What it hangs on stands a little aside.
+    expect(-0.4726 - 0.04).not.toBe(-0.5126);
+    expect(mirroredArm(0.02, 0.4726)).toEqual([-0.5126, 0.3, 0.1]);
+    expect(mirroredArm(0.02, 0.0000001)).toEqual([-0.0400001, 0.3, 0.1]);
+  });
+
   it('makes no −0 of what stands at 0: files would say so', () => {
     const ball = { kind: 'ball', order: 'xyz' } as const;
     const joints = [jointOf(ball, 'root', -1, {}), jointOf(ball, 'hip_l', 0, { offset: [1, 0, 0] })];

@@ -1,0 +1,158 @@
+/** What there is to be written: files, each with the parts that it holds, where it lies, and how it is made. */
+import type { Store } from '../edit/store.ts';
+import type { DiskFile } from '../io/disk-files.ts';
+import { type Character, type Document, findCharacter } from '../model/document.ts';
+import type { SaveKind, UnsavedPart } from '../ui/workbench.ts';
+import type { DiskHandles } from './disk-handles.ts';
+import { distinctNames } from './distinct-names.ts';
+import { fileNameOf, isExport, jointPose, type Part, partKindOf, partsOf, poseToSave, sourceOf } from './parts.ts';
+import {
+  exportCharacter,
+  type LongFile,
+  type SavedFile,
+  saveCharacter,
+  savePart,
+  saveSkeletons,
+  saveTakes,
+} from './saving.ts';
+import type { Unsaved } from './unsaved.ts';
+
+export interface JobParts {
+  readonly store: Store;
+  readonly unsaved: Unsaved;
+  readonly handles: DiskHandles;
+  /** At which keys are sampled for motion capture; absent: 30. */
+  readonly framesPerSecond?: () => number;
+}
+
+/** A part with whose it is, and the pose that goes into a skeleton's file. */
+interface Owned {
+  readonly character: Character;
+  readonly part: Part;
+  readonly pose: readonly number[];
+}
+
+/** One file to be written. */
+export interface Job {
+  readonly name: string;
+  /** What it holds: several skeletons where a `.skel` has several roots, otherwise one part; none for a `.rig`. */
+  readonly holds: readonly Owned[];
+  readonly target: DiskFile | undefined;
+  write(): Omit<SavedFile, 'name'> | Omit<LongFile, 'name'> | { readonly bytes: Uint8Array<ArrayBuffer> };
+}
+
+/** The files of all that changed. */
+export function changedFiles({ store, unsaved, handles }: JobParts): readonly Job[] {
+  const jobs: Job[] = [];
+  for (const changed of unsaved.current()) {
+    const owned = find(store.document, changed);
+    if (!owned || jobs.some((job) => job.holds.some((h) => h.part.part === owned.part.part))) continue;
+    jobs.push(
+      fileOf(store.document, handles, owned.character, owned.part, (c) => poseToSave(c, unsaved.poseInFile(c))),
+    );
+  }
+  return jobs;
+}
+
+/** The files that a character can be saved as in one format. */
+export function filesOf(
+  { store, handles, framesPerSecond }: JobParts,
+  character: Character,
+  kind: SaveKind,
+): readonly Job[] {
+  if (kind === 'rig') {
+    return saveCharacter(character, kind).map((file) => {
+      return { name: file.name, holds: [], target: undefined, write: () => file };
+    });
+  }
+  if (isExport(character, kind)) {
+    return exportCharacter(character, kind, framesPerSecond && { framesPerSecond: framesPerSecond() }).map((file) => {
+      return { name: file.name, holds: [], target: undefined, write: () => file };
+    });
+  }
+  const parts = partsOf(character).filter((part) => part.kind === partKindOf(kind));
+  return parts.map((part) => fileOf(store.document, handles, character, part, jointPose));
+}
+
+/** The file that a part is in, with whatever else has to be written for it to stay whole. */
+function fileOf(
+  document: Document,
+  handles: DiskHandles,
+  character: Character,
+  part: Part,
+  poseOf: (c: Character) => readonly number[],
+): Job {
+  const name = fileNameOf(character, part);
+  const target = handles.ofPart(character, part);
+  if (part.kind === 'bvh') {
+    const roots = takesBeside(document, character, part);
+    return {
+      name,
+      holds: roots.map(({ character: c, take }) => ({ character: c, part: { kind: 'bvh', part: take }, pose: [] })),
+      target,
+      write: () => saveTakes(name, roots),
+    };
+  }
+  if (part.kind !== 'skel') {
+    const holds = [{ character, part, pose: [] }];
+    return { name, holds, target, write: () => savePart(part, name, []) };
+  }
+  const roots = rootsBeside(document, character, part).map((root) => ({
+    ...root,
+    pose: poseOf(root.character),
+  }));
+  return {
+    name,
+    holds: roots.map(({ character: c, skeleton, pose }) => ({
+      character: c,
+      part: { kind: 'skel', part: skeleton },
+      pose,
+    })),
+    target,
+    write: () => saveSkeletons(name, roots),
+  };
+}
+
+/**
+ * What is written in place comes first: a dialog needs the key that was pressed to be fresh, and writing in place may ask
+ * once itself. What has no place yet has a name of its own among all of them.
+ */
+export function distinctJobs(jobs: readonly Job[], targetOf: (job: Job) => DiskFile | undefined): readonly Job[] {
+  const [inPlace, others] = [jobs.filter((job) => targetOf(job)?.handle), jobs.filter((job) => !targetOf(job)?.handle)];
+  const namesOf = (list: readonly Job[]) => list.map(({ name }) => name);
+  const names = distinctNames(namesOf(others), namesOf(inPlace));
+  return [...inPlace, ...others.map((job, i) => ({ ...job, name: names[i] }))];
+}
+
+function find(document: Document, { characterId, kind, index }: UnsavedPart) {
+  const character = findCharacter(document, characterId);
+  const part = character && partsOf(character).filter((p) => p.kind === kind)[index];
+  return character && part && { character, part };
+}
+
+/** The takes of one `.bvh`, in their order: one character each. */
+function takesBeside(document: Document, character: Character, part: Extract<Part, { kind: 'bvh' }>) {
+  const path = sourceOf(character, part)?.path;
+  const roots: { readonly character: Character; readonly take: typeof part.part }[] = [];
+  for (const other of document.characters) {
+    for (const own of partsOf(other)) {
+      if (own.kind !== 'bvh') continue;
+      const isBeside = path !== undefined && other !== character && sourceOf(other, own)?.path === path;
+      if (own.part === part.part || isBeside) roots.push({ character: other, take: own.part });
+    }
+  }
+  return roots;
+}
+
+/** The skeletons of one `.skel`, in their order: one character each. */
+function rootsBeside(document: Document, character: Character, part: Part) {
+  const path = sourceOf(character, part)?.path;
+  const roots: { readonly character: Character; readonly skeleton: NonNullable<Character['skeleton']> }[] = [];
+  for (const other of document.characters) {
+    const { skeleton } = other;
+    if (!skeleton) continue;
+    const isBeside = path !== undefined && sourceOf(other, { kind: 'skel', part: skeleton })?.path === path;
+    if (other === character || isBeside) roots.push({ character: other, skeleton });
+  }
+  return roots;
+}

@@ -1,0 +1,15 @@
+import { WorkerClient } from '../../src/worker/client.ts';
+import { parse } from '../../src/worker/parse.ts';
+import type { Jobs } from '../../src/worker/protocol.ts';
+
+/** The worker's job without a thread. */
+export class InThisThread extends WorkerClient {
+  constructor() {
+    super(() => {
+      throw new Error('No worker is needed.');
+    });
+  }
+  override run<K extends keyof Jobs>(_job: K, input: Jobs[K]['takes']): Promise<Jobs[K]['gives']> {
+    return parse(input, () => undefined);
+  }
+}
