@@ -29,8 +29,10 @@ export const MOUSE_GESTURES: readonly MouseGestures[] = [
     lines: [
       ['Pin a point, or let a pin go', 'click'],
       ['Select a joint, or a pin', 'Shift+click'],
+      ['… with a finger', 'long press'],
       ['Move a pin', 'drag it'],
       ['… nearer or further away', 'Alt+drag or right drag'],
+      ['… with fingers', 'drag with two'],
       ['Move any other point, the pins hold', 'drag it'],
       ['… nearer or further away (right drag pans there)', 'Alt+drag'],
       ['Move the selected pin', '← → ↑ ↓, Shift further'],

@@ -57,13 +57,16 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     for (const stop of stops) stop();
   });
   handTools(wb, signal);
+  const head = element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb));
+  // Asked for while something is framed, and not watched: in every frame it would have the page laid out anew.
+  viewport.keepClear(() => head.offsetTop + head.offsetHeight);
   show();
   return element(
     'main',
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
     viewportElement,
     emptyHint(wb),
-    element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb)),
+    head,
     element('div', { class: 'stage-foot' }, missingNote(wb), weightsNote(wb), keptSession(wb), messageLine(wb)),
   );
 }

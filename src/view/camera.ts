@@ -11,14 +11,8 @@
 import { type Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../math/vec3.ts';
-import {
-  distanceForHalfHeight,
-  easeOut,
-  fitDistance,
-  orthographicDepth,
-  perspectiveDepth,
-  shortTurn,
-} from './framing.ts';
+import { CameraTravel, newView, PressWatch, type View } from './camera-travel.ts';
+import { distanceForHalfHeight, fitDistance, lookingFrom, orthographicDepth, perspectiveDepth } from './framing.ts';
 import { Grid } from './grid.ts';
 
 export type Side = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
@@ -40,7 +34,8 @@ const FOV_DEGREES = 32;
 const TAN_HALF_FOV = Math.tan((FOV_DEGREES * Math.PI) / 360);
 /** Room around what is framed, beside what a box from the joints has already. */
 const MARGIN = 1.12;
-const MOVE_MS = 260;
+/** What lies over the picture leaves this much of its height at least. */
+const LEAST_FREE = 0.6;
 
 /** Where the camera looks and from where, as plain data; see above. */
 export interface CameraView {
@@ -50,15 +45,6 @@ export interface CameraView {
   readonly polar: number;
   readonly distance: number;
 }
-
-interface View {
-  readonly target: Vector3;
-  azimuth: number;
-  polar: number;
-  distance: number;
-}
-
-const newView = (): View => ({ target: new Vector3(), azimuth: 0, polar: 0, distance: 1 });
 
 export class CameraRig {
   readonly target: Vector3;
@@ -70,10 +56,12 @@ export class CameraRig {
   private shown: PerspectiveCamera | OrthographicCamera = this.perspective;
   private aspect = 1;
   private heightPx = 1;
-  private moving: { from: View; to: View; startMs: number } | undefined;
+  private readonly travel = new CameraTravel();
+  private readonly press = new PressWatch();
+  private readonly listening = new AbortController();
   private readonly spherical = new Spherical();
-  private readonly between = newView();
   private readonly size = new Vector3();
+  private readonly axes = new Float64Array(12);
   private readonly sphere = new Sphere();
 
   /** @param changed called whenever there is something new to draw */
@@ -93,16 +81,12 @@ export class CameraRig {
     controls.addEventListener('change', changed);
     controls.addEventListener('start', () => {
       this.handling = true;
-      this.moving = undefined;
     });
     controls.addEventListener('end', () => {
       this.handling = false;
       changed();
     });
-    // Its own notice of a change is for scenes of about a metre: a pan over a millimetre's character goes unnoticed.
-    element.addEventListener('pointermove', () => {
-      if (this.handling) changed();
-    });
+    this.listen(element);
     // Three quarters from the front, a little above.
     this.place({ target: new Vector3(0, 0.8, 0), azimuth: 0.6, polar: 1.3, distance: 5 });
   }
@@ -112,7 +96,7 @@ export class CameraRig {
   }
 
   get isMoving(): boolean {
-    return this.moving !== undefined;
+    return this.travel.goal !== undefined;
   }
 
   /** From the target; for an orthographic camera, of the perspective one that would show the same. */
@@ -168,16 +152,22 @@ export class CameraRig {
     this.changed();
   }
 
-  /** All of `box` in the picture, from where the camera looks now. `smoothly`: in a short move. */
-  frame(box: Box3, smoothly: boolean): void {
+  /**
+   * All of `box` in the picture, from where the camera looks now, or is about to.
+   * @param coveredTop CSS pixels at the top that something else lies over
+   * @param smoothly in a short move
+   */
+  frame(box: Box3, coveredTop: number, smoothly: boolean): void {
     if (box.isEmpty()) return;
     const to = this.goal();
     box.getCenter(to.target);
     box.getSize(this.size).multiplyScalar(0.5);
-    this.shown.updateMatrixWorld();
-    const m = this.shown.matrixWorld.elements;
+    const { axes } = this;
+    lookingFrom(to.azimuth, to.polar, axes);
     const { x, y, z } = this.size;
-    to.distance = fitDistance(x, y, z, m, TAN_HALF_FOV, this.aspect, MARGIN);
+    const covered = Math.min(coveredTop / this.heightPx, 1 - LEAST_FREE);
+    to.distance = fitDistance(x, y, z, axes, TAN_HALF_FOV, this.aspect, MARGIN, covered);
+    to.target.addScaledVector(this.size.set(axes[4], axes[5], axes[6]), covered * TAN_HALF_FOV * to.distance);
     this.go(to, smoothly);
   }
 
@@ -203,18 +193,17 @@ export class CameraRig {
   }
 
   /** The first look at something: three quarters from the front, at once. */
-  lookFirst(box: Box3): void {
-    this.moving = undefined;
+  lookFirst(box: Box3, coveredTop: number): void {
+    this.travel.stop();
     this.place({ ...this.read(newView()), azimuth: 0.6, polar: 1.32 });
-    this.frame(box, false);
+    this.frame(box, coveredTop, false);
   }
 
   /** Takes camera and target along, where what they follow went. */
   shift(by: Vector3): void {
     this.shown.position.add(by);
     this.target.add(by);
-    this.moving?.from.target.add(by);
-    this.moving?.to.target.add(by);
+    this.travel.shift(by);
     this.shown.lookAt(this.target);
   }
 
@@ -227,20 +216,10 @@ export class CameraRig {
 
   /** One step of a move that is under way. */
   tick(nowMs: number): void {
-    const { moving, between } = this;
-    if (!moving) return;
-    // Started by the first frame, so that a slow one doesn't swallow it.
-    if (moving.startMs === 0) moving.startMs = nowMs;
-    const { from, to } = moving;
-    const t = easeOut((nowMs - moving.startMs) / MOVE_MS);
-    between.target.lerpVectors(from.target, to.target, t);
-    between.azimuth = from.azimuth + shortTurn(from.azimuth, to.azimuth) * t;
-    between.polar = from.polar + (to.polar - from.polar) * t;
-    // Evenly in factors: from far to near doesn't spend itself on the far half.
-    between.distance = from.distance * (to.distance / from.distance) ** t;
-    this.place(between);
-    if (t >= 1) this.moving = undefined;
-    else this.changed();
+    const view = this.travel.at(nowMs);
+    if (!view) return;
+    this.place(view);
+    if (this.isMoving) this.changed();
   }
 
   /** Near and far planes, and the limits of the hand, for content within `box`. Before each frame. */
@@ -267,7 +246,40 @@ export class CameraRig {
   }
 
   dispose(): void {
+    this.listening.abort();
     this.controls.dispose();
+  }
+
+  private listen(element: HTMLElement): void {
+    const { signal } = this.listening;
+    // Before whoever else takes the press, and before the controls: a drag is worked out from the view at its beginning.
+    window.addEventListener(
+      'pointerdown',
+      (event) => {
+        if (event.target !== element) return;
+        // A second finger never clicks.
+        if (event.isPrimary) this.press.press(event);
+        else this.arrive();
+      },
+      { capture: true, signal },
+    );
+    element.addEventListener(
+      'pointermove',
+      (event) => {
+        if (this.isMoving && this.press.isDrag(event)) this.arrive();
+        // The controls' own notice of a change is for scenes of about a metre: a pan over a millimetre's character goes
+        // unnoticed.
+        if (this.handling) this.changed();
+      },
+      { capture: true, signal },
+    );
+    element.addEventListener('wheel', () => this.arrive(), { capture: true, passive: true, signal });
+  }
+
+  /** Ends a move that is under way where it was to end. */
+  private arrive(): void {
+    const { goal } = this.travel;
+    if (goal) this.go(goal, false);
   }
 
   /** How far an orthographic camera stands from its target; any distance shows the same. */
@@ -287,16 +299,16 @@ export class CameraRig {
 
   /** Where the camera is going, or is. */
   private goal(): View {
-    const { moving } = this;
-    return moving ? { ...moving.to, target: moving.to.target.clone() } : this.read(newView());
+    const { goal } = this.travel;
+    return goal ? { ...goal, target: goal.target.clone() } : this.read(newView());
   }
 
   private go(to: View, smoothly: boolean): void {
     const still = typeof matchMedia === 'function' && matchMedia('(prefers-reduced-motion: reduce)').matches;
     if (smoothly && !still) {
-      this.moving = { from: this.read(newView()), to, startMs: 0 };
+      this.travel.begin(this.read(newView()), to);
     } else {
-      this.moving = undefined;
+      this.travel.stop();
       this.place(to);
     }
     this.changed();

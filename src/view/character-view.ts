@@ -209,8 +209,14 @@ export class CharacterView {
   /** Around all placements, in the scene's space, from the joints. Empty for a character without skin and skeleton. */
   bounds(out: Box3): Box3 {
     out.makeEmpty();
-    for (const group of this.groups) out.union(placedBox.copy(this.localBox).applyMatrix4(group.matrix));
+    for (let p = 0; p < this.groups.length; p++) out.union(this.boundsAt(p, placedBox));
     return out;
+  }
+
+  /** The same around one of them. */
+  boundsAt(placement: number, out: Box3): Box3 {
+    const group = this.groups[placement];
+    return group ? out.copy(this.localBox).applyMatrix4(group.matrix) : out.makeEmpty();
   }
 
   /** The skin's vertices as they are drawn, x y z each, in the character's own space; empty without a skin. */

@@ -16,6 +16,12 @@
  *
  *     d ≥ z + max(|x| / (tan · aspect), |y| / tan)
  *
+ * Where a part `coveredTop` of the picture's height lies under something else, the centre is seen in the middle of what
+ * is left: the camera stands higher than it by coveredTop · tan · d, and a corner is seen from
+ *
+ *     d ≥ (z − y / tan) / (1 − coveredTop)                          over the lower edge
+ *     d ≥ ((1 − 2 coveredTop) · z + y / tan) / (1 − coveredTop)     under what covers the upper one
+ *
  * Around a sphere was simpler, and leaves long characters small.
  */
 export function fitDistance(
@@ -26,6 +32,7 @@ export function fitDistance(
   tanHalfFov: number,
   aspect: number,
   margin: number,
+  coveredTop = 0,
 ): number {
   let distance = 0;
   let deepest = 0;
@@ -34,9 +41,10 @@ export function fitDistance(
     const y = corner & 2 ? hy : -hy;
     const z = corner & 4 ? hz : -hz;
     const right = Math.abs(m[0] * x + m[1] * y + m[2] * z);
-    const up = Math.abs(m[4] * x + m[5] * y + m[6] * z);
+    const up = (margin * (m[4] * x + m[5] * y + m[6] * z)) / tanHalfFov;
     const nearer = m[8] * x + m[9] * y + m[10] * z;
-    distance = Math.max(distance, nearer + margin * Math.max(right / (tanHalfFov * aspect), up / tanHalfFov));
+    const inHeight = Math.max(nearer - up, (1 - 2 * coveredTop) * nearer + up) / (1 - coveredTop);
+    distance = Math.max(distance, inHeight, nearer + (margin * right) / (tanHalfFov * aspect));
     deepest = Math.max(deepest, nearer);
   }
   // Not nose to nose with what is thin and points at the camera.
@@ -75,6 +83,16 @@ export function distanceForHalfHeight(halfHeight: number, tanHalfFov: number): n
 export function easeOut(t: number): number {
   const left = 1 - Math.min(1, Math.max(0, t));
   return 1 - left * left * left;
+}
+
+/**
+ * Writes the axes of a camera that looks from an azimuth (from +z towards +x) and a polar angle (from +y): right, up, and
+ * towards the viewer, as the columns of its world matrix.
+ */
+export function lookingFrom(azimuth: number, polar: number, m: Float64Array): void {
+  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
+  const [out, up] = [Math.sin(polar), Math.cos(polar)];
+  m.set([cos, 0, -sin, 0, -up * sin, out, -up * cos, 0, out * sin, up, out * cos, 0]);
 }
 
 /** The turn from angle `a` to `b` the short way round, in −π … π. */

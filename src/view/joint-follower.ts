@@ -1,28 +1,42 @@
 /** Takes the camera along with the selected joint: to it when it is chosen, and as it moves from then on. */
 import { Vector3 } from 'three';
-import type { Selection } from '../model/session.ts';
+import type { Character } from '../model/document.ts';
 import type { CameraRig } from './camera.ts';
 import type { SkeletonDrawing } from './skeleton-drawing.ts';
 
 export class JointFollower {
   private characterId: string | undefined;
+  private copy = 0;
   private joint = -1;
   private readonly last = new Vector3();
   private readonly step = new Vector3();
   private readonly point = new Vector3();
 
-  /** Every frame in which something moved. */
-  follow(isOn: boolean, { characterId, joint }: Selection, skeletons: SkeletonDrawing, rig: CameraRig): void {
+  /**
+   * Every frame in which something moved.
+   * @param character undefined: nothing is followed
+   * @param copy index of its placement
+   */
+  follow(
+    character: Pick<Character, 'id'> | undefined,
+    copy: number,
+    joint: number | undefined,
+    skeletons: SkeletonDrawing,
+    rig: CameraRig,
+  ): void {
     const { point } = this;
+    const characterId = character?.id;
     const found =
-      isOn && characterId !== undefined && joint !== undefined && skeletons.positionOf(characterId, 0, joint, point);
+      characterId !== undefined && joint !== undefined && skeletons.positionOf(characterId, copy, joint, point);
     if (!found) {
       this.characterId = undefined;
       return;
     }
-    if (this.characterId === characterId && this.joint === joint) rig.shift(this.step.subVectors(point, this.last));
+    const isSame = this.characterId === characterId && this.copy === copy && this.joint === joint;
+    if (isSame) rig.shift(this.step.subVectors(point, this.last));
     else rig.moveTo(point);
     this.characterId = characterId;
+    this.copy = copy;
     this.joint = joint;
     this.last.copy(point);
   }

@@ -8,20 +8,21 @@
  */
 import { Box3, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
-import { hasBox } from '../model/boxes.ts';
-import type { Document } from '../model/document.ts';
+import type { Character, Document } from '../model/document.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { CameraRig, type CameraView, type Side } from './camera.ts';
 import { CharacterView } from './character-view.ts';
-import { haveSameJoints, type JointRef, type PosedSkeleton, sizesFor } from './drawn-skeletons.ts';
+import { haveSameJoints, type JointRef, type PosedSkeleton } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
+import { Framer } from './framer.ts';
 import { Ghosts } from './ghosts.ts';
 import { Grid } from './grid.ts';
 import { JointFollower } from './joint-follower.ts';
 import { Labels } from './labels.ts';
 import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
+import { PickedCopy } from './picked-copy.ts';
 import { type DrawnSkin, type Hit, Picker, type PickScene } from './picking.ts';
 import { type Shown, ShownCharacters, vertexPosition } from './shown-characters.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
@@ -30,7 +31,6 @@ import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
 import { LINE_RESOLUTION } from './thick-lines.ts';
 import { Trail } from './trail.ts';
 import { VertexMarker } from './vertex-marker.ts';
-import { isWellSeen } from './well-seen.ts';
 
 export type { Hit } from './picking.ts';
 
@@ -75,6 +75,7 @@ export class Viewport {
   private readonly ghosts = new Ghosts();
   private readonly vertexMarker = new VertexMarker();
   private readonly follower = new JointFollower();
+  private readonly picked = new PickedCopy();
   private readonly labels = new Labels();
   private readonly orientation: Orientation;
   private readonly picker: Picker;
@@ -83,6 +84,7 @@ export class Viewport {
   readonly eye: Eye;
   private readonly resizing: ResizeObserver;
   private readonly characters: ShownCharacters;
+  private readonly framer: Framer;
   private readonly listening = new AbortController();
 
   private document: Document | undefined;
@@ -99,15 +101,10 @@ export class Viewport {
   private disposed = false;
   /** Something moved, or came or went, since the last frame. */
   private posesChanged = true;
-  /** Frame all with the next picture, when poses and sizes are known. */
-  private framing: 'no' | 'smoothly' | 'first look' = 'no';
-  /** Ids of what is to be framed where it is not seen well. */
-  private revealing: readonly string[] = [];
   private hovered: JointRef | undefined;
   private isPointerTaken = false;
   private pointer: { x: number; y: number } | undefined;
   private readonly box = new Box3();
-  private readonly ownBox = new Box3();
   private readonly point = new Vector3();
 
   /**
@@ -137,6 +134,7 @@ export class Viewport {
       (id) => this.createView(id),
       (entry) => this.prepare(entry),
     );
+    this.framer = new Framer(this.rig, this.characters, this.skeletons, this.picked);
     scene.add(this.grid.object, this.skeletons.object, this.trail.object, this.ghosts.object, this.vertexMarker.object);
 
     if (getComputedStyle(container).position === 'static') container.style.position = 'relative';
@@ -159,13 +157,14 @@ export class Viewport {
     const known = before?.characters.some((c) => stay.has(c.id)) ?? false;
     this.document = document;
     this.selection = selection;
+    this.picked.follow(selection);
     this.display = display;
     characters.show(document, display, selection, this.timeSeconds, everything);
     this.tints = tints;
     for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
     // The first to come into an empty picture, or in the place of everything before, are looked at from where one
     // looks first; what comes beside others is left to whoever brought it.
-    if (!known && document.characters.length > 0) this.framing = 'first look';
+    if (!known && document.characters.length > 0) this.framer.lookFirst();
     this.rig.setOrthographic(display.orthographic);
     this.stage.setShadow(display.shadow);
     this.grid.object.visible = display.grid;
@@ -210,34 +209,27 @@ export class Viewport {
     if (isTaken) this.hover(undefined);
   }
 
+  /** Says how many CSS pixels at the top lie under something else, whenever something is about to be framed. */
+  keepClear(coveredTop: () => number): void {
+    this.framer.coveredTop = coveredTop;
+  }
+
   /** Everything there is. */
   frameAll(): void {
-    if (this.framing === 'no') this.framing = 'smoothly';
+    this.framer.frameAll();
     this.requestRender();
   }
 
-  /** The selected vertex, joint or character; everything where nothing is selected. */
+  /** The selected vertex or joint, of the copy that was picked, or the character; else everything. */
   frameSelection(selection: Selection): void {
-    const { characterId, joint, vertex } = selection;
-    const entry = this.characters.seen(characterId);
-    if (!entry) {
-      this.frameAll();
-      return;
-    }
     this.update();
-    const { skeleton } = entry.character;
-    entry.view.bounds(this.box);
-    const size = this.box.isEmpty() ? 1 : this.box.getSize(this.point).length();
-    if (vertex !== undefined && vertexPosition(entry, vertex, 0, this.point)) {
-      this.rig.frameSphere(this.point, 0.06 * size, true);
-    } else if (joint !== undefined && skeleton && this.skeletons.positionOf(entry.character.id, 0, joint, this.point)) {
-      this.rig.frameSphere(this.point, this.jointRadius(entry, joint), true);
-    } else this.rig.frame(this.box, true);
+    this.framer.frameSelection(selection);
+    this.requestRender();
   }
 
   /** Frames these characters with the next picture, with room for their motion, unless they are well seen anyway. */
   reveal(...characterIds: readonly string[]): void {
-    this.revealing = characterIds;
+    this.framer.reveal(characterIds);
     this.requestRender();
   }
 
@@ -252,7 +244,7 @@ export class Viewport {
 
   /** Puts the camera there at once, whatever was about to be framed. */
   set cameraView(view: CameraView) {
-    this.framing = 'no';
+    this.framer.leave();
     this.rig.view = view;
   }
 
@@ -319,6 +311,17 @@ export class Viewport {
     const entry = this.characters.seen(characterId);
     this.update();
     return entry?.placements.subarray(16 * placement, 16 * placement + 16);
+  }
+
+  /** How far a copy of a character reaches along the scene's axes, as drawn now; undefined where nothing is. */
+  sizeOf(characterId: string, placement: number): Vec3 | undefined {
+    const box = this.characters.get(characterId)?.view.boundsAt(placement, this.box);
+    return box && !box.isEmpty() ? box.getSize(this.point).toArray() : undefined;
+  }
+
+  /** Which of a character's copies is worked on, as an index into its placements. */
+  pickedCopy(character: Pick<Character, 'id' | 'placements'>): number {
+    return this.picked.of(character);
   }
 
   /**
@@ -459,7 +462,8 @@ export class Viewport {
     const { display, selection, characters, skeletons } = this;
     characters.place(display.inPlace);
     skeletons.fill();
-    this.follower.follow(display.follow, selection, skeletons, this.rig);
+    const followed = display.follow ? characters.seen(selection.characterId)?.character : undefined;
+    this.follower.follow(followed, followed ? this.picked.of(followed) : 0, selection.joint, skeletons, this.rig);
     this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
     this.fillGhosts();
   }
@@ -480,13 +484,7 @@ export class Viewport {
     const { content } = characters;
     if (this.disposed || this.width === 0 || renderer.getContext().isContextLost()) return;
     this.update();
-    if (this.framing !== 'no' && !content.isEmpty()) {
-      const room = characters.roomOfMotion(this.playedRange, this.timeSeconds);
-      if (this.framing === 'first look') rig.lookFirst(room);
-      else rig.frame(room, true);
-      this.framing = 'no';
-    }
-    this.bringIntoView();
+    this.framer.settle(this.playedRange, this.timeSeconds);
     rig.tick(nowMs);
     rig.fitDepth(content, display.grid);
     const { camera } = rig;
@@ -500,33 +498,6 @@ export class Viewport {
     this.labels.draw(camera, this.skeletons.positions);
     this.orientation.update(camera);
   };
-
-  private bringIntoView(): void {
-    const { revealing, rig, characters, box } = this;
-    if (!revealing.length) return;
-    this.revealing = [];
-    const entries = characters.visible.filter(({ character }) => revealing.includes(character.id));
-    box.makeEmpty();
-    for (const { view } of entries) box.union(view.bounds(this.ownBox));
-    if (box.isEmpty()) return;
-    const room = characters.roomOfMotion(this.playedRange, this.timeSeconds, entries);
-    if (!isWellSeen(box, room, rig.camera)) rig.frame(room, true);
-  }
-
-  /** Of a sphere around a joint that shows it with its neighbours, in the world. */
-  private jointRadius({ character, placements }: Shown, joint: number): number {
-    const { skeleton } = character;
-    if (!skeleton) return 1;
-    let reach = 0.06 * sizesFor(skeleton).extent;
-    const own = skeleton.joints[joint];
-    const { min, max } = own.box;
-    if (hasBox(own)) reach = Math.max(reach, 0.6 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
-    for (const end of own.endSites ?? []) reach = Math.max(reach, Math.hypot(...end));
-    reach = Math.max(reach, own.length ?? 0);
-    for (const { parent, offset } of skeleton.joints)
-      if (parent === joint) reach = Math.max(reach, Math.hypot(...offset));
-    return 1.8 * reach * Math.hypot(placements[0], placements[1], placements[2]);
-  }
 
   private pickScene(): PickScene | undefined {
     if (this.width === 0 || this.renderer.getContext().isContextLost()) return undefined;

@@ -124,7 +124,7 @@ it('draws what can’t be reached and names the limit, until it is reached or gi
     await drawn(page);
     const gap = page.locator('.ik-label[data-kind="gap"]:visible');
     await gap.waitFor();
-    expect(await gap.textContent()).toBe('foot_l: knee_l rx at its limit');
+    expect(await gap.textContent()).toBe('foot_l: knee_l rx at its limit, hip is locked');
     expect(await page.evaluate(() => window.marrow.characters()[0].dofs[6])).toBe(0);
     await page.mouse.move(from.x, from.y, { steps: 10 });
     await drawn(page);
@@ -134,6 +134,33 @@ it('draws what can’t be reached and names the limit, until it is reached or gi
     expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-9);
     await page.mouse.up();
     expect(await undoLabel(page)).toBe('Pin foot_l');
+  }));
+
+it('tells how far a drag in depth has gone, in perspective and without', () =>
+  withPage(async ({ page }) => {
+    await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+    await drawn(page);
+    await intoIk(page);
+    const readout = page.locator('.hand-readout:visible');
+    for (const projection of ['perspective', 'orthographic']) {
+      if (projection === 'orthographic') await page.evaluate(() => window.marrow.run('draw.orthographic'));
+      await standing(page);
+      const { x, y } = await onPage(page, await jointPlace(page, 'foot_l'));
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 20, y);
+      expect(await readout.count()).toBe(0);
+      await page.keyboard.down('Alt');
+      await page.mouse.move(x + 20, y - 1);
+      await page.mouse.move(x + 20, y - 31, { steps: 5 });
+      await drawn(page);
+      expect(await readout.textContent()).toMatch(/^depth \+0\.\d{3} units$/);
+      await page.keyboard.press('Escape');
+      await page.mouse.up();
+      await page.keyboard.up('Alt');
+      expect(await readout.count()).toBe(0);
+    }
   }));
 
 const WASP = ['data/cse169/wasp.skel', 'data/cse169/wasp.skin'] as const;

@@ -166,6 +166,39 @@ it('turns the view by the arrows while nothing plays, and switches modes by Spac
     await page.waitForFunction(() => document.querySelector('.joint-gizmo'));
   }));
 
+it('leaves the bones of what is not selected to the camera: what is keyed is what is turned', () =>
+  withPage(async ({ page }) => {
+    await openArm(page, 'shoulder');
+    const before = await dofs(page);
+    const place = await page.evaluate(() => window.marrow.pointOnPage([0, 1.8, 0]));
+    if (!place) throw new Error('The arm is not shown.');
+    await pressAndGo(page, place, [{ x: place.x + 5, y: place.y - 40 }]);
+    await page.mouse.up();
+    expect(await dofs(page)).toEqual(before);
+    expect(await undo(page)).toMatch(/^Open/);
+  }));
+
+it('blends to a pose once where its picture is double-clicked, and again at a click', () =>
+  withPage(async ({ page }) => {
+    await openArm(page);
+    await page.evaluate(async () => {
+      await window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0.4 }] });
+      await window.marrow.run('pose.keep');
+      await window.marrow.run('pose.setDofs', { dofs: [{ index: 6, value: 0 }] });
+      await window.marrow.run('pose.library');
+    });
+    const picture = page.locator('.pose-picture');
+    await picture.waitFor();
+    await page.getByRole('slider', { name: 'How much of a pose is taken on' }).fill('50');
+    await picture.dblclick();
+    expect((await dofs(page))[6]).toBeCloseTo(0.2, 9);
+    await picture.click();
+    expect((await dofs(page))[6]).toBeCloseTo(0.3, 9);
+    await page.evaluate(() => window.marrow.undo());
+    await page.evaluate(() => window.marrow.undo());
+    expect((await dofs(page))[6]).toBe(0);
+  }));
+
 describeShared('the dragon', () => {
   it('has a shoulder that stops where its file says', () =>
     withPage(async ({ page }) => {

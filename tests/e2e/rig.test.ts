@@ -135,6 +135,115 @@ it('adds a child with Ctrl, and removes a joint with Delete so that its children
     });
   }));
 
+/** Length in the scene that a CSS pixel shows where a new skeleton begins. */
+async function unitsPerPixel(page: Page): Promise<number> {
+  const box = await page.locator('canvas[role=img]').boundingBox();
+  return (2 * 5 * Math.tan((16 * Math.PI) / 180)) / (box?.height ?? 1);
+}
+
+/** Where a joint is in its parent's space, as the saved file has it. */
+async function offsetOf(page: Page, joint: number): Promise<readonly number[]> {
+  const saved = await text(page, 'character.skel');
+  return readSkel(saved, 'character.skel').value?.[0].joints[joint].offset ?? [];
+}
+
+/** Waits until there is a handle at a point of the page. */
+const handleAt = (page: Page, clientX: number, clientY: number) =>
+  page.waitForFunction(
+    (at) => {
+      const canvas = document.querySelector<HTMLCanvasElement>('canvas[role=img]');
+      canvas?.dispatchEvent(new PointerEvent('pointermove', { ...at, bubbles: true, isPrimary: true, buttons: 0 }));
+      return canvas?.style.cursor === 'move';
+    },
+    { clientX, clientY },
+  );
+
+it('takes hold of the copy that was clicked, and frames that', () =>
+  withPage(async ({ page }) => {
+    await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+    await page.evaluate(() => window.marrow.run('rigging.new'));
+    await page.getByRole('button', { name: 'Add joints', pressed: true }).waitFor();
+    await page.keyboard.press('Escape');
+    const perPixel = await unitsPerPixel(page);
+    const aside = Math.round(1 / perPixel);
+    const at = [aside * perPixel, 0, 0] as const;
+    await page.evaluate((position) => {
+      const [{ id }] = window.marrow.characters();
+      window.marrow.run('character.addCopy', { characterId: id, placement: { position, turn: [0, 0, 0], scale: 1 } });
+    }, at);
+    const { x, y } = await canvasMiddle(page);
+    const lifted = async (to: number) => {
+      const [, now] = await offsetOf(page, 0);
+      expect(now).toBeCloseTo(to, 1);
+    };
+    // Without a click before it, and with one.
+    await lifted(1);
+    await drag(page, { x: x + aside, y }, 0, -40);
+    await lifted(1 + 40 * perPixel);
+    await page.mouse.click(x + aside, y - 40);
+    await drag(page, { x: x + aside, y: y - 40 }, 0, 40);
+    await lifted(1);
+    await page.keyboard.press('f');
+    // In the middle now, where a handle is of that copy alone.
+    await handleAt(page, x, y);
+    await page.evaluate(() =>
+      window.marrow.run('character.removeCopy', { characterId: window.marrow.characters()[0].id, index: 1 }),
+    );
+    await page.mouse.move(x + 1, y);
+    await page.waitForFunction(
+      () => document.querySelector<HTMLCanvasElement>('canvas[role=img]')?.style.cursor !== 'move',
+    );
+  }));
+
+it('puts a new skeleton into the middle of the picture, however full that is', () =>
+  withPage(async ({ page }) => {
+    await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+    for (let i = 0; i < 3; i++) await page.evaluate(() => window.marrow.run('rigging.new'));
+    await page.waitForFunction(() => window.marrow.characters().length === 3);
+    const { x, y } = await canvasMiddle(page);
+    await handleAt(page, x, y);
+    const perPixel = await unitsPerPixel(page);
+    await page.mouse.click(x, y - 40);
+    const [right, up] = await page.evaluate(() => (window.marrow.worldMatrices(2)[1] ?? []).slice(12, 14));
+    expect(right).toBeCloseTo(0, 2);
+    expect(up).toBeCloseTo(1 + 40 * perPixel, 2);
+  }));
+
+it('lets a click on a joint branch, however quickly it comes after another', () =>
+  withPage(async ({ page }) => {
+    await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+    await page.evaluate(() => window.marrow.run('rigging.new'));
+    await page.getByRole('button', { name: 'Add joints', pressed: true }).waitFor();
+    await clickAt(page, 0, -40, 2);
+    const { x, y } = await canvasMiddle(page);
+    // The hand is quicker than any picture.
+    await page.evaluate(() => {
+      window.requestAnimationFrame = () => 1;
+    });
+    await page.mouse.click(x + 60, y - 80);
+    await page.mouse.click(x, y);
+    await page.mouse.click(x - 60, y + 40);
+    expect(await joints(page)).toEqual(['root -1', 'joint1 0', 'joint2 1', 'joint3 0']);
+  }));
+
+it('comes to the side that a key asked for, though a click falls on the way', () =>
+  withPage(async ({ page }) => {
+    await page.waitForFunction(() => (window.marrow?.characters().length ?? 0) > 0);
+    const { x, y } = await canvasMiddle(page);
+    await page.locator('canvas[role=img]').focus();
+    /** Until one looks along an axis: its arm in the corner is a point then. */
+    const looksAlong = (axis: 0 | 2) =>
+      page.waitForFunction((which) => {
+        const arm = document.querySelectorAll('[aria-label="Look along an axis"] line')[which];
+        return Math.hypot(Number(arm.getAttribute('x2')), Number(arm.getAttribute('y2'))) < 0.1;
+      }, axis);
+    await page.keyboard.press('1');
+    await looksAlong(2);
+    await page.keyboard.press('3');
+    await page.mouse.click(x + 200, y + 100);
+    await looksAlong(0);
+  }));
+
 describeShared('a skin and its joints', () => {
   const wasp = ['wasp.skel', 'wasp.skin'].map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) }));
 

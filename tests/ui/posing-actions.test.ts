@@ -29,14 +29,20 @@ describe('the keys of posing', () => {
     expect(seen).toEqual(['ik', 'fk', 'rig', 'fk']);
   });
 
-  it('go back to FK by Escape in the viewport before anything is let go of', () => {
+  it.each(['viewport', 'outliner', undefined])('leave the mode by Escape, then the selection (%s)', (panel) => {
     const { wb, press } = posing();
     wb.store.select({ characterId: 'c1', joint: 1 });
     wb.posing.mode.set('ik');
-    press('Escape', 'viewport');
+    press('Escape', panel);
     expect([wb.posing.mode.get(), wb.store.selection.joint]).toEqual(['fk', 1]);
-    press('Escape', 'viewport');
+    press('Escape', panel);
     expect(wb.store.selection.characterId).toBeUndefined();
+  });
+
+  it('has one line on the page of shortcuts for what Escape leaves', () => {
+    const { wb } = posing();
+    const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
+    expect(lines.map((action) => action.label)).toEqual(['Leave the drag, then the mode (for FK), then the selection']);
   });
 
   it('Space switches where there is nothing to play, and plays where there is', () => {

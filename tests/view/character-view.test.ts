@@ -208,6 +208,9 @@ describe('a character in the picture', () => {
     const at = two.getVertexPosition(1, new Vector3()).applyMatrix4(two.matrixWorld);
     expectClose([...at], [10, 2, -2], WITHIN.rounding);
     expect(view.bounds(new Box3()).max.x).toBeCloseTo(10, 9);
+    expect(view.boundsAt(0, new Box3()).max.x).toBeCloseTo(1, 9);
+    expect(view.boundsAt(1, new Box3()).min.x).toBeGreaterThan(9);
+    expect(view.boundsAt(2, new Box3()).isEmpty()).toBe(true);
     view.show(character({ skins: [skin()], placements: [DEFAULT_PLACEMENT] }), DEFAULT_DISPLAY, undefined);
     expect(view.placements).toHaveLength(1);
   });

@@ -5,6 +5,7 @@ import {
   distanceForHalfHeight,
   easeOut,
   fitDistance,
+  lookingFrom,
   orthographicDepth,
   perspectiveDepth,
   shortTurn,
@@ -56,6 +57,46 @@ describe('framing', () => {
     // A flat square seen head on: its edges are at 1 / 1.25 of the picture's.
     const distance = fitDistance(1, 1, 0, cameraAt(0, 0, 1, 1).matrixWorld.elements, TAN, 1, 1.25);
     expect(new Vector3(1, 1, 0).project(cameraAt(0, 0, distance, 1)).y).toBeCloseTo(0.8, 9);
+  });
+
+  it('keeps every corner out from under what covers the top', () => {
+    const size = fc.double({ min: 0.05, max: 1, noNaN: true });
+    const angle = fc.double({ min: -1.5, max: 1.5, noNaN: true });
+    const covered = fc.double({ min: 0, max: 0.4, noNaN: true });
+    fc.assert(
+      fc.property(
+        size,
+        size,
+        size,
+        angle,
+        angle,
+        fc.constantFrom(0.5, 1, 2.2),
+        covered,
+        (hx, hy, hz, azimuth, height, aspect, top) => {
+          const m = new Float64Array(12);
+          lookingFrom(azimuth, Math.PI / 2 - height, m);
+          const distance = fitDistance(hx, hy, hz, m, TAN, aspect, 1.1, top);
+          const camera = cameraAt(azimuth, height, distance, aspect);
+          const raised = top * TAN * distance;
+          camera.position.add(new Vector3(m[4], m[5], m[6]).multiplyScalar(raised));
+          camera.updateMatrixWorld();
+          expect(new Vector3().project(camera).y).toBeCloseTo(-top, 6);
+          for (let corner = 0; corner < 8; corner++) {
+            const at = new Vector3(corner & 1 ? hx : -hx, corner & 2 ? hy : -hy, corner & 4 ? hz : -hz).project(camera);
+            expect(Math.abs(at.x)).toBeLessThan(1);
+            expect(at.y).toBeGreaterThan(-1);
+            expect(at.y).toBeLessThan(1 - 2 * top);
+          }
+        },
+      ),
+    );
+  });
+
+  it('has the axes of a camera from its angles', () => {
+    const m = new Float64Array(12);
+    lookingFrom(0.7, 1.1, m);
+    const { elements } = cameraAt(0.7, Math.PI / 2 - 1.1, 3, 1).matrixWorld;
+    for (let i = 0; i < 12; i++) expect(m[i]).toBeCloseTo(elements[i], 9);
   });
 
   it('stands back from a point too', () => {

@@ -3,8 +3,7 @@
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';
-import { metresPerUnit } from '../../evaluate/metres.ts';
-import { DEFAULT_PLACEMENT, DEFAULT_SPACE, findCharacter } from '../../model/document.ts';
+import { DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../pose-edits.ts';
@@ -81,7 +80,9 @@ export const EDIT_ACTIONS: readonly Action[] = [
       if (!character) return;
       const last = character.placements.at(-1) ?? DEFAULT_PLACEMENT;
       const [x, y, z] = last.position;
-      const aside = 1.2 * last.scale * widthOf(wb, character.id);
+      const [width] = wb.viewport.sizeOf(character.id, character.placements.length - 1) ?? [1];
+      // A point has no width, and its copies would be one.
+      const aside = 1.2 * (width || 1);
       wb.store.apply(addCopy, { characterId: character.id, placement: { ...last, position: [x + aside, y, z] } });
     },
   },
@@ -162,7 +163,6 @@ export const EDIT_ACTIONS: readonly Action[] = [
     group: 'Select',
     menu: 'Edit/Select',
     section: 1,
-    shortcuts: ['Escape'],
     enabled: (wb) => wb.store.selection.characterId !== undefined,
     run: (wb) => wb.store.select(NOTHING_SELECTED),
   },
@@ -211,18 +211,4 @@ function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number 
   const siblings: number[] = [];
   for (let j = Math.max(0, parent); j < joints.length; j++) if (joints[j].parent === parent) siblings.push(j);
   return siblings[(siblings.indexOf(joint) + step + siblings.length) % siblings.length];
-}
-
-/** How wide a character's joints reach in x; for placing a copy beside it. */
-function widthOf(wb: Workbench, id: string): number {
-  const world = wb.viewport.character(id)?.worldMatrices();
-  const character = findCharacter(wb.store.document, id);
-  if (!world || world.length < 32 || !character) return 1;
-  let low = Infinity;
-  let high = -Infinity;
-  for (let i = 12; i < world.length; i += 16) {
-    low = Math.min(low, world[i]);
-    high = Math.max(high, world[i]);
-  }
-  return (high > low ? high - low : 1) * metresPerUnit(character.space ?? DEFAULT_SPACE);
 }

@@ -25,10 +25,10 @@ export const POSING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'posing.leave',
-    label: 'Back to FK, or select nothing',
+    label: 'Leave the drag, then the mode (for FK), then the selection',
     group: 'Pose',
     shortcuts: ['Escape'],
-    panel: 'viewport',
+    // A drag has the keyboard to itself (`tools/canvas-tools.ts`): this comes to what is left.
     run(wb) {
       if (wb.posing.mode.get() !== 'fk') wb.posing.mode.set('fk');
       else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);

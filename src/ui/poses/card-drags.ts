@@ -1,4 +1,4 @@
-/** What the hand does with a card of the library: a press that takes the pose on, and a drag that blends to it. */
+/** A drag on a card of the library, which blends to its pose. */
 import { applyPose } from '../../edit/commands/poses.ts';
 import { HandEdit } from '../hand-edit.ts';
 import type { Workbench } from '../workbench.ts';
@@ -6,24 +6,6 @@ import { moment } from './pose-edits.ts';
 
 /** A drag of that many CSS pixels to the right is the whole pose. */
 const WHOLE_DRAG = 160;
-
-/**
- * Follows a press to where it ends, be that outside of the page; nothing listens after it.
- * @param released is told where the pointer was let go; not where the browser took it away
- * @returns gives it up
- */
-export function followPress(down: PointerEvent, released: (up: PointerEvent) => void): () => void {
-  const listening = new AbortController();
-  const { signal } = listening;
-  const end = (event: PointerEvent) => {
-    if (event.pointerId !== down.pointerId) return;
-    listening.abort();
-    if (event.type === 'pointerup') released(event);
-  };
-  window.addEventListener('pointerup', end, { signal });
-  window.addEventListener('pointercancel', end, { signal });
-  return () => listening.abort();
-}
 
 export interface Blended {
   readonly characterId: string;

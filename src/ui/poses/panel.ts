@@ -20,7 +20,7 @@ import { selectedJointOf } from '../selected-joint.ts';
 import type { TimelineTab } from '../timeline/timeline.ts';
 import type { Workbench } from '../workbench.ts';
 import { PoseCard } from './card.ts';
-import { blendByDrag, followPress } from './card-drags.ts';
+import { blendByDrag } from './card-drags.ts';
 import { cardEntries } from './card-menu.ts';
 import { remove, rename, take } from './pose-edits.ts';
 import { Thumbnails } from './thumbnails.ts';
@@ -46,8 +46,6 @@ class PosesPanel implements TimelineTab {
   private focused = 0;
   private shownId: string | undefined;
   private shownPoses: readonly NamedPose[] = [];
-  /** Of the press that is under way, if one is. */
-  private giveUpPress = () => {};
   private readonly showSoon = oncePerFrame(() => this.show());
 
   constructor(private readonly wb: Workbench) {
@@ -57,6 +55,7 @@ class PosesPanel implements TimelineTab {
     this.seen = new IntersectionObserver((entries) => this.onSeen(entries), { root: this.grid, rootMargin: '120px' });
     this.grid.addEventListener('keydown', (event) => this.onKey(event));
     this.grid.addEventListener('pointerdown', (event) => this.onPointer(event));
+    this.grid.addEventListener('click', (event) => this.onClick(event));
     this.grid.addEventListener('contextmenu', (event) => this.onMenu(event));
     this.grid.addEventListener('dblclick', (event) => {
       const index = this.indexAt(event.target);
@@ -192,17 +191,15 @@ class PosesPanel implements TimelineTab {
     this.grid.focus({ preventScroll: true });
     this.focus(index);
     if (event.altKey) this.blend(index, event);
-    else this.press(index, event);
   }
 
-  /** A click: pressed and let go on one card. */
-  private press(index: number, down: PointerEvent): void {
-    this.giveUpPress();
-    this.giveUpPress = followPress(down, ({ target }) => {
-      // On the name it only chooses the card: two clicks there are about the name.
-      const isOnName = down.target instanceof Element && down.target.closest('.pose-name') !== null;
-      if (this.indexAt(target) === index && !isOnName) this.take(index);
-    });
+  /** Pressed and let go on one card. */
+  private onClick({ target, detail, altKey }: MouseEvent): void {
+    const index = this.indexAt(target);
+    // The second click of two, which many do out of habit, is not to blend again.
+    if (index < 0 || altKey || detail > 1) return;
+    // On the name it only chooses the card: two clicks there are about the name.
+    if (target instanceof Element && !target.closest('.pose-name')) this.take(index);
   }
 
   /** Alt and a drag. */

@@ -12,9 +12,9 @@ import { POSING_MODES, type PosingMode } from './posing.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
 const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
-  fk: 'Forward kinematics: turn joints one by one',
-  ik: 'Inverse kinematics: pin points and drag them',
-  rig: 'Rig: change the skeleton',
+  fk: 'Forward kinematics: turn joints one by one, by their rings or by dragging the bone up and down',
+  ik: 'Inverse kinematics: click pins a point, drag moves any point while the pins hold',
+  rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click adds a child',
 };
 
 export function modeBar(wb: Workbench): HTMLElement {

@@ -11,6 +11,7 @@ import { attempt } from '../attempt.ts';
 import { selectedJoint } from '../selected-joint.ts';
 import { standStill } from '../stand-still.ts';
 import { inverseOf, roundStep, snappedPoint, withoutDust } from '../tools/rig/places.ts';
+import { pivotOf, riggedNow } from '../tools/rig/rigged.ts';
 import type { Workbench } from '../workbench.ts';
 import { nameNote } from './joint-names.ts';
 import { rigState } from './rig-state.ts';
@@ -19,15 +20,21 @@ import { rigging } from './rigging-args.ts';
 /** Where the first joint of a skeleton from nothing stands: where hips are. */
 const FIRST: Vec3 = [0, 1, 0];
 /** Looked at from the front, so that what is clicked lies in one plane; with room for a figure of a person's height. */
-const FIRST_VIEW = { target: [0, 1, 0], azimuth: 0, polar: Math.PI / 2, distance: 5 } as const;
+const FIRST_VIEW = { azimuth: 0, polar: Math.PI / 2, distance: 5 } as const;
 
-/** A skeleton of one joint, ready for the next ones to be clicked; for a skin that waits for one, its own. */
+/**
+ * A skeleton of one joint in the middle of the picture, ready for the next ones to be clicked; for a skin that waits for
+ * one, its own.
+ */
 export function newSkeleton(wb: Workbench): void {
-  const isAlone = wb.store.document.characters.every((c) => c.isHidden) || wb.store.document.isOpeningSample;
+  const waiting = waitingCharacter(wb);
   start(wb, FIRST);
   wb.posing.mode.set('rig');
   rigState(wb).adding.set(true);
-  if (isAlone && wb.store.document.characters.length === 1) wb.viewport.cameraView = FIRST_VIEW;
+  const rigged = riggedNow(wb);
+  if (waiting) wb.viewport.reveal(waiting.id);
+  // At once: a click on the way there would place a joint by a view that is gone the next moment.
+  else if (rigged) wb.viewport.cameraView = { ...FIRST_VIEW, target: pivotOf(rigged, 0) };
 }
 
 /** A press or a click: where it was on the page, and whether numbers are to be round. */
@@ -39,7 +46,7 @@ export function startSkeletonAt(wb: Workbench, at: At): void {
   const scene = eye.inPlaneOf([0, 0, 0], at.clientX, at.clientY);
   const unit = eye.unitsPerPixel(scene);
   const waiting = waitingCharacter(wb);
-  const placement = waiting && wb.viewport.placementOf(waiting.id, 0);
+  const placement = waiting && wb.viewport.placementOf(waiting.id, wb.viewport.pickedCopy(waiting));
   const inverse = placement && inverseOf(placement);
   const own = inverse ? transformPoint(inverse, scene) : scene;
   start(wb, at.ctrlKey || at.metaKey ? snappedPoint(own, roundStep(8 * unit)) : withoutDust(own, unit));

@@ -6,10 +6,11 @@
  *     click     a press that was the camera's and went nowhere: the tool's, or it picks
  *     hover     the tool may light something up, and say which cursor
  */
+import { CLICK_PIXELS } from '../../view/camera-travel.ts';
 import { waitOutDrag } from '../keys.ts';
 
-/** A press that moved further was a drag. */
-export const CLICK_PIXELS = 4;
+/** A press that moved further was a drag: for tools as for the camera. */
+export { CLICK_PIXELS };
 
 /** What is asked of a pointer event: places are client coordinates. */
 export type CanvasPointer = Pick<
@@ -20,6 +21,8 @@ export type CanvasPointer = Pick<
 export interface CanvasDrag {
   /** Every move. */
   move(at: CanvasPointer): void;
+  /** Of touch: so many fingers are down now, that of the drag among them. */
+  fingers?(count: number): void;
   /** The release. */
   end(at: CanvasPointer): void;
   /** Escape, or the browser took the pointer away: everything as before. */
@@ -51,7 +54,7 @@ export function listenToCanvas(
   signal: AbortSignal,
   claim: (isTools: boolean) => void = () => {},
 ): void {
-  let drag: { readonly of: CanvasDrag; readonly pointerId: number } | undefined;
+  let drag: { readonly of: CanvasDrag; readonly pointerId: number; readonly others: Set<number> } | undefined;
   let down: PointerEvent | undefined;
 
   const onKey = (event: KeyboardEvent) => {
@@ -77,8 +80,12 @@ export function listenToCanvas(
       canvas.focus({ preventScroll: true });
       down = undefined;
       if (drag) {
-        // Another button or finger while something is dragged changes nothing.
+        // Another button or finger while something is dragged is not the camera's.
         event.stopPropagation();
+        if (event.pointerType === 'touch' && event.pointerId !== drag.pointerId) {
+          drag.others.add(event.pointerId);
+          drag.of.fingers?.(1 + drag.others.size);
+        }
         return;
       }
       const of = event.isPrimary ? tool()?.press(event) : undefined;
@@ -87,7 +94,7 @@ export function listenToCanvas(
         return;
       }
       event.stopPropagation();
-      drag = { of, pointerId: event.pointerId };
+      drag = { of, pointerId: event.pointerId, others: new Set() };
       canvas.setPointerCapture(event.pointerId);
       window.addEventListener('keydown', onKey, { capture: true });
       claim(true);
@@ -107,11 +114,15 @@ export function listenToCanvas(
     },
     { signal },
   );
+  const lift = (event: PointerEvent) => {
+    if (drag?.others.delete(event.pointerId)) drag.of.fingers?.(1 + drag.others.size);
+  };
   canvas.addEventListener(
     'pointerup',
     (event) => {
       if (drag) {
         if (event.pointerId === drag.pointerId) finish()?.end(event);
+        else lift(event);
         return;
       }
       const from = down;
@@ -123,6 +134,7 @@ export function listenToCanvas(
   );
   const lost = (event: PointerEvent) => {
     if (event.pointerId === drag?.pointerId) finish()?.cancel();
+    else lift(event);
   };
   canvas.addEventListener('pointercancel', lost, { signal });
   canvas.addEventListener('lostpointercapture', lost, { signal });

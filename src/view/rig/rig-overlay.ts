@@ -50,6 +50,11 @@ export class RigOverlay implements Overlay {
   private nodes = new Float64Array(0);
   private starts = new Int32Array(0);
   private theme: StageTheme | undefined;
+  /** Of the last picture; what is asked before the next one is worked out with them. */
+  private camera: PerspectiveCamera | OrthographicCamera | undefined;
+  private heightPx = 1;
+  /** Another picture was shown than the one that was drawn. */
+  private isBehind = false;
 
   constructor() {
     this.bones = new BoneShapes(this.object);
@@ -62,6 +67,7 @@ export class RigOverlay implements Overlay {
   show(picture: RigPicture | undefined): void {
     if (!haveSameJoints(this.picture?.skeleton, picture?.skeleton)) this.light(undefined);
     this.picture = picture;
+    this.isBehind = true;
     if (!picture) {
       this.hideAll();
       return;
@@ -93,8 +99,10 @@ export class RigOverlay implements Overlay {
     this.adds = adds;
   }
 
-  /** As last drawn; undefined where nothing is. */
+  /** As drawn, or about to be after a change or a turn of the camera: hands may be quicker than pictures. Undefined where nothing is. */
   get screen(): RigScreen | undefined {
+    const { camera, heightPx } = this;
+    if (camera && (this.projection.look(camera, heightPx) || this.isBehind)) this.update(camera, heightPx);
     const { picture, nodes, starts, arrows, box } = this;
     if (!picture || !this.object.visible) return undefined;
     const jointCount = picture.skeleton.joints.length;
@@ -102,6 +110,8 @@ export class RigOverlay implements Overlay {
   }
 
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void {
+    this.camera = camera;
+    this.heightPx = heightPx;
     const { picture, world, projection } = this;
     const from = picture?.world();
     const placement = picture?.placement();
@@ -113,6 +123,7 @@ export class RigOverlay implements Overlay {
       this.object.visible = false;
       return;
     }
+    this.isBehind = false;
     projection.look(camera, heightPx);
     placeNodes(nodes, placement, 0, from, world);
     this.placeBones(nodes);

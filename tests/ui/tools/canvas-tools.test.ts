@@ -169,6 +169,24 @@ describe('a drag of a tool', () => {
     expect(said).toEqual(['end 15']);
   });
 
+  it('is told how many fingers are down', () => {
+    const counts: number[] = [];
+    const { tool } = leftTool();
+    const { pointer } = page({
+      press: (at) => {
+        const drag = tool.press(at);
+        return drag && { ...drag, fingers: (count) => void counts.push(count) };
+      },
+    });
+    const other = { pointerId: 2, isPrimary: false, pointerType: 'touch' };
+    pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    expect(pointer('pointerdown', 200, 10, other).reachesCamera).toBe(false);
+    pointer('pointerup', 200, 10, other);
+    pointer('pointerdown', 200, 10, { ...other, pointerId: 3 });
+    pointer('pointercancel', 200, 10, { ...other, pointerId: 3 });
+    expect(counts).toEqual([2, 1, 2, 1]);
+  });
+
   it('ends where the browser takes the pointer away', () => {
     const { tool, said } = leftTool();
     const { pointer } = page(tool);

@@ -17,11 +17,11 @@ import { withoutTwin } from '../../takes/takes.ts';
 import type { Workbench } from '../../workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../canvas-tools.ts';
 import type { ModeTool } from '../mode-tool.ts';
+import { Readout } from '../readout.ts';
 import { dofButtons } from './dof-buttons.ts';
 import { handDrag } from './hand-drag.ts';
 import { KnownHandles } from './known-handles.ts';
 import { boneMover, type Grip, handleMover, type Moved, type Mover } from './movers.ts';
-import { Readout } from './readout.ts';
 import { limitNote, valueText } from './readout-text.ts';
 
 /** A finger is thicker than a mouse; CSS pixels. */

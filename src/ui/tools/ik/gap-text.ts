@@ -2,6 +2,7 @@
 import type { Character } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
 
 /** What keeps points from where they should be. */
 export interface Hindrance {
@@ -9,6 +10,8 @@ export interface Hindrance {
   readonly binding: readonly number[];
   /** Joints of the pins that hold the dragged point back, the strongest first. */
   readonly holders: readonly number[];
+  /** Locked joints without whose lock the points would come nearer, the one that would bend most first. */
+  readonly locks: readonly number[];
   /** Whether anything that is free moves the dragged point at all. */
   readonly canMove: boolean;
   /** Whether the character could travel as a whole, and is not let. */
@@ -18,27 +21,36 @@ export interface Hindrance {
 export type GapCause = 'root' | 'locks' | 'limits' | 'pins' | 'reach';
 
 /** What is the first thing in the way: what one would change. */
-export function gapCause({ binding, holders, canMove, rootStays }: Hindrance): GapCause {
+export function gapCause({ binding, holders, locks, canMove, rootStays }: Hindrance): GapCause {
   if (!canMove) return rootStays ? 'root' : 'locks';
   if (binding.length > 0) return 'limits';
+  if (locks.length > 0) return 'locks';
   if (holders.length > 0) return 'pins';
   return rootStays ? 'root' : 'reach';
 }
 
 /** Limits named at once; the rest is counted. */
 const MOST_NAMED = 3;
-/** Of pins, whose names are all that is said. */
-const MOST_HOLDERS = 2;
+/** Of pins and locks, whose names are all that is said. */
+const MOST_JOINTS = 2;
 
 /**
- * `knee_l rx at its limit`; where no limit binds what else it is: pins that hold, or a root that stays. Limits on the way
- * from the joint to the root come first, nearest first: those are the ones that one sees.
+ * `knee_l rx at its limit`, `knee_l is locked`, or both; where neither is in the way what else it is: pins that hold, or
+ * a root that stays.
  */
 export function gapText(character: Character, joint: number, hindrance: Hindrance): string {
-  const { binding, holders, canMove, rootStays } = hindrance;
-  if (!canMove) return rootStays ? 'the root stays: let it travel' : 'nothing here is free to move';
+  const { binding, holders, locks, canMove, rootStays } = hindrance;
+  if (!canMove && rootStays) return 'the root stays: let it travel';
+  const limits = canMove ? limitsText(character, joint, binding) : '';
+  const locked = locks.length > 0 ? locksText(character, locks) : '';
+  if (limits || locked) return [limits, locked].filter((part) => part !== '').join(', ');
+  return canMove ? outOfReach(character, [...new Set(holders)], joint, rootStays) : 'nothing here is free to move';
+}
+
+/** Limits on the way from the joint to the root come first, nearest first: those are the ones that one sees. */
+function limitsText(character: Character, joint: number, binding: readonly number[]): string {
   const { skeleton } = character;
-  if (!skeleton || binding.length === 0) return outOfReach(character, [...new Set(holders)], joint, rootStays);
+  if (!skeleton || binding.length === 0) return '';
   const dofs = characterDofs(skeleton, character.morphs);
   const onWay = wayToRoot(character, joint);
   const place = (dof: number) => {
@@ -55,13 +67,20 @@ export function gapText(character: Character, joint: number, hindrance: Hindranc
   return ordered.length === 1 ? `${list} at its limit` : `${list} at their limits`;
 }
 
+function locksText({ skeleton }: Character, locks: readonly number[]): string {
+  return `${namesOf(skeleton, locks)} ${locks.length === 1 ? 'is' : 'are'} locked`;
+}
+
+function namesOf(skeleton: Skeleton | undefined, joints: readonly number[]): string {
+  const named = joints.slice(0, MOST_JOINTS).map((joint) => jointName(skeleton, joint));
+  const more = joints.length - named.length;
+  return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(' and ');
+}
+
 function outOfReach({ skeleton }: Character, holders: readonly number[], joint: number, rootStays: boolean): string {
   const others = holders.filter((other) => other !== joint);
   if (others.length === 0) return rootStays ? 'out of reach while the root stays' : 'out of reach';
-  const named = others.slice(0, MOST_HOLDERS).map((other) => jointName(skeleton, other));
-  const more = others.length - named.length;
-  const list = more > 0 ? `${named.join(', ')} and ${more} more` : named.join(' and ');
-  return `out of reach while ${list} ${others.length === 1 ? 'holds' : 'hold'}`;
+  return `out of reach while ${namesOf(skeleton, others)} ${others.length === 1 ? 'holds' : 'hold'}`;
 }
 
 /** The joint, its parent, and so on. */

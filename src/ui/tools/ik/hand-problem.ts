@@ -169,11 +169,16 @@ export class HandProblem {
     return false;
   }
 
-  /** How far the pose has moved: the largest of its changes, in radians, factors, parts of the reach. */
-  furthest(before: Float64Array): number {
+  /**
+   * How far the pose has moved: the largest of its changes, in radians, factors, parts of the reach.
+   * @param from the first DOF that is asked about
+   * @param end after the last
+   */
+  furthest(before: Float64Array, from = 0, end = Infinity): number {
     const { count, dof, scale, relative } = this.problem.variables;
     let most = 0;
     for (let v = 0; v < count; v++) {
+      if (dof[v] < from || dof[v] >= end) continue;
       const change = Math.abs(this.dofs[dof[v]] - before[dof[v]]);
       most = Math.max(most, change * (relative[v] / scale[v]));
     }

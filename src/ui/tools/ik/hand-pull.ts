@@ -7,7 +7,7 @@ import type { Command, Edit } from '../../../edit/store.ts';
 import { type Dragged, ikOf, type PinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
+import { subtract, type Vec3 } from '../../../math/vec3.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
@@ -108,6 +108,12 @@ export class HandPull {
     this.show(written.filter((dof) => pull.dofs[dof] !== start[dof]));
     ikInHand(wb).wantsRoot.set(pull.wantsRoot);
     wb.viewport.requestRender();
+  }
+
+  /** So far as a way in the world is in the unit of the character itself. */
+  inOwnUnit(from: Vec3, to: Vec3): number {
+    const { toOwn } = this;
+    return Math.hypot(...subtract(pointAt(toOwn, 0, to), pointAt(toOwn, 0, from)));
   }
 
   /** Once more to where the hand is, if the pose is still on its way there. Whether it was. */

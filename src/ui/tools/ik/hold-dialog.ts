@@ -34,7 +34,7 @@ export function holdDialog(wb: Workbench, close: () => void): DialogContent {
   const all = pins.length === 1 ? 'The pin' : `All ${pins.length} pins`;
   const selected = selectedPin(wb);
   const chosen = selected?.character.id === character.id ? String(selected.pin.id) : 'all';
-  return toolDialog<HoldPins>(wb, close, {
+  const dialog = toolDialog<HoldPins>(wb, close, {
     name: 'holdPins',
     title: TITLE,
     about:
@@ -76,6 +76,8 @@ export function holdDialog(wb: Workbench, close: () => void): DialogContent {
     },
     result: () => '',
   });
+  // What it comes to is seen in the viewport.
+  return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
 /** Short enough to be held while one looks: all that is played, or a step from now on. */

@@ -60,8 +60,7 @@ export function ikControls(wb: Workbench): HTMLElement {
 }
 
 /** What to do first, and what next. */
-function hintText(pins: number): string {
-  if (pins === 0) return 'Click a point of the character to pin it; drag any point, and the pins hold';
-  const held = pins === 1 ? 'the pin holds' : `the ${pins} pins hold`;
-  return `Drag any point, ${held}; click a pin to let it go`;
+export function hintText(pins: number): string {
+  if (pins === 0) return 'Click pins a point; drag moves it.';
+  return `Drag any point: the ${pins === 1 ? 'pin holds' : 'pins hold'}. Click lets ${pins === 1 ? 'it' : 'one'} go.`;
 }

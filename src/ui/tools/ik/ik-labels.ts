@@ -1,6 +1,7 @@
 /** A few lines of text that stand beside points of the picture: names of pins, and what is in the way of one. */
 import { element, setText } from '../../dom.ts';
 import type { Workbench } from '../../workbench.ts';
+import type { PlaceOnScreen } from './grip.ts';
 
 export type LabelKind = 'name' | 'gap';
 
@@ -21,22 +22,68 @@ const BESIDE = 14;
 const EDGE = 4;
 /** Above and below what floats over the top. */
 const HEAD_ROOM = 12;
-/** CSS pixels: of a label, as `ik.css` has it, and of a letter of the small font. */
+/** CSS pixels: of a label, as `ik.css` has it, of a letter of the small font and of its lines. */
 const WIDEST = 280;
 const LETTER = 7;
+const LINE = 16;
+/** CSS pixels about a pin that no label is to cover. */
+const CLEAR = 9;
+/** Up and down, in heights of the label, where both sides are taken. */
+const SHIFTS = [0, 1, -1, 2, -2];
 
 /** One for each thing: what is in the way of a pin says whose it is as well. */
 export function oneForEach(labels: readonly Label[]): Label[] {
   return [...new Map(labels.map((label) => [label.of, label])).values()];
 }
 
+/** Where a label stands beside its point. */
+export interface LabelSpot {
+  readonly side: Label['side'];
+  /** CSS pixels that its middle is below the point. */
+  readonly lower: number;
+}
+
 /**
- * Where a label stands, as CSS has it, with nothing measured: percentages are of its own size.
+ * Which side of its point a label stands on: its own, where there is room for it and no pin under it; else the other;
+ * else higher or lower. About: nothing is measured.
  * @param x of its point, from the picture's left
+ * @param width of the picture
+ * @param pins what it is not to cover, in the same coordinates
+ */
+export function labelSpot(
+  { side, text }: Pick<Label, 'side' | 'text'>,
+  x: number,
+  y: number,
+  width: number,
+  pins: readonly PlaceOnScreen[] = [],
+): LabelSpot {
+  const wide = Math.min(WIDEST, text.length * LETTER);
+  const high = LINE * Math.ceil((text.length * LETTER) / WIDEST) + 2;
+  const room = BESIDE + EDGE + wide;
+  const [hasLeft, hasRight] = [x >= room, x + room <= width];
+  // The point itself is not to be hidden: where there is no room on one side, it is the other.
+  const other: Label['side'] = side === 'right' ? 'left' : 'right';
+  const has = { left: hasLeft || !hasRight, right: hasRight || !hasLeft };
+  const sides = [side, other].filter((one) => has[one]);
+  const isFree = (on: Label['side'], lower: number) => {
+    const near = x + (on === 'right' ? BESIDE : -BESIDE);
+    const [left, right] = on === 'right' ? [near, near + wide] : [near - wide, near];
+    return !pins.some(
+      (pin) => pin.x > left - CLEAR && pin.x < right + CLEAR && Math.abs(pin.y - y - lower) < 0.5 * high + CLEAR,
+    );
+  };
+  for (const shift of SHIFTS) {
+    for (const on of sides) if (isFree(on, shift * (high + CLEAR))) return { side: on, lower: shift * (high + CLEAR) };
+  }
+  return { side: sides[0], lower: 0 };
+}
+
+/**
+ * Where that is, as CSS has it, with nothing measured: percentages are of the label's own size.
  * @param top how high what floats over the top of the picture is
  */
 export function labelPlace(
-  { side, text }: Pick<Label, 'side' | 'text'>,
+  { side, lower }: LabelSpot,
   x: number,
   y: number,
   width: number,
@@ -44,14 +91,10 @@ export function labelPlace(
   top = 0,
 ): string {
   const px = (value: number) => `${value.toFixed(1)}px`;
-  // The point itself is not to be hidden: where there is no room for the text, about, it goes to the other side.
-  const room = BESIDE + EDGE + Math.min(WIDEST, text.length * LETTER);
-  const [hasLeft, hasRight] = [x >= room, x + room <= width];
-  const isRight = side === 'right' ? hasRight || !hasLeft : hasRight && !hasLeft;
-  const start = isRight ? px(x + BESIDE) : `calc(${px(x - BESIDE)} - 100%)`;
+  const start = side === 'right' ? px(x + BESIDE) : `calc(${px(x - BESIDE)} - 100%)`;
   const within = (from: number, to: number, at: string) => `clamp(${px(from)}, ${at}, calc(${px(to - EDGE)} - 100%))`;
   const high = top > 0 ? top + HEAD_ROOM : EDGE;
-  return `translate(${within(EDGE, width, start)}, ${within(high, height, `calc(${px(y)} - 50%)`)})`;
+  return `translate(${within(EDGE, width, start)}, ${within(high, height, `calc(${px(y + lower)} - 50%)`)})`;
 }
 
 export class IkLabels {
@@ -82,11 +125,13 @@ export class IkLabels {
     this.element.remove();
   }
 
-  show(labels: readonly Label[]): void {
+  /** @param pins client coordinates of what no label is to cover */
+  show(labels: readonly Label[], pins: readonly PlaceOnScreen[]): void {
     const { left, top, width, height } = labels.length
       ? this.wb.viewport.canvas.getBoundingClientRect()
       : { left: 0, top: 0, width: 0, height: 0 };
     const shown = oneForEach(labels);
+    const taken = shown.length ? pins.map((pin) => ({ x: pin.x - left, y: pin.y - top })) : [];
     shown.forEach((label, i) => {
       const { text, kind, x, y } = label;
       const line = this.line(i);
@@ -97,7 +142,9 @@ export class IkLabels {
       line.hidden = isOut && kind === 'name';
       const inX = Math.min(Math.max(x - left, 0), width);
       const inY = Math.min(Math.max(y - top, 0), height);
-      line.style.transform = labelPlace(label, inX, inY, width, height, this.top);
+      const spot = labelSpot(label, inX, inY, width, taken);
+      line.dataset.side = spot.side;
+      line.style.transform = labelPlace(spot, inX, inY, width, height, this.top);
     });
     for (let i = shown.length; i < this.lines.length; i++) this.lines[i].hidden = true;
   }

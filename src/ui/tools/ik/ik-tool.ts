@@ -5,6 +5,7 @@
  *     Shift+click    selects the joint, and the pin
  *     drag           of a pin, or of any other point: it follows, and the pins hold
  *     Alt, right     in depth; the right button only from a pin, for elsewhere it pans
+ *     long press     of a finger: as Shift+click; a second finger takes a drag into depth
  */
 import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -13,6 +14,9 @@ import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
 import type { Workbench } from '../../workbench.ts';
 import type { CanvasPointer } from '../canvas-tools.ts';
 import type { ModeTool } from '../mode-tool.ts';
+import { Readout } from '../readout.ts';
+import { depthText } from './depth-text.ts';
+import type { Grip } from './hand-pull.ts';
 import { ikControls } from './ik-controls.ts';
 import { IkLabels } from './ik-labels.ts';
 import { ikInHand, keepInHand } from './in-hand.ts';
@@ -20,7 +24,7 @@ import { PinDrag } from './pin-drag.ts';
 import { letGo, pinAt, selectPin } from './pin-edits.ts';
 import { PinNudge } from './pin-nudge.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
-import { pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
+import { pinsInPicture, pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
 
 /** With more triangles than this the pointer's every move would be felt: points light up on a press only. */
 const HOVER_TRIANGLES = 300_000;
@@ -39,6 +43,7 @@ class IkTool implements ModeTool {
   private frame = 0;
   private readonly labels: IkLabels;
   private controls: HTMLElement | undefined;
+  private readout: Readout | undefined;
   private stops: (() => void)[] = [];
 
   constructor(private readonly wb: Workbench) {
@@ -48,9 +53,13 @@ class IkTool implements ModeTool {
 
   enter(): void {
     const { wb, labels } = this;
-    const overlay = new PinOverlay((painter) => labels.show(paintPins(wb, painter, this.now)));
+    const overlay = new PinOverlay((painter) => {
+      const shown = paintPins(wb, painter, this.now);
+      labels.show(shown, shown.length ? pinsInPicture(wb).places : []);
+    });
     const { selected, pointedAt, targets } = ikInHand(wb);
     labels.enter();
+    this.readout = new Readout(wb.viewportElement);
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
     // Another joint may have been selected in another mode.
@@ -82,6 +91,8 @@ class IkTool implements ModeTool {
     for (const stop of this.stops) stop();
     this.stops = [];
     labels.leave();
+    this.readout?.remove();
+    this.readout = undefined;
     wb.posing.controls.set(undefined);
   }
 
@@ -125,13 +136,19 @@ class IkTool implements ModeTool {
     return this.hoveredPoint ? 'pointer' : undefined;
   }
 
-  private begin(grip: ConstructorParameters<typeof PinDrag>[1], at: CanvasPointer, click: () => void): PinDrag {
+  private begin(grip: Grip, at: CanvasPointer, click: () => void): PinDrag {
     this.show(undefined, undefined);
     this.looking = undefined;
     const drag = new PinDrag(this.wb, grip, at, {
       click,
+      longPress: () => {
+        const { characterId, joint, pin } = grip;
+        if (pin === undefined) this.wb.store.select({ characterId, joint });
+        else selectPin(this.wb, { characterId, pin }, joint);
+      },
       over: () => {
         this.drag = undefined;
+        this.readout?.hide();
         this.labels.say(this.labelOfGap());
         this.wb.viewport.canvas.style.cursor = '';
         this.wb.viewport.requestRender();
@@ -139,9 +156,17 @@ class IkTool implements ModeTool {
       began: () => {
         this.wb.viewport.canvas.style.cursor = 'grabbing';
       },
+      moved: (depth, now) => this.showDepth(grip.characterId, depth, now),
     });
     this.drag = drag;
     return drag;
+  }
+
+  /** In the line of sight a way can't be seen: it is told. */
+  private showDepth(characterId: string, depth: number | undefined, { clientX, clientY }: CanvasPointer): void {
+    const character = findCharacter(this.wb.store.document, characterId);
+    if (depth === undefined || !character) this.readout?.hide();
+    else this.readout?.show(clientX, clientY, depthText(character, depth));
   }
 
   /** A natural point, the vertex that was picked, or where one would expect a pin of the joint. */

@@ -1,6 +1,7 @@
 /**
  * The mouse that drags a point: in the plane through it that faces the camera, or in depth (up is away) while Alt is held
- * or from the beginning by the right button. A press that goes nowhere is a click, and nothing has begun.
+ * or a second finger is down, or from the beginning by the right button. A press that goes nowhere is a click, and nothing
+ * has begun; one of a finger that stays is a long press.
  */
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Workbench } from '../../workbench.ts';
@@ -8,11 +9,26 @@ import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../canvas-too
 import { type Grip, HandPull, type PullState } from './hand-pull.ts';
 import { ikInHand } from './in-hand.ts';
 
+/** A finger that stays for so long presses long. */
+export const LONG_PRESS_MS = 500;
+
+/** Runs something later, unless what it gives is called first. */
+export type Later = (run: () => void, afterMs: number) => () => void;
+
+const byTimer: Later = (run, afterMs) => {
+  const timer = setTimeout(run, afterMs);
+  return () => clearTimeout(timer);
+};
+
 export interface PinDragEvents {
   /** The press went nowhere. */
   click(at: CanvasPointer): void;
+  /** It was long and went nowhere so far: it is no click any more. */
+  longPress(): void;
   /** It has moved: it is a drag. */
   began(): void;
+  /** After each step. @param depth how far it has gone away from the viewer, in the character's unit; undefined: not in depth */
+  moved(depth: number | undefined, at: CanvasPointer): void;
   /** The press is over, either way. */
   over(): void;
 }
@@ -29,6 +45,12 @@ export class PinDrag implements CanvasDrag {
   private besideX = 0;
   private besideY = 0;
   private inDepth: boolean;
+  /** How far it was away from the viewer, of the whole drag, when it changed its manner, and now: the character's unit. */
+  private depthBefore = 0;
+  private depth = 0;
+  private fingerCount = 1;
+  private wasLong = false;
+  private readonly stopWaiting: () => void;
   private latest: CanvasPointer | undefined;
   private frame = 0;
 
@@ -37,9 +59,11 @@ export class PinDrag implements CanvasDrag {
     private readonly grip: Grip,
     private readonly press: CanvasPointer,
     private readonly events: PinDragEvents,
+    later = byTimer,
   ) {
     this.fromY = press.clientY;
-    this.inDepth = isInDepth(press, press);
+    this.inDepth = this.isInDepth(press);
+    this.stopWaiting = press.pointerType === 'touch' ? later(this.onLongPress, LONG_PRESS_MS) : () => {};
   }
 
   /** What there is to be drawn of it, once it has begun. */
@@ -49,16 +73,25 @@ export class PinDrag implements CanvasDrag {
 
   /** At most one step a frame: what comes in between is the next one's. A pose that is on its way goes on by itself. */
   move(at: CanvasPointer): void {
+    if (this.hasMoved(at)) this.stopWaiting();
     this.latest = at;
     if (this.frame) return;
     this.step();
     this.frame = requestAnimationFrame(this.onFrame);
   }
 
+  /** A second one takes it into depth. */
+  fingers(count: number): void {
+    this.stopWaiting();
+    this.fingerCount = count;
+  }
+
   end(at: CanvasPointer): void {
+    this.stopWaiting();
     cancelAnimationFrame(this.frame);
-    if (!this.hand && !this.hasMoved(at)) this.events.click(at);
-    else {
+    if (!this.hand && !this.hasMoved(at)) {
+      if (!this.wasLong) this.events.click(at);
+    } else {
       this.latest = at;
       this.step();
       this.hand?.finish();
@@ -67,10 +100,16 @@ export class PinDrag implements CanvasDrag {
   }
 
   cancel(): void {
+    this.stopWaiting();
     cancelAnimationFrame(this.frame);
     this.hand?.cancel();
     this.events.over();
   }
+
+  private readonly onLongPress = () => {
+    this.wasLong = true;
+    this.events.longPress();
+  };
 
   private readonly onFrame = () => {
     this.frame = 0;
@@ -87,11 +126,14 @@ export class PinDrag implements CanvasDrag {
     const { hand } = this;
     if (!hand || !this.from) return;
     const { eye } = wb.viewport;
-    if (isInDepth(this.press, at) !== this.inDepth) this.change(at);
+    if (this.isInDepth(at) !== this.inDepth) this.change(at);
     if (this.inDepth) {
       const away = (this.fromY - at.clientY) * eye.unitsPerPixel(this.from);
-      hand.to(this.goal(eye.inDepth(this.from, away)));
+      const goal = eye.inDepth(this.from, away);
+      this.depth = this.depthBefore + Math.sign(away) * hand.inOwnUnit(this.from, goal);
+      hand.to(this.goal(goal));
     } else hand.to(this.goal(eye.inPlaneOf(this.from, at.clientX + this.besideX, at.clientY + this.besideY)));
+    this.events.moved(this.inDepth ? this.depth : undefined, at);
   }
 
   private begin(): boolean {
@@ -100,6 +142,9 @@ export class PinDrag implements CanvasDrag {
     this.refused = this.hand === undefined;
     if (!this.hand) return false;
     ikInHand(wb).hasDragged.set(true);
+    // What is keyed, and what the inspector tells of, is what the hand is at.
+    const { characterId, joint } = this.grip;
+    wb.store.select({ characterId, joint });
     this.from = this.hand.anchor;
     this.last = this.from;
     this.standBeside(press);
@@ -116,6 +161,7 @@ export class PinDrag implements CanvasDrag {
   private change(at: CanvasPointer): void {
     this.inDepth = !this.inDepth;
     this.from = this.last;
+    this.depthBefore = this.depth;
     this.fromY = at.clientY;
     this.standBeside(at);
   }
@@ -130,8 +176,8 @@ export class PinDrag implements CanvasDrag {
   private hasMoved({ clientX, clientY }: CanvasPointer): boolean {
     return Math.hypot(clientX - this.press.clientX, clientY - this.press.clientY) > CLICK_PIXELS;
   }
-}
 
-function isInDepth(press: CanvasPointer, now: CanvasPointer): boolean {
-  return press.button === 2 || now.altKey;
+  private isInDepth({ altKey }: CanvasPointer): boolean {
+    return this.press.button === 2 || altKey || this.fingerCount > 1;
+  }
 }

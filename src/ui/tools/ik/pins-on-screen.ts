@@ -71,8 +71,11 @@ export function inWorld({ world, toWorld }: SeenSkeleton, joint: number, point: 
 
 export const hasPins = (character: Character) => (character.ik?.pins.length ?? 0) > 0;
 
-/** The pin under the pointer; the nearest of several. */
-export function pinUnder(wb: Workbench, at: CanvasPointer): SeenPin | undefined {
+/** Every pin in the picture, and where it is: client coordinates, in the same order. */
+export function pinsInPicture(wb: Workbench): {
+  readonly pins: readonly SeenPin[];
+  readonly places: readonly PlaceOnScreen[];
+} {
   const pins: SeenPin[] = [];
   const places: PlaceOnScreen[] = [];
   for (const seen of seenSkeletons(wb, hasPins)) {
@@ -83,6 +86,12 @@ export function pinUnder(wb: Workbench, at: CanvasPointer): SeenPin | undefined 
       places.push(place);
     }
   }
+  return { pins, places };
+}
+
+/** The pin under the pointer; the nearest of several. */
+export function pinUnder(wb: Workbench, at: CanvasPointer): SeenPin | undefined {
+  const { pins, places } = pinsInPicture(wb);
   const reach = at.pointerType === 'touch' ? PIN_PIXELS_TOUCH : PIN_PIXELS;
   return pins[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, reach)];
 }

@@ -14,6 +14,7 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import { gapCause, type Hindrance } from './gap-text.ts';
 import { HandProblem, IS_THERE } from './hand-problem.ts';
 import { Homing } from './homing.ts';
+import { LockTrial } from './lock-trial.ts';
 import { Shaking } from './shaking.ts';
 
 /** Part of the reach. */
@@ -52,6 +53,7 @@ export class Pull {
   private readonly of: HandProblem;
   private readonly shaking: Shaking;
   private readonly homing: Homing;
+  private readonly locks: LockTrial;
   /** Where the hand is to go, and the pose at the beginning of a frame. */
   private readonly goal: Float64Array;
   private readonly before: Float64Array;
@@ -75,6 +77,7 @@ export class Pull {
     this.of = new HandProblem(character, skeleton, start, targets, dragged);
     this.shaking = new Shaking(this.of);
     this.homing = new Homing(this.of);
+    this.locks = new LockTrial(this.of, character, skeleton, targets, dragged);
     this.goal = this.of.hand.slice();
     this.before = this.of.dofs.slice();
   }
@@ -93,7 +96,7 @@ export class Pull {
     const { of, rootStays } = this;
     const { slots, pins } = of.problem;
     const holders = of.holders().map((p) => slots.joint[pins.slot[p]]);
-    return { binding: this.binding(), holders, canMove: of.canMove, rootStays };
+    return { binding: this.binding(), holders, locks: this.locks.inTheWay, canMove: of.canMove, rootStays };
   }
 
   /** The hand has gone there; `dofs` follow. What is not finite is nowhere. */

@@ -35,7 +35,7 @@ export function solvePins(wb: Workbench, character: Character): void {
     if (dofs[index] !== facts.dofs[index] && !coupleOf(skeleton, index)) changed.push({ index, value: dofs[index] });
   }
   const bound = Array.from(binding.subarray(0, bindingCount));
-  const hindrance = { binding: bound, holders: [], canMove: true, rootStays: !setup.rootIsFree };
+  const hindrance = { binding: bound, holders: [], locks: [], canMove: true, rootStays: !setup.rootIsFree };
   const { timeSeconds } = wb.transport.get();
   if (changed.length) {
     const command = { ...setDofs, label: () => `Solve the pins of ${character.name}` };

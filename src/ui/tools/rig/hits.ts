@@ -10,7 +10,7 @@ import { AXES, type RigPart, type RigScreen } from '../../../view/rig/rig-screen
 const ON_JOINT = 5;
 /** With its edge: all that there is of a joint while the place around it is wanted for the next one. */
 const ON_DOT = 7;
-const NEAR_JOINT = 11;
+export const NEAR_JOINT = 11;
 const NEAR_FACE = 8;
 const NEAR_ARROW = 6;
 const NEAR_BONE = 5;

@@ -24,6 +24,7 @@ import type { ModeTool } from '../mode-tool.ts';
 import { dragFace } from './box-drag.ts';
 import { partAt } from './hits.ts';
 import { dragAlong, dragFreely, placeForChild } from './joint-drags.ts';
+import { jointOfOtherCopy } from './other-copies.ts';
 import { type Rigged, riggedNow } from './rigged.ts';
 
 export function rigTool(wb: Workbench): ModeTool {
@@ -43,7 +44,7 @@ export function rigTool(wb: Workbench): ModeTool {
         character && {
           skeleton,
           world: () => viewport.character(character.id)?.worlds,
-          placement: () => viewport.placementOf(character.id, 0),
+          placement: () => viewport.placementOf(character.id, viewport.pickedCopy(character)),
           selected: selectedJoint(wb)?.joint,
           axes: state.axes.get(),
           withArrows: !state.adding.get(),
@@ -73,9 +74,14 @@ export function rigTool(wb: Workbench): ModeTool {
   };
   const wantsJoint = (at: CanvasPointer) => state.adding.get() || at.ctrlKey || at.metaKey;
 
-  const select = (joint: number) => {
+  /** @param copy the one that the handles are on where absent */
+  const select = (joint: number, copy?: number) => {
     const character = currentCharacter(wb);
-    if (character && selectedJoint(wb)?.joint !== joint) store.select({ characterId: character.id, joint });
+    if (!character) return;
+    const picked = viewport.pickedCopy(character);
+    const placement = copy ?? picked;
+    if (selectedJoint(wb)?.joint === joint && placement === picked) return;
+    store.select({ characterId: character.id, placement, joint });
   };
 
   const addAt = (at: CanvasPointer): void => {
@@ -99,7 +105,7 @@ export function rigTool(wb: Workbench): ModeTool {
   /** Nothing has happened until the pointer goes somewhere; until then it is a click. */
   const onceMoved = (
     at: CanvasPointer,
-    joint: number,
+    take: () => void,
     start: () => CanvasDrag | undefined,
     clicked: (at: CanvasPointer) => void,
   ): CanvasDrag => {
@@ -112,7 +118,7 @@ export function rigTool(wb: Workbench): ModeTool {
         if (!given) {
           given = true;
           standStill(wb);
-          select(joint);
+          take();
           drag = start();
         }
         drag?.move(now);
@@ -154,15 +160,22 @@ export function rigTool(wb: Workbench): ModeTool {
       const part = partUnder(at);
       const byRight = at.button === 2;
       const selected = selectedJoint(wb)?.joint;
+      const character = currentCharacter(wb);
+      const other = part || !character ? undefined : jointOfOtherCopy(wb, character, at);
+      const dragNow = (start: (rigged: Rigged) => CanvasDrag) => {
+        const rigged = riggedNow(wb);
+        return rigged && start(rigged);
+      };
+      if (other) {
+        const take = () => select(other.joint, other.placement);
+        return onceMoved(at, take, () => dragNow((rigged) => dragFreely(wb, rigged, other.joint, at)), take);
+      }
       if (!part || (byRight && part.kind !== 'joint')) return undefined;
       const drag = (joint: number, start: (rigged: Rigged) => CanvasDrag) =>
         onceMoved(
           at,
-          joint,
-          () => {
-            const rigged = riggedNow(wb);
-            return rigged && start(rigged);
-          },
+          () => select(joint),
+          () => dragNow(start),
           // Arrows and faces are there to be dragged: a click goes through them.
           (now) => (part.kind !== 'joint' && wantsJoint(now) ? addAt(now) : select(joint)),
         );
@@ -193,7 +206,10 @@ export function rigTool(wb: Workbench): ModeTool {
       }
       const hit = viewport.pick(at.clientX, at.clientY);
       const current = currentCharacter(wb);
-      if (hit?.joint !== undefined) store.select({ characterId: withoutTwin(hit.characterId), joint: hit.joint });
+      if (hit?.joint !== undefined) {
+        const { characterId, placement, joint } = hit;
+        store.select({ characterId: withoutTwin(characterId), placement, joint });
+      }
       // The character stays the one that is worked on.
       else if (current) store.select({ characterId: current.id });
       return true;
@@ -206,7 +222,11 @@ export function rigTool(wb: Workbench): ModeTool {
       const adds = at !== undefined && wantsJoint(at);
       if (isLit && character) {
         const joint = part?.kind === 'joint' || part?.kind === 'bone' ? part.joint : undefined;
-        viewport.hover(joint === undefined ? undefined : { characterId: character.id, placement: 0, joint });
+        viewport.hover(
+          joint === undefined
+            ? undefined
+            : { characterId: character.id, placement: viewport.pickedCopy(character), joint },
+        );
       }
       showGhost();
       if (isLit || state.adding.get() || adds) viewport.requestRender();

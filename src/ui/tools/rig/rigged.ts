@@ -1,4 +1,4 @@
-/** The character that rig mode is about, with what it takes to turn places in the scene into its numbers. */
+/** The character that rig mode is about, in the copy that was picked, with what it takes to turn places in the scene into its numbers. */
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -20,7 +20,7 @@ export function riggedNow(wb: Workbench): Rigged | undefined {
   const character = currentCharacter(wb);
   if (!character?.skeleton || character.isHidden) return undefined;
   const world = wb.viewport.character(character.id)?.worldMatrices();
-  const placement = wb.viewport.placementOf(character.id, 0)?.slice();
+  const placement = wb.viewport.placementOf(character.id, wb.viewport.pickedCopy(character))?.slice();
   if (!placement || !world || world.length < 16 * character.skeleton.joints.length) return undefined;
   return { character, skeleton: character.skeleton, world, placement };
 }

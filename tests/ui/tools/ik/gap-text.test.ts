@@ -7,7 +7,7 @@ const ch = character({
 });
 /** Of the joints, x. */
 const [ROOT, HIP_L, KNEE_L, HIP_R] = [3, 6, 9, 12];
-const NOTHING: Hindrance = { binding: [], holders: [], canMove: true, rootStays: false };
+const NOTHING: Hindrance = { binding: [], holders: [], locks: [], canMove: true, rootStays: false };
 const text = (change: Partial<Hindrance>) => gapText(ch, 2, { ...NOTHING, ...change });
 
 describe('what is in the way of a pin', () => {
@@ -30,6 +30,12 @@ describe('what is in the way of a pin', () => {
     expect(text({ holders: [4, 5, 4, 2] })).toBe('out of reach while knee_r and joint 5 hold');
     expect(text({ holders: [4, 5, 1, 3] })).toBe('out of reach while knee_r, joint 5 and 2 more hold');
   });
+  it('is the lock, beside a limit, before pins that hold, and where nothing can move for it', () => {
+    expect(text({ locks: [4], holders: [2, 4] })).toBe('knee_r is locked');
+    expect(text({ locks: [4, 1], binding: [KNEE_L] })).toBe('knee_l rx at its limit, knee_r and hip_l are locked');
+    expect(text({ locks: [1, 2, 3, 4] })).toBe('hip_l, knee_l and 2 more are locked');
+    expect(text({ locks: [1], canMove: false })).toBe('hip_l is locked');
+  });
   it('is the root where that could travel and does not', () => {
     expect(text({ canMove: false, rootStays: true })).toBe('the root stays: let it travel');
     expect(text({ rootStays: true })).toBe('out of reach while the root stays');
@@ -40,6 +46,7 @@ describe('what is in the way of a pin', () => {
     expect(cause({ canMove: false, rootStays: true, binding: [1], holders: [2] })).toBe('root');
     expect(cause({ canMove: false })).toBe('locks');
     expect(cause({ rootStays: true, binding: [1], holders: [2] })).toBe('limits');
+    expect(cause({ rootStays: true, locks: [1], holders: [2] })).toBe('locks');
     expect(cause({ rootStays: true, holders: [2] })).toBe('pins');
     expect(cause({ rootStays: true })).toBe('root');
     expect(cause({})).toBe('reach');

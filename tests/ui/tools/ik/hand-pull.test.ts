@@ -7,7 +7,7 @@ import { shownClip } from '../../../../src/model/document.ts';
 import { HandPull } from '../../../../src/ui/tools/ik/hand-pull.ts';
 import { ikInHand } from '../../../../src/ui/tools/ik/in-hand.ts';
 import { clip, documentOf } from '../../builders.ts';
-import { apart, BODY_JOINT, body, HAND_L, HAND_R, ikPage } from './ik-page.ts';
+import { apart, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
 
 /** Of a body that is 6 wide. */
 const THERE = 2e-3;
@@ -139,6 +139,23 @@ describe('a hand that drags a point', () => {
     go(hand, [3, 0, 0]);
     expect(hand.state.hindrance).toMatchObject({ holders: [HAND_R], canMove: true, rootStays: false });
     hand.finish();
+  });
+
+  it('names the lock that is in the way, and none that is not', () => {
+    page.stop();
+    const kept = body();
+    const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }, { joint: FORE_R }], rootIsFree: true };
+    page = ikPage(documentOf({ ...kept, ik }));
+    const hand = begin();
+    go(hand, [-1, 0, 0]);
+    expect(hand.state.hindrance.locks).toEqual([FORE_L]);
+    hand.cancel();
+    page.stop();
+    page = ikPage(documentOf({ ...kept, ik: { ...ik, stiff: [{ joint: FORE_R }] } }));
+    const free = begin();
+    go(free, [-1, 0, 0]);
+    expect(free.state.hindrance.locks).toEqual([]);
+    free.cancel();
   });
 
   it('asks for the root where that stays and nothing else moves the point, and says so', () => {

@@ -6,7 +6,7 @@ import { HeldTargets } from '../../../../src/ui/tools/ik/held-targets.ts';
 const worldAt = (x: number) => Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, 0, 0, 1);
 const pin: Pin = { id: 4, joint: 0, point: [0, 1, 0], weight: 1, holdsOrientation: false };
 const dofs = Float64Array.of(1, 2, 3);
-const HINDRANCE = { binding: [7], holders: [], canMove: true, rootStays: false };
+const HINDRANCE = { binding: [7], holders: [], locks: [], canMove: true, rootStays: false };
 
 function left() {
   const targets = new HeldTargets();

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type Label, labelPlace, oneForEach } from '../../../../src/ui/tools/ik/ik-labels.ts';
+import { type Label, labelPlace, labelSpot, oneForEach } from '../../../../src/ui/tools/ik/ik-labels.ts';
 
 const label = (change: Partial<Label>): Label => ({
   text: 'foot',
@@ -20,18 +20,36 @@ describe('labels beside points', () => {
   });
 
   it('stand on their side of the point, and never leave the picture', () => {
-    expect(labelPlace(label({}), 100, 50, 800, 600)).toBe(
+    expect(labelPlace({ side: 'right', lower: 0 }, 100, 50, 800, 600)).toBe(
       'translate(clamp(4.0px, 114.0px, calc(796.0px - 100%)), clamp(4.0px, calc(50.0px - 50%), calc(596.0px - 100%)))',
     );
-    expect(labelPlace(label({ side: 'left' }), 100, 50, 800, 600)).toContain(
-      'clamp(4.0px, calc(86.0px - 100%), calc(796.0px',
+    expect(labelPlace({ side: 'left', lower: 20 }, 100, 50, 800, 600)).toContain(
+      'clamp(4.0px, calc(86.0px - 100%), calc(796.0px - 100%)), clamp(4.0px, calc(70.0px - 50%)',
     );
   });
 
   it('go to the other side of the point where there is no room on theirs', () => {
-    const right = /clamp\(4\.0px, \d/;
-    expect(labelPlace(label({}), 790, 50, 800, 600)).not.toMatch(right);
-    expect(labelPlace(label({ side: 'left' }), 10, 50, 800, 600)).toMatch(right);
-    expect(labelPlace(label({}), 10, 50, 20, 600)).toMatch(right);
+    expect(labelSpot(label({}), 400, 50, 800).side).toBe('right');
+    expect(labelSpot(label({}), 790, 50, 800).side).toBe('left');
+    expect(labelSpot(label({ side: 'left' }), 10, 50, 800).side).toBe('right');
+    expect(labelSpot(label({}), 10, 50, 20).side).toBe('right');
+  });
+
+  it('cover no pin: they go to the other side, else up or down, and stay where nothing is free', () => {
+    const at = (...pins: (readonly [number, number])[]) =>
+      labelSpot(
+        label({}),
+        400,
+        300,
+        800,
+        pins.map(([x, y]) => ({ x, y })),
+      );
+    expect(at([400, 300], [500, 300])).toEqual({ side: 'right', lower: 0 });
+    expect(at([425, 302])).toEqual({ side: 'left', lower: 0 });
+    const below = at([425, 302], [375, 300]);
+    expect(below.side).toBe('right');
+    expect(below.lower).toBeGreaterThan(18);
+    const everywhere = [375, 425].flatMap((x) => Array.from({ length: 40 }, (_, i) => [x, 100 + 10 * i] as const));
+    expect(at(...everywhere)).toEqual({ side: 'right', lower: 0 });
   });
 });

@@ -29,7 +29,7 @@ export const BODY: Skeleton = {
     bone('hand_r', 5, [-1, -0.5, 0]),
   ],
 };
-export const [BODY_JOINT, , FORE_L, HAND_L, , , HAND_R] = BODY.joints.keys();
+export const [BODY_JOINT, , FORE_L, HAND_L, , FORE_R, HAND_R] = BODY.joints.keys();
 
 export const pin = (id: number, on: number, more: Partial<Pin> = {}): Pin => ({
   id,

@@ -22,6 +22,7 @@ function wantLeftHandAt(position: Vec3): void {
   ikInHand(wb).targets.leave('c1', { pins: ik?.pins ?? [] }, Float64Array.from(page.pose()), targets, {
     binding: [],
     holders: [],
+    locks: [],
     canMove: true,
     rootStays: false,
   });

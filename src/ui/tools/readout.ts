@@ -1,5 +1,5 @@
-/** A small line beside the pointer. What it says the inspector's sliders say too, so it is for the eye alone. */
-import { element, setText } from '../../dom.ts';
+/** A small line beside the pointer while something is dragged: for the eye alone, and gone with the drag. */
+import { element, setText } from '../dom.ts';
 
 /** CSS pixels. */
 const BESIDE = 16;

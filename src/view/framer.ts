@@ -1,0 +1,111 @@
+/**
+ * What is to be framed. Everything, and what is only to be revealed, waits for the next picture: poses and sizes are
+ * known by then, and however often it was asked for, the camera goes once. What is selected is gone to at once.
+ */
+import { Box3, Vector3 } from 'three';
+import { hasBox } from '../model/boxes.ts';
+import type { Selection } from '../model/session.ts';
+import type { CameraRig } from './camera.ts';
+import { sizesFor } from './drawn-skeletons.ts';
+import type { PickedCopy } from './picked-copy.ts';
+import { type Shown, type ShownCharacters, vertexPosition } from './shown-characters.ts';
+import type { SkeletonDrawing } from './skeleton-drawing.ts';
+import { isWellSeen } from './well-seen.ts';
+
+/** Of a vertex, what is shown around it, as a part of the character's size. */
+const AROUND_VERTEX = 0.06;
+
+export class Framer {
+  /** CSS pixels at the top of the picture that lie under something else. */
+  coveredTop = (): number => 0;
+  private everything: 'no' | 'smoothly' | 'first look' = 'no';
+  /** Ids of what is to be framed where it is not seen well. */
+  private revealing: readonly string[] = [];
+  private readonly box = new Box3();
+  private readonly ownBox = new Box3();
+  private readonly point = new Vector3();
+
+  constructor(
+    private readonly rig: Pick<CameraRig, 'frame' | 'frameSphere' | 'lookFirst' | 'camera'>,
+    private readonly characters: Pick<ShownCharacters, 'seen' | 'visible' | 'content' | 'roomOfMotion'>,
+    private readonly skeletons: Pick<SkeletonDrawing, 'positionOf'>,
+    private readonly picked: PickedCopy,
+  ) {}
+
+  /** Everything, from where one looks first. */
+  lookFirst(): void {
+    this.everything = 'first look';
+  }
+
+  frameAll(): void {
+    if (this.everything === 'no') this.everything = 'smoothly';
+  }
+
+  /** These, unless they are well seen anyway. */
+  reveal(characterIds: readonly string[]): void {
+    this.revealing = characterIds;
+  }
+
+  /** The camera stays where it is put, whatever was about to be framed as a whole. */
+  leave(): void {
+    this.everything = 'no';
+  }
+
+  /** The vertex or joint, of the copy that was picked, or the character; everything where that is not seen. */
+  frameSelection({ characterId, joint, vertex }: Selection): void {
+    const { rig, box, point } = this;
+    const entry = this.characters.seen(characterId);
+    if (!entry) {
+      this.frameAll();
+      return;
+    }
+    const { id, skeleton } = entry.character;
+    const copy = this.picked.of(entry.character);
+    entry.view.bounds(box);
+    const size = box.isEmpty() ? 1 : box.getSize(point).length();
+    if (vertex !== undefined && vertexPosition(entry, vertex, copy, point)) {
+      rig.frameSphere(point, AROUND_VERTEX * size, true);
+    } else if (joint !== undefined && skeleton && this.skeletons.positionOf(id, copy, joint, point)) {
+      rig.frameSphere(point, jointRadius(entry, copy, joint), true);
+    } else rig.frame(box, this.coveredTop(), true);
+  }
+
+  /** With each picture, before the camera moves on: starts the move that was asked for. */
+  settle(playedRange: readonly [number, number], timeSeconds: number): void {
+    const { rig, characters } = this;
+    if (this.everything !== 'no' && !characters.content.isEmpty()) {
+      const room = characters.roomOfMotion(playedRange, timeSeconds);
+      if (this.everything === 'first look') rig.lookFirst(room, this.coveredTop());
+      else rig.frame(room, this.coveredTop(), true);
+      this.everything = 'no';
+    }
+    if (this.revealing.length > 0) this.bringIntoView(playedRange, timeSeconds);
+  }
+
+  private bringIntoView(playedRange: readonly [number, number], timeSeconds: number): void {
+    const { revealing, rig, characters, box } = this;
+    this.revealing = [];
+    const entries = characters.visible.filter(({ character }) => revealing.includes(character.id));
+    box.makeEmpty();
+    for (const { view } of entries) box.union(view.bounds(this.ownBox));
+    if (box.isEmpty()) return;
+    const room = characters.roomOfMotion(playedRange, timeSeconds, entries);
+    if (!isWellSeen(box, room, rig.camera)) rig.frame(room, this.coveredTop(), true);
+  }
+}
+
+/** Of a sphere around a joint that shows it with its neighbours, in the world. */
+function jointRadius({ character, placements }: Shown, copy: number, joint: number): number {
+  const { skeleton } = character;
+  if (!skeleton) return 1;
+  let reach = 0.06 * sizesFor(skeleton).extent;
+  const own = skeleton.joints[joint];
+  const { min, max } = own.box;
+  if (hasBox(own)) reach = Math.max(reach, 0.6 * Math.hypot(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
+  for (const end of own.endSites ?? []) reach = Math.max(reach, Math.hypot(...end));
+  reach = Math.max(reach, own.length ?? 0);
+  for (const { parent, offset } of skeleton.joints)
+    if (parent === joint) reach = Math.max(reach, Math.hypot(...offset));
+  const o = 16 * copy;
+  return 1.8 * reach * Math.hypot(placements[o], placements[o + 1], placements[o + 2]);
+}

@@ -1,0 +1,59 @@
+import { Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { CameraTravel, CLICK_PIXELS, PressWatch, type View } from '../../src/view/camera-travel.ts';
+
+const view = (x: number, azimuth: number, distance: number): View => ({
+  target: new Vector3(x, 0, 0),
+  azimuth,
+  polar: 1,
+  distance,
+});
+
+describe('a move of the camera', () => {
+  it('starts with the first picture, and stands still at its end', () => {
+    const travel = new CameraTravel();
+    travel.begin(view(0, 0, 1), view(10, 1, 4));
+    expect(travel.goal).toEqual(view(10, 1, 4));
+    expect(travel.at(5000)).toEqual(view(0, 0, 1));
+    expect(travel.at(10_000)).toEqual(view(10, 1, 4));
+    expect(travel.goal).toBeUndefined();
+    expect(travel.at(10_001)).toBeUndefined();
+  });
+
+  it('turns the short way, and nears in factors', () => {
+    const travel = new CameraTravel();
+    travel.begin(view(0, 3, 1), view(10, -3, 16));
+    travel.at(1);
+    const half = travel.at(60);
+    const done = (half?.target.x ?? 0) / 10;
+    expect(done).toBeGreaterThan(0.1);
+    expect(half?.azimuth).toBeCloseTo(3 + done * (2 * Math.PI - 6), 9);
+    expect(half?.distance).toBeCloseTo(16 ** done, 9);
+  });
+
+  it('goes along with what it follows', () => {
+    const travel = new CameraTravel();
+    travel.begin(view(0, 0, 1), view(10, 0, 1));
+    travel.shift(new Vector3(2, 0, 0));
+    expect(travel.at(1)?.target.x).toBe(2);
+    expect(travel.goal?.target.x).toBe(12);
+  });
+});
+
+describe('a press', () => {
+  const at = (clientX: number, buttons = 1) => ({ clientX, clientY: 50, buttons });
+
+  it('is a click as far as a hand trembles, and a drag from there on', () => {
+    const press = new PressWatch();
+    press.press(at(100));
+    expect(press.isDrag(at(100 + CLICK_PIXELS))).toBe(false);
+    expect(press.isDrag(at(101 + CLICK_PIXELS))).toBe(true);
+  });
+
+  it('is none while no button is down', () => {
+    const press = new PressWatch();
+    expect(press.isDrag(at(200))).toBe(false);
+    press.press(at(100));
+    expect(press.isDrag(at(200, 0))).toBe(false);
+  });
+});

@@ -1,0 +1,105 @@
+import { type Box3, Group, PerspectiveCamera, type Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { DEFAULT_PLACEMENT } from '../../src/model/document.ts';
+import { DEFAULT_DISPLAY, type Selection } from '../../src/model/session.ts';
+import { CharacterView } from '../../src/view/character-view.ts';
+import { Framer } from '../../src/view/framer.ts';
+import { PickedCopy } from '../../src/view/picked-copy.ts';
+import { ShownCharacters } from '../../src/view/shown-characters.ts';
+import { character, documentOf, skeleton } from '../helpers/builders.ts';
+
+const STILL = [0, 0] as const;
+const COVERED = 90;
+
+/** Two copies, the second ten to the right and twice as large; what the camera was told, in words. */
+function framing() {
+  const second = { ...DEFAULT_PLACEMENT, position: [10, 0, 0] as const, scale: 2 };
+  const shown = character({ skeleton: skeleton(3), placements: [DEFAULT_PLACEMENT, second] });
+  const characters = new ShownCharacters(
+    new Group(),
+    () => new CharacterView(),
+    () => {},
+  );
+  characters.show(documentOf(shown), DEFAULT_DISPLAY, {}, 0, true);
+  characters.place(false);
+  const told: string[] = [];
+  const spheres: { x: number; radius: number }[] = [];
+  const camera = new PerspectiveCamera(30, 1, 0.1, 1000);
+  camera.position.set(0, 0, -500);
+  const rig = {
+    camera,
+    frame: (box: Box3, covered: number, smoothly: boolean) =>
+      void told.push(`${box.max.x > 5 ? 'both' : 'one'}, ${covered} px covered, ${smoothly ? 'smoothly' : 'at once'}`),
+    lookFirst: (_box: Box3, covered: number) => void told.push(`first look, ${covered} px covered`),
+    frameSphere: ({ x }: Vector3, radius: number) => void spheres.push({ x, radius }),
+  };
+  const positionOf = (_id: string, placement: number, joint: number, out: Vector3) => {
+    out.set(10 * placement, joint, 0);
+    return true;
+  };
+  const picked = new PickedCopy();
+  const framer = new Framer(rig, characters, { positionOf }, picked);
+  framer.coveredTop = () => COVERED;
+  const select = (selection: Selection) => {
+    picked.follow(selection);
+    framer.frameSelection(selection);
+  };
+  return { framer, told, spheres, select, id: shown.id };
+}
+
+describe('what is framed', () => {
+  it('is everything, once, with the next picture', () => {
+    const { framer, told } = framing();
+    framer.frameAll();
+    framer.frameAll();
+    expect(told).toEqual([]);
+    framer.settle(STILL, 0);
+    framer.settle(STILL, 0);
+    expect(told).toEqual(['both, 90 px covered, smoothly']);
+  });
+
+  it('is looked at from where one looks first, whatever is asked for beside that', () => {
+    const { framer, told } = framing();
+    framer.lookFirst();
+    framer.frameAll();
+    framer.settle(STILL, 0);
+    expect(told).toEqual(['first look, 90 px covered']);
+  });
+
+  it('is nothing where the camera was put somewhere meanwhile', () => {
+    const { framer, told } = framing();
+    framer.frameAll();
+    framer.leave();
+    framer.settle(STILL, 0);
+    expect(told).toEqual([]);
+  });
+
+  it('is a character that is not seen well, and none that is not there', () => {
+    const { framer, told, id } = framing();
+    framer.reveal(['nobody']);
+    framer.settle(STILL, 0);
+    expect(told).toEqual([]);
+    framer.reveal([id]);
+    framer.settle(STILL, 0);
+    framer.settle(STILL, 0);
+    expect(told).toEqual(['both, 90 px covered, smoothly']);
+  });
+
+  it('is the joint of the copy that was picked, as large as that is', () => {
+    const { select, spheres, id } = framing();
+    select({ characterId: id, joint: 1 });
+    select({ characterId: id, placement: 1, joint: 1 });
+    select({ characterId: id, joint: 1 });
+    expect(spheres.map(({ x }) => x)).toEqual([0, 10, 10]);
+    expect(spheres[1].radius).toBeCloseTo(2 * spheres[0].radius, 9);
+  });
+
+  it('is a whole character where no joint of it is meant, and everything where none is', () => {
+    const { select, told, framer, id } = framing();
+    select({ characterId: id });
+    expect(told).toEqual(['both, 90 px covered, smoothly']);
+    select({});
+    framer.settle(STILL, 0);
+    expect(told).toHaveLength(2);
+  });
+});

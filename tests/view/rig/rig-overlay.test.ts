@@ -1,0 +1,53 @@
+import { PerspectiveCamera } from 'three';
+import { describe, expect, it } from 'vitest';
+import type { Skeleton } from '../../../src/model/skeleton.ts';
+import { RigOverlay, type RigPicture } from '../../../src/view/rig/rig-overlay.ts';
+import { skeleton } from '../../ui/builders.ts';
+
+const IDENTITY = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+
+/** Joints stand a unit apart along x; the second copy stands a unit higher. */
+function picture(of: Skeleton, copy = 0): RigPicture {
+  const world = new Float64Array(16 * of.joints.length);
+  for (const j of of.joints.keys()) {
+    world.set(IDENTITY, 16 * j);
+    world[16 * j + 12] = j;
+  }
+  const placement = IDENTITY.slice();
+  placement[13] = copy;
+  const look = { selected: undefined, axes: 'parent', withArrows: false } as const;
+  return { skeleton: of, world: () => world, placement: () => placement, ...look };
+}
+
+function camera(): PerspectiveCamera {
+  const made = new PerspectiveCamera(90, 1, 0.1, 100);
+  made.position.z = 2;
+  made.updateMatrixWorld();
+  return made;
+}
+
+/** Of the first nodes, in whole pixels. */
+const places = ({ screen }: RigOverlay, count: number) =>
+  screen && Array.from(screen.nodes.subarray(0, 2 * count), Math.round);
+
+describe('handles of a rig', () => {
+  it('are where the next picture has them as soon as another is shown', () => {
+    const overlay = new RigOverlay();
+    const two = skeleton(['root', -1], ['joint1', 0]);
+    overlay.show(picture(two));
+    expect(overlay.screen).toBeUndefined();
+    const seenBy = camera();
+    overlay.update(seenBy, 400);
+    expect(places(overlay, 2)).toEqual([200, 200, 300, 200]);
+
+    overlay.show(picture(skeleton(['root', -1], ['joint1', 0], ['joint2', 1])));
+    expect(places(overlay, 3)).toEqual([200, 200, 300, 200, 400, 200]);
+    overlay.show(picture(two, 1));
+    expect(places(overlay, 2)).toEqual([200, 100, 300, 100]);
+    seenBy.position.y = 1;
+    expect(places(overlay, 2)).toEqual([200, 200, 300, 200]);
+    overlay.show(undefined);
+    expect(overlay.screen).toBeUndefined();
+    overlay.dispose();
+  });
+});
