@@ -41,8 +41,6 @@ class FkTool implements ModeTool {
   private listening: AbortController | undefined;
   private hovered: HandleId | undefined;
   private dragged: DraggedHandle | undefined;
-  /** Which of a character's copies was picked. */
-  private place: { readonly characterId: string; readonly placement: number } | undefined;
 
   constructor(private readonly wb: Workbench) {}
 
@@ -102,12 +100,6 @@ class FkTool implements ModeTool {
     return id && this.dragBall(hit, selected, at);
   }
 
-  click(at: CanvasPointer): boolean {
-    const hit = this.hasCopies() ? this.wb.viewport.pick(at.clientX, at.clientY) : undefined;
-    if (hit) this.place = { characterId: withoutTwin(hit.characterId), placement: hit.placement };
-    return false;
-  }
-
   hover(at: CanvasPointer | undefined): string | undefined {
     const id = at && this.handleAt(at);
     this.light(id);
@@ -122,7 +114,9 @@ class FkTool implements ModeTool {
   }
 
   private dragBone(hit: Hit, selected: SelectedJoint, at: CanvasPointer): CanvasDrag {
-    this.place = { characterId: selected.character.id, placement: hit.placement };
+    const { store, viewport } = this.wb;
+    const { placement } = hit;
+    if (placement !== viewport.pickedCopy(selected.character)) store.select({ ...store.selection, placement });
     const dof = activeDof(this.wb);
     return this.drag(selected, at, CLICK_PIXELS, (grip) => boneMover(dof, grip), hit);
   }
@@ -242,13 +236,8 @@ class FkTool implements ModeTool {
 
   /** Filled anew by each picture. */
   private placementOf({ character }: SelectedJoint): Float64Array | undefined {
-    const { place } = this;
-    const isKnown = place?.characterId === character.id && place.placement < character.placements.length;
-    const found = this.wb.viewport.placementOf(character.id, isKnown && place ? place.placement : 0);
+    const { viewport } = this.wb;
+    const found = viewport.placementOf(character.id, viewport.pickedCopy(character));
     return found?.length === 16 ? found : undefined;
-  }
-
-  private hasCopies(): boolean {
-    return this.wb.store.document.characters.some(({ placements }) => placements.length > 1);
   }
 }

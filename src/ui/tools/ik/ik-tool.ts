@@ -142,8 +142,8 @@ class IkTool implements ModeTool {
     const drag = new PinDrag(this.wb, grip, at, {
       click,
       longPress: () => {
-        const { characterId, joint, pin } = grip;
-        if (pin === undefined) this.wb.store.select({ characterId, joint });
+        const { characterId, placement, joint, pin } = grip;
+        if (pin === undefined) this.wb.store.select({ characterId, placement, joint });
         else selectPin(this.wb, { characterId, pin }, joint);
       },
       over: () => {

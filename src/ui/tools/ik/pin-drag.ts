@@ -143,8 +143,8 @@ export class PinDrag implements CanvasDrag {
     if (!this.hand) return false;
     ikInHand(wb).hasDragged.set(true);
     // What is keyed, and what the inspector tells of, is what the hand is at.
-    const { characterId, joint } = this.grip;
-    wb.store.select({ characterId, joint });
+    const { characterId, placement, joint } = this.grip;
+    wb.store.select({ characterId, placement, joint });
     this.from = this.hand.anchor;
     this.last = this.from;
     this.standBeside(press);

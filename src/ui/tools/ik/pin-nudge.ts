@@ -51,7 +51,8 @@ export class PinNudge {
     if (this.hand && (this.hand.isOver || this.pin !== pin.id)) this.finish();
     if (!this.hand) {
       const { joint, point } = pin;
-      this.hand = HandPull.begin(wb, { characterId: character.id, placement: 0, joint, point, pin: pin.id });
+      const placement = wb.viewport.pickedCopy(character);
+      this.hand = HandPull.begin(wb, { characterId: character.id, placement, joint, point, pin: pin.id });
       this.goal = this.hand?.anchor;
       this.pin = pin.id;
       ikInHand(wb).hasDragged.set(true);

@@ -65,6 +65,7 @@ export function ikPage(document: Document = documentOf(body())) {
       const isSeen = findCharacter(wb.store.document, id)?.isHidden !== true;
       return isSeen ? Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1) : undefined;
     },
+    pickedCopy: () => 0,
     requestRender: () => {},
     holdTravel: () => () => {},
     eye: {

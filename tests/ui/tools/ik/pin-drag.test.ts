@@ -49,7 +49,7 @@ describe('a drag of a point', () => {
     const { store } = page.wb;
     const { drag } = dragBody();
     drag.move(at(10, -20));
-    expect(store.selection).toEqual({ characterId: 'c2', joint: BODY_JOINT });
+    expect(store.selection).toEqual({ characterId: 'c2', placement: 0, joint: BODY_JOINT });
     drag.end(at(10, -20));
     expect(store.undoLabel).toBe('Drag body');
     store.undo();
