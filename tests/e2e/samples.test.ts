@@ -122,6 +122,8 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
     await page.getByRole('treeitem', { name: 'Arm' }).click();
     await page.locator('.curve-plot').focus();
     await page.keyboard.press('a');
+    // Keys are taken hold of where they were drawn last.
+    await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
     const before = await page.evaluate(() => window.marrow.keys(6));
     const { time, value } = before[Math.floor(before.length / 2)];
     const at = await page.evaluate(([t, v]) => window.marrow.placeOf(6, t, v), [time, value] as const);
