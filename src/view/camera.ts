@@ -165,10 +165,15 @@ export class CameraRig {
     const { axes } = this;
     lookingFrom(to.azimuth, to.polar, axes);
     const { x, y, z } = this.size;
-    const covered = Math.min(coveredTop / this.heightPx, 1 - LEAST_FREE);
+    const covered = this.partOfHeight(coveredTop);
     to.distance = fitDistance(x, y, z, axes, TAN_HALF_FOV, this.aspect, MARGIN, covered);
     to.target.addScaledVector(this.size.set(axes[4], axes[5], axes[6]), covered * TAN_HALF_FOV * to.distance);
     this.go(to, smoothly);
+  }
+
+  /** What so many CSS pixels are of the picture's height; at most what framing can do without. */
+  partOfHeight(pixels: number): number {
+    return Math.min(pixels / this.heightPx, 1 - LEAST_FREE);
   }
 
   /** A sphere of this radius around a point, in the picture. */

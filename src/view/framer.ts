@@ -90,7 +90,8 @@ export class Framer {
     for (const { view } of entries) box.union(view.bounds(this.ownBox));
     if (box.isEmpty()) return;
     const room = characters.roomOfMotion(playedRange, timeSeconds, entries);
-    if (!isWellSeen(box, room, rig.camera)) rig.frame(room, this.coveredTop(), true);
+    const coveredTop = this.coveredTop();
+    if (!isWellSeen(box, room, rig.camera, rig.partOfHeight(coveredTop))) rig.frame(room, coveredTop, true);
   }
 }
 

@@ -13,16 +13,18 @@ const LEAST_SIZE = 2 / 3;
  *
  * @param figure around it as it stands, in the world; not empty
  * @param room around it at all moments played
+ * @param covered part of the picture's height, at its top, that something else lies over
  */
-export function isWellSeen(figure: Box3, room: Box3, camera: Camera): boolean {
+export function isWellSeen(figure: Box3, room: Box3, camera: Camera, covered = 0): boolean {
   camera.updateMatrixWorld();
   const at = new Vector3();
   if (!project(room.getCenter(at), camera) || Math.max(Math.abs(at.x), Math.abs(at.y)) > MIDDLE) return false;
   const { min, max } = figure;
+  const top = covered > 0 ? 1 - 2 * covered : EDGE;
   let [left, right, low, high] = [EDGE, -EDGE, EDGE, -EDGE];
   for (let corner = 0; corner < 8; corner++) {
     at.set(corner & 1 ? max.x : min.x, corner & 2 ? max.y : min.y, corner & 4 ? max.z : min.z);
-    if (!project(at, camera) || Math.max(Math.abs(at.x), Math.abs(at.y)) > EDGE) return false;
+    if (!project(at, camera) || Math.max(Math.abs(at.x), -at.y) > EDGE || at.y > top) return false;
     [left, right] = [Math.min(left, at.x), Math.max(right, at.x)];
     [low, high] = [Math.min(low, at.y), Math.max(high, at.y)];
   }

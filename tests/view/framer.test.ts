@@ -31,6 +31,7 @@ function framing() {
     frame: (box: Box3, covered: number, smoothly: boolean) =>
       void told.push(`${box.max.x > 5 ? 'both' : 'one'}, ${covered} px covered, ${smoothly ? 'smoothly' : 'at once'}`),
     lookFirst: (_box: Box3, covered: number) => void told.push(`first look, ${covered} px covered`),
+    partOfHeight: (pixels: number) => pixels / 900,
     frameSphere: ({ x }: Vector3, radius: number) => void spheres.push({ x, radius }),
   };
   const positionOf = (_id: string, placement: number, joint: number, out: Vector3) => {

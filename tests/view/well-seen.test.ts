@@ -28,6 +28,11 @@ describe('what one wants to look at', () => {
     expect(isWellSeen(person(), person().union(person(6)), camera())).toBe(false);
   });
 
+  it('is not with its head under what lies over the top', () => {
+    expect(isWellSeen(person(), person(), camera(), 0.2)).toBe(true);
+    expect(isWellSeen(person(), person(), camera(), 0.25)).toBe(false);
+  });
+
   it('may lie down', () => {
     const lying = new Box3(new Vector3(-0.9, 0.7, -0.2), new Vector3(0.9, 1, 0.2));
     expect(isWellSeen(lying, lying, camera())).toBe(true);

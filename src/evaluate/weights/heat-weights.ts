@@ -21,6 +21,7 @@ import { Cholesky } from './cholesky.ts';
 import { Influences } from './influences.ts';
 import { laplacian } from './laplacian.ts';
 import { lastBones } from './last-bones.ts';
+import { surfaceSides } from './surface-sides.ts';
 import { triangleTree } from './triangle-tree.ts';
 import { visibleBones, type Warmth } from './visible-bones.ts';
 import { type WeldedMesh, weld } from './weld.ts';
@@ -58,8 +59,9 @@ export function* heatWeights(
   const mesh = yield* within(weld(positions, triangles), 0, WELD_DONE);
   const influences = new Influences(mesh.vertexCount, mostInfluences);
   const tree = yield* within(triangleTree(mesh), WELD_DONE, TREE_DONE);
-  const bones = yield* within(lastBones(tree, given), TREE_DONE, BONES_DONE);
-  const warmth = yield* within(visibleBones(tree, bones), BONES_DONE, SIGHT_DONE);
+  const surface = yield* within(surfaceSides(mesh), TREE_DONE, TREE_DONE);
+  const bones = yield* within(lastBones(tree, surface, given), TREE_DONE, BONES_DONE);
+  const warmth = yield* within(visibleBones(tree, surface, bones), BONES_DONE, SIGHT_DONE);
   yield* within(equilibria(mesh, warmth, influences), SIGHT_DONE, SETTLED);
   const isCold = new Uint8Array(mesh.vertexCount);
   for (let v = 0; v < mesh.vertexCount; v++) {

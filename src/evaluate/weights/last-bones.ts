@@ -13,7 +13,7 @@
  */
 import { type BoneSegments, isPoint } from './bones.ts';
 import { hangingSheets } from './hanging-sheets.ts';
-import { surfaceSides } from './surface-sides.ts';
+import type { SurfaceSides } from './surface-sides.ts';
 import type { TriangleTree } from './triangle-tree.ts';
 import { visibleBones } from './visible-bones.ts';
 import type { WeldedMesh } from './weld.ts';
@@ -28,13 +28,16 @@ const SHORTEST = 1e-4;
 const A_STEP = 15000;
 
 /** The same bones, in their order, with ends for those that are points. Pauses with the part that is done. */
-export function* lastBones(tree: TriangleTree, bones: BoneSegments): Generator<number, BoneSegments> {
+export function* lastBones(
+  tree: TriangleTree,
+  surface: SurfaceSides,
+  bones: BoneSegments,
+): Generator<number, BoneSegments> {
   const points = [...bones.joints.keys()].filter((bone) => isPoint(bones.ends, bone));
   if (points.length === 0) return bones;
   const { mesh } = tree;
-  const warmth = yield* within(visibleBones(tree, bones), 0, SEEN);
-  const { sides } = yield* within(surfaceSides(mesh), SEEN, SEEN);
-  const sheets = yield* within(hangingSheets(mesh, sides, bones), SEEN, SHEETS_DONE);
+  const warmth = yield* within(visibleBones(tree, surface, bones), 0, SEEN);
+  const sheets = yield* within(hangingSheets(mesh, surface.sides, bones), SEEN, SHEETS_DONE);
   const areas = yield* within(areasAround(mesh), SHEETS_DONE, 1);
   const pointOf = new Map(points.map((point) => [bones.joints[point], point]));
   /** Every vertex with each point that it belongs to. */

@@ -13,7 +13,7 @@
  * inside, the nearest that nothing at all hides counts: bones may run beside the mesh.
  */
 import { type BoneSegments, endsAt, nearest, squareToBone } from './bones.ts';
-import { type SurfaceSides, surfaceSides } from './surface-sides.ts';
+import type { SurfaceSides } from './surface-sides.ts';
 import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
 
 /** Bones looked at for each vertex, nearest first. */
@@ -40,9 +40,13 @@ export interface Warmth {
 }
 
 /** Pauses with the part that is done. */
-export function* visibleBones(tree: TriangleTree, bones: BoneSegments): Generator<number, Warmth> {
+export function* visibleBones(
+  tree: TriangleTree,
+  surface: SurfaceSides,
+  bones: BoneSegments,
+): Generator<number, Warmth> {
   const { mesh } = tree;
-  const sight = new Sight(tree, yield* surfaceSides(mesh));
+  const sight = new Sight(tree, surface);
   const boneCount = bones.joints.length;
   const distances = new Float64Array(boneCount);
   const along = new Float64Array(boneCount);

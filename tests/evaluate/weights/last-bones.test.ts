@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { type BoneSegments, boneSegments, isPoint } from '../../../src/evaluate/weights/bones.ts';
 import { heatWeights } from '../../../src/evaluate/weights/heat-weights.ts';
 import { lastBones } from '../../../src/evaluate/weights/last-bones.ts';
+import { surfaceSides } from '../../../src/evaluate/weights/surface-sides.ts';
 import { triangleTree } from '../../../src/evaluate/weights/triangle-tree.ts';
 import { visibleBones } from '../../../src/evaluate/weights/visible-bones.ts';
 import { weld } from '../../../src/evaluate/weights/weld.ts';
@@ -23,7 +24,8 @@ const ROUNDED = 1.0001e-4;
 const point = (at: Vec3): [Vec3, Vec3] => [at, at];
 
 function grown(mesh: Mesh, bones: BoneSegments): BoneSegments {
-  return finish(lastBones(finish(triangleTree(finish(weld(mesh.positions, mesh.triangles)))), bones));
+  const welded = finish(weld(mesh.positions, mesh.triangles));
+  return finish(lastBones(finish(triangleTree(welded)), finish(surfaceSides(welded)), bones));
 }
 
 function endOf({ ends }: BoneSegments, bone: number): readonly number[] {
@@ -171,7 +173,7 @@ describe('a point at the end of a bone', () => {
       ],
       point([0, 3, 0]),
     );
-    const { start, joints } = finish(visibleBones(finish(triangleTree(mesh)), bones));
+    const { start, joints } = finish(visibleBones(finish(triangleTree(mesh)), finish(surfaceSides(mesh)), bones));
     for (let v = 0; v < mesh.vertexCount; v++) {
       expect([...joints.subarray(start[v], start[v + 1])]).toEqual([mesh.positions[3 * v + 1] > 3 ? 1 : 0]);
     }

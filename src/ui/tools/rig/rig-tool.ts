@@ -161,7 +161,8 @@ export function rigTool(wb: Workbench): ModeTool {
       const byRight = at.button === 2;
       const selected = selectedJoint(wb)?.joint;
       const character = currentCharacter(wb);
-      const other = part || !character ? undefined : jointOfOtherCopy(wb, character, at);
+      // While joints are added, a place is meant, whatever stands near it.
+      const other = part || !character || wantsJoint(at) ? undefined : jointOfOtherCopy(wb, character, at);
       const dragNow = (start: (rigged: Rigged) => CanvasDrag) => {
         const rigged = riggedNow(wb);
         return rigged && start(rigged);
