@@ -37,6 +37,15 @@ export class DiskHandles {
     this.files.set(keyOf(character, part), file);
   }
 
+  /**
+   * Another character has that id from now on.
+   * @param paths of files that were the former one's
+   */
+  forget(characterId: string, paths: readonly string[]): void {
+    for (const path of paths) this.files.delete(path);
+    for (const key of [...this.files.keys()]) if (key.startsWith(`${characterId}:`)) this.files.delete(key);
+  }
+
   /** Every file that a character came from or was saved to, each once; a zip stands for what is in it. */
   ofCharacter(character: Character): readonly DiskFile[] {
     const found = new Set<DiskFile>();

@@ -1,6 +1,7 @@
 /** What there is to be written: files, each with the parts that it holds, where it lies, and how it is made. */
 import type { Store } from '../edit/store.ts';
 import type { DiskFile } from '../io/disk-files.ts';
+import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter } from '../model/document.ts';
 import type { SaveKind, UnsavedPart } from '../ui/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
@@ -38,7 +39,8 @@ export interface Job {
   /** What it holds: several skeletons where a `.skel` has several roots, otherwise one part; none for a `.rig`. */
   readonly holds: readonly Owned[];
   readonly target: DiskFile | undefined;
-  write(): Omit<SavedFile, 'name'> | Omit<LongFile, 'name'> | { readonly bytes: Uint8Array<ArrayBuffer> };
+  /** @param name that it is given among those that are written with it */
+  write(name: string): Omit<SavedFile, 'name'> | Omit<LongFile, 'name'> | { readonly bytes: Uint8Array<ArrayBuffer> };
 }
 
 /** The files of all that changed. */
@@ -61,17 +63,23 @@ export function filesOf(
   kind: SaveKind,
 ): readonly Job[] {
   if (kind === 'rig') {
-    return saveCharacter(character, kind).map((file) => {
-      return { name: file.name, holds: [], target: undefined, write: () => file };
-    });
+    return saveCharacter(character, kind).map(copyOf);
   }
   if (isExport(character, kind)) {
-    return exportCharacter(character, kind, framesPerSecond && { framesPerSecond: framesPerSecond() }).map((file) => {
-      return { name: file.name, holds: [], target: undefined, write: () => file };
-    });
+    return exportCharacter(character, kind, framesPerSecond && { framesPerSecond: framesPerSecond() }).map(copyOf);
   }
   const parts = partsOf(character).filter((part) => part.kind === partKindOf(kind));
   return parts.map((part) => fileOf(store.document, handles, character, part, jointPose));
+}
+
+/** A file by which nothing counts as saved. */
+function copyOf(file: SavedFile | LongFile): Job {
+  const write = (name: string) => {
+    const called = (list: readonly Diagnostic[]) => list.map((d) => ({ ...d, file: name }));
+    if ('text' in file) return { ...file, diagnostics: called(file.diagnostics) };
+    return { ...file, diagnostics: () => called(file.diagnostics()) };
+  };
+  return { name: file.name, holds: [], target: undefined, write };
 }
 
 /** The file that a part is in, with whatever else has to be written for it to stay whole. */
@@ -90,12 +98,12 @@ function fileOf(
       name,
       holds: roots.map(({ character: c, take }) => ({ character: c, part: { kind: 'bvh', part: take }, pose: [] })),
       target,
-      write: () => saveTakes(name, roots),
+      write: (called) => saveTakes(called, roots),
     };
   }
   if (part.kind !== 'skel') {
     const holds = [{ character, part, pose: [] }];
-    return { name, holds, target, write: () => savePart(part, name, []) };
+    return { name, holds, target, write: (called) => savePart(part, called, []) };
   }
   const roots = rootsBeside(document, character, part).map((root) => ({
     ...root,
@@ -109,7 +117,7 @@ function fileOf(
       pose,
     })),
     target,
-    write: () => saveSkeletons(name, roots),
+    write: (called) => saveSkeletons(called, roots),
   };
 }
 

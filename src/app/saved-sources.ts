@@ -54,6 +54,17 @@ export class SavedSources {
     });
   }
 
+  /**
+   * Another character has that id from now on: what undo takes back leaves its id to the next one that is made.
+   * @returns paths of the files that were the former one's, and are nobody's now
+   */
+  forget(characterId: string): readonly string[] {
+    const former = this.made.filter((m) => m.characterId === characterId);
+    if (former.length === 0) return [];
+    this.made = this.made.filter((m) => m.characterId !== characterId);
+    return former.map(({ source }) => source.path).filter((path) => !this.isOpen(path));
+  }
+
   private savedAs(character: Character, part: Part, name: string, bytes: number): Character {
     const own = sourceOf(character, part);
     if (own) {
@@ -77,8 +88,12 @@ export class SavedSources {
 
   /** By its path a file is known: two of one name, of which nobody knows where they lie, are kept apart. */
   private freePath({ id }: Character, name: string): string {
-    const isKnown = this.store.document.characters.some(({ sources }) => sources.some(({ path }) => path === name));
-    return isKnown || this.isTaken(name) ? `${id}/${name}` : name;
+    return this.isOpen(name) || this.isTaken(name) ? `${id}/${name}` : name;
+  }
+
+  /** Whether a character has come from the file of that path. */
+  private isOpen(path: string): boolean {
+    return this.store.document.characters.some(({ sources }) => sources.some((source) => source.path === path));
   }
 
   /** Gives back what undo took, where the part is still there. */

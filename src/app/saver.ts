@@ -42,7 +42,15 @@ export class Saver {
   private readonly warnedOf = new Map<string, string>();
 
   constructor(private readonly parts: SaverParts) {
-    this.sources = new SavedSources(parts.store, (path) => parts.handles.has(path));
+    const { store, handles, unsaved } = parts;
+    this.sources = new SavedSources(store, (path) => handles.has(path));
+    store.onStep(({ document }, { document: before }) => {
+      for (const { id } of document.characters) {
+        if (findCharacter(before, id)) continue;
+        handles.forget(id, this.sources.forget(id));
+        unsaved.forget(id);
+      }
+    });
   }
 
   /** Saves all that changed. Never rejects: what goes wrong is a message. */
@@ -93,6 +101,8 @@ export class Saver {
     const well: string[] = [];
     const left: string[] = [];
     let dialogs: 'open' | 'given up' | 'used up' = 'open';
+    let hadDialog = false;
+    let remedy = '';
     for (const job of distinctJobs(jobs, targetOf)) {
       const wantsDialog = asks && !targetOf(job)?.handle && disk.asksWhereToSave();
       if (wantsDialog && dialogs !== 'open') {
@@ -100,7 +110,7 @@ export class Saver {
         continue;
       }
       try {
-        const written = job.write();
+        const written = job.write(job.name);
         const make = async () =>
           'bytes' in written ? written.bytes : 'text' in written ? written.text : await blobOf(written.pieces);
         const saved = await this.put(job, make, targetOf(job), wantsDialog);
@@ -117,18 +127,21 @@ export class Saver {
         // A dialog before it, or a long time, has used up the click: that is no fault of anyone's.
         if (error instanceof NotNowError) {
           dialogs = 'used up';
+          remedy = hadDialog ? 'The browser asks about one file at a time: save again.' : error.message;
           left.push(job.name);
           continue;
         }
         const why = error instanceof Error ? error.message : String(error);
         diagnostics.push(withoutPlace('error', 'save-failed', `Not saved. ${why}`, job.name));
+      } finally {
+        hadDialog ||= wantsDialog;
       }
     }
     messages.report(diagnostics, well);
     const said = names.length ? [`Saved ${names.join(', ')}.`] : [];
     // Who gives up the only one knows it.
     if (left.length && (jobs.length > 1 || dialogs === 'used up')) said.push(`Not saved: ${left.join(', ')}.`);
-    if (dialogs === 'used up') said.push('The browser asks about one file at a time: save again.');
+    if (dialogs === 'used up') said.push(remedy);
     // Where it did not ask at all, nobody has seen that anything was meant to happen.
     const severity = dialogs === 'used up' && names.length === 0 ? 'warning' : 'info';
     if (said.length) messages.note(said.join(' '), severity);

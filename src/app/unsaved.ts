@@ -84,6 +84,13 @@ export class Unsaved {
     if (character) this.mark(character, [part], pose);
   }
 
+  /** Another character has that id from now on: nothing of it is in a file yet. */
+  forget(characterId: string): void {
+    if (!this.baselines.delete(characterId)) return;
+    this.lists = new WeakMap();
+    this.refreshSoon();
+  }
+
   /** The pose that the file of a character's skeleton has. */
   poseInFile(character: Character): readonly number[] {
     const baseline = this.baselines.get(character.id);

@@ -1,6 +1,7 @@
 /**
- * Numbers as text, and back. Two manners: *exact*, the shortest decimal that reads back the same (copied, typed over),
- * and *shown*, cut to what a column has room for (never wider while a character plays).
+ * Numbers as text, and back. Three manners: *exact*, the shortest decimal that reads back the same (copied, typed over);
+ * *shown*, cut to what a column has room for (never wider while a character plays); and *in a field*, cut further, for a
+ * field gives the exact number to who looks at it.
  */
 import { type Units, workedOut } from './arithmetic.ts';
 

@@ -26,7 +26,7 @@ export class Framer {
   private readonly point = new Vector3();
 
   constructor(
-    private readonly rig: Pick<CameraRig, 'frame' | 'frameSphere' | 'lookFirst' | 'camera'>,
+    private readonly rig: Pick<CameraRig, 'frame' | 'frameSphere' | 'lookFirst' | 'partOfHeight' | 'camera'>,
     private readonly characters: Pick<ShownCharacters, 'seen' | 'visible' | 'content' | 'roomOfMotion'>,
     private readonly skeletons: Pick<SkeletonDrawing, 'positionOf'>,
     private readonly picked: PickedCopy,

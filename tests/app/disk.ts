@@ -27,6 +27,8 @@ export class FakeDisk implements Disk {
   picks: FileSystemFileHandle | 'as suggested' | 'give up' | undefined;
   /** So many dialogs the browser opens yet. */
   dialogs = Number.POSITIVE_INFINITY;
+  /** Where not, the browser would have to ask first, and won't just now. */
+  mayWrite = true;
 
   put(name: string, text: string): FileSystemFileHandle {
     const handle = handleOf(name);
@@ -35,12 +37,13 @@ export class FakeDisk implements Disk {
   }
   asksWhereToSave = () => this.picks !== undefined;
   pickTarget = async (name: string) => {
-    if (this.dialogs-- <= 0) throw new NotNowError('Save again.');
+    if (this.dialogs-- <= 0) throw new NotNowError('Save again to choose where it goes.');
     this.asked.push(name);
     if (this.picks === 'as suggested') return this.put(name, '');
     return this.picks === 'give up' ? undefined : this.picks;
   };
   writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array | Blob) => {
+    if (!this.mayWrite) throw new NotNowError('Save again to be asked whether it may be written.');
     if (!this.files.has(handle)) throw new DiskError('It is gone.', true);
     const text =
       content instanceof Uint8Array

@@ -201,9 +201,42 @@ describe('saving several files that have no place yet', () => {
     expect(page.messages.list.get()).toMatchObject([
       {
         severity: 'warning',
-        text: 'Not saved: character.skel, character2.skel. The browser asks about one file at a time: save again.',
+        text: 'Not saved: character.skel, character2.skel. Save again to choose where it goes.',
       },
     ]);
+  });
+
+  it('says what the browser wants to be asked where no dialog was open before', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = 'as suggested';
+    page.disk.mayWrite = false;
+    page.store.apply(createRig, {});
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual([]);
+    expect(page.messages.list.get()).toMatchObject([
+      {
+        severity: 'warning',
+        text: 'Not saved: hero_walk.anim, character.skel. Save again to be asked whether it may be written.',
+      },
+    ]);
+    page.disk.mayWrite = true;
+    await page.saver.saveChanged();
+    expect(said(page)).toBe('Saved hero_walk.anim, character.skel.');
+  });
+
+  it('speaks of each by the name that it is given', async () => {
+    const page = await withMadeHere(2);
+    const named = (c: Character): Character => {
+      const own = c.skeleton ?? skeleton();
+      return { ...c, skeleton: { ...own, joints: own.joints.map((j) => ({ ...j, name: 'two words' })) } };
+    };
+    page.change(named, 0);
+    page.change(named, 1);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['character.skel', 'character2.skel']);
+    const about = page.messages.list.get().map(({ text }) => text.slice(0, text.indexOf(':')));
+    expect(about).toEqual(['character.skel', 'character2.skel']);
   });
 
   it('never gives two the same name', async () => {
@@ -248,6 +281,36 @@ describe('a part that was made here', () => {
     page.store.undo();
     await Promise.resolve();
     expect(page.store.document.characters).toEqual([]);
+  });
+
+  it('leaves its file to nobody when it is undone and another one is made', async () => {
+    const page = await withMadeHere(1);
+    await page.saver.saveChanged();
+    const first = page.text('character.skel');
+    page.store.undo();
+    await Promise.resolve();
+    page.store.apply(createRig, {});
+    expect(page.store.document.characters.map(({ id }) => id)).toEqual(['c1']);
+    await Promise.resolve();
+    expect(listed(page)).toEqual([[]]);
+    expect(page.handles.entries()).toEqual([]);
+    expect(page.names()).toEqual(['character.skel']);
+    page.change(limited);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['character.skel', 'character.skel']);
+    expect(page.text('character.skel')).toBe(first);
+  });
+
+  it('has its file still when it is undone and redone', async () => {
+    const page = await withMadeHere(1);
+    await page.saver.saveChanged();
+    page.store.undo();
+    await Promise.resolve();
+    page.store.redo();
+    page.change(limited);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toHaveLength(1);
+    expect(page.text('character.skel')).toContain('rotxlimit');
   });
 
   it('is listed where it was downloaded, too', async () => {

@@ -114,12 +114,11 @@ function jointsMeant(compiled: CompiledSkeleton, { partner }: Reflection, { join
 /** The root's translation, which is counted from where the plane goes through it. */
 function mirrorTravel({ matrix: m, reference }: Reflection, from: Float64Array, out: Float64Array): void {
   const [x, y, z] = [from[0] - reference[0], from[1] - reference[1], from[2] - reference[2]];
-  // Without -0: nothing is as far to one side as to the other.
   for (let k = 0; k < 3; k++) {
     const way = m[k] * x + m[3 + k] * y + m[6 + k] * z;
-    // Through the origin every digit stays.
-    const from = Math.abs(reference[k]);
-    out[k] = from === 0 ? way + 0 : withoutRoundOff(reference[k] + way, Math.max(from, Math.abs(way)));
+    const size = Math.abs(reference[k]);
+    // Through the origin every digit stays. Without -0: nothing is as far to one side as to the other.
+    out[k] = size === 0 ? way + 0 : withoutRoundOff(reference[k] + way, Math.max(size, Math.abs(way)));
   }
 }
 

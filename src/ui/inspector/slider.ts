@@ -41,6 +41,7 @@ export class Slider extends NumberController {
   /** The number when the field got the focus. */
   private before = 0;
   private takenBack: (() => void) | undefined;
+  private isLookedAt = false;
 
   /** @param refuse is told why what was typed is not taken, or not all the way */
   constructor(
@@ -58,11 +59,12 @@ export class Slider extends NumberController {
     this.$input.setAttribute('inputmode', 'decimal');
     // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
     this.updateDisplay();
-    // Written when someone looks: sliders may show sixty numbers a second.
     this.$input.addEventListener('pointerenter', () => {
-      // Why it can't be typed into is said of the whole row.
-      if (this.$input.disabled) return;
-      this.$input.title = `${exact(this.object.value)}${options.suffix ?? ''}`;
+      this.isLookedAt = true;
+      this.describe();
+    });
+    this.$input.addEventListener('pointerleave', () => {
+      this.isLookedAt = false;
     });
     this.$input.addEventListener('focus', () => {
       this.before = this.object.value;
@@ -149,7 +151,22 @@ export class Slider extends NumberController {
       const text = inField(value, options.decimals) + (options.suffix ?? '');
       if (this.$input.value !== text) this.$input.value = text;
     }
+    if (this.isLookedAt) this.describe();
     return this;
+  }
+
+  override disable(disabled?: boolean): this {
+    super.disable(disabled);
+    this.describe();
+    return this;
+  }
+
+  /** The exact number for who looks; written when someone does, for sliders may show sixty numbers a second. */
+  private describe(): void {
+    const { value, options } = this.object;
+    // Why it can't be typed into is said of the whole row.
+    if (this.$input.disabled) this.$input.removeAttribute('title');
+    else if (this.isLookedAt) this.$input.title = `${exact(value)}${options.suffix ?? ''}`;
   }
 
   override _clamp(value: number): number {
