@@ -8,6 +8,7 @@ export class JointFollower {
   private characterId: string | undefined;
   private copy = 0;
   private joint = -1;
+  private wasHeld = false;
   private readonly last = new Vector3();
   private readonly step = new Vector3();
   private readonly point = new Vector3();
@@ -16,15 +17,20 @@ export class JointFollower {
    * Every frame in which something moved.
    * @param character undefined: nothing is followed
    * @param copy index of its placement
+   * @param isHeld the camera stays where it is; it goes on later from where the joint is then
    */
   follow(
     character: Pick<Character, 'id'> | undefined,
     copy: number,
     joint: number | undefined,
-    skeletons: SkeletonDrawing,
-    rig: CameraRig,
+    skeletons: Pick<SkeletonDrawing, 'positionOf'>,
+    rig: Pick<CameraRig, 'shift' | 'moveTo'>,
+    isHeld: boolean,
   ): void {
     const { point } = this;
+    // What the end of a drag brings is the drag's as well: another joint, or where the picture goes on.
+    const stays = isHeld || this.wasHeld;
+    this.wasHeld = isHeld;
     const characterId = character?.id;
     const found =
       characterId !== undefined && joint !== undefined && skeletons.positionOf(characterId, copy, joint, point);
@@ -33,8 +39,10 @@ export class JointFollower {
       return;
     }
     const isSame = this.characterId === characterId && this.copy === copy && this.joint === joint;
-    if (isSame) rig.shift(this.step.subVectors(point, this.last));
-    else rig.moveTo(point);
+    if (!stays) {
+      if (isSame) rig.shift(this.step.subVectors(point, this.last));
+      else rig.moveTo(point);
+    }
     this.characterId = characterId;
     this.copy = copy;
     this.joint = joint;

@@ -103,6 +103,8 @@ export class Viewport {
   private posesChanged = true;
   private hovered: JointRef | undefined;
   private isPointerTaken = false;
+  /** Drags that hold the picture still. */
+  private holds = 0;
   private pointer: { x: number; y: number } | undefined;
   private readonly box = new Box3();
   private readonly point = new Vector3();
@@ -325,13 +327,18 @@ export class Viewport {
   }
 
   /**
-   * For a drag: what carries the character over the ground is cancelled as it is now, even if it is dragged about, until
-   * the way out that comes back is called. Only *in place* cancels anything.
+   * For a drag: what carries the character over the ground is cancelled as it is now, even if it is dragged about, and
+   * the camera follows no joint, until the way out that comes back is called. Only *in place* cancels anything.
    */
   holdTravel(characterId: string): () => void {
     const view = this.characters.get(characterId)?.view;
     view?.holdTravel(true);
+    this.holds++;
+    let isHeld = true;
     return () => {
+      if (!isHeld) return;
+      isHeld = false;
+      this.holds--;
       view?.holdTravel(false);
       this.posesChanged = true;
       this.requestRender();
@@ -463,7 +470,8 @@ export class Viewport {
     characters.place(display.inPlace);
     skeletons.fill();
     const followed = display.follow ? characters.seen(selection.characterId)?.character : undefined;
-    this.follower.follow(followed, followed ? this.picked.of(followed) : 0, selection.joint, skeletons, this.rig);
+    const copy = followed ? this.picked.of(followed) : 0;
+    this.follower.follow(followed, copy, selection.joint, skeletons, this.rig, this.holds > 0);
     this.vertexMarker.mark(characters.seen(selection.characterId), selection.vertex);
     this.fillGhosts();
   }

@@ -25,7 +25,7 @@ export const POSING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'posing.leave',
-    label: 'Leave the drag, then the mode (for FK), then the selection',
+    label: 'Back to FK, then select nothing',
     group: 'Pose',
     shortcuts: ['Escape'],
     // A drag has the keyboard to itself (`tools/canvas-tools.ts`): this comes to what is left.

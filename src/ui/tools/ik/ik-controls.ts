@@ -61,6 +61,6 @@ export function ikControls(wb: Workbench): HTMLElement {
 
 /** What to do first, and what next. */
 export function hintText(pins: number): string {
-  if (pins === 0) return 'Click pins a point; drag moves it.';
-  return `Drag any point: the ${pins === 1 ? 'pin holds' : 'pins hold'}. Click lets ${pins === 1 ? 'it' : 'one'} go.`;
+  if (pins === 0) return 'Click pins a point; drag any other: pins hold.';
+  return 'Drag any point: pins hold. Click a pin to let it go.';
 }

@@ -119,7 +119,7 @@ class IkTool implements ModeTool {
   click(at: CanvasPointer): boolean {
     const pin = pinUnder(this.wb, at);
     if (pin && at.shiftKey) {
-      selectPin(this.wb, { characterId: pin.character.id, pin: pin.pin.id }, pin.pin.joint);
+      selectPin(this.wb, { characterId: pin.character.id, pin: pin.pin.id }, pin.pin.joint, pin.placement);
       return true;
     }
     // On the ground, or with Shift on a joint: it picks.
@@ -144,7 +144,7 @@ class IkTool implements ModeTool {
       longPress: () => {
         const { characterId, placement, joint, pin } = grip;
         if (pin === undefined) this.wb.store.select({ characterId, placement, joint });
-        else selectPin(this.wb, { characterId, pin }, joint);
+        else selectPin(this.wb, { characterId, pin }, joint, placement);
       },
       over: () => {
         this.drag = undefined;

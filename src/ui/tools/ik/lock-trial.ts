@@ -38,7 +38,7 @@ export class LockTrial {
   }
 
   /** The joints, the one that would bend most first. Asked for before every picture: worked out where the drag has gone on. */
-  get inTheWay(): readonly number[] {
+  inTheWay(): readonly number[] {
     const { of, locked, pose, hand } = this;
     if (locked.length === 0 || of.missing <= NEARER * of.reach) return [];
     const isKnown = hand.every((v, k) => v === of.hand[k]) && pose.every((v, d) => v === of.dofs[d]);

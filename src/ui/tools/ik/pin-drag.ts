@@ -4,6 +4,7 @@
  * has begun; one of a finger that stays is a long press.
  */
 import type { Vec3 } from '../../../math/vec3.ts';
+import { findCharacter } from '../../../model/document.ts';
 import type { Workbench } from '../../workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../canvas-tools.ts';
 import { type Grip, HandPull, type PullState } from './hand-pull.ts';
@@ -94,7 +95,7 @@ export class PinDrag implements CanvasDrag {
     } else {
       this.latest = at;
       this.step();
-      this.hand?.finish();
+      this.release();
     }
     this.events.over();
   }
@@ -104,6 +105,30 @@ export class PinDrag implements CanvasDrag {
     cancelAnimationFrame(this.frame);
     this.hand?.cancel();
     this.events.over();
+  }
+
+  private release(): void {
+    const { hand } = this;
+    if (!hand) return;
+    const { isOver } = hand;
+    hand.finish();
+    if (!isOver) this.select();
+  }
+
+  /**
+   * What is keyed next, and what the inspector tells of, is what the hand was at. Only after the step: Escape leaves the
+   * selection alone, and undo gives back the one of before.
+   */
+  private select(): void {
+    const { store, viewport } = this.wb;
+    const { characterId, placement, joint } = this.grip;
+    const { selection } = store;
+    const character = findCharacter(store.document, characterId);
+    if (!character) return;
+    const isSame = selection.characterId === characterId;
+    if (isSame && selection.joint === joint) {
+      if (viewport.pickedCopy(character) !== placement) store.select({ ...selection, placement });
+    } else store.select({ characterId, placement, joint, ...(isSame && selection.keys && { keys: selection.keys }) });
   }
 
   private readonly onLongPress = () => {
@@ -142,9 +167,6 @@ export class PinDrag implements CanvasDrag {
     this.refused = this.hand === undefined;
     if (!this.hand) return false;
     ikInHand(wb).hasDragged.set(true);
-    // What is keyed, and what the inspector tells of, is what the hand is at.
-    const { characterId, placement, joint } = this.grip;
-    wb.store.select({ characterId, placement, joint });
     this.from = this.hand.anchor;
     this.last = this.from;
     this.standBeside(press);

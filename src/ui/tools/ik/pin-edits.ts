@@ -46,10 +46,13 @@ export function togglePin(wb: Workbench, character: Character, joint: number): v
   }
 }
 
-/** Selects a pin, and its joint. */
-export function selectPin(wb: Workbench, ref: PinRef, joint: number): void {
+/**
+ * Selects a pin, and its joint.
+ * @param placement the copy of the character that it was picked in; absent where that does not matter, as in a list
+ */
+export function selectPin(wb: Workbench, ref: PinRef, joint: number, placement?: number): void {
   ikInHand(wb).selected.set(ref);
-  wb.store.select({ characterId: ref.characterId, joint });
+  wb.store.select({ characterId: ref.characterId, ...(placement !== undefined && { placement }), joint });
 }
 
 export function stiffen(

@@ -96,7 +96,7 @@ export class Pull {
     const { of, rootStays } = this;
     const { slots, pins } = of.problem;
     const holders = of.holders().map((p) => slots.joint[pins.slot[p]]);
-    return { binding: this.binding(), holders, locks: this.locks.inTheWay, canMove: of.canMove, rootStays };
+    return { binding: this.binding(), holders, locks: this.locks.inTheWay(), canMove: of.canMove, rootStays };
   }
 
   /** The hand has gone there; `dofs` follow. What is not finite is nowhere. */

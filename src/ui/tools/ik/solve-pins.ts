@@ -1,18 +1,21 @@
 /** Solving all pins from anywhere, on request: unlike a drag it may jump, and finds a way round where a drag is stuck. */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { ikProblem } from '../../../evaluate/ik/problem.ts';
-import { ikOf, ikPinsOf, stiffnessOf } from '../../../evaluate/ik/set-up.ts';
+import { ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../../../evaluate/ik/set-up.ts';
 import { solve } from '../../../evaluate/ik/solve.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
 import { attempt } from '../../attempt.ts';
 import { autoKey } from '../../pose-edits.ts';
 import { standStill } from '../../stand-still.ts';
 import type { Workbench } from '../../workbench.ts';
 import { gapText } from './gap-text.ts';
+import { HandProblem } from './hand-problem.ts';
 import { ikInHand } from './in-hand.ts';
+import { LockTrial } from './lock-trial.ts';
 
 /** One undo step; says so where nothing better is found. */
 export function solvePins(wb: Workbench, character: Character): void {
@@ -35,7 +38,10 @@ export function solvePins(wb: Workbench, character: Character): void {
     if (dofs[index] !== facts.dofs[index] && !coupleOf(skeleton, index)) changed.push({ index, value: dofs[index] });
   }
   const bound = Array.from(binding.subarray(0, bindingCount));
-  const hindrance = { binding: bound, holders: [], locks: [], canMove: true, rootStays: !setup.rootIsFree };
+  const worst = residuals.indexOf(Math.max(...residuals));
+  const missed = residuals[worst] > 1e-3 * problem.reach;
+  const locks = missed ? locksOf(character, skeleton, dofs, held, setup.pins[worst].id) : [];
+  const hindrance = { binding: bound, holders: [], locks, canMove: true, rootStays: !setup.rootIsFree };
   const { timeSeconds } = wb.transport.get();
   if (changed.length) {
     const command = { ...setDofs, label: () => `Solve the pins of ${character.name}` };
@@ -45,8 +51,6 @@ export function solvePins(wb: Workbench, character: Character): void {
       if (after) targets.leave(id, setup, after.dofs, held, hindrance);
     });
   }
-  const worst = residuals.indexOf(Math.max(...residuals));
-  const missed = residuals[worst] > 1e-3 * problem.reach;
   if (missed) {
     const { joint } = setup.pins[worst];
     wb.messages.note(
@@ -54,4 +58,16 @@ export function solvePins(wb: Workbench, character: Character): void {
     );
   } else if (!changed.length) wb.messages.note('All pins are where they hold.');
   wb.viewport.requestRender();
+}
+
+/** The locks that keep a pin from its place, in the pose that was found. */
+function locksOf(
+  character: Character,
+  skeleton: Skeleton,
+  dofs: Float64Array,
+  held: ReadonlyMap<number, PinTarget>,
+  pin: number,
+): readonly number[] {
+  const of = new HandProblem(character, skeleton, dofs, held, { pin });
+  return new LockTrial(of, character, skeleton, held, { pin }).inTheWay();
 }

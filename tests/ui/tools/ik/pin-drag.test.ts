@@ -1,8 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { CanvasPointer } from '../../../../src/ui/tools/canvas-tools.ts';
+import { ikInHand } from '../../../../src/ui/tools/ik/in-hand.ts';
 import { LONG_PRESS_MS, PinDrag } from '../../../../src/ui/tools/ik/pin-drag.ts';
-import { documentOf } from '../../builders.ts';
+import { channel, clip, documentOf } from '../../builders.ts';
 import { apart, BODY_JOINT, body, HAND_L, ikPage } from './ik-page.ts';
+
+const KEYS = [{ channel: 0, indices: [0] }];
 
 let page: ReturnType<typeof ikPage>;
 beforeEach(() => {
@@ -49,12 +52,49 @@ describe('a drag of a point', () => {
     const { store } = page.wb;
     const { drag } = dragBody();
     drag.move(at(10, -20));
-    expect(store.selection).toEqual({ characterId: 'c2', placement: 0, joint: BODY_JOINT });
+    drag.move(at(15, -30));
     drag.end(at(10, -20));
+    expect(store.selection).toEqual({ characterId: 'c2', placement: 0, joint: BODY_JOINT });
     expect(store.undoLabel).toBe('Drag body');
     store.undo();
     expect(store.undoLabel).toBeUndefined();
+    expect(store.selection).toEqual({ characterId: 'c1', joint: HAND_L });
     expect(apart(page.placeOf(BODY_JOINT, 'c2'), [0, 0, 0])).toBe(0);
+  });
+
+  it('leaves selection, keys and the pin in hand as they were where it is cancelled', () => {
+    const { store } = page.wb;
+    const { selected } = ikInHand(page.wb);
+    const before = { characterId: 'c1', joint: HAND_L, keys: KEYS };
+    store.select(before);
+    selected.set({ characterId: 'c1', pin: 1 });
+    const { document } = store;
+    const { drag } = dragBody();
+    drag.move(at(10, -20));
+    drag.move(at(15, -30));
+    expect(store.document).not.toBe(document);
+    drag.cancel();
+    expect(store.document).toBe(document);
+    expect(store.selection).toBe(before);
+    expect(selected.get()).toEqual({ characterId: 'c1', pin: 1 });
+  });
+
+  it('keeps keys of the same character, and a selection that is what it drags already', () => {
+    page.stop();
+    page = ikPage(documentOf({ ...body({ clips: [clip([0, 2], channel(0))] }), id: 'c2' }));
+    vi.stubGlobal('requestAnimationFrame', () => 0);
+    vi.stubGlobal('cancelAnimationFrame', () => {});
+    const { store } = page.wb;
+    store.select({ characterId: 'c2', joint: HAND_L, keys: KEYS });
+    const first = dragBody();
+    first.drag.move(at(10, -20));
+    first.drag.end(at(10, -20));
+    const { selection } = store;
+    expect(selection).toEqual({ characterId: 'c2', placement: 0, joint: BODY_JOINT, keys: KEYS });
+    const second = dragBody();
+    second.drag.move(at(10, -20));
+    second.drag.end(at(20, -20));
+    expect(store.selection).toBe(selection);
   });
 
   it('leaves the selection alone where it is a click', () => {

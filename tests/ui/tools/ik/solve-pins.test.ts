@@ -3,7 +3,8 @@ import { setStiffness } from '../../../../src/edit/commands/ik.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { ikInHand } from '../../../../src/ui/tools/ik/in-hand.ts';
 import { solvePins } from '../../../../src/ui/tools/ik/solve-pins.ts';
-import { apart, HAND_L, HAND_R, ikPage } from './ik-page.ts';
+import { documentOf } from '../../builders.ts';
+import { apart, body, FORE_L, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
 
 /** Of a body that is 6 wide. */
 const THERE = 1e-3;
@@ -58,6 +59,16 @@ describe('solving all pins', () => {
     expect(said()).toMatch(/^hand_[lr] is as near as it can be: out of reach\.$/);
     const left = ikInHand(wb).targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([30, 0, 0]);
+  });
+
+  it('names the lock that keeps a pin from its place', () => {
+    page.stop();
+    const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }], rootIsFree: false };
+    page = ikPage(documentOf(body({ ik })));
+    // Nearer to the middle than a straight arm comes.
+    wantLeftHandAt([0.3, 0.2, 0]);
+    solve();
+    expect(said()).toBe('hand_l is as near as it can be: fore_l is locked.');
   });
 
   it('leaves locked joints as they are', () => {
