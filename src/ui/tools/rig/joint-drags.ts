@@ -51,7 +51,11 @@ function dragJoint(
   const state = rigState(wb);
   const { skeleton } = character;
   const edit = new HandEdit(wb.store, wb.messages);
-  const end = () => state.readout.set('');
+  const letTravel = wb.viewport.holdTravel(character.id);
+  const end = () => {
+    letTravel();
+    state.readout.set('');
+  };
   return {
     move(now) {
       hand.move(now);
