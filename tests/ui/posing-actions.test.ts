@@ -42,7 +42,7 @@ describe('the keys of posing', () => {
   it('has one line on the page of shortcuts for what Escape leaves', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
-    expect(lines.map((action) => action.label)).toEqual(['Leave the drag, then the mode (for FK), then the selection']);
+    expect(lines.map((action) => action.label)).toEqual(['Back to FK, then select nothing']);
   });
 
   it('Space switches where there is nothing to play, and plays where there is', () => {
