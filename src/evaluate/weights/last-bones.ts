@@ -16,15 +16,13 @@ import { hangingSheets } from './hanging-sheets.ts';
 import type { SurfaceSides } from './surface-sides.ts';
 import type { TriangleTree } from './triangle-tree.ts';
 import { visibleBones } from './visible-bones.ts';
-import type { WeldedMesh } from './weld.ts';
 import { within } from './within.ts';
 
 /** How the time goes, about. */
 const SEEN = 0.9;
-const SHEETS_DONE = 0.97;
 /** Shorter bones, beside the mesh's diagonal, stay points. */
 const SHORTEST = 1e-4;
-/** Corners or vertices between two pauses; a multiple of 3. */
+/** Vertices between two pauses. */
 const A_STEP = 15000;
 
 /** The same bones, in their order, with ends for those that are points. Pauses with the part that is done. */
@@ -37,8 +35,8 @@ export function* lastBones(
   if (points.length === 0) return bones;
   const { mesh } = tree;
   const warmth = yield* within(visibleBones(tree, surface, bones), 0, SEEN);
-  const sheets = yield* within(hangingSheets(mesh, surface.sides, bones), SEEN, SHEETS_DONE);
-  const areas = yield* within(areasAround(mesh), SHEETS_DONE, 1);
+  const sheets = yield* within(hangingSheets(mesh, surface.sides, bones), SEEN, 1);
+  const { areas } = surface;
   const pointOf = new Map(points.map((point) => [bones.joints[point], point]));
   /** Every vertex with each point that it belongs to. */
   const each = function* (visit: (v: number, point: number) => void): Generator<number, void> {
@@ -81,24 +79,4 @@ export function* lastBones(
     for (let k = 0; k < 3; k++) grown[6 * point + 3 + k] += times * middle[k];
   }
   return { joints: bones.joints, ends: grown };
-}
-
-/** Three times the area around each vertex. */
-function* areasAround({ positions: p, triangles, vertexCount }: WeldedMesh): Generator<number, Float64Array> {
-  const areas = new Float64Array(vertexCount);
-  for (let t = 0; t < triangles.length; t += 3) {
-    if (t % A_STEP === 0) yield t / triangles.length;
-    const a = 3 * triangles[t];
-    const b = 3 * triangles[t + 1];
-    const c = 3 * triangles[t + 2];
-    const ux = p[b] - p[a];
-    const uy = p[b + 1] - p[a + 1];
-    const uz = p[b + 2] - p[a + 2];
-    const wx = p[c] - p[a];
-    const wy = p[c + 1] - p[a + 1];
-    const wz = p[c + 2] - p[a + 2];
-    const area = Math.hypot(uy * wz - uz * wy, uz * wx - ux * wz, ux * wy - uy * wx) / 2;
-    for (let k = 0; k < 3; k++) areas[triangles[t + k]] += area;
-  }
-  return areas;
 }

@@ -7,6 +7,8 @@ export interface SurfaceSides {
   readonly normals: Float64Array;
   /** Of each part: 1 where these point outwards, -1 inwards, 0 where it has no volume: a sheet. */
   readonly sides: Int8Array;
+  /** Three times the area around each vertex: of its triangles. */
+  readonly areas: Float64Array;
 }
 
 /** Volume² of a part beside area³: less is a sheet. A ball has 9·10⁻³, a tube 100 times as long as thick 4·10⁻⁴. */
@@ -23,7 +25,8 @@ export function* surfaceSides(mesh: WeldedMesh): Generator<number, SurfaceSides>
   const normals = new Float64Array(3 * vertexCount);
   const middles = middlesOf(mesh);
   const volumes = new Float64Array(partCount);
-  const areas = new Float64Array(partCount);
+  const partAreas = new Float64Array(partCount);
+  const areas = new Float64Array(vertexCount);
   for (let t = 0; t < triangles.length; t += 3) {
     if (t % A_STEP === 0) yield 0;
     const a = 3 * triangles[t];
@@ -41,8 +44,10 @@ export function* surfaceSides(mesh: WeldedMesh): Generator<number, SurfaceSides>
     const part = parts[triangles[t]];
     const m = 3 * part;
     volumes[part] += ((p[a] - middles[m]) * x + (p[a + 1] - middles[m + 1]) * y + (p[a + 2] - middles[m + 2]) * z) / 6;
-    areas[part] += Math.sqrt(x * x + y * y + z * z) / 2;
+    const area = Math.sqrt(x * x + y * y + z * z) / 2;
+    partAreas[part] += area;
     for (let corner = 0; corner < 3; corner++) {
+      areas[triangles[t + corner]] += area;
       const o = 3 * triangles[t + corner];
       normals[o] += x;
       normals[o + 1] += y;
@@ -52,7 +57,10 @@ export function* surfaceSides(mesh: WeldedMesh): Generator<number, SurfaceSides>
   for (let o = 0; o < normals.length; o += 3) normalizeAt(normals, o);
   return {
     normals,
-    sides: Int8Array.from(volumes, (volume, part) => (volume ** 2 > SHEET * areas[part] ** 3 ? Math.sign(volume) : 0)),
+    sides: Int8Array.from(volumes, (volume, part) =>
+      volume ** 2 > SHEET * partAreas[part] ** 3 ? Math.sign(volume) : 0,
+    ),
+    areas,
   };
 }
 
