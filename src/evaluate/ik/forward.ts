@@ -1,7 +1,7 @@
 /** Forward kinematics of the joints that matter, and how far the pins are from where they should be. */
 import { multiplyAffine } from '../../math/mat4.ts';
+import { writeMatrices } from './chain.ts';
 import { FRAME_SIZE, writeFrame, writeTurnLeft } from './orientation.ts';
-import { writeMatrices } from './screws.ts';
 import type { IkProblem } from './state.ts';
 import { settleFollowers } from './variables.ts';
 

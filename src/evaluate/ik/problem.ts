@@ -43,6 +43,15 @@ export function ikProblem(
   const screws = screwsOf(compiled, slots, variables);
   const arrays = pinArrays(pins, slots, reach);
   const rootVariables = compiled.hasRootTranslation ? variables.ofDof.slice(0, 3) : Int32Array.of(-1, -1, -1);
+  const balls = ballsOf(
+    compiled,
+    slots,
+    arrays,
+    dofs,
+    world,
+    rootVariables.some((v) => v >= 0),
+  );
+  for (const s of balls.centre) if (s >= 0) slots.isKept[s] = 1;
   const rows = pins.reduce((sum, { orientation }) => sum + (orientation ? 6 : 3), 0);
   const problem: IkProblem = {
     skeleton: compiled,
@@ -52,14 +61,7 @@ export function ikProblem(
     slots,
     screws,
     screwColumns: screwColumnsOf(screws, slots, arrays, variables),
-    balls: ballsOf(
-      compiled,
-      slots,
-      arrays,
-      dofs,
-      world,
-      rootVariables.some((v) => v >= 0),
-    ),
+    balls,
     variables,
     rootVariables,
     rows,
@@ -114,6 +116,10 @@ function slotsOf(
     isRigid[s] = compiled.motions[j].stretches || (parent[s] >= 0 && !isRigid[parent[s]]) ? 0 : 1;
   });
   const takesScrews = isRigid.map((is, s) => (is && compiled.motions[joints[s]].screws ? 1 : 0));
+  const isKept = Uint8Array.from(joints, (j) => (pins.some(({ joint }) => joint === j) ? 1 : 0));
+  parent.forEach((above, s) => {
+    if (above >= 0 && (s !== above + 1 || takesScrews[s] === 0)) isKept[above] = 1;
+  });
   const below = joints.map((j) =>
     pins.flatMap((pin, p) => (pin.joint >= j && pin.joint < compiled.subtreeEnd[j] ? [p] : [])),
   );
@@ -129,7 +135,8 @@ function slotsOf(
     parent,
     offsets: Float64Array.from(joints.flatMap((j) => [...compiled.offsets.subarray(3 * j, 3 * j + 3)])),
     locals: new Float64Array(16 * joints.length),
-    worlds: new Float64Array(16 * joints.length),
+    worlds: Float64Array.from({ length: 16 * joints.length }, (_, k) => (k % 16 === 15 ? 1 : 0)),
+    isKept,
     isRigid,
     allScrews: takesScrews.every((does) => does === 1),
     firstPin: starts(below),

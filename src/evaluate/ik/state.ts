@@ -78,7 +78,10 @@ export interface Slots {
   readonly offsets: Float64Array;
   /** 16 each, at the pose last looked at. */
   readonly locals: Float64Array;
+  /** Of those that are kept. */
   readonly worlds: Float64Array;
+  /** 1 where somebody asks for the world matrix: a pin, a ball, a joint below that doesn't go on from it at once. */
+  readonly isKept: Uint8Array;
   /** 1 where neither the joint nor any above it stretches. */
   readonly isRigid: Uint8Array;
   readonly allScrews: boolean;
@@ -138,10 +141,15 @@ export interface Screws {
   readonly follower: Int32Array;
   /** 0, 1, 2 for x, y, z, or 3. */
   readonly axisKind: Uint8Array;
-  /** 5 each: the axis in the joint's own space, 1 or 0 times a turn about it, and how far it slides for each radian. */
-  readonly rules: Float64Array;
+  /** x y z each, in the joint's own space. */
+  readonly axes: Float64Array;
+  /** Whether it turns about its axis, and how far it slides along it for each radian or by itself. */
   readonly turns: Uint8Array;
   readonly slides: Float64Array;
+  /** Scratch, by screw. */
+  readonly angles: Float64Array;
+  readonly sines: Float64Array;
+  readonly cosines: Float64Array;
   /** At the pose last looked at: the axis in the world and a point on it, 6 numbers each. */
   readonly lines: Float64Array;
 }

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { lookAt, turnLeft } from '../../../src/evaluate/ik/forward.ts';
 import { writeJacobian } from '../../../src/evaluate/ik/jacobian.ts';
-import { ikStiffness } from '../../../src/evaluate/ik/pins.ts';
+import { type IkPin, ikStiffness } from '../../../src/evaluate/ik/pins.ts';
 import { ikProblem } from '../../../src/evaluate/ik/problem.ts';
 import { aimPins } from '../../../src/evaluate/ik/reach.ts';
 import type { IkProblem } from '../../../src/evaluate/ik/state.ts';
@@ -83,7 +83,9 @@ describe('the screws of a joint', () => {
         dofs.set([...values, ...values], compiled.firstDof[0]);
         const own = new Float64Array(32);
         worldMatrices(compiled, dofs, own);
-        const problem = ikProblem(skeleton, [{ joint: 1, point: [0, 0, 0], target: [0, 0, 0] }], dofs);
+        // A pin on each, so that both matrices are kept.
+        const pins = [0, 1].map((j): IkPin => ({ joint: j, point: [0, 0, 0], target: [0, 0, 0] }));
+        const problem = ikProblem(skeleton, pins, dofs);
         lookAt(problem, dofs);
         for (const o of [0, 16]) {
           const places = [0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14].map((k) => o + k);

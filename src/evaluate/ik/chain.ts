@@ -1,0 +1,177 @@
+/**
+ * Forward kinematics of the joints that are products of screws, with the world axes that the Jacobian needs on the way:
+ *
+ *     W = W_parent · T(offset) · Π T(slide·φ·a) · R(a, turn·φ)
+ *
+ * A turn about x, y or z mixes two columns of W, and its axis in the world is the third. Any other turn is made a matrix
+ * by Rodrigues' formula, and the third column is the cross product of the two others.
+ *
+ * From a joint to its first child the matrix stays in local variables: reading and writing arrays takes longer than what
+ * there is to calculate. One long loop, since a call a joint costs as much as the joint.
+ */
+import { writeSinesAndCosines } from '../../math/sines-cosines.ts';
+import type { IkProblem } from './state.ts';
+
+/**
+ * The world matrices of all slots that are kept, and the lines that the screws are on.
+ * @param writeOther writes the world matrix of a slot that is no product of screws
+ */
+export function writeMatrices(
+  problem: IkProblem,
+  dofs: Float64Array,
+  writeOther: (problem: IkProblem, dofs: Float64Array, slot: number) => void,
+): void {
+  const { skeleton, slots, screws } = problem;
+  const { hasRootTranslation } = skeleton;
+  const { count, parent, offsets, worlds, takesScrews, isKept } = slots;
+  const { first, dof, axisKind, axes, turns, slides, angles, sines, cosines, lines } = screws;
+  const all = dof.length;
+  // What only slides turns by nothing.
+  for (let i = 0; i < all; i++) angles[i] = turns[i] === 1 ? dofs[dof[i]] : 0;
+  writeSinesAndCosines(angles, all, sines, cosines);
+  // The columns of the matrix, and the slot that it is of.
+  let x0 = 1;
+  let x1 = 0;
+  let x2 = 0;
+  let y0 = 0;
+  let y1 = 1;
+  let y2 = 0;
+  let z0 = 0;
+  let z1 = 0;
+  let z2 = 1;
+  let ox = 0;
+  let oy = 0;
+  let oz = 0;
+  let at = -1;
+  for (let s = 0; s < count; s++) {
+    if (takesScrews[s] === 0) {
+      writeOther(problem, dofs, s);
+      continue;
+    }
+    const above = parent[s];
+    if (above !== at) {
+      const g = 16 * above;
+      x0 = worlds[g];
+      x1 = worlds[g + 1];
+      x2 = worlds[g + 2];
+      y0 = worlds[g + 4];
+      y1 = worlds[g + 5];
+      y2 = worlds[g + 6];
+      z0 = worlds[g + 8];
+      z1 = worlds[g + 9];
+      z2 = worlds[g + 10];
+      ox = worlds[g + 12];
+      oy = worlds[g + 13];
+      oz = worlds[g + 14];
+    } else if (above < 0 && hasRootTranslation) {
+      ox = dofs[0];
+      oy = dofs[1];
+      oz = dofs[2];
+    }
+    at = s;
+    const dx = offsets[3 * s];
+    const dy = offsets[3 * s + 1];
+    const dz = offsets[3 * s + 2];
+    ox += x0 * dx + y0 * dy + z0 * dz;
+    oy += x1 * dx + y1 * dy + z1 * dz;
+    oz += x2 * dx + y2 * dy + z2 * dz;
+    const end = first[s + 1];
+    for (let i = first[s]; i < end; i++) {
+      const line = 6 * i;
+      const kind = axisKind[i];
+      const sin = sines[i];
+      const cos = cosines[i];
+      lines[line + 3] = ox;
+      lines[line + 4] = oy;
+      lines[line + 5] = oz;
+      if (kind === 0) {
+        lines[line] = x0;
+        lines[line + 1] = x1;
+        lines[line + 2] = x2;
+        const a0 = cos * y0 + sin * z0;
+        const a1 = cos * y1 + sin * z1;
+        const a2 = cos * y2 + sin * z2;
+        z0 = cos * z0 - sin * y0;
+        z1 = cos * z1 - sin * y1;
+        z2 = cos * z2 - sin * y2;
+        y0 = a0;
+        y1 = a1;
+        y2 = a2;
+      } else if (kind === 1) {
+        lines[line] = y0;
+        lines[line + 1] = y1;
+        lines[line + 2] = y2;
+        const a0 = cos * z0 + sin * x0;
+        const a1 = cos * z1 + sin * x1;
+        const a2 = cos * z2 + sin * x2;
+        x0 = cos * x0 - sin * z0;
+        x1 = cos * x1 - sin * z1;
+        x2 = cos * x2 - sin * z2;
+        z0 = a0;
+        z1 = a1;
+        z2 = a2;
+      } else if (kind === 2) {
+        lines[line] = z0;
+        lines[line + 1] = z1;
+        lines[line + 2] = z2;
+        const a0 = cos * x0 + sin * y0;
+        const a1 = cos * x1 + sin * y1;
+        const a2 = cos * x2 + sin * y2;
+        y0 = cos * y0 - sin * x0;
+        y1 = cos * y1 - sin * x1;
+        y2 = cos * y2 - sin * x2;
+        x0 = a0;
+        x1 = a1;
+        x2 = a2;
+      } else {
+        const a = axes[3 * i];
+        const b = axes[3 * i + 1];
+        const c = axes[3 * i + 2];
+        lines[line] = x0 * a + y0 * b + z0 * c;
+        lines[line + 1] = x1 * a + y1 * b + z1 * c;
+        lines[line + 2] = x2 * a + y2 * b + z2 * c;
+        const ka = (1 - cos) * a;
+        const kb = (1 - cos) * b;
+        const xx = cos + ka * a;
+        const xy = ka * b + sin * c;
+        const xz = ka * c - sin * b;
+        const yx = ka * b - sin * c;
+        const yy = cos + kb * b;
+        const yz = kb * c + sin * a;
+        const a0 = x0 * xx + y0 * xy + z0 * xz;
+        const a1 = x1 * xx + y1 * xy + z1 * xz;
+        const a2 = x2 * xx + y2 * xy + z2 * xz;
+        y0 = x0 * yx + y0 * yy + z0 * yz;
+        y1 = x1 * yx + y1 * yy + z1 * yz;
+        y2 = x2 * yx + y2 * yy + z2 * yz;
+        x0 = a0;
+        x1 = a1;
+        x2 = a2;
+        z0 = x1 * y2 - x2 * y1;
+        z1 = x2 * y0 - x0 * y2;
+        z2 = x0 * y1 - x1 * y0;
+      }
+      if (slides[i] !== 0) {
+        // Turned or not, the axis is the same.
+        const slide = slides[i] * dofs[dof[i]];
+        ox += slide * lines[line];
+        oy += slide * lines[line + 1];
+        oz += slide * lines[line + 2];
+      }
+    }
+    if (isKept[s] === 0) continue;
+    const o = 16 * s;
+    worlds[o] = x0;
+    worlds[o + 1] = x1;
+    worlds[o + 2] = x2;
+    worlds[o + 4] = y0;
+    worlds[o + 5] = y1;
+    worlds[o + 6] = y2;
+    worlds[o + 8] = z0;
+    worlds[o + 9] = z1;
+    worlds[o + 10] = z2;
+    worlds[o + 12] = ox;
+    worlds[o + 13] = oy;
+    worlds[o + 14] = oz;
+  }
+}
