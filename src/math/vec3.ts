@@ -4,6 +4,15 @@ export type Vec3 = readonly [number, number, number];
 export const ZERO: Vec3 = [0, 0, 0];
 
 /**
+ * The length of (x, y, z). `Math.hypot` takes several times as long, and is needed only where squares are too large or
+ * too small to be numbers.
+ */
+export function length3(x: number, y: number, z: number): number {
+  const square = x * x + y * y + z * z;
+  return square > 1e-280 && square < Infinity ? Math.sqrt(square) : Math.hypot(x, y, z);
+}
+
+/**
  * Makes `a[o …]` a vector of length 1, in place, however long or short it is. False, and nothing changed, where it has
  * no direction: zero, or not finite.
  */

@@ -7,11 +7,16 @@
  * time counts, so that what else the machine does counts for none, and of these the median is told; and how many steps
  * left a pin further off than 1e-3 of the reach. CCD goes round ten times, enough or not.
  * Behind that, clicks: from the pose of the file straight to where random angles put the pins, ours with restarts.
+ *
+ * All solvers run from one bundle, as code that ships does.
  */
 import { afterAll, bench, describe } from 'vitest';
+import { bundled } from '../helpers/bundled.ts';
 import { caseSkeleton, type IkCases, type IkDrag, ikCases, type Target } from '../helpers/ik-cases.ts';
 import { hasShared } from '../helpers/shared.ts';
-import { ccd, closedChain, type Dragger, type Grip, ours } from './ik-peers.ts';
+import type { Dragger, Grip } from './ik-peers.ts';
+
+const { ccd, closedChain, ours } = await bundled<typeof import('./ik-peers.ts')>('tests/bench/ik-peers.ts');
 
 const SOLVERS: readonly (readonly [name: string, make: (grip: Grip) => Dragger])[] = [
   ['ours', ours],

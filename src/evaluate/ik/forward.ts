@@ -1,5 +1,6 @@
 /** Forward kinematics of the joints that matter, and how far the pins are from where they should be. */
 import { multiplyAffine } from '../../math/mat4.ts';
+import { length3 } from '../../math/vec3.ts';
 import { writeMatrices } from './chain.ts';
 import { FRAME_SIZE, writeFrame, writeTurnLeft } from './orientation.ts';
 import type { IkProblem } from './state.ts';
@@ -90,12 +91,7 @@ export function residual({ positions, targets }: IkProblem['pins'], p: number): 
 
 /** Between the points at `a[o]` and `b[o]`. */
 function distance(a: Float64Array, b: Float64Array, o: number): number {
-  const x = a[o] - b[o];
-  const y = a[o + 1] - b[o + 1];
-  const z = a[o + 2] - b[o + 2];
-  const square = x * x + y * y + z * z;
-  // `hypot` takes several times as long, and is needed only where squares are too large or too small to be numbers.
-  return square > 1e-280 && square < Infinity ? Math.sqrt(square) : Math.hypot(x, y, z);
+  return length3(a[o] - b[o], a[o + 1] - b[o + 1], a[o + 2] - b[o + 2]);
 }
 
 /** The angle that a pin's joint has still to turn; 0 for one that holds no orientation. Radians. */

@@ -8,7 +8,7 @@
  * remains.
  */
 import { writeJacobian } from './jacobian.ts';
-import { solveDamped, writeNormal } from './normal.ts';
+import { solveDamped, systemSize, writeNormal } from './normal.ts';
 import type { IkProblem } from './state.ts';
 
 /** Of the mean of the diagonal. Less than that and directions that nothing can move in would be divided by nothing. */
@@ -39,13 +39,13 @@ export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: Array
       }
       rest[r] = sum;
     }
-    writeNormal(freeColumns, rows, n, normal);
-    const size = Math.min(rows, n);
+    writeNormal(freeColumns, rows, n, problem.shape, normal);
+    const size = systemSize(rows, n);
     let trace = 0;
     for (let i = 0; i < size; i++) trace += normal[i * size + i];
-    const damping = DAMPING * (trace / size) + 1e-300;
+    const damping = DAMPING * (trace / Math.min(rows, n)) + 1e-300;
     // The step that undoes what d does to the pins.
-    if (!solveDamped(freeColumns, rows, n, rest, normal, damping, factor, solution, step)) return 0;
+    if (!solveDamped(freeColumns, rows, n, problem.shape, rest, normal, damping, factor, solution, step)) return 0;
     let isFree = true;
     for (let v = 0; v < n; v++) {
       step[v] += way[v];

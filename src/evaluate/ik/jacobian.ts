@@ -16,8 +16,10 @@ import { writeTwists } from './twists.ts';
 
 /** Of the pose last looked at, which is in `dofs`. */
 export function writeJacobian(problem: IkProblem, dofs: Float64Array): void {
-  problem.jacobian.fill(0);
+  // What hinges write they write over, and nothing else is ever written then.
+  if (!problem.screwColumns.areAll) problem.jacobian.fill(0);
   writeHingeColumns(problem);
+  if (problem.screwColumns.areAll) return;
   writeRootColumns(problem);
   writeOtherScrewColumns(problem);
   if (problem.slots.allScrews) return;

@@ -14,14 +14,14 @@
  */
 import { isThere, lookAt } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
-import { solveDamped, writeNormal } from './normal.ts';
+import { solveDamped, solveThree, writeNormal } from './normal.ts';
 import type { IkProblem } from './state.ts';
 
 /** No step turns a joint further: radians, and as many reaches. */
 const LONGEST_STEP = 1;
 /** How often a step is solved again because of limits that it would cross. */
 const MOST_ROUNDS = 4;
-const FIRST_BOOST = 0.1;
+export const FIRST_BOOST = 0.1;
 const LEAST_BOOST = 1e-4;
 /** Past that, no step however short lowers the error. */
 const MOST_BOOST = 1e12;
@@ -68,14 +68,15 @@ export function descendFrom(
   let isFresh = true;
   out.iterations = 0;
   out.isFlat = false;
-  while (!isThere(problem, options.aim) && out.iterations < options.iterations && n > 0) {
+  out.isThere = isThere(problem, options.aim);
+  while (!out.isThere && out.iterations < options.iterations && n > 0) {
     if (isFresh) {
       writeJacobian(problem, dofs);
       freezeAtLimits(problem, dofs);
       for (let v = 0; v < n; v++) before[v] = dofs[variables.dof[v]];
       for (let r = 0; r < rows; r++) errorsBefore[r] = errors[r];
     }
-    const promised = writeStep(problem, boost * (error + 1e-6), isFresh);
+    const promised = writeStep(problem, errorsBefore, boost * (error + 1e-6), isFresh);
     // Nothing left to gain, as far as the slope can tell.
     if (error - promised <= 1e-12 * error) {
       out.isFlat = true;
@@ -91,6 +92,7 @@ export function descendFrom(
       idle = error - next < options.leastGain * error ? idle + 1 : 0;
       error = next;
       isFresh = true;
+      out.isThere = isThere(problem, options.aim);
       if (idle >= 3) break;
     } else {
       for (let v = 0; v < n; v++) dofs[variables.dof[v]] = before[v];
@@ -102,7 +104,6 @@ export function descendFrom(
   }
   if (!isFresh) error = lookAt(problem, dofs);
   out.error = error;
-  out.isThere = isThere(problem, options.aim);
 }
 
 /** Marks the unknowns that stand at a limit and would go on outward. */
@@ -121,90 +122,93 @@ export function freezeAtLimits({ variables, scratch, errors, jacobian, rows }: I
 }
 
 /**
- * The step at that damping, to `scratch.step`.
+ * The step at that damping, to `scratch.step`, and the errors that it should come to, to `scratch.expected`.
+ * @param errors those that it should take away
  * @param isFresh whether the Jacobian is another than the last time
  * @returns the sum of squared errors that it promises
  */
-function writeStep(problem: IkProblem, damping: number, isFresh: boolean): number {
-  const { variables, scratch, jacobian, rows } = problem;
-  const { held, free, fixedStep, freeColumns, rest, normal, factor, solution, step, errorsBefore, before } = scratch;
+export function writeStep(problem: IkProblem, errors: Float64Array, damping: number, isFresh: boolean): number {
+  const { variables, scratch, shape, jacobian, rows } = problem;
+  const { held, fixed, fixedStep, freeColumns, rest, normal, factor, solution, step, expected, before } = scratch;
   const { count: n, lower, upper, scale, relative, isLimited } = variables;
-  let count = n;
+  let columns = jacobian;
+  for (let r = 0; r < rows; r++) rest[r] = errors[r];
   if (isLimited) {
-    count = 0;
+    let count = 0;
     for (let v = 0; v < n; v++) {
+      fixed[v] = held[v];
       fixedStep[v] = 0;
-      if (held[v] === 0) free[count++] = v;
+      count += held[v];
     }
+    if (count > 0) columns = withoutFixed(jacobian, rows, n, fixed, freeColumns);
   }
-  let isSame = count === n;
-  for (let r = 0; r < rows; r++) rest[r] = errorsBefore[r];
-  let isKnown = !isFresh && isSame;
-  for (let round = 0; ; round++) {
-    const columns = isSame ? jacobian : freeColumns;
-    if (!isSame) gather(jacobian, rows, n, free, count, freeColumns);
-    if (!isKnown) writeNormal(columns, rows, count, normal);
-    isKnown = false;
-    if (!solveDamped(columns, rows, count, rest, normal, damping, factor, solution, step)) {
-      // No step, which promises nothing but a try with more damping.
-      step.fill(0);
-      isSame = false;
+  let isSolved = false;
+  for (let round = 1; ; round++) {
+    if (rows === 3 && n >= 3) isSolved = solveThree(columns, n, rest, damping, solution, step);
+    else {
+      // With limits the last one may have been of fewer.
+      if (isFresh || isLimited) writeNormal(columns, rows, n, shape, normal);
+      isSolved = solveDamped(columns, rows, n, shape, rest, normal, damping, factor, solution, step);
     }
+    if (!isSolved) step.fill(0);
     if (!isLimited) break;
     let shortest = 1;
-    for (let i = 0; i < count; i++) shortest = Math.min(shortest, LONGEST_STEP / Math.abs(step[i] * relative[free[i]]));
-    let left = 0;
-    for (let i = 0; i < count; i++) {
-      const v = free[i];
-      const value = before[v] + shortest * step[i] * scale[v];
-      if (round + 1 < MOST_ROUNDS && (value < lower[v] || value > upper[v])) {
-        fixedStep[v] = ((value < lower[v] ? lower[v] : upper[v]) - before[v]) / scale[v];
-        for (let r = 0; r < rows; r++) rest[r] += jacobian[r * n + v] * fixedStep[v];
-      } else {
-        free[left] = v;
-        step[left++] = step[i];
-      }
+    for (let v = 0; v < n; v++) shortest = Math.min(shortest, LONGEST_STEP / Math.abs(step[v] * relative[v]));
+    let crossed = 0;
+    for (let v = 0; v < n && round < MOST_ROUNDS; v++) {
+      if (fixed[v] === 1) continue;
+      const value = before[v] + shortest * step[v] * scale[v];
+      if (value >= lower[v] && value <= upper[v]) continue;
+      crossed++;
+      fixed[v] = 1;
+      fixedStep[v] = ((value < lower[v] ? lower[v] : upper[v]) - before[v]) / scale[v];
+      for (let r = 0; r < rows; r++) rest[r] += jacobian[r * n + v] * fixedStep[v];
     }
-    if (left === count) {
-      // From the free ones back to all.
-      for (let i = count - 1; i >= 0; i--) fixedStep[free[i]] = step[i];
-      for (let v = 0; v < n; v++) step[v] = fixedStep[v];
-      break;
-    }
-    count = left;
-    isSame = false;
-    if (count === 0) {
-      for (let v = 0; v < n; v++) step[v] = fixedStep[v];
-      break;
-    }
+    if (crossed === 0) break;
+    columns = withoutFixed(jacobian, rows, n, fixed, freeColumns);
   }
+  if (columns !== jacobian) for (let v = 0; v < n; v++) if (fixed[v] === 1) step[v] = fixedStep[v];
   let longest = 0;
-  for (let v = 0; v < n; v++) longest = Math.max(longest, Math.abs(step[v] * relative[v]));
-  if (longest > LONGEST_STEP) for (let v = 0; v < n; v++) step[v] *= LONGEST_STEP / longest;
+  for (let v = 0; v < n; v++) {
+    const size = Math.abs(step[v] * relative[v]);
+    if (size > longest) longest = size;
+  }
+  const part = longest > LONGEST_STEP ? LONGEST_STEP / longest : 1;
+  if (part < 1) for (let v = 0; v < n; v++) step[v] *= part;
   let promised = 0;
-  if (isSame && rows <= n && longest <= LONGEST_STEP) {
+  if (isSolved && columns === jacobian && rows <= n) {
     // e + J·h is λ·z.
-    for (let r = 0; r < rows; r++) promised += damping * solution[r] * (damping * solution[r]);
+    for (let r = 0; r < rows; r++) {
+      const e = errors[r] + part * (damping * solution[r] - errors[r]);
+      expected[r] = e;
+      promised += e * e;
+    }
     return promised;
   }
   for (let r = 0; r < rows; r++) {
-    let e = errorsBefore[r];
+    let e = errors[r];
     const a = r * n;
     for (let v = 0; v < n; v++) e += jacobian[a + v] * step[v];
+    expected[r] = e;
     promised += e * e;
   }
   return promised;
 }
 
-/** The columns of the free unknowns, side by side. */
-function gather(from: Float64Array, rows: number, n: number, free: Int32Array, count: number, out: Float64Array): void {
-  for (let r = 0; r < rows; r++) for (let i = 0; i < count; i++) out[r * count + i] = from[r * n + free[i]];
+/** The columns of the unknowns that are not fixed, and 0 for the others: those then have no step. */
+function withoutFixed(from: Float64Array, rows: number, n: number, fixed: Uint8Array, out: Float64Array): Float64Array {
+  for (let r = 0; r < rows; r++) for (let v = 0; v < n; v++) out[r * n + v] = fixed[v] === 1 ? 0 : from[r * n + v];
+  return out;
 }
 
 /** From where the unknowns were, within the limits whatever rounding does. */
-function takeStep({ variables, scratch }: IkProblem, dofs: Float64Array): void {
-  const { count, dof, scale, lower, upper } = variables;
+export function takeStep({ variables, scratch }: IkProblem, dofs: Float64Array): void {
+  const { count, dof, scale, lower, upper, hasLimits } = variables;
   const { before, step } = scratch;
+  if (!hasLimits) {
+    for (let v = 0; v < count; v++) dofs[dof[v]] = before[v] + step[v] * scale[v];
+    return;
+  }
   for (let v = 0; v < count; v++) {
     const value = before[v] + step[v] * scale[v];
     dofs[dof[v]] = value < lower[v] ? lower[v] : value > upper[v] ? upper[v] : value;

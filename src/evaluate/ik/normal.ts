@@ -5,27 +5,98 @@
  *     (JJᵀ + λI)·z = e,  h = −Jᵀz        as many as errors: a point pinned is 3, however long the chain
  *
  * Both give the same h. J is kept by rows, so both are sums over consecutive numbers.
+ *
+ * Errors come in threes, a position's or an orientation's, and so do equations, with idle ones where the unknowns are
+ * no multiple of 3: everything goes by blocks of 3 × 3, nine sums at a time. Of J only what is not 0 for certain is
+ * read: a pin is moved by the unknowns of the joints above it, two pins both by those of the joints above both.
  */
+import type { JacobianShape } from './state.ts';
 
-/** The smaller system without damping: its lower triangle. J has `rows` rows of `n` numbers, `rows` a multiple of 3. */
-export function writeNormal(jacobian: Float64Array, rows: number, n: number, out: Float64Array): void {
+/** Equations of the smaller system, a multiple of 3. */
+export function systemSize(rows: number, n: number): number {
+  return rows <= n ? rows : 3 * Math.ceil(n / 3);
+}
+
+/**
+ * The smaller system without damping: its lower triangle. J has `rows` rows of `n` numbers, `rows` a multiple of 3.
+ */
+export function writeNormal(
+  jacobian: Float64Array,
+  rows: number,
+  n: number,
+  shape: JacobianShape,
+  out: Float64Array,
+): void {
+  const blocks = rows / 3;
   if (rows <= n) {
-    for (let r = 0; r < rows; r += 3) for (let c = 0; c <= r; c += 3) writeBlock(jacobian, rows, n, r, c, out);
+    for (let r = 0; r < blocks; r++) {
+      writeOwnBlock(jacobian, rows, n, r, shape, out);
+      for (let c = 0; c < r; c++) writeBlock(jacobian, rows, n, 3 * r, 3 * c, shape.shared[r * blocks + c], out);
+    }
     return;
   }
-  out.fill(0, 0, n * n);
+  const size = systemSize(rows, n);
+  out.fill(0, 0, size * size);
   for (let r = 0; r < rows; r++) {
     const a = r * n;
     for (let i = 0; i < n; i++) {
       const left = jacobian[a + i];
       if (left === 0) continue;
-      for (let k = 0; k <= i; k++) out[i * n + k] += left * jacobian[a + k];
+      for (let k = 0; k <= i; k++) out[i * size + k] += left * jacobian[a + k];
     }
   }
 }
 
-/** Three rows against three rows: a position's or an orientation's errors come in threes. */
-function writeBlock(jacobian: Float64Array, rows: number, n: number, r: number, c: number, out: Float64Array): void {
+/** Three rows against themselves. */
+function writeOwnBlock(
+  jacobian: Float64Array,
+  rows: number,
+  n: number,
+  block: number,
+  { first, column }: JacobianShape,
+  out: Float64Array,
+): void {
+  const a = 3 * block * n;
+  let xx = 0;
+  let yx = 0;
+  let yy = 0;
+  let zx = 0;
+  let zy = 0;
+  let zz = 0;
+  for (let i = first[block]; i < first[block + 1]; i++) {
+    const at = a + column[i];
+    const x = jacobian[at];
+    const y = jacobian[at + n];
+    const z = jacobian[at + 2 * n];
+    xx += x * x;
+    yx += y * x;
+    yy += y * y;
+    zx += z * x;
+    zy += z * y;
+    zz += z * z;
+  }
+  const o = 3 * block * (rows + 1);
+  out[o] = xx;
+  out[o + rows] = yx;
+  out[o + rows + 1] = yy;
+  out[o + 2 * rows] = zx;
+  out[o + 2 * rows + 1] = zy;
+  out[o + 2 * rows + 2] = zz;
+}
+
+/**
+ * Three rows against three others.
+ * @param shared past how many unknowns one of both has nothing but 0
+ */
+function writeBlock(
+  jacobian: Float64Array,
+  rows: number,
+  n: number,
+  r: number,
+  c: number,
+  shared: number,
+  out: Float64Array,
+): void {
   const a = r * n;
   const b = c * n;
   let xx = 0;
@@ -37,7 +108,7 @@ function writeBlock(jacobian: Float64Array, rows: number, n: number, r: number, 
   let zx = 0;
   let zy = 0;
   let zz = 0;
-  for (let v = 0; v < n; v++) {
+  for (let v = 0; v < shared; v++) {
     const x = jacobian[a + v];
     const y = jacobian[a + n + v];
     const z = jacobian[a + 2 * n + v];
@@ -76,6 +147,7 @@ export function solveDamped(
   jacobian: Float64Array,
   rows: number,
   n: number,
+  { first, column }: JacobianShape,
   errors: Float64Array,
   normal: Float64Array,
   damping: number,
@@ -83,92 +155,216 @@ export function solveDamped(
   solution: Float64Array,
   step: Float64Array,
 ): boolean {
-  const size = rows <= n ? rows : n;
-  if (!(size === 3 ? factorise3(normal, damping, factor) : factorise(normal, size, damping, factor))) return false;
+  const size = systemSize(rows, n);
+  if (!factorise(normal, size, damping, factor)) return false;
   if (rows <= n) {
     for (let r = 0; r < rows; r++) solution[r] = errors[r];
-    if (rows === 3) substitute3(factor, solution);
-    else substitute(factor, rows, solution);
-    for (let r = 0; r < rows; r += 3) {
-      const x = solution[r];
-      const y = solution[r + 1];
-      const z = solution[r + 2];
-      const a = r * n;
-      const b = a + n;
-      const c = b + n;
-      if (r === 0) for (let v = 0; v < n; v++) step[v] = -(x * jacobian[v] + y * jacobian[b + v] + z * jacobian[c + v]);
-      else for (let v = 0; v < n; v++) step[v] -= x * jacobian[a + v] + y * jacobian[b + v] + z * jacobian[c + v];
+    substitute(factor, rows, solution);
+    const blocks = rows / 3;
+    for (let v = 0; v < n; v++) step[v] = 0;
+    for (let block = 0; block < blocks; block++) {
+      const x = solution[3 * block];
+      const y = solution[3 * block + 1];
+      const z = solution[3 * block + 2];
+      const a = 3 * block * n;
+      for (let i = first[block]; i < first[block + 1]; i++) {
+        const v = column[i];
+        const at = a + v;
+        step[v] -= x * jacobian[at] + y * jacobian[at + n] + z * jacobian[at + 2 * n];
+      }
     }
     return true;
   }
-  for (let v = 0; v < n; v++) step[v] = 0;
+  for (let i = 0; i < size; i++) solution[i] = 0;
   for (let r = 0; r < rows; r++) {
     const e = errors[r];
     const a = r * n;
-    for (let v = 0; v < n; v++) step[v] -= e * jacobian[a + v];
+    for (let v = 0; v < n; v++) solution[v] -= e * jacobian[a + v];
   }
-  substitute(factor, n, step);
+  substitute(factor, size, solution);
+  for (let v = 0; v < n; v++) step[v] = solution[v];
+  return true;
+}
+
+/**
+ * The same of one pin's position, three equations, from J itself: with nothing written but the step it takes a third of
+ * the time. J has at least 3 columns.
+ */
+export function solveThree(
+  jacobian: Float64Array,
+  n: number,
+  errors: Float64Array,
+  damping: number,
+  solution: Float64Array,
+  step: Float64Array,
+): boolean {
+  let xx = damping;
+  let yx = 0;
+  let yy = damping;
+  let zx = 0;
+  let zy = 0;
+  let zz = damping;
+  const b = n;
+  const c = n + n;
+  for (let v = 0; v < n; v++) {
+    const x = jacobian[v];
+    const y = jacobian[b + v];
+    const z = jacobian[c + v];
+    xx += x * x;
+    yx += y * x;
+    yy += y * y;
+    zx += z * x;
+    zy += z * y;
+    zz += z * z;
+  }
+  // L·D·Lᵀ, without roots.
+  const ox = 1 / xx;
+  const ly = yx * ox;
+  yy -= ly * yx;
+  const oy = 1 / yy;
+  const lz = zx * ox;
+  const wz = zy - lz * yx;
+  const mz = wz * oy;
+  zz -= lz * zx + mz * wz;
+  if (!(xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity)) return false;
+  const f = errors[1] - ly * errors[0];
+  const z = (errors[2] - lz * errors[0] - mz * f) / zz;
+  const y = f * oy - mz * z;
+  const x = errors[0] * ox - ly * y - lz * z;
+  solution[0] = x;
+  solution[1] = y;
+  solution[2] = z;
+  for (let v = 0; v < n; v++) step[v] = -(x * jacobian[v] + y * jacobian[b + v] + z * jacobian[c + v]);
   return true;
 }
 
 /** A + λI = L·Lᵀ, with 1/L on the diagonal of what is kept. */
 function factorise(a: Float64Array, size: number, damping: number, l: Float64Array): boolean {
-  for (let i = 0; i < size; i++) {
-    const row = i * size;
-    for (let k = 0; k <= i; k++) {
-      const other = k * size;
-      let sum = a[row + k];
-      for (let m = 0; m < k; m++) sum -= l[row + m] * l[other + m];
-      if (k < i) l[row + k] = sum * l[other + k];
-      else {
-        sum += damping;
-        if (!(sum > 0 && sum < Infinity)) return false;
-        l[row + i] = 1 / Math.sqrt(sum);
+  for (let i = 0; i < size; i += 3) {
+    const x = i * size;
+    const y = x + size;
+    const z = y + size;
+    for (let k = 0; k < i; k += 3) {
+      const p = k * size;
+      const q = p + size;
+      const s = q + size;
+      let xx = a[x + k];
+      let xy = a[x + k + 1];
+      let xz = a[x + k + 2];
+      let yx = a[y + k];
+      let yy = a[y + k + 1];
+      let yz = a[y + k + 2];
+      let zx = a[z + k];
+      let zy = a[z + k + 1];
+      let zz = a[z + k + 2];
+      for (let m = 0; m < k; m++) {
+        const u = l[x + m];
+        const v = l[y + m];
+        const w = l[z + m];
+        const f = l[p + m];
+        const g = l[q + m];
+        const h = l[s + m];
+        xx -= u * f;
+        xy -= u * g;
+        xz -= u * h;
+        yx -= v * f;
+        yy -= v * g;
+        yz -= v * h;
+        zx -= w * f;
+        zy -= w * g;
+        zz -= w * h;
       }
+      // Times the inverse transpose of the block above on the diagonal.
+      const px = l[p + k];
+      const qx = l[q + k];
+      const qy = l[q + k + 1];
+      const sx = l[s + k];
+      const sy = l[s + k + 1];
+      const sz = l[s + k + 2];
+      l[x + k] = xx *= px;
+      l[x + k + 1] = xy = (xy - xx * qx) * qy;
+      l[x + k + 2] = (xz - xx * sx - xy * sy) * sz;
+      l[y + k] = yx *= px;
+      l[y + k + 1] = yy = (yy - yx * qx) * qy;
+      l[y + k + 2] = (yz - yx * sx - yy * sy) * sz;
+      l[z + k] = zx *= px;
+      l[z + k + 1] = zy = (zy - zx * qx) * qy;
+      l[z + k + 2] = (zz - zx * sx - zy * sy) * sz;
     }
+    let xx = a[x + i] + damping;
+    let yx = a[y + i];
+    let yy = a[y + i + 1] + damping;
+    let zx = a[z + i];
+    let zy = a[z + i + 1];
+    let zz = a[z + i + 2] + damping;
+    for (let m = 0; m < i; m++) {
+      const u = l[x + m];
+      const v = l[y + m];
+      const w = l[z + m];
+      xx -= u * u;
+      yx -= v * u;
+      yy -= v * v;
+      zx -= w * u;
+      zy -= w * v;
+      zz -= w * w;
+    }
+    const rx = 1 / Math.sqrt(xx);
+    yx *= rx;
+    yy -= yx * yx;
+    const ry = 1 / Math.sqrt(yy);
+    zx *= rx;
+    zy = (zy - zx * yx) * ry;
+    zz -= zx * zx + zy * zy;
+    if (!(xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity)) return false;
+    l[x + i] = rx;
+    l[y + i] = yx;
+    l[y + i + 1] = ry;
+    l[z + i] = zx;
+    l[z + i + 1] = zy;
+    l[z + i + 2] = 1 / Math.sqrt(zz);
   }
   return true;
-}
-
-/** The same of three equations, one pin's: loops of three cost more than what is in them. */
-function factorise3(a: Float64Array, damping: number, l: Float64Array): boolean {
-  const xx = a[0] + damping;
-  const x = 1 / Math.sqrt(xx);
-  const yx = a[3] * x;
-  const yy = a[4] + damping - yx * yx;
-  const y = 1 / Math.sqrt(yy);
-  const zx = a[6] * x;
-  const zy = (a[7] - zx * yx) * y;
-  const zz = a[8] + damping - zx * zx - zy * zy;
-  if (!(xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity)) return false;
-  l[0] = x;
-  l[3] = yx;
-  l[4] = y;
-  l[6] = zx;
-  l[7] = zy;
-  l[8] = 1 / Math.sqrt(zz);
-  return true;
-}
-
-function substitute3(l: Float64Array, b: Float64Array): void {
-  const x = b[0] * l[0];
-  const y = (b[1] - l[3] * x) * l[4];
-  const z = (b[2] - l[6] * x - l[7] * y) * l[8] * l[8];
-  b[2] = z;
-  b[1] = (y - l[7] * z) * l[4];
-  b[0] = (x - l[3] * b[1] - l[6] * z) * l[0];
 }
 
 /** Solves L·Lᵀ·x = b in place. */
 function substitute(l: Float64Array, size: number, b: Float64Array): void {
-  for (let i = 0; i < size; i++) {
-    let sum = b[i];
-    for (let m = 0; m < i; m++) sum -= l[i * size + m] * b[m];
-    b[i] = sum * l[i * size + i];
+  for (let i = 0; i < size; i += 3) {
+    const o = i * size;
+    const p = o + size;
+    const q = p + size;
+    let x = b[i];
+    let y = b[i + 1];
+    let z = b[i + 2];
+    for (let m = 0; m < i; m++) {
+      const known = b[m];
+      x -= l[o + m] * known;
+      y -= l[p + m] * known;
+      z -= l[q + m] * known;
+    }
+    x *= l[o + i];
+    y = (y - l[p + i] * x) * l[p + i + 1];
+    b[i] = x;
+    b[i + 1] = y;
+    b[i + 2] = (z - l[q + i] * x - l[q + i + 1] * y) * l[q + i + 2];
   }
-  for (let i = size - 1; i >= 0; i--) {
-    let sum = b[i];
-    for (let m = i + 1; m < size; m++) sum -= l[m * size + i] * b[m];
-    b[i] = sum * l[i * size + i];
+  for (let i = size - 3; i >= 0; i -= 3) {
+    const o = i * size;
+    const p = o + size;
+    const q = p + size;
+    let x = b[i];
+    let y = b[i + 1];
+    let z = b[i + 2];
+    for (let m = i + 3; m < size; m++) {
+      const known = b[m];
+      const a = m * size + i;
+      x -= l[a] * known;
+      y -= l[a + 1] * known;
+      z -= l[a + 2] * known;
+    }
+    z *= l[q + i + 2];
+    y = (y - l[q + i + 1] * z) * l[p + i + 1];
+    b[i + 2] = z;
+    b[i + 1] = y;
+    b[i] = (x - l[p + i] * y - l[q + i] * z) * l[o + i];
   }
 }

@@ -8,11 +8,12 @@
 import type { Skeleton } from '../../model/skeleton.ts';
 import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../kinematics.ts';
 import { lookAt } from './forward.ts';
+import { systemSize } from './normal.ts';
 import { FRAME_SIZE, writeTurnFrame } from './orientation.ts';
 import { checkPins, HOLDING_WEIGHT, type IkOptions, type IkPin, ikStiffness } from './pins.ts';
 import { ballsOf, reachOf } from './reach.ts';
 import { screwColumnsOf, screwsOf } from './screws.ts';
-import type { IkProblem, PinArrays, Scratch, Slots } from './state.ts';
+import type { IkProblem, JacobianShape, PinArrays, Scratch, Slots } from './state.ts';
 import { type IkVariables, ikVariables } from './variables.ts';
 
 /** A radian of orientation counts as much as that part of the reach. */
@@ -43,14 +44,8 @@ export function ikProblem(
   const screws = screwsOf(compiled, slots, variables);
   const arrays = pinArrays(pins, slots, reach);
   const rootVariables = compiled.hasRootTranslation ? variables.ofDof.slice(0, 3) : Int32Array.of(-1, -1, -1);
-  const balls = ballsOf(
-    compiled,
-    slots,
-    arrays,
-    dofs,
-    world,
-    rootVariables.some((v) => v >= 0),
-  );
+  const rootMoves = rootVariables.some((v) => v >= 0);
+  const balls = ballsOf(compiled, slots, arrays, dofs, world, rootMoves);
   for (const s of balls.centre) if (s >= 0) slots.isKept[s] = 1;
   const rows = pins.reduce((sum, { orientation }) => sum + (orientation ? 6 : 3), 0);
   const problem: IkProblem = {
@@ -60,13 +55,19 @@ export function ikProblem(
     pins: arrays,
     slots,
     screws,
-    screwColumns: screwColumnsOf(screws, slots, arrays, variables),
+    screwColumns: screwColumnsOf(screws, slots, arrays, variables, rootMoves),
     balls,
     variables,
     rootVariables,
     rows,
     errors: new Float64Array(rows),
+    shape: shapeOf(slots, arrays, rootVariables),
     jacobian: new Float64Array(rows * variables.count),
+    foresight: {
+      last: new Float64Array(rows),
+      bend: new Float64Array(rows),
+      foreseen: new Float64Array(rows),
+    },
     scratch: scratchOf(compiled, rows, variables.count, dofs.length),
     result: {
       iterations: 0,
@@ -188,17 +189,39 @@ function pinArrays(pins: readonly IkPin[], slots: Slots, reach: number): PinArra
   };
 }
 
+function shapeOf(
+  { parent, firstPart, partVariable }: Slots,
+  { count, slot, holdsOrientation }: PinArrays,
+  rootVariables: Int32Array,
+): JacobianShape {
+  const blocks = Array.from({ length: count }, (_, p) => {
+    const moving = new Set(rootVariables.filter((v) => v >= 0));
+    for (let s = slot[p]; s >= 0; s = parent[s]) {
+      for (let part = firstPart[s]; part < firstPart[s + 1]; part++) moving.add(partVariable[part]);
+    }
+    const columns = [...moving].sort((a, b) => a - b);
+    return holdsOrientation[p] ? [columns, columns] : [columns];
+  }).flat();
+  return {
+    first: starts(blocks),
+    column: Int32Array.from(blocks.flat()),
+    shared: Int32Array.from(
+      blocks.flatMap((a) => blocks.map((b) => 1 + Math.max(-1, ...a.filter((v) => b.includes(v))))),
+    ),
+  };
+}
+
 function scratchOf(compiled: CompiledSkeleton, rows: number, unknowns: number, dofs: number): Scratch {
   const { firstDof, jointCount } = compiled;
   let most = 0;
   for (let j = 0; j < jointCount; j++) most = Math.max(most, firstDof[j + 1] - firstDof[j]);
-  const size = Math.min(rows, unknowns);
+  const size = systemSize(rows, unknowns);
   return {
     twists: new Float64Array(6 * most),
     matrix: new Float64Array(16),
     step: new Float64Array(unknowns),
     held: new Uint8Array(unknowns),
-    free: new Int32Array(unknowns),
+    fixed: new Uint8Array(unknowns),
     fixedStep: new Float64Array(unknowns),
     before: new Float64Array(unknowns),
     seen: new Float64Array(dofs),
@@ -207,6 +230,7 @@ function scratchOf(compiled: CompiledSkeleton, rows: number, unknowns: number, d
     freeColumns: new Float64Array(rows * unknowns),
     rest: new Float64Array(rows),
     errorsBefore: new Float64Array(rows),
+    expected: new Float64Array(rows),
     normal: new Float64Array(size * size),
     factor: new Float64Array(size * size),
     solution: new Float64Array(size),

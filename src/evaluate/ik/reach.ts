@@ -4,7 +4,7 @@
  * is solved: an error that can't be got rid of would hold the damping up, and the pose would creep towards its best for
  * as long as anybody watches.
  */
-import type { Vec3 } from '../../math/vec3.ts';
+import { length3, type Vec3 } from '../../math/vec3.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { IkPin } from './pins.ts';
@@ -135,7 +135,7 @@ export function aimPins({ centre, radius }: Balls, pins: PinArrays, { worlds }: 
     const z = targets[a + 2] - worlds[c + 2];
     // Within the ball by far, which is told without the root.
     if (x * x + y * y + z * z <= 0.99 * radius[p] * radius[p]) continue;
-    const away = Math.hypot(x, y, z);
+    const away = length3(x, y, z);
     if (!(away > radius[p])) continue;
     const part = radius[p] / away;
     aims[a] = worlds[c] + part * x;

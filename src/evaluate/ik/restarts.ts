@@ -9,6 +9,7 @@
  *
  * Both are the same for the same problem and pose: the numbers thrown come from a sequence (Weyl's), not from chance.
  */
+import { length3 } from '../../math/vec3.ts';
 import { aimDistance, isThere, lookAt } from './forward.ts';
 import type { Descent, DescentOptions } from './levenberg.ts';
 import { descend } from './levenberg.ts';
@@ -33,7 +34,7 @@ export function isStraight({ pins, variables, jacobian, errors, reach }: IkProbl
   for (let p = 0; p < pins.count; p++) {
     if (aimDistance(pins, p) <= aim * reach) continue;
     const r = pins.row[p];
-    const size = Math.hypot(errors[r], errors[r + 1], errors[r + 2]);
+    const size = length3(errors[r], errors[r + 1], errors[r + 2]);
     let slope = 0;
     let most = 0;
     for (let v = 0; v < n; v++) {

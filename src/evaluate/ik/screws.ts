@@ -41,9 +41,10 @@ export function screwsOf(
 /** Which pins are moved by which screws. */
 export function screwColumnsOf(
   { first, variable, follower, turns, slides }: Screws,
-  { parent }: Slots,
+  { parent, allScrews }: Slots,
   { count, slot, row, holdsOrientation }: PinArrays,
   variables: IkVariables,
+  rootMoves: boolean,
 ): ScrewColumns {
   const firstHinge = new Int32Array(count + 1);
   const hinges: number[] = [];
@@ -63,6 +64,7 @@ export function screwColumnsOf(
     firstHinge[p + 1] = hingeScales.length;
   }
   return {
+    areAll: allScrews && others.length === 0 && !rootMoves,
     firstHinge,
     hinges: Int32Array.from(hinges),
     hingeScales: Float64Array.from(hingeScales),

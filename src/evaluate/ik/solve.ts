@@ -7,6 +7,7 @@
  *     solve(problem, dofs, 'settle');      on click or release: as exactly as can be, from elsewhere too
  */
 import { settleDofs } from '../kinematics.ts';
+import { stepForeseen } from './foresight.ts';
 import { isLookedAt, isThere, lookAt, residual, turnLeft, writeErrors } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
 import { type Descent, type DescentOptions, descendFrom, freezeAtLimits } from './levenberg.ts';
@@ -43,9 +44,16 @@ export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkR
   if (!isLookedAt(problem, dofs)) lookAt(problem, dofs);
   // The centres of the balls are where the pose has them.
   aimPins(problem.balls, problem.pins, problem.slots);
-  const error = writeErrors(problem);
-  if (options.restarts > 0) problem.scratch.startPose.set(dofs);
+  let error = writeErrors(problem);
+  if (options.restarts > 0) {
+    const { startPose } = problem.scratch;
+    // Few numbers: a call to `set` would take longer.
+    for (let d = 0; d < startPose.length; d++) startPose[d] = dofs[d];
+  }
+  const foresees = mode === 'drag' && problem.variables.count > 0 && !isThere(problem, options.aim);
+  if (foresees) error = stepForeseen(problem, dofs, error);
   descendFrom(problem, dofs, error, options, descent);
+  if (foresees) descent.iterations++;
   if (!descent.isThere && descent.isFlat && isStraight(problem, options.aim)) shake(problem, dofs, options, descent);
   if (options.restarts > 0 && !isThere(problem, NEAR_ENOUGH))
     restart(problem, dofs, options, options.restarts, descent);

@@ -24,8 +24,10 @@ export interface IkProblem {
   /** Numbers that the errors of all pins make. */
   readonly rows: number;
   readonly errors: Float64Array;
+  readonly shape: JacobianShape;
   /** ∂ error / ∂ unknown: a row of `variables.count` for each error. */
   readonly jacobian: Float64Array;
+  readonly foresight: Foresight;
   readonly scratch: Scratch;
   /** Overwritten by every solution. */
   readonly result: IkResult;
@@ -106,7 +108,8 @@ export interface Scratch {
   /** By unknown. */
   readonly step: Float64Array;
   readonly held: Uint8Array;
-  readonly free: Int32Array;
+  /** Those that are held, and those that would cross their limits and go by `fixedStep`. */
+  readonly fixed: Uint8Array;
   readonly fixedStep: Float64Array;
   readonly before: Float64Array;
   /** The pose last looked at. */
@@ -118,10 +121,31 @@ export interface Scratch {
   /** By row. */
   readonly rest: Float64Array;
   readonly errorsBefore: Float64Array;
-  /** Square, of the smaller of rows and unknowns. */
+  /** The errors that a step should come to. */
+  readonly expected: Float64Array;
+  /** Square, of `systemSize`. */
   readonly normal: Float64Array;
   readonly factor: Float64Array;
   readonly solution: Float64Array;
+}
+
+/** Where a Jacobian is not 0 for certain; a BLOCK of it is the three errors of a position, or of an orientation. */
+export interface JacobianShape {
+  /** Of block b, those unknowns that move it: `column[first[b]]` up to `column[first[b + 1]]`, ascending. */
+  readonly first: Int32Array;
+  readonly column: Int32Array;
+  /** By two blocks: past how many of all unknowns none moves both. */
+  readonly shared: Int32Array;
+}
+
+/** From one step of a drag to the next, by row (`foresight.ts`). */
+export interface Foresight {
+  /** The errors before the last step. */
+  readonly last: Float64Array;
+  /** By how much that step's errors came out beside what it expected. */
+  readonly bend: Float64Array;
+  /** Those of the pose, with what is foreseen. */
+  readonly foreseen: Float64Array;
 }
 
 export interface Balls {
@@ -159,6 +183,8 @@ export interface Screws {
  * moves. Most only turn and are followed by nothing, and their pins hold no orientation: these HINGES are listed apart.
  */
 export interface ScrewColumns {
+  /** Whether hinges are all that moves anything. */
+  readonly areAll: boolean;
   /** Of pin p: those from `firstHinge[p]` up to `firstHinge[p + 1]`. */
   readonly firstHinge: Int32Array;
   /** Where the line of each is in `lines`, and where its first number is in the Jacobian. */

@@ -19,7 +19,8 @@ export interface IkVariables {
   readonly relative: Float64Array;
   readonly lower: Float64Array;
   readonly upper: Float64Array;
-  /** Whether any has a limit that an animation could come to. */
+  /** Whether any has a limit, and one that an animation could come to. */
+  readonly hasLimits: boolean;
   readonly isLimited: boolean;
   /** By the character's DOF: the unknown that moves it, or -1. */
   readonly ofDof: Int32Array;
@@ -88,6 +89,7 @@ export function ikVariables(
     relative,
     lower: Float64Array.from(chosen, below),
     upper: Float64Array.from(chosen, above),
+    hasLimits: chosen.some((dof) => below(dof) > -Infinity || above(dof) < Infinity),
     isLimited: chosen.some((dof) => !isUnlimited({ min: below(dof), max: above(dof) })),
     ofDof,
     followers,
