@@ -3,8 +3,8 @@ import { writeSinesAndCosines } from '../math/sines-cosines.ts';
 
 export class HalfAngles {
   halves = new Float64Array(0);
-  sines = new Float64Array(0);
-  cosines = new Float64Array(0);
+  /** Sine and cosine of each. */
+  turned = new Float64Array(0);
 
   /**
    * Reads half angles from a row of samples.
@@ -16,11 +16,10 @@ export class HalfAngles {
     const count = columns.length;
     if (this.halves.length < count) {
       this.halves = new Float64Array(count);
-      this.sines = new Float64Array(count);
-      this.cosines = new Float64Array(count);
+      this.turned = new Float64Array(2 * count);
     }
-    const { halves, sines, cosines } = this;
+    const { halves, turned } = this;
     for (let i = 0; i < count; i++) halves[i] = values[at + columns[i]] * factors[i];
-    writeSinesAndCosines(halves, count, sines, cosines);
+    writeSinesAndCosines(halves, count, turned);
   }
 }

@@ -66,15 +66,16 @@ export function nearEuler(
   out: Float64Array,
   known: Float64Array | undefined,
 ): boolean {
-  const { halves: from, sines: fromSines, cosines: fromCosines } = fromRow;
-  const { halves: to, sines: toSines, cosines: toCosines } = toRow;
+  const { halves: from, turned: fromTurned } = fromRow;
+  const { halves: to, turned: toTurned } = toRow;
   const i = 3 * r;
-  let sx = fromSines[i];
-  let cx = fromCosines[i];
-  const sy = fromSines[i + 1];
-  const cy = fromCosines[i + 1];
-  let sz = fromSines[i + 2];
-  let cz = fromCosines[i + 2];
+  const k = 2 * i;
+  let sx = fromTurned[k];
+  let cx = fromTurned[k + 1];
+  const sy = fromTurned[k + 2];
+  const cy = fromTurned[k + 3];
+  let sz = fromTurned[k + 4];
+  let cz = fromTurned[k + 5];
   const x0 = sx * cy * cz - cx * sy * sz;
   const y0 = cx * sy * cz + sx * cy * sz;
   const z0 = cx * cy * sz - sx * sy * cz;
@@ -83,12 +84,12 @@ export function nearEuler(
   const sine = 2 * sy * cy;
   const cosine = cy * cy - sy * sy;
 
-  sx = toSines[i];
-  cx = toCosines[i];
-  const ty = toSines[i + 1];
-  const uy = toCosines[i + 1];
-  sz = toSines[i + 2];
-  cz = toCosines[i + 2];
+  sx = toTurned[k];
+  cx = toTurned[k + 1];
+  const ty = toTurned[k + 2];
+  const uy = toTurned[k + 3];
+  sz = toTurned[k + 4];
+  cz = toTurned[k + 5];
   const x1 = sx * uy * cz - cx * ty * sz;
   const y1 = cx * ty * cz + sx * uy * sz;
   const z1 = cx * uy * sz - sx * ty * cz;

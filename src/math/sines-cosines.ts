@@ -8,7 +8,6 @@
 
 /** Radians: past that n has too many digits for n·π/2 to be exact. */
 const MOST = 1e5;
-const EIGHTH = Math.PI / 4;
 const QUARTERS = 2 / Math.PI;
 /** The first 33 binary digits of π/2, and what they leave. */
 const QUARTER_HIGH = 1.5707963267341256;
@@ -18,28 +17,18 @@ const ROUNDER = 6755399441055744;
 
 /**
  * @param angles radians, the first `count` of them are read
- * @param sines @param cosines as many, each within 2e-16 of the true one
+ * @param out sine and cosine of each, one after the other, within 2e-16 of the true ones
  */
-export function writeSinesAndCosines(
-  angles: Float64Array,
-  count: number,
-  sines: Float64Array,
-  cosines: Float64Array,
-): void {
+export function writeSinesAndCosines(angles: Float64Array, count: number, out: Float64Array): void {
   for (let i = 0; i < count; i++) {
     const angle = angles[i];
-    let x = angle;
-    let quarter = 0;
-    if (!(angle <= EIGHTH && angle >= -EIGHTH)) {
-      if (!(angle <= MOST && angle >= -MOST)) {
-        sines[i] = Math.sin(angle);
-        cosines[i] = Math.cos(angle);
-        continue;
-      }
-      const n = angle * QUARTERS + ROUNDER - ROUNDER;
-      x = angle - n * QUARTER_HIGH - n * QUARTER_LOW;
-      quarter = n & 3;
+    if (!(angle <= MOST && angle >= -MOST)) {
+      out[2 * i] = Math.sin(angle);
+      out[2 * i + 1] = Math.cos(angle);
+      continue;
     }
+    const n = angle * QUARTERS + ROUNDER - ROUNDER;
+    const x = angle - n * QUARTER_HIGH - n * QUARTER_LOW;
     // Written so that few of the steps wait for each other.
     const s = x * x;
     const t = s * s;
@@ -49,18 +38,10 @@ export function writeSinesAndCosines(
     const cosineLast =
       0.00002480158729876569 - 2.7557317271729793e-7 * s + t * (2.08761462684032e-9 - 1.1382632425521717e-11 * s);
     const cosine = 1 - 0.5 * s + t * (0.041666666666666664 - 0.0013888888888887398 * s + t * cosineLast);
-    if (quarter === 0) {
-      sines[i] = sine;
-      cosines[i] = cosine;
-    } else if (quarter === 1) {
-      sines[i] = cosine;
-      cosines[i] = -sine;
-    } else if (quarter === 2) {
-      sines[i] = -sine;
-      cosines[i] = -cosine;
-    } else {
-      sines[i] = -cosine;
-      cosines[i] = sine;
-    }
+    // Which is which, and their signs, without a branch: nothing could guess the quarter.
+    const quarter = n & 3;
+    const swaps = quarter & 1;
+    out[2 * i + swaps] = (1 - ((quarter + 1) & 2)) * sine;
+    out[2 * i + 1 - swaps] = (1 - (quarter & 2)) * cosine;
   }
 }

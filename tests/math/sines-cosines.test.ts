@@ -6,10 +6,9 @@ import { writeSinesAndCosines } from '../../src/math/sines-cosines.ts';
 const LAST_DIGITS = 4e-16;
 
 function of(angles: readonly number[]): { sines: Float64Array; cosines: Float64Array } {
-  const sines = new Float64Array(angles.length);
-  const cosines = new Float64Array(angles.length);
-  writeSinesAndCosines(Float64Array.from(angles), angles.length, sines, cosines);
-  return { sines, cosines };
+  const out = new Float64Array(2 * angles.length);
+  writeSinesAndCosines(Float64Array.from(angles), angles.length, out);
+  return { sines: out.filter((_, k) => k % 2 === 0), cosines: out.filter((_, k) => k % 2 === 1) };
 }
 
 function expectTrue(angles: readonly number[]): void {
@@ -47,8 +46,8 @@ describe('sines and cosines of a row of angles', () => {
   });
 
   it('leave what is behind the row alone', () => {
-    const [sines, cosines] = [Float64Array.of(7, 7), Float64Array.of(7, 7)];
-    writeSinesAndCosines(Float64Array.of(0, 1), 1, sines, cosines);
-    expect([...sines, ...cosines]).toEqual([0, 7, 1, 7]);
+    const out = Float64Array.of(7, 7, 7, 7);
+    writeSinesAndCosines(Float64Array.of(0, 1), 1, out);
+    expect([...out]).toEqual([0, 1, 7, 7]);
   });
 });

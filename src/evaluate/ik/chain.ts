@@ -24,11 +24,11 @@ export function writeMatrices(
   const { skeleton, slots, screws } = problem;
   const { hasRootTranslation } = skeleton;
   const { count, parent, offsets, worlds, takesScrews, isKept } = slots;
-  const { first, dof, axisKind, axes, turns, slides, angles, sines, cosines, lines } = screws;
+  const { first, dof, axisKind, axes, turns, slides, angles, turned, lines } = screws;
   const all = dof.length;
   // What only slides turns by nothing.
   for (let i = 0; i < all; i++) angles[i] = turns[i] === 1 ? dofs[dof[i]] : 0;
-  writeSinesAndCosines(angles, all, sines, cosines);
+  writeSinesAndCosines(angles, all, turned);
   // The columns of the matrix, and the slot that it is of.
   let x0 = 1;
   let x1 = 0;
@@ -79,8 +79,8 @@ export function writeMatrices(
     for (let i = first[s]; i < end; i++) {
       const line = 6 * i;
       const kind = axisKind[i];
-      const sin = sines[i];
-      const cos = cosines[i];
+      const sin = turned[2 * i];
+      const cos = turned[2 * i + 1];
       lines[line + 3] = ox;
       lines[line + 4] = oy;
       lines[line + 5] = oz;

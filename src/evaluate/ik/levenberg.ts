@@ -168,31 +168,33 @@ export function writeStep(problem: IkProblem, errors: Float64Array, damping: num
     columns = withoutFixed(jacobian, rows, n, fixed, freeColumns);
   }
   if (columns !== jacobian) for (let v = 0; v < n; v++) if (fixed[v] === 1) step[v] = fixedStep[v];
-  let longest = 0;
-  for (let v = 0; v < n; v++) {
-    const size = Math.abs(step[v] * relative[v]);
-    if (size > longest) longest = size;
-  }
-  const part = longest > LONGEST_STEP ? LONGEST_STEP / longest : 1;
-  if (part < 1) for (let v = 0; v < n; v++) step[v] *= part;
+  const part = shorten(problem);
+  const isPlain = isSolved && columns === jacobian && rows <= n;
   let promised = 0;
-  if (isSolved && columns === jacobian && rows <= n) {
-    // e + J·h is λ·z.
-    for (let r = 0; r < rows; r++) {
-      const e = errors[r] + part * (damping * solution[r] - errors[r]);
-      expected[r] = e;
-      promised += e * e;
-    }
-    return promised;
-  }
   for (let r = 0; r < rows; r++) {
     let e = errors[r];
-    const a = r * n;
-    for (let v = 0; v < n; v++) e += jacobian[a + v] * step[v];
+    // e + J·h is λ·z.
+    if (isPlain) e += part * (damping * solution[r] - e);
+    else for (let v = 0; v < n; v++) e += jacobian[r * n + v] * step[v];
     expected[r] = e;
     promised += e * e;
   }
   return promised;
+}
+
+/** Makes a step none of whose parts is longer than is allowed. @returns the part of it that is left, 1 for all */
+function shorten({ variables, scratch }: IkProblem): number {
+  const { count, relative } = variables;
+  const { step } = scratch;
+  let longest = 0;
+  for (let v = 0; v < count; v++) {
+    const size = Math.abs(step[v] * relative[v]);
+    if (size > longest) longest = size;
+  }
+  if (!(longest > LONGEST_STEP)) return 1;
+  const part = LONGEST_STEP / longest;
+  for (let v = 0; v < count; v++) step[v] *= part;
+  return part;
 }
 
 /** The columns of the unknowns that are not fixed, and 0 for the others: those then have no step. */

@@ -1,5 +1,5 @@
 /**
- * The damped step of least squares, by whichever of the two systems is smaller, and Cholesky's factorisation:
+ * The damped step of least squares, by whichever of the two systems is smaller, and its factorisation (Cholesky's):
  *
  *     (JᵀJ + λI)·h = −Jᵀe        as many equations as unknowns
  *     (JJᵀ + λI)·z = e,  h = −Jᵀz        as many as errors: a point pinned is 3, however long the chain
@@ -160,9 +160,8 @@ export function solveDamped(
   if (rows <= n) {
     for (let r = 0; r < rows; r++) solution[r] = errors[r];
     substitute(factor, rows, solution);
-    const blocks = rows / 3;
     for (let v = 0; v < n; v++) step[v] = 0;
-    for (let block = 0; block < blocks; block++) {
+    for (let block = 0; 3 * block < rows; block++) {
       const x = solution[3 * block];
       const y = solution[3 * block + 1];
       const z = solution[3 * block + 2];
@@ -217,7 +216,6 @@ export function solveThree(
     zy += z * y;
     zz += z * z;
   }
-  // L·D·Lᵀ, without roots.
   const ox = 1 / xx;
   const ly = yx * ox;
   yy -= ly * yx;
@@ -227,8 +225,9 @@ export function solveThree(
   const mz = wz * oy;
   zz -= lz * zx + mz * wz;
   if (!(xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity)) return false;
+  const oz = 1 / zz;
   const f = errors[1] - ly * errors[0];
-  const z = (errors[2] - lz * errors[0] - mz * f) / zz;
+  const z = (errors[2] - lz * errors[0] - mz * f) * oz;
   const y = f * oy - mz * z;
   const x = errors[0] * ox - ly * y - lz * z;
   solution[0] = x;
@@ -238,12 +237,13 @@ export function solveThree(
   return true;
 }
 
-/** A + λI = L·Lᵀ, with 1/L on the diagonal of what is kept. */
+/** A + λI = L·D·Lᵀ, with 1/D on the diagonal of what is kept: without roots, which take as long as all the rest. */
 function factorise(a: Float64Array, size: number, damping: number, l: Float64Array): boolean {
   for (let i = 0; i < size; i += 3) {
     const x = i * size;
     const y = x + size;
     const z = y + size;
+    // L·D first, block by block.
     for (let k = 0; k < i; k += 3) {
       const p = k * size;
       const q = p + size;
@@ -274,22 +274,24 @@ function factorise(a: Float64Array, size: number, damping: number, l: Float64Arr
         zy -= w * g;
         zz -= w * h;
       }
-      // Times the inverse transpose of the block above on the diagonal.
-      const px = l[p + k];
-      const qx = l[q + k];
-      const qy = l[q + k + 1];
-      const sx = l[s + k];
-      const sy = l[s + k + 1];
-      const sz = l[s + k + 2];
-      l[x + k] = xx *= px;
-      l[x + k + 1] = xy = (xy - xx * qx) * qy;
-      l[x + k + 2] = (xz - xx * sx - xy * sy) * sz;
-      l[y + k] = yx *= px;
-      l[y + k + 1] = yy = (yy - yx * qx) * qy;
-      l[y + k + 2] = (yz - yx * sx - yy * sy) * sz;
-      l[z + k] = zx *= px;
-      l[z + k + 1] = zy = (zy - zx * qx) * qy;
-      l[z + k + 2] = (zz - zx * sx - zy * sy) * sz;
+      const f = l[q + k];
+      const g = l[s + k];
+      const h = l[s + k + 1];
+      xy -= xx * f;
+      xz -= xx * g + xy * h;
+      yy -= yx * f;
+      yz -= yx * g + yy * h;
+      zy -= zx * f;
+      zz -= zx * g + zy * h;
+      l[x + k] = xx;
+      l[x + k + 1] = xy;
+      l[x + k + 2] = xz;
+      l[y + k] = yx;
+      l[y + k + 1] = yy;
+      l[y + k + 2] = yz;
+      l[z + k] = zx;
+      l[z + k + 1] = zy;
+      l[z + k + 2] = zz;
     }
     let xx = a[x + i] + damping;
     let yx = a[y + i];
@@ -298,35 +300,40 @@ function factorise(a: Float64Array, size: number, damping: number, l: Float64Arr
     let zy = a[z + i + 1];
     let zz = a[z + i + 2] + damping;
     for (let m = 0; m < i; m++) {
-      const u = l[x + m];
-      const v = l[y + m];
-      const w = l[z + m];
-      xx -= u * u;
-      yx -= v * u;
-      yy -= v * v;
-      zx -= w * u;
-      zy -= w * v;
-      zz -= w * w;
+      const part = l[m * size + m];
+      const u = l[x + m] * part;
+      const v = l[y + m] * part;
+      const w = l[z + m] * part;
+      xx -= u * l[x + m];
+      yx -= u * l[y + m];
+      yy -= v * l[y + m];
+      zx -= u * l[z + m];
+      zy -= v * l[z + m];
+      zz -= w * l[z + m];
+      l[x + m] = u;
+      l[y + m] = v;
+      l[z + m] = w;
     }
-    const rx = 1 / Math.sqrt(xx);
-    yx *= rx;
-    yy -= yx * yx;
-    const ry = 1 / Math.sqrt(yy);
-    zx *= rx;
-    zy = (zy - zx * yx) * ry;
-    zz -= zx * zx + zy * zy;
+    const ox = 1 / xx;
+    const f = yx * ox;
+    yy -= f * yx;
+    const oy = 1 / yy;
+    const g = zx * ox;
+    zy -= g * yx;
+    const h = zy * oy;
+    zz -= g * zx + h * zy;
     if (!(xx > 0 && yy > 0 && zz > 0 && xx + yy + zz < Infinity)) return false;
-    l[x + i] = rx;
-    l[y + i] = yx;
-    l[y + i + 1] = ry;
-    l[z + i] = zx;
-    l[z + i + 1] = zy;
-    l[z + i + 2] = 1 / Math.sqrt(zz);
+    l[x + i] = ox;
+    l[y + i] = f;
+    l[y + i + 1] = oy;
+    l[z + i] = g;
+    l[z + i + 1] = h;
+    l[z + i + 2] = 1 / zz;
   }
   return true;
 }
 
-/** Solves L·Lᵀ·x = b in place. */
+/** Solves L·D·Lᵀ·x = b in place. */
 function substitute(l: Float64Array, size: number, b: Float64Array): void {
   for (let i = 0; i < size; i += 3) {
     const o = i * size;
@@ -341,19 +348,18 @@ function substitute(l: Float64Array, size: number, b: Float64Array): void {
       y -= l[p + m] * known;
       z -= l[q + m] * known;
     }
-    x *= l[o + i];
-    y = (y - l[p + i] * x) * l[p + i + 1];
+    y -= l[p + i] * x;
     b[i] = x;
     b[i + 1] = y;
-    b[i + 2] = (z - l[q + i] * x - l[q + i + 1] * y) * l[q + i + 2];
+    b[i + 2] = z - l[q + i] * x - l[q + i + 1] * y;
   }
   for (let i = size - 3; i >= 0; i -= 3) {
     const o = i * size;
     const p = o + size;
     const q = p + size;
-    let x = b[i];
-    let y = b[i + 1];
-    let z = b[i + 2];
+    let x = b[i] * l[o + i];
+    let y = b[i + 1] * l[p + i + 1];
+    let z = b[i + 2] * l[q + i + 2];
     for (let m = i + 3; m < size; m++) {
       const known = b[m];
       const a = m * size + i;
@@ -361,10 +367,9 @@ function substitute(l: Float64Array, size: number, b: Float64Array): void {
       y -= l[a + 1] * known;
       z -= l[a + 2] * known;
     }
-    z *= l[q + i + 2];
-    y = (y - l[q + i + 1] * z) * l[p + i + 1];
-    b[i + 2] = z;
+    y -= l[q + i + 1] * z;
+    b[i] = x - l[p + i] * y - l[q + i] * z;
     b[i + 1] = y;
-    b[i] = (x - l[p + i] * y - l[q + i] * z) * l[o + i];
+    b[i + 2] = z;
   }
 }

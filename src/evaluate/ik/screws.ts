@@ -32,8 +32,7 @@ export function screwsOf(
     turns: Uint8Array.from(all, ({ turn }) => turn),
     slides: Float64Array.from(all, ({ slide }) => slide),
     angles: new Float64Array(all.length),
-    sines: new Float64Array(all.length),
-    cosines: new Float64Array(all.length),
+    turned: new Float64Array(2 * all.length),
     lines: new Float64Array(6 * all.length),
   };
 }

@@ -170,10 +170,9 @@ export interface Screws {
   /** Whether it turns about its axis, and how far it slides along it for each radian or by itself. */
   readonly turns: Uint8Array;
   readonly slides: Float64Array;
-  /** Scratch, by screw. */
+  /** Scratch: an angle each, its sine and cosine. */
   readonly angles: Float64Array;
-  readonly sines: Float64Array;
-  readonly cosines: Float64Array;
+  readonly turned: Float64Array;
   /** At the pose last looked at: the axis in the world and a point on it, 6 numbers each. */
   readonly lines: Float64Array;
 }
