@@ -62,10 +62,9 @@ interface Task {
 }
 
 interface Measured {
-  /** Microseconds. */
-  readonly median: number;
-  readonly steps: number;
-  readonly unsolved: number;
+  /** Microseconds of each step, and whether it left all pins where they should be. */
+  readonly times: readonly number[];
+  readonly solves: readonly boolean[];
 }
 
 const ROUNDS = 16;
@@ -76,7 +75,7 @@ function measure(tasks: readonly Task[], solvers: typeof SOLVERS, tolerance: num
     tasks.map(({ path }) => ({
       make,
       times: Array.from({ length: path.length / 3 }, () => Infinity),
-      unsolved: 0,
+      solves: Array.from({ length: path.length / 3 }, () => true),
     })),
   );
   for (let round = 1; round <= ROUNDS; round++) {
@@ -90,19 +89,26 @@ function measure(tasks: readonly Task[], solvers: typeof SOLVERS, tolerance: num
           dragger.step(x, y, z);
           run.times[step] = Math.min(run.times[step], 1000 * (performance.now() - begin));
           const isOff = grip.targets.some((_, pin) => !(dragger.off(pin) <= tolerance * grip.reach));
-          if (round === ROUNDS && isOff) run.unsolved++;
+          run.solves[step] &&= !isOff;
         }
       });
     }
   }
-  return runs.map((ofSolver) => {
-    const times = ofSolver.flatMap((run) => run.times).sort((p, q) => p - q);
-    return {
-      median: times[times.length >> 1],
-      steps: times.length,
-      unsolved: ofSolver.reduce((sum, run) => sum + run.unsolved, 0),
-    };
-  });
+  return runs.map((ofSolver) => ({
+    times: ofSolver.flatMap(({ times }) => times),
+    solves: ofSolver.flatMap(({ solves }) => solves),
+  }));
+}
+
+function median(values: readonly number[]): number {
+  return values.toSorted((p, q) => p - q)[values.length >> 1];
+}
+
+/** By how much one takes longer than another, of all steps or of those that both solve. */
+function times(one: Measured, other: Measured, onlySolved = false): string {
+  const counts = (_: number, step: number) => !onlySolved || (one.solves[step] && other.solves[step]);
+  const ratio = median(one.times.filter(counts)) / median(other.times.filter(counts));
+  return `${ratio.toFixed(1).padStart(6)}×`;
 }
 
 const dragsOf = (all: IkCases, drags: readonly IkDrag[]): Task[] =>
@@ -125,10 +131,12 @@ afterAll(() => {
   const lines: string[] = [];
   const tell = (title: string, solvers: typeof SOLVERS, tasks: readonly Task[]) => {
     const measured = measure(tasks, solvers, cases.tolerance);
-    measured.forEach(({ median, steps, unsolved }, s) => {
+    measured.forEach((of, s) => {
+      const unsolved = of.solves.filter((does) => !does).length;
       lines.push(
-        `  ${title.padEnd(32)} ${solvers[s][0].padEnd(26)} ${median.toFixed(1).padStart(8)} µs` +
-          `${(median / measured[0].median).toFixed(1).padStart(8)}×  ${unsolved} of ${steps} unsolved`,
+        `  ${title.padEnd(30)} ${solvers[s][0].padEnd(26)} ${median(of.times).toFixed(1).padStart(7)} µs` +
+          `${times(of, measured[0])}, ${times(of, measured[0], true)} where both solve;` +
+          ` ${unsolved} of ${of.times.length} unsolved`,
       );
     });
   };

@@ -10,6 +10,7 @@
  * there is to calculate. One long loop, since a call a joint costs as much as the joint.
  */
 import { writeSinesAndCosines } from '../../math/sines-cosines.ts';
+import { NOWHERE, OTHER, PLAN, RULES, SLANTED, STANDS } from './screws.ts';
 import type { IkProblem } from './state.ts';
 
 /**
@@ -21,36 +22,34 @@ export function writeMatrices(
   dofs: Float64Array,
   writeOther: (problem: IkProblem, dofs: Float64Array, slot: number) => void,
 ): void {
-  const { skeleton, slots, screws } = problem;
-  const { hasRootTranslation } = skeleton;
-  const { count, parent, offsets, worlds, takesScrews, isKept } = slots;
-  const { first, dof, axisKind, axes, turns, slides, angles, turned, lines } = screws;
-  const all = dof.length;
-  // What only slides turns by nothing.
-  for (let i = 0; i < all; i++) angles[i] = turns[i] === 1 ? dofs[dof[i]] : 0;
-  writeSinesAndCosines(angles, all, turned);
-  // The columns of the matrix, and the slot that it is of.
-  let x0 = 1;
+  const { plan, rules, angles, turned, lines } = problem.links;
+  const { worlds } = problem.slots;
+  const count = angles.length;
+  for (let i = 0; i < count; i++) if (plan[PLAN * i] <= SLANTED) angles[i] = dofs[plan[PLAN * i + 1]];
+  writeSinesAndCosines(angles, count, turned);
+  // The columns of the matrix.
+  let x0 = 0;
   let x1 = 0;
   let x2 = 0;
   let y0 = 0;
-  let y1 = 1;
+  let y1 = 0;
   let y2 = 0;
   let z0 = 0;
   let z1 = 0;
-  let z2 = 1;
+  let z2 = 0;
   let ox = 0;
   let oy = 0;
   let oz = 0;
-  let at = -1;
-  for (let s = 0; s < count; s++) {
-    if (takesScrews[s] === 0) {
-      writeOther(problem, dofs, s);
+  for (let i = 0; i < count; i++) {
+    const does = plan[PLAN * i];
+    const from = plan[PLAN * i + 2];
+    const kept = plan[PLAN * i + 3];
+    if (does === OTHER) {
+      writeOther(problem, dofs, kept);
       continue;
     }
-    const above = parent[s];
-    if (above !== at) {
-      const g = 16 * above;
+    if (from >= 0) {
+      const g = 16 * from;
       x0 = worlds[g];
       x1 = worlds[g + 1];
       x2 = worlds[g + 2];
@@ -63,73 +62,74 @@ export function writeMatrices(
       ox = worlds[g + 12];
       oy = worlds[g + 13];
       oz = worlds[g + 14];
-    } else if (above < 0 && hasRootTranslation) {
-      ox = dofs[0];
-      oy = dofs[1];
-      oz = dofs[2];
+    } else if (from === NOWHERE) {
+      const { hasRootTranslation } = problem.skeleton;
+      x0 = y1 = z2 = 1;
+      x1 = x2 = y0 = y2 = z0 = z1 = 0;
+      ox = hasRootTranslation ? dofs[0] : 0;
+      oy = hasRootTranslation ? dofs[1] : 0;
+      oz = hasRootTranslation ? dofs[2] : 0;
     }
-    at = s;
-    const dx = offsets[3 * s];
-    const dy = offsets[3 * s + 1];
-    const dz = offsets[3 * s + 2];
+    const rule = RULES * i;
+    const dx = rules[rule];
+    const dy = rules[rule + 1];
+    const dz = rules[rule + 2];
     ox += x0 * dx + y0 * dy + z0 * dz;
     oy += x1 * dx + y1 * dy + z1 * dz;
     oz += x2 * dx + y2 * dy + z2 * dz;
-    const end = first[s + 1];
-    for (let i = first[s]; i < end; i++) {
-      const line = 6 * i;
-      const kind = axisKind[i];
-      const sin = turned[2 * i];
-      const cos = turned[2 * i + 1];
-      lines[line + 3] = ox;
-      lines[line + 4] = oy;
-      lines[line + 5] = oz;
-      if (kind === 0) {
-        lines[line] = x0;
-        lines[line + 1] = x1;
-        lines[line + 2] = x2;
-        const a0 = cos * y0 + sin * z0;
-        const a1 = cos * y1 + sin * z1;
-        const a2 = cos * y2 + sin * z2;
-        z0 = cos * z0 - sin * y0;
-        z1 = cos * z1 - sin * y1;
-        z2 = cos * z2 - sin * y2;
-        y0 = a0;
-        y1 = a1;
-        y2 = a2;
-      } else if (kind === 1) {
-        lines[line] = y0;
-        lines[line + 1] = y1;
-        lines[line + 2] = y2;
-        const a0 = cos * z0 + sin * x0;
-        const a1 = cos * z1 + sin * x1;
-        const a2 = cos * z2 + sin * x2;
-        x0 = cos * x0 - sin * z0;
-        x1 = cos * x1 - sin * z1;
-        x2 = cos * x2 - sin * z2;
-        z0 = a0;
-        z1 = a1;
-        z2 = a2;
-      } else if (kind === 2) {
-        lines[line] = z0;
-        lines[line + 1] = z1;
-        lines[line + 2] = z2;
-        const a0 = cos * x0 + sin * y0;
-        const a1 = cos * x1 + sin * y1;
-        const a2 = cos * x2 + sin * y2;
-        y0 = cos * y0 - sin * x0;
-        y1 = cos * y1 - sin * x1;
-        y2 = cos * y2 - sin * x2;
-        x0 = a0;
-        x1 = a1;
-        x2 = a2;
-      } else {
-        const a = axes[3 * i];
-        const b = axes[3 * i + 1];
-        const c = axes[3 * i + 2];
-        lines[line] = x0 * a + y0 * b + z0 * c;
-        lines[line + 1] = x1 * a + y1 * b + z1 * c;
-        lines[line + 2] = x2 * a + y2 * b + z2 * c;
+    const line = 6 * i;
+    lines[line + 3] = ox;
+    lines[line + 4] = oy;
+    lines[line + 5] = oz;
+    const sin = turned[2 * i];
+    const cos = turned[2 * i + 1];
+    if (does === 0) {
+      lines[line] = x0;
+      lines[line + 1] = x1;
+      lines[line + 2] = x2;
+      const a0 = cos * y0 + sin * z0;
+      const a1 = cos * y1 + sin * z1;
+      const a2 = cos * y2 + sin * z2;
+      z0 = cos * z0 - sin * y0;
+      z1 = cos * z1 - sin * y1;
+      z2 = cos * z2 - sin * y2;
+      y0 = a0;
+      y1 = a1;
+      y2 = a2;
+    } else if (does === 1) {
+      lines[line] = y0;
+      lines[line + 1] = y1;
+      lines[line + 2] = y2;
+      const a0 = cos * z0 + sin * x0;
+      const a1 = cos * z1 + sin * x1;
+      const a2 = cos * z2 + sin * x2;
+      x0 = cos * x0 - sin * z0;
+      x1 = cos * x1 - sin * z1;
+      x2 = cos * x2 - sin * z2;
+      z0 = a0;
+      z1 = a1;
+      z2 = a2;
+    } else if (does === 2) {
+      lines[line] = z0;
+      lines[line + 1] = z1;
+      lines[line + 2] = z2;
+      const a0 = cos * x0 + sin * y0;
+      const a1 = cos * x1 + sin * y1;
+      const a2 = cos * x2 + sin * y2;
+      y0 = cos * y0 - sin * x0;
+      y1 = cos * y1 - sin * x1;
+      y2 = cos * y2 - sin * x2;
+      x0 = a0;
+      x1 = a1;
+      x2 = a2;
+    } else if (does !== STANDS) {
+      const a = rules[rule + 3];
+      const b = rules[rule + 4];
+      const c = rules[rule + 5];
+      lines[line] = x0 * a + y0 * b + z0 * c;
+      lines[line + 1] = x1 * a + y1 * b + z1 * c;
+      lines[line + 2] = x2 * a + y2 * b + z2 * c;
+      if (does === SLANTED) {
         const ka = (1 - cos) * a;
         const kb = (1 - cos) * b;
         const xx = cos + ka * a;
@@ -151,16 +151,16 @@ export function writeMatrices(
         z1 = x2 * y0 - x0 * y2;
         z2 = x0 * y1 - x1 * y0;
       }
-      if (slides[i] !== 0) {
-        // Turned or not, the axis is the same.
-        const slide = slides[i] * dofs[dof[i]];
-        ox += slide * lines[line];
-        oy += slide * lines[line + 1];
-        oz += slide * lines[line + 2];
-      }
     }
-    if (isKept[s] === 0) continue;
-    const o = 16 * s;
+    if (rules[rule + 6] !== 0) {
+      // Turned or not, the axis is the same.
+      const slide = rules[rule + 6] * dofs[plan[PLAN * i + 1]];
+      ox += slide * lines[line];
+      oy += slide * lines[line + 1];
+      oz += slide * lines[line + 2];
+    }
+    if (kept < 0) continue;
+    const o = 16 * kept;
     worlds[o] = x0;
     worlds[o + 1] = x1;
     worlds[o + 2] = x2;

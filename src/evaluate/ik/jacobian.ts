@@ -37,9 +37,9 @@ function writeRootColumns({ pins, variables, rootVariables, jacobian }: IkProble
 }
 
 /** Nearly all of the work for nearly all skeletons. */
-function writeHingeColumns({ pins, screws, screwColumns, variables, jacobian }: IkProblem): void {
+function writeHingeColumns({ pins, links, screwColumns, variables, jacobian }: IkProblem): void {
   const { positions, weights } = pins;
-  const { lines } = screws;
+  const { lines } = links;
   const { firstHinge, hinges, hingeScales } = screwColumns;
   const n = variables.count;
   for (let p = 0; p < pins.count; p++) {
@@ -66,8 +66,8 @@ function writeHingeColumns({ pins, screws, screwColumns, variables, jacobian }: 
 }
 
 function writeOtherScrewColumns(problem: IkProblem): void {
-  const { screws, screwColumns, pins, variables, jacobian } = problem;
-  const { variable, follower, turns, slides, lines } = screws;
+  const { links, screwColumns, pins, variables, jacobian } = problem;
+  const { variable, follower, turns, slides, lines } = links;
   const { others } = screwColumns;
   const { count: n, scale } = variables;
   const { slope } = variables.followers;

@@ -12,7 +12,7 @@ import { systemSize } from './normal.ts';
 import { FRAME_SIZE, writeTurnFrame } from './orientation.ts';
 import { checkPins, HOLDING_WEIGHT, type IkOptions, type IkPin, ikStiffness } from './pins.ts';
 import { ballsOf, reachOf } from './reach.ts';
-import { screwColumnsOf, screwsOf } from './screws.ts';
+import { linksOf, screwColumnsOf } from './screws.ts';
 import type { IkProblem, JacobianShape, PinArrays, Scratch, Slots } from './state.ts';
 import { type IkVariables, ikVariables } from './variables.ts';
 
@@ -41,12 +41,12 @@ export function ikProblem(
   for (const { joint } of pins) for (let j = joint; j >= 0; j = compiled.parent[j]) onPath[j] = true;
   const variables = ikVariables(skeleton, compiled, onPath, stiffness, reach, clamps);
   const slots = slotsOf(compiled, pins, onPath, variables);
-  const screws = screwsOf(compiled, slots, variables);
   const arrays = pinArrays(pins, slots, reach);
   const rootVariables = compiled.hasRootTranslation ? variables.ofDof.slice(0, 3) : Int32Array.of(-1, -1, -1);
   const rootMoves = rootVariables.some((v) => v >= 0);
   const balls = ballsOf(compiled, slots, arrays, dofs, world, rootMoves);
   for (const s of balls.centre) if (s >= 0) slots.isKept[s] = 1;
+  const links = linksOf(compiled, slots, variables);
   const rows = pins.reduce((sum, { orientation }) => sum + (orientation ? 6 : 3), 0);
   const problem: IkProblem = {
     skeleton: compiled,
@@ -54,8 +54,8 @@ export function ikProblem(
     reach,
     pins: arrays,
     slots,
-    screws,
-    screwColumns: screwColumnsOf(screws, slots, arrays, variables, rootMoves),
+    links,
+    screwColumns: screwColumnsOf(links, slots, arrays, variables, rootMoves),
     balls,
     variables,
     rootVariables,
@@ -134,7 +134,6 @@ function slotsOf(
     count: joints.length,
     joint: Int32Array.from(joints),
     parent,
-    offsets: Float64Array.from(joints.flatMap((j) => [...compiled.offsets.subarray(3 * j, 3 * j + 3)])),
     locals: new Float64Array(16 * joints.length),
     worlds: Float64Array.from({ length: 16 * joints.length }, (_, k) => (k % 16 === 15 ? 1 : 0)),
     isKept,

@@ -1,34 +1,58 @@
-/** The joints that are products of screws, all but those that stretch and quaternions, as flat lists (`chain.ts`). */
+/**
+ * The joints that are products of screws, all but those that stretch and quaternions, as a flat list of LINKS, one a
+ * screw (`chain.ts`). A joint without a screw, and one that is no product of them, is a link too.
+ */
+import type { Vec3 } from '../../math/vec3.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
-import type { PinArrays, ScrewColumns, Screws, Slots } from './state.ts';
+import type { Links, PinArrays, ScrewColumns, Slots } from './state.ts';
 import type { IkVariables } from './variables.ts';
 
-/** The kind of an axis that is none of x, y and z. */
+/** What a link does: turns about x, y, z (0, 1, 2) or another axis, only slides, stands still, or goes by its own rule. */
 export const SLANTED = 3;
+export const SLIDES = 4;
+export const STANDS = 5;
+export const OTHER = 6;
 
-/** @param takesScrews by slot */
-export function screwsOf(
+/** Numbers of a link in `Links.plan`: what it does, its DOF, where it goes on from, where its matrix is kept. */
+export const PLAN = 4;
+/** In the place of a slot to go on from: the link before this one, the space that everything is in. */
+export const BEFORE = -1;
+export const NOWHERE = -2;
+/** Numbers of a link in `Links.rules`: its way from where it goes on from, its axis, how far it slides along that. */
+export const RULES = 7;
+
+const STILL = { dof: -1, axis: [0, 0, 0], turn: 0, slide: 0 } as const;
+
+/** @param isKept by slot, whether somebody asks for its matrix */
+export function linksOf(
   compiled: CompiledSkeleton,
-  { joint, takesScrews }: Slots,
+  { joint, parent, takesScrews, isKept }: Slots,
   { ofDof, followers }: IkVariables,
-): Screws {
-  const joints = Array.from(joint);
-  const first = new Int32Array(joints.length + 1);
-  const all = joints.flatMap((j, s) => {
-    const own = takesScrews[s] ? (compiled.motions[j].screws ?? []) : [];
-    first[s + 1] = first[s] + own.length;
-    return own.map((screw) => ({ ...screw, dof: compiled.firstDof[j] + screw.dof }));
+): Links {
+  const first = new Int32Array(joint.length + 1);
+  const all = Array.from(joint).flatMap((j, s) => {
+    const screws = takesScrews[s] ? (compiled.motions[j].screws ?? []) : [];
+    const own = screws.map((screw) => ({ ...screw, dof: compiled.firstDof[j] + screw.dof }));
+    const links = own.length > 0 ? own : [STILL];
+    first[s + 1] = first[s] + links.length;
+    const above = parent[s];
+    const follows = above < 0 ? NOWHERE : above === s - 1 && takesScrews[above] ? BEFORE : above;
+    return links.map((link, k) => ({
+      ...link,
+      does: takesScrews[s] ? whatItDoes(link) : OTHER,
+      offset: k === 0 ? [...compiled.offsets.subarray(3 * j, 3 * j + 3)] : [0, 0, 0],
+      from: k === 0 ? follows : BEFORE,
+      // Its own rule writes it anyway, and has to know which.
+      kept: !takesScrews[s] || (k === links.length - 1 && isKept[s]) ? s : -1,
+    }));
   });
+  const indexIn = (list: Int32Array) => Int32Array.from(all, ({ dof }) => (dof < 0 ? -1 : list[dof]));
   return {
     first,
-    dof: Int32Array.from(all, ({ dof }) => dof),
-    variable: Int32Array.from(all, ({ dof }) => ofDof[dof]),
-    follower: Int32Array.from(all, ({ dof }) => followers.ofDof[dof]),
-    axisKind: Uint8Array.from(all, ({ axis }) => {
-      const along = axis.indexOf(1);
-      return along < 0 ? SLANTED : along;
-    }),
-    axes: Float64Array.from(all.flatMap(({ axis }) => axis)),
+    plan: Int32Array.from(all.flatMap(({ does, dof, from, kept }) => [does, dof, from, kept])),
+    rules: Float64Array.from(all.flatMap(({ offset, axis, slide }) => [...offset, ...axis, slide])),
+    variable: indexIn(ofDof),
+    follower: indexIn(followers.ofDof),
     turns: Uint8Array.from(all, ({ turn }) => turn),
     slides: Float64Array.from(all, ({ slide }) => slide),
     angles: new Float64Array(all.length),
@@ -37,9 +61,16 @@ export function screwsOf(
   };
 }
 
+function whatItDoes({ dof, axis, turn }: { dof: number; axis: Vec3; turn: number }): number {
+  if (dof < 0) return STANDS;
+  if (turn === 0) return SLIDES;
+  const along = axis.indexOf(1);
+  return along < 0 ? SLANTED : along;
+}
+
 /** Which pins are moved by which screws. */
 export function screwColumnsOf(
-  { first, variable, follower, turns, slides }: Screws,
+  { first, variable, follower, turns, slides }: Links,
   { parent, allScrews }: Slots,
   { count, slot, row, holdsOrientation }: PinArrays,
   variables: IkVariables,

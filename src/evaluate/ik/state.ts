@@ -15,7 +15,7 @@ export interface IkProblem {
   readonly reach: number;
   readonly pins: PinArrays;
   readonly slots: Slots;
-  readonly screws: Screws;
+  readonly links: Links;
   readonly screwColumns: ScrewColumns;
   readonly balls: Balls;
   readonly variables: IkVariables;
@@ -76,8 +76,6 @@ export interface Slots {
   readonly joint: Int32Array;
   /** Its slot, or -1. */
   readonly parent: Int32Array;
-  /** Of its joint, 3 each. */
-  readonly offsets: Float64Array;
   /** 16 each, at the pose last looked at. */
   readonly locals: Float64Array;
   /** Of those that are kept. */
@@ -154,19 +152,17 @@ export interface Balls {
   readonly radius: Float64Array;
 }
 
-export interface Screws {
-  /** Those of slot s: from `first[s]` up to `first[s + 1]`; none where the slot goes by matrices. */
+/** One for each screw of each slot (`screws.ts`), and one for each slot that has none. */
+export interface Links {
+  /** Those of slot s: from `first[s]` up to `first[s + 1]`. */
   readonly first: Int32Array;
-  /** The character's DOF of each. */
-  readonly dof: Int32Array;
+  /** `PLAN` and `RULES` numbers each: all that forward kinematics goes by. */
+  readonly plan: Int32Array;
+  readonly rules: Float64Array;
   /** The unknown that moves it, or -1. */
   readonly variable: Int32Array;
   /** The follower that its DOF is, or -1. */
   readonly follower: Int32Array;
-  /** 0, 1, 2 for x, y, z, or 3. */
-  readonly axisKind: Uint8Array;
-  /** x y z each, in the joint's own space. */
-  readonly axes: Float64Array;
   /** Whether it turns about its axis, and how far it slides along it for each radian or by itself. */
   readonly turns: Uint8Array;
   readonly slides: Float64Array;
