@@ -4,6 +4,7 @@
  */
 import { keyPose } from '../edit/commands/keying.ts';
 import { removeKeys } from '../edit/commands/keys.ts';
+import { setDofs } from '../edit/commands/pose.ts';
 import type { KeyOptions } from '../edit/key-dofs.ts';
 import { findKey } from '../edit/keys/same-time.ts';
 import { keysAtTime } from '../edit/keys/selection.ts';
@@ -11,6 +12,7 @@ import { channelOf } from '../evaluate/pose.ts';
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
+import type { DofValue } from './posing/posing.ts';
 import { standStill } from './stand-still.ts';
 import { channelsOfJoint } from './timeline/channels.ts';
 import { clipTime } from './timeline/in-hand.ts';
@@ -24,6 +26,11 @@ export function keyOptions(wb: Workbench): KeyOptions {
 /** For commands that set DOFs: how to key them, while auto-key is on. */
 export function autoKey(wb: Workbench): KeyOptions | undefined {
   return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
+}
+
+/** Sets one DOF and whatever goes with it (`Posing.beside`): named by that one. */
+export function setOne(own: DofValue): typeof setDofs {
+  return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs: [own] }) };
 }
 
 /** Keys DOFs as they are shown; all of them, where none are named. What plays stops. */

@@ -169,6 +169,38 @@ const SIZE = 2.85;
 /** Of its size. */
 const FEET_HOLD = 1e-3;
 
+it('keeps a pinned point where it is while a slider moves what is above it, in one undo step', () =>
+  withPage(async ({ page }) => {
+    await dropFiles(page, [{ name: 'leg.skel', bytes: LEG }]);
+    await page.waitForFunction(() => window.marrow.characters()[0]?.name === 'leg');
+    await intoIk(page);
+    await page.evaluate(() => window.marrow.run('ik.pin', { joint: 2, point: [0, 0, 0] }));
+    const foot = await jointPlace(page, 'foot_l');
+    const hip = await jointPlace(page, 'hip');
+    const field = page.locator('.dof[data-dof="1"] input').first();
+    await field.fill('-0.2');
+    await field.press('Enter');
+    await drawn(page);
+    expect((await jointPlace(page, 'hip'))[1]).toBeCloseTo(hip[1] - 0.2, 9);
+    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
+    expect(await undoLabel(page)).toBe('Set ty of hip');
+    // By the keyboard, many small steps; too far for the leg, and back.
+    for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp']) await field.press(key);
+    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
+    await field.fill('3');
+    await field.press('Enter');
+    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeGreaterThan(0.5);
+    await field.fill('0');
+    await field.press('Enter');
+    expect(apart(await jointPlace(page, 'foot_l'), foot)).toBeLessThan(1e-3);
+    // In FK the hand has the joints themselves.
+    await page.evaluate(() => window.marrow.run('posing.fk'));
+    await field.fill('0.1');
+    await field.press('Enter');
+    await drawn(page);
+    expect((await jointPlace(page, 'foot_l'))[1]).toBeCloseTo(foot[1] + 0.1, 2);
+  }));
+
 describeShared('the wasp of data/cse169', () => {
   it('moves the wasp’s body by hand while its six feet stay', () =>
     withPage(async ({ page }) => {

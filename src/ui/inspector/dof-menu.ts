@@ -1,6 +1,5 @@
 /** The context menu of a DOF's row: its keys, its curve, its limits. */
 import { clearLimit, setLimit } from '../../edit/commands/limits.ts';
-import { setDofs } from '../../edit/commands/pose.ts';
 import { channelOf, dofCountOf, isDriven, poseAt } from '../../evaluate/pose.ts';
 import { silentChannels } from '../../evaluate/retarget/moved-dofs.ts';
 import { coupleOf } from '../../model/couples.ts';
@@ -9,7 +8,7 @@ import { type CharacterDof, characterDofs, filePose } from '../../model/dofs.ts'
 import { isUnlimited, type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../menu.ts';
 import { openPanel } from '../panels.ts';
-import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow } from '../pose-edits.ts';
+import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOne } from '../pose-edits.ts';
 import type { Workbench } from '../workbench.ts';
 import { editLimits } from './limit-editor.ts';
 import type { Slider } from './slider.ts';
@@ -50,13 +49,14 @@ function entries(
   const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
   // A coupled one is what it follows makes of it.
   const isOwn = coupleOf(character.skeleton, index) === undefined;
-  const set = (to: number) =>
-    wb.store.apply(setDofs, {
-      characterId: id,
-      dofs: [{ index, value: to }],
-      timeSeconds: wb.transport.get().timeSeconds,
-      key: autoKey(wb),
-    });
+  const set = (value: number) => {
+    const own = { index, value };
+    const beside = wb.posing.beside?.(id, index);
+    const { timeSeconds } = wb.transport.get();
+    const dofs = beside?.at(value) ?? [own];
+    wb.store.apply(setOne(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
+    beside?.shown();
+  };
   const list: MenuEntry[] = [
     // Another character's take moves it: no key of its own would be seen.
     item('Key here', character.skeleton !== undefined && index >= silentChannels(character), () =>

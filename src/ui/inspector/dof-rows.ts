@@ -1,6 +1,5 @@
 /** A slider for a DOF: its span, its unit, its limits, and whether keys or a hand drive it just now. */
 import type { GUI } from 'lil-gui';
-import { setDofs } from '../../edit/commands/pose.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { coupleOf, type DofCouple } from '../../model/couples.ts';
 import { type Character, findCharacter, shownSkin } from '../../model/document.ts';
@@ -11,7 +10,8 @@ import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../angles.ts';
 import { element, uniqueId } from '../dom.ts';
 import type { HandEdit } from '../hand-edit.ts';
 import { shown } from '../number-text.ts';
-import { autoKey } from '../pose-edits.ts';
+import { autoKey, setOne } from '../pose-edits.ts';
+import type { BesideDof } from '../posing/posing.ts';
 import { reachOf } from '../reach.ts';
 import type { Settings } from '../settings.ts';
 import { standStill } from '../stand-still.ts';
@@ -76,18 +76,28 @@ export function addDofRow(
     slider.showValue(withoutNoise((dofs[index] ?? 0) * factor));
     mark.show(now);
   };
+  // From the first change to the release, while pins hold.
+  let beside: BesideDof | undefined;
   slider.onChange((value: number) => {
     const now = findCharacter(wb.store.document, id);
     // A playing clip would take the value back at the next frame.
     const key = autoKey(wb);
     if (now && (key || isDriven(now, index))) standStill(wb);
+    beside ??= wb.posing.beside?.(id, index);
+    const own = { index, value: value / factor };
     const { timeSeconds } = wb.transport.get();
-    edit.preview(setDofs, { characterId: id, dofs: [{ index, value: value / factor }], timeSeconds, key });
+    const dofs = beside?.at(own.value) ?? [own];
+    edit.preview(setOne(own), { characterId: id, dofs, timeSeconds, key });
+    beside?.shown();
     if (edit.cancelled) update();
   });
-  slider.onTakenBack(() => edit.cancel());
+  slider.onTakenBack(() => {
+    edit.cancel();
+    beside = undefined;
+  });
   slider.onFinishChange(() => {
     edit.commit();
+    beside = undefined;
     update();
   });
   slider.domElement.addEventListener('contextmenu', (event) => {

@@ -50,7 +50,7 @@ export class IkFolder {
   private readonly note = element(
     'p',
     { class: 'faint' },
-    'Drags keep pinned points in place; sliders and fields move them too.',
+    'While IK is on, drags, sliders and numbers keep pinned points in place; in FK they move.',
   );
   private readonly hold: HTMLButtonElement;
   private readonly rows = new Map<number, Row>();

@@ -24,11 +24,26 @@ export interface ChosenDof {
   readonly name: string;
 }
 
+export interface DofValue {
+  readonly index: number;
+  readonly value: number;
+}
+
+/** What else of a character changes where one DOF is changed by hand, from the first change of it to the release. */
+export interface BesideDof {
+  /** The DOF at a value and all that goes with it, for `setDofs`. */
+  at(value: number): readonly DofValue[];
+  /** Whenever the document has what `at` gave last. */
+  shown(): void;
+}
+
 export class Posing {
   readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
   /** What the mode's tool puts beside the switch of modes (`mode-bar.ts`); the tool takes it away when it leaves. */
   readonly controls: Observable<HTMLElement | undefined> = observable<HTMLElement | undefined>(undefined);
   /** Of FK; see `active-dof.ts`. */
   readonly chosenDof: Observable<ChosenDof | undefined> = observable<ChosenDof | undefined>(undefined);
+  /** While pins hold: what they make of a change of that DOF; undefined where it is no matter of theirs. */
+  beside: ((characterId: string, dof: number) => BesideDof | undefined) | undefined;
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
 }

@@ -24,6 +24,7 @@ import { PinDrag } from './pin-drag.ts';
 import { letGo, pinAt, selectPin } from './pin-edits.ts';
 import { PinNudge } from './pin-nudge.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
+import { besidePins } from './pins-beside.ts';
 import { pinsInPicture, pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
 
 /** With more triangles than this the pointer's every move would be felt: points light up on a press only. */
@@ -62,6 +63,7 @@ class IkTool implements ModeTool {
     this.readout = new Readout(wb.viewportElement);
     this.controls ??= ikControls(wb);
     wb.posing.controls.set(this.controls);
+    wb.posing.beside = (id, dof) => besidePins(wb, id, dof);
     // Another joint may have been selected in another mode.
     keepInHand(wb, true);
     const redraw = () => wb.viewport.requestRender();
@@ -94,6 +96,7 @@ class IkTool implements ModeTool {
     this.readout?.remove();
     this.readout = undefined;
     wb.posing.controls.set(undefined);
+    wb.posing.beside = undefined;
   }
 
   press(at: CanvasPointer): PinDrag | undefined {
