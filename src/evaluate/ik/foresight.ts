@@ -7,6 +7,8 @@
  *
  * That is the tensor term of Schnabel and Frank (Tensor methods for nonlinear equations, 1984), of one step back and
  * with what it is multiplied by read off the errors. It costs nothing, and most steps of a drag then take one iteration.
+ * Where the last solution didn't come there, because of limits or pins that hold, the errors are mostly such as no step
+ * takes away, and say nothing of the hand: nothing is foreseen then.
  */
 import { lookAt } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
@@ -15,7 +17,7 @@ import type { IkProblem } from './state.ts';
 
 /** A step that much longer than the last is foreseen no more: the miss grows with the square. */
 const MOST_STRETCH = 2;
-/** The cosine of the angle between two steps up to which the second goes on as the first. */
+/** The cosine of the angle between two steps up to which the second goes on as the first; straight back does too. */
 const LEAST_ALONG = 0.7;
 
 /**
@@ -43,7 +45,7 @@ export function stepForeseen(problem: IkProblem, dofs: Float64Array, error: numb
     for (let r = 0; r < rows; r++) bend[r] = errors[r] - expected[r] + part * bend[r];
     return next;
   }
-  // What is undone teaches nothing.
+  // What is undone teaches nothing; beside no last errors the bend, too, counts for nothing.
   for (let r = 0; r < rows; r++) last[r] = 0;
   for (let v = 0; v < count; v++) dofs[dof[v]] = before[v];
   return lookAt(problem, dofs);

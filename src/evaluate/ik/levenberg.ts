@@ -123,9 +123,9 @@ export function freezeAtLimits({ variables, scratch, errors, jacobian, rows }: I
 
 /**
  * The step at that damping, to `scratch.step`, and the errors that it should come to, to `scratch.expected`.
- * @param errors those that it should take away
+ * @param errors those that it should take away; the Jacobian, `scratch.held` and `scratch.before` are of the same pose
  * @param isFresh whether the Jacobian is another than the last time
- * @returns the sum of squared errors that it promises
+ * @returns the sum of squared errors that it promises; NaN where there is no step at that damping
  */
 export function writeStep(problem: IkProblem, errors: Float64Array, damping: number, isFresh: boolean): number {
   const { variables, scratch, shape, jacobian, rows } = problem;
@@ -179,7 +179,8 @@ export function writeStep(problem: IkProblem, errors: Float64Array, damping: num
     expected[r] = e;
     promised += e * e;
   }
-  return promised;
+  // No step, which promises nothing but a try with more damping.
+  return isSolved ? promised : Number.NaN;
 }
 
 /** Makes a step none of whose parts is longer than is allowed. @returns the part of it that is left, 1 for all */

@@ -45,6 +45,7 @@ export function ikProblem(
   const rootVariables = compiled.hasRootTranslation ? variables.ofDof.slice(0, 3) : Int32Array.of(-1, -1, -1);
   const rootMoves = rootVariables.some((v) => v >= 0);
   const balls = ballsOf(compiled, slots, arrays, dofs, world, rootMoves);
+  // `linksOf` goes by what is kept.
   for (const s of balls.centre) if (s >= 0) slots.isKept[s] = 1;
   const links = linksOf(compiled, slots, variables);
   const rows = pins.reduce((sum, { orientation }) => sum + (orientation ? 6 : 3), 0);
@@ -64,6 +65,7 @@ export function ikProblem(
     shape: shapeOf(slots, arrays, rootVariables),
     jacobian: new Float64Array(rows * variables.count),
     foresight: {
+      isMet: false,
       last: new Float64Array(rows),
       bend: new Float64Array(rows),
       foreseen: new Float64Array(rows),

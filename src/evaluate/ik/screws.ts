@@ -65,7 +65,8 @@ function whatItDoes({ dof, axis, turn }: { dof: number; axis: Vec3; turn: number
   if (dof < 0) return STANDS;
   if (turn === 0) return SLIDES;
   const along = axis.indexOf(1);
-  return along < 0 ? SLANTED : along;
+  // A last digit away from an axis is another axis.
+  return along < 0 || axis.filter((part) => part === 0).length < 2 ? SLANTED : along;
 }
 
 /** Which pins are moved by which screws. */

@@ -50,13 +50,15 @@ export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkR
     // Few numbers: a call to `set` would take longer.
     for (let d = 0; d < startPose.length; d++) startPose[d] = dofs[d];
   }
-  const foresees = mode === 'drag' && problem.variables.count > 0 && !isThere(problem, options.aim);
+  const { foresight } = problem;
+  const foresees = mode === 'drag' && foresight.isMet && !isThere(problem, options.aim);
   if (foresees) error = stepForeseen(problem, dofs, error);
   descendFrom(problem, dofs, error, options, descent);
   if (foresees) descent.iterations++;
   if (!descent.isThere && descent.isFlat && isStraight(problem, options.aim)) shake(problem, dofs, options, descent);
   if (options.restarts > 0 && !isThere(problem, NEAR_ENOUGH))
     restart(problem, dofs, options, options.restarts, descent);
+  foresight.isMet = descent.isThere && problem.variables.count > 0;
   // What follows from afar.
   if (problem.skeleton.couples.length > 0) settleDofs(problem.skeleton, dofs, problem.clamps);
   return writeResult(problem, dofs, options.aim);

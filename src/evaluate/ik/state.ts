@@ -78,7 +78,7 @@ export interface Slots {
   readonly parent: Int32Array;
   /** 16 each, at the pose last looked at. */
   readonly locals: Float64Array;
-  /** Of those that are kept. */
+  /** Of those that are kept, and of joints that go by their own rule. */
   readonly worlds: Float64Array;
   /** 1 where somebody asks for the world matrix: a pin, a ball, a joint below that doesn't go on from it at once. */
   readonly isKept: Uint8Array;
@@ -138,6 +138,8 @@ export interface JacobianShape {
 
 /** From one step of a drag to the next, by row (`foresight.ts`). */
 export interface Foresight {
+  /** Whether the last solution came to where the pins aim. */
+  isMet: boolean;
   /** The errors before the last step. */
   readonly last: Float64Array;
   /** By how much that step's errors came out beside what it expected. */

@@ -53,4 +53,23 @@ describe('what a drag foresees', () => {
     expect(drag(back).iterations.filter((count) => count > 1).length).toBeLessThan(4);
     expect(drag(stands).iterations.slice(1, 3)).toEqual([0, 0]);
   });
+
+  it('is nothing where the hand is out of reach: a hand that stands there costs no more iterations than one', () => {
+    const pose = Float64Array.from(filePose(arm, 0));
+    const problem = ikProblem(
+      arm,
+      [
+        { joint: 4, point: [0, 1, 0], target: [0, 0, 0] },
+        { joint: 2, point: [0, 1, 0], target: [2, 2, 0], holds: true },
+      ],
+      pose,
+    );
+    const counts = Array.from({ length: 12 }, (_, i) => {
+      movePin(problem, 0, 6 + Math.min(i, 6) / 10, -3, 1);
+      const { iterations } = solve(problem, pose, 'drag');
+      expect(problem.foresight.isMet).toBe(false);
+      return iterations;
+    });
+    expect(Math.max(...counts.slice(8))).toBeLessThanOrEqual(3);
+  });
 });

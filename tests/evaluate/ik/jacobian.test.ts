@@ -49,6 +49,26 @@ function expectSlopes({ skeleton, pins }: AnyProblem, clamps: boolean): void {
     const column = slopes.map((_, r) => jacobian[r * count + v]);
     expectClose(column, slopes, 2e-6 * Math.max(1, ...column.map(Math.abs)), `the column of DOF ${dof[v]}`);
   }
+  expectShape(problem);
+}
+
+/** All that the shape leaves out is 0. */
+function expectShape({ jacobian, shape, rows, variables: { count } }: IkProblem): void {
+  const blocks = rows / 3;
+  const moved = Array.from({ length: blocks }, (_, b) => {
+    const listed = shape.column.subarray(shape.first[b], shape.first[b + 1]);
+    const nonzero = Array.from({ length: count }, (_, v) => v).filter((v) =>
+      [0, 1, 2].some((k) => jacobian[(3 * b + k) * count + v] !== 0),
+    );
+    expect(Array.from(listed)).toEqual(expect.arrayContaining(nonzero));
+    expect(Array.from(listed)).toEqual(Array.from(listed).sort((v, w) => v - w));
+    return nonzero;
+  });
+  moved.forEach((a, r) => {
+    moved.forEach((b, c) => {
+      for (const v of a) if (b.includes(v)) expect(v).toBeLessThan(shape.shared[r * blocks + c]);
+    });
+  });
 }
 
 describe('the Jacobian', () => {
@@ -63,6 +83,30 @@ describe('the Jacobian', () => {
     fc.assert(
       fc.property(anyProblem(true), (any) => expectSlopes(any, true)),
       { numRuns: 200 },
+    );
+  });
+});
+
+describe('the matrices of the joints that matter', () => {
+  it('are those of forward kinematics wherever they are kept, for joints of all kinds on any tree', () => {
+    fc.assert(
+      fc.property(anyProblem(false), ({ skeleton, pins }) => {
+        const pose = Float64Array.from(filePose(skeleton, 0));
+        const problem = ikProblem(skeleton, pins, pose);
+        settleDofs(problem.skeleton, pose, true);
+        const world = new Float64Array(16 * skeleton.joints.length);
+        worldMatrices(problem.skeleton, pose, world);
+        lookAt(problem, pose);
+        const { joint: joints, isKept, worlds, count } = problem.slots;
+        expect(isKept).toContain(1);
+        const largest = Math.max(1, ...world.map(Math.abs));
+        for (let s = 0; s < count; s++) {
+          if (isKept[s] === 0) continue;
+          const own = worlds.subarray(16 * s, 16 * s + 16);
+          expectClose(own, world.subarray(16 * joints[s], 16 * joints[s] + 16), 1e-11 * largest, `joint ${joints[s]}`);
+        }
+      }),
+      { numRuns: 300 },
     );
   });
 });

@@ -1,7 +1,8 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { lookAt } from '../../../src/evaluate/ik/forward.ts';
-import { type Descent, descend } from '../../../src/evaluate/ik/levenberg.ts';
+import { writeJacobian } from '../../../src/evaluate/ik/jacobian.ts';
+import { type Descent, descend, writeStep } from '../../../src/evaluate/ik/levenberg.ts';
 import { orientationAt } from '../../../src/evaluate/ik/orientation.ts';
 import { IkError, type IkPin, ikStiffness } from '../../../src/evaluate/ik/pins.ts';
 import { ikProblem, movePin, turnPin } from '../../../src/evaluate/ik/problem.ts';
@@ -229,6 +230,19 @@ describe('what may move', () => {
     };
     expect(turned(100)).toBeLessThan(turned(1) / 4);
     expect(turned(Infinity)).toBe(0);
+  });
+
+  it('is told by no step where the system can’t be solved at its damping, and more damping is tried', () => {
+    // All in one plane: nothing moves the pin out of it, and without damping that is 0 = 0.
+    const skeleton = chain(4);
+    const dofs = poseOf(skeleton).fill(0.3, -4);
+    const problem = ikProblem(skeleton, [endPin(4, 1, 2)], dofs);
+    lookAt(problem, dofs);
+    writeJacobian(problem, dofs);
+    problem.scratch.before.set(dofs.subarray(-4));
+    expect(writeStep(problem, problem.errors, 0, true)).toBeNaN();
+    expect([...problem.scratch.step]).toEqual([0, 0, 0, 0]);
+    expect(writeStep(problem, problem.errors, 1e-3, false)).toBeGreaterThan(0);
   });
 
   it('is the root too, where it is free', () => {
