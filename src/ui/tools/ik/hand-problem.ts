@@ -64,13 +64,10 @@ export class HandProblem {
   ) {
     const setup = ikOf(character);
     this.dofs = Float64Array.from(start);
-    const moves = inertia(skeleton);
-    const stays = staysBeside(character, skeleton, 'pin' in dragged ? jointOfPin(setup, dragged.pin) : dragged.joint);
+    const joint = 'pin' in dragged ? jointOfPin(setup, dragged.pin) : dragged.joint;
     this.problem = ikProblem(skeleton, ikPinsOf(setup, targets, dragged), this.dofs, {
       clamps: character.clampsToLimits,
-      stiffness: stiffnessOf(skeleton, setup).map((factor, dof) =>
-        stays(dof) ? Infinity : factor * (moves[dof] ?? 1),
-      ),
+      stiffness: handStiffness(character, skeleton, joint),
     });
     const { pins, reach } = this.problem;
     this.reach = reach;
@@ -191,6 +188,15 @@ export class HandProblem {
     problem.pins.turnWeights[index] = this.ownTurnWeight * pull;
     this.left -= solve(problem, this.dofs, mode).iterations;
   }
+}
+
+/** How unwilling each DOF is, by the character's DOF, while a hand has that joint. */
+export function handStiffness(character: Character, skeleton: Skeleton, joint: number): Float64Array {
+  const moves = inertia(skeleton);
+  const stays = staysBeside(character, skeleton, joint);
+  return stiffnessOf(skeleton, ikOf(character)).map((factor, dof) =>
+    stays(dof) ? Infinity : factor * (moves[dof] ?? 1),
+  );
 }
 
 function jointOfPin({ pins }: IkSetup, id: number): number {

@@ -3,9 +3,10 @@
  * as in a drag, near the pose in which the change began. What can't hold slips, and holds again where it can.
  */
 import { ikProblem } from '../../../evaluate/ik/problem.ts';
-import { ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../../../evaluate/ik/set-up.ts';
+import { ikOf, ikPinsOf, type PinTarget } from '../../../evaluate/ik/set-up.ts';
 import { solve } from '../../../evaluate/ik/solve.ts';
 import type { IkProblem } from '../../../evaluate/ik/state.ts';
+import { compileSkeleton } from '../../../evaluate/kinematics.ts';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
@@ -15,9 +16,8 @@ import { autoKey } from '../../pose-edits.ts';
 import type { BesideDof, DofValue } from '../../posing/posing.ts';
 import { standStill } from '../../stand-still.ts';
 import type { Workbench } from '../../workbench.ts';
-import { IS_THERE } from './hand-problem.ts';
+import { handStiffness, IS_THERE } from './hand-problem.ts';
 import { ikInHand } from './in-hand.ts';
-import { inertia } from './inertia.ts';
 
 /** Undefined where no pin holds anything beside that DOF. */
 export function besidePins(wb: Workbench, characterId: string, dof: number): BesideDof | undefined {
@@ -30,13 +30,13 @@ export function besidePins(wb: Workbench, characterId: string, dof: number): Bes
   for (let d = 0; d < count && !plays; d++) plays = isDriven(character, d);
   if (plays) standStill(wb);
   const facts = wb.viewport.character(characterId);
-  return facts && new PinsBeside(wb, character, character.skeleton, dof, facts.dofs.slice(0, count), facts.worlds);
+  if (!facts) return undefined;
+  const held = ikInHand(wb).targets.targetsOf(characterId, ikOf(character), facts.dofs, facts.worlds);
+  return new PinsBeside(wb, character, character.skeleton, dof, facts.dofs.slice(0, count), held);
 }
 
 class PinsBeside implements BesideDof {
   private readonly dofs: Float64Array;
-  private readonly home: Float64Array;
-  private readonly held: ReadonlyMap<number, PinTarget>;
   private readonly stiffness: Float64Array;
   private problem: IkProblem | undefined;
 
@@ -45,20 +45,15 @@ class PinsBeside implements BesideDof {
     private readonly character: Character,
     private readonly skeleton: Skeleton,
     private readonly dof: number,
-    start: Float64Array,
-    worlds: Float64Array,
+    private readonly home: Float64Array,
+    private readonly held: ReadonlyMap<number, PinTarget>,
   ) {
-    const setup = ikOf(character);
-    this.dofs = start.slice();
-    this.home = start.slice();
-    this.held = ikInHand(wb).targets.targetsOf(
-      character.id,
-      setup,
-      wb.viewport.character(character.id)?.dofs ?? start,
-      worlds,
-    );
-    const moves = inertia(skeleton);
-    this.stiffness = stiffnessOf(skeleton, setup).map((factor, d) => (d === dof ? Infinity : factor * (moves[d] ?? 1)));
+    this.dofs = home.slice();
+    const { firstDof } = compileSkeleton(skeleton);
+    // The root translation, before the first joint's own, is the root's.
+    const joint = firstDof.findLastIndex((first) => first <= dof);
+    this.stiffness = handStiffness(character, skeleton, Math.max(0, joint));
+    this.stiffness[dof] = Infinity;
   }
 
   at(value: number): readonly DofValue[] {
