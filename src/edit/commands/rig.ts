@@ -9,6 +9,7 @@ import { newCharacter, withSkeleton } from '../assemble.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { placeBeside } from '../place-beside.ts';
 import { called, calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
+import { withTakenUp } from '../rig/bind.ts';
 import { jointName, vector } from '../rig/checks.ts';
 import { changedTree } from '../rig/joint-map.ts';
 import { mirrored } from '../rig/mirror.ts';
@@ -22,6 +23,7 @@ import {
   type MirrorJoint,
   type RemoveJoint,
   type ReparentJoint,
+  SKIN_MODES,
 } from '../rig/rigging.ts';
 import { type Branch, branchesOf } from '../rig/tree.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
@@ -32,9 +34,10 @@ export const createRig: Command<CreateRig, Document | Edit> = {
   makesCharacter: true,
   label: (document, { characterId }) =>
     characterId === undefined ? 'New character' : `Begin skeleton of ${requireCharacter(document, characterId).name}`,
-  run(document, { name, characterId }) {
+  run(document, { name, characterId, skin = 'follows' }) {
     if (name !== undefined) text(name, 'The name');
-    if (characterId !== undefined) return begun(document, characterId);
+    const stays = oneOf(skin, SKIN_MODES, '"skin"') === 'stays';
+    if (characterId !== undefined) return begun(document, characterId, stays);
     // As files do: what is there only to be looked at gives way.
     const { unused, charactersMade } = document;
     const base = document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
@@ -52,12 +55,13 @@ function namesIn({ characters }: Document): ReadonlySet<string> {
   return new Set(characters.flatMap(({ name, skeleton }) => (skeleton ? [name, skeleton.name] : [name])));
 }
 
-function begun(document: Document, characterId: string): Edit {
+function begun(document: Document, characterId: string, stays: boolean): Edit {
   const { skeleton, name } = requireCharacter(document, characterId);
   if (skeleton) throw new CommandError(`${name} has a skeleton already: add joints to that.`);
-  const next = changeCharacter(document, characterId, (c) =>
-    withSkeleton(c, { name: c.name, joints: [newRoot('root')] }),
-  );
+  const next = changeCharacter(document, characterId, (c) => {
+    const made = withSkeleton(c, { name: c.name, joints: [newRoot('root')] });
+    return stays ? withTakenUp(made, 0, 0) : made;
+  });
   return { document: next, keys: [], selected: { characterId, joint: 0 } };
 }
 

@@ -23,6 +23,11 @@ const SAME = 1e-13;
  */
 export function withSkinsStaying(before: Character, after: Character, map: JointMap, timeSeconds: number): Character {
   if (after.skins.length === 0) return after;
+  const grown = withTakenUp(after, firstTakenUp(map), timeSeconds);
+  return withSkinsBoundAgain(before, grown, map, timeSeconds);
+}
+
+function withSkinsBoundAgain(before: Character, after: Character, map: JointMap, timeSeconds: number): Character {
   const was = shownAt(before, timeSeconds);
   const is = shownAt(after, timeSeconds);
   const moved = movedJoints(was, is, map);
@@ -41,6 +46,38 @@ export function withSkinsStaying(before: Character, after: Character, map: Joint
     return places.skin();
   });
   return { ...after, skins, morphs };
+}
+
+/**
+ * The character with its skins where they were before it had its joints from `first` on. What a skin hangs on joints that
+ * nobody has made yet stands still; these joints take it up where they stand, B = W, and it still does.
+ */
+export function withTakenUp(after: Character, first: number, timeSeconds: number): Character {
+  const { joints } = requireSkeleton(after);
+  if (first >= joints.length || !after.skins.some((skin) => takenUp(skin, joints.length) > first)) return after;
+  const { world } = shownAt(after, timeSeconds);
+  const skins = after.skins.map((skin) => {
+    const end = takenUp(skin, joints.length);
+    if (end <= first) return skin;
+    const bindings = new Float64Array(Math.max(skin.bindings.length, 16 * end));
+    bindings.set(skin.bindings);
+    for (let j = first; j < end; j++) {
+      if (isSingular(world, 16 * j)) continue;
+      bindings.set(world.subarray(16 * j, 16 * j + 16), 16 * j);
+    }
+    return { ...skin, bindings };
+  });
+  return { ...after, skins };
+}
+
+/** Past which joint a skin speaks of none that is there; one without attachments hangs on the root. */
+function takenUp(skin: Skin, joints: number): number {
+  return Math.min(joints, skin.attachments ? bindingCount(skin) : 1);
+}
+
+/** From which joint on they are new, where those that were there keep their indices. */
+function firstTakenUp({ heirs, origins }: JointMap): number {
+  return heirs.every((heir, j) => heir === j) ? heirs.length : origins.length;
 }
 
 /** By joint after, whether it was there before and stands elsewhere now. */

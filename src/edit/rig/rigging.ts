@@ -26,6 +26,8 @@ export interface CreateRig {
   readonly name?: string | undefined;
   /** A character that waits for a skeleton; absent: a new one is made. */
   readonly characterId?: string | undefined;
+  /** `stays`: its skin is bound to the root where it stands; `follows`: as its file says. Absent: `follows`. */
+  readonly skin?: SkinMode | undefined;
 }
 
 export interface AddJoint extends Rigging {

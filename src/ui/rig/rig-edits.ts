@@ -4,8 +4,9 @@ import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '..
 import { renameJoint, setFilePose, setOffset } from '../../edit/commands/rig-joint.ts';
 import type { Axis, ReparentJoint, SetFilePose } from '../../edit/rig/rigging.ts';
 import { documentIn, type Edit } from '../../edit/store.ts';
+import { boxOf } from '../../evaluate/bounds.ts';
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
-import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { type Character, type Document, findCharacter, shownSkin } from '../../model/document.ts';
 import { currentCharacter } from '../actions/action.ts';
 import { attempt } from '../attempt.ts';
 import { selectedJoint } from '../selected-joint.ts';
@@ -28,13 +29,23 @@ const FIRST_VIEW = { azimuth: 0, polar: Math.PI / 2, distance: 5 } as const;
  */
 export function newSkeleton(wb: Workbench): void {
   const waiting = waitingCharacter(wb);
-  start(wb, FIRST);
+  start(wb, waiting ? middleOf(waiting) : FIRST);
   wb.posing.mode.set('rig');
   rigState(wb).adding.set(true);
   const rigged = riggedNow(wb);
   if (waiting) wb.viewport.reveal(waiting.id);
   // At once: a click on the way there would place a joint by a view that is gone the next moment.
   else if (rigged) wb.viewport.cameraView = { ...FIRST_VIEW, target: pivotOf(rigged, 0) };
+}
+
+/** Of its skin, to a round number. */
+function middleOf(waiting: Character): Vec3 {
+  const skin = shownSkin(waiting);
+  const box = new Float64Array(6);
+  if (!skin || skin.positions.length === 0) return FIRST;
+  boxOf(skin.positions, box);
+  const step = roundStep(Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 100);
+  return snappedPoint([(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2], step);
 }
 
 /** A press or a click: where it was on the page, and whether numbers are to be round. */
@@ -63,12 +74,12 @@ function start(wb: Workbench, offset: Vec3): void {
   const waiting = waitingCharacter(wb);
   attempt(wb.messages, () => {
     const { document } = wb.store;
-    const args = waiting ? { characterId: waiting.id } : {};
+    const args = waiting ? { characterId: waiting.id, skin: wb.posing.rigSkin.get() } : {};
     const created = createRig.run(document, args);
     const id = selectedIn(created, document);
     const character = findCharacter(documentIn(created), id);
     if (!character) return;
-    const placing = { ...rigging(wb, character), skin: 'follows', joint: 0, offset, children: 'follow' } as const;
+    const placing = { ...rigging(wb, character), joint: 0, offset, children: 'follow' } as const;
     const placed = setOffset.run(documentIn(created), placing);
     const selected = { characterId: character.id, joint: 0 };
     const step = wb.store.begin(createRig.label(document, args));

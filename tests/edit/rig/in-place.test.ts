@@ -1,6 +1,8 @@
 /** What stays where it is, in the pose shown: vertices in bind mode, pivots that a change does not mean to move. */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { addJoint, createRig } from '../../../src/edit/commands/rig.ts';
+import { setOffset } from '../../../src/edit/commands/rig-joint.ts';
 import { CommandError, documentIn } from '../../../src/edit/store.ts';
 import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
@@ -265,5 +267,42 @@ describe('what is shown', () => {
       ),
       { numRuns: 100 },
     );
+  });
+});
+
+describe('a skeleton built into a skin that waits for one', () => {
+  /** Hangs on three joints that nobody has made yet, bound elsewhere than they will stand. */
+  const template = skin('hero', 2, {
+    positions: Float64Array.of(0, 0, 0, 1, 2, 0, 0, 4, 1, 2, 2, 2),
+    normals: Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1),
+    attachments: {
+      start: Uint32Array.of(0, 1, 3, 4, 6),
+      joints: Uint32Array.of(0, 0, 1, 2, 1, 2),
+      weights: Float64Array.of(1, 0.25, 0.75, 1, 0.5, 0.5),
+    },
+    bindings: Float64Array.from({ length: 48 }, (_, i) => ((i % 16) % 5 === 0 ? 1 : i % 16 === 13 ? 3 : 0)),
+  });
+  const waiting = (): Document => {
+    const { skeleton: _none, ...alone } = character({ skins: [template], pose: [0, 0, 0] });
+    return documentOf(alone);
+  };
+  const built = (mode: 'stays' | 'follows') => {
+    let document = documentIn(createRig.run(waiting(), { characterId: 'c1', skin: mode }));
+    const args = { characterId: 'c1', skin: mode };
+    document = documentIn(setOffset.run(document, { ...args, joint: 0, offset: [1, 2, 3], children: 'follow' }));
+    const stands = [standOf(document.characters[0])];
+    for (let parent = 0; parent < 3; parent++) {
+      document = documentIn(addJoint.run(document, { ...args, parent, offset: [0.5, -1, 0.25] }));
+      stands.push(standOf(document.characters[0]));
+    }
+    return stands.map(({ vertices }) => farthest(vertices[0], template.positions));
+  };
+
+  it('leaves every vertex where it is, whichever joints its file speaks of, and hangs it on them', () => {
+    for (const away of built('stays')) expect(away).toBeLessThan(STAYS);
+  });
+
+  it('takes what the file says of them where the skin is to follow', () => {
+    expect(Math.min(...built('follows'))).toBeGreaterThan(0.5);
   });
 });
