@@ -41,8 +41,20 @@ export function jointEntries(
       select();
       runAction(wb, 'posing.rig');
     };
-    // The tree's own key.
-    return [item('Rename', rename, 'F2'), item('Change the skeleton here (rig mode)', rig)];
+    const ofSelected = (id: string) => () => {
+      select();
+      runAction(wb, id);
+    };
+    const { pins = [], stiff = [] } = character.ik ?? {};
+    const isPinned = pins.some((pin) => pin.joint === joint);
+    const isLocked = stiff.some((one) => one.joint === joint && one.stiffness === undefined);
+    return [
+      // The tree's own key.
+      item('Rename', rename, 'F2'),
+      item(isPinned ? 'Let its pin go (IK)' : 'Pin (IK)', ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
+      item(isLocked ? 'Unlock (IK)' : 'Lock (IK)', ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
+      item('Change the skeleton here (rig mode)', rig),
+    ];
   }
   const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
     item(label, () => void edits().then(run), shortcut);

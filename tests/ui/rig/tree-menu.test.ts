@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import type { Character } from '../../../src/model/document.ts';
 import type { MenuItem } from '../../../src/ui/menu.ts';
 import { jointEntries } from '../../../src/ui/rig/tree-menu.ts';
 import { character, documentOf, skeleton, workbench } from '../builders.ts';
@@ -28,4 +29,20 @@ it('shows them as they were changed', () => {
 
 it('names the tree’s own key outside of rig mode', () => {
   expect(menu('fk', { 'rigging.rename': ['Ctrl+R'] }).get('Rename')).toEqual(['F2', 'F2']);
+});
+
+it('pins and locks a joint outside of rig mode, and says what it would do', () => {
+  const skeletonOf = { skeleton: skeleton(['hips', -1], ['leg', 0]) };
+  const pin = { id: 1, joint: 1, point: [0, 0, 0], weight: 1, holdsOrientation: false } as const;
+  const labels = (ik?: Character['ik']) => {
+    const { wb } = workbench(documentOf(character({ ...skeletonOf, ...(ik && { ik }) })));
+    return jointEntries(wb, wb.store.document.characters[0], 1, () => {}).map((entry) =>
+      entry.kind === 'item' ? entry.label : entry.kind,
+    );
+  };
+  expect(labels()).toEqual(['Rename', 'Pin (IK)', 'Lock (IK)', 'Change the skeleton here (rig mode)']);
+  const held = labels({ pins: [pin], stiff: [{ joint: 1 }], rootIsFree: true });
+  expect(held.slice(1, 3)).toEqual(['Let its pin go (IK)', 'Unlock (IK)']);
+  const stiffer = labels({ pins: [], stiff: [{ joint: 1, stiffness: 10 }], rootIsFree: true });
+  expect(stiffer.slice(1, 3)).toEqual(['Pin (IK)', 'Lock (IK)']);
 });

@@ -42,7 +42,7 @@ export function gapText(character: Character, joint: number, hindrance: Hindranc
   const { binding, holders, locks, canMove, rootStays } = hindrance;
   if (!canMove && rootStays) return 'the root stays: let it travel';
   const limits = canMove ? limitsText(character, joint, binding) : '';
-  const locked = locks.length > 0 ? locksText(character, locks) : '';
+  const locked = locks.length > 0 ? locksText(character, joint, locks) : '';
   if (limits || locked) return [limits, locked].filter((part) => part !== '').join(', ');
   return canMove ? outOfReach(character, [...new Set(holders)], joint, rootStays) : 'nothing here is free to move';
 }
@@ -67,7 +67,9 @@ function limitsText(character: Character, joint: number, binding: readonly numbe
   return ordered.length === 1 ? `${list} at its limit` : `${list} at their limits`;
 }
 
-function locksText({ skeleton }: Character, locks: readonly number[]): string {
+function locksText({ skeleton }: Character, joint: number, locks: readonly number[]): string {
+  // Its name stands before all this.
+  if (locks.length === 1 && locks[0] === joint) return 'it is locked';
   return `${namesOf(skeleton, locks)} ${locks.length === 1 ? 'is' : 'are'} locked`;
 }
 

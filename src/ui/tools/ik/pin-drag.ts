@@ -53,6 +53,8 @@ export class PinDrag implements CanvasDrag {
   private wasLong = false;
   private readonly stopWaiting: () => void;
   private latest: CanvasPointer | undefined;
+  /** Where the last step was taken. */
+  private stepped: CanvasPointer | undefined;
   private frame = 0;
 
   constructor(
@@ -93,8 +95,11 @@ export class PinDrag implements CanvasDrag {
     if (!this.hand && !this.hasMoved(at)) {
       if (!this.wasLong) this.events.click(at);
     } else {
-      this.latest = at;
-      this.step();
+      // Where it stands already it has asked for everything.
+      if (this.latest || !this.standsAt(at)) {
+        this.latest = at;
+        this.step();
+      }
       this.release();
     }
     this.events.over();
@@ -148,6 +153,7 @@ export class PinDrag implements CanvasDrag {
     this.latest = undefined;
     if (!at || this.refused || (!this.hand && !this.hasMoved(at))) return;
     if (!this.hand && !this.begin()) return;
+    this.stepped = at;
     const { hand } = this;
     if (!hand || !this.from) return;
     const { eye } = wb.viewport;
@@ -172,6 +178,15 @@ export class PinDrag implements CanvasDrag {
     this.standBeside(press);
     this.events.began();
     return true;
+  }
+
+  private standsAt(at: CanvasPointer): boolean {
+    const { stepped } = this;
+    return (
+      stepped?.clientX === at.clientX &&
+      stepped.clientY === at.clientY &&
+      this.isInDepth(stepped) === this.isInDepth(at)
+    );
   }
 
   private goal(world: Vec3): Vec3 {

@@ -35,6 +35,8 @@ describe('what is in the way of a pin', () => {
     expect(text({ locks: [4, 1], binding: [KNEE_L] })).toBe('knee_l rx at its limit, knee_r and hip_l are locked');
     expect(text({ locks: [1, 2, 3, 4] })).toBe('hip_l, knee_l and 2 more are locked');
     expect(text({ locks: [1], canMove: false })).toBe('hip_l is locked');
+    // Behind its own name.
+    expect(text({ locks: [2] })).toBe('it is locked');
   });
   it('is the root where that could travel and does not', () => {
     expect(text({ canMove: false, rootStays: true })).toBe('the root stays: let it travel');

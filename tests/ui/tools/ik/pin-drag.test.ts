@@ -116,8 +116,22 @@ describe('a drag of a point', () => {
     drag.move(at(0, -20, deep));
     drag.end(at(0, -20, deep));
     const texts = told.map((depth) => depth?.toFixed(3));
-    expect(texts).toEqual([undefined, '0.000', '0.200', undefined, '0.200', '0.100', '0.100']);
+    expect(texts).toEqual([undefined, '0.000', '0.200', undefined, '0.200', '0.100']);
     expect(page.placeOf(BODY_JOINT, 'c2')[2]).toBeCloseTo(-0.1, 2);
+  });
+
+  it('takes a last step where it is let go, unless it stands there already', () => {
+    for (const [letGoAt, steps] of [
+      [at(0, -10), 1],
+      [at(0, -12), 2],
+      [at(0, -10, { altKey: true }), 2],
+    ] as const) {
+      const { drag, told } = dragBody();
+      drag.move(at(0, -10));
+      drag.end(letGoAt);
+      expect(told).toHaveLength(steps);
+      page.wb.store.undo();
+    }
   });
 });
 
