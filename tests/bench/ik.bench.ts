@@ -107,7 +107,8 @@ function median(values: readonly number[]): number {
 
 /** By how much one takes longer than another, of all steps or of those that both solve. */
 function times(one: Measured, other: Measured, onlySolved = false): string {
-  const counts = (_: number, step: number) => !onlySolved || (one.solves[step] && other.solves[step]);
+  const counts = (_: unknown, step: number) => !onlySolved || (one.solves[step] && other.solves[step]);
+  if (!one.times.some(counts)) return '  no ratio';
   const ratio = median(one.times.filter(counts)) / median(other.times.filter(counts));
   return `${ratio.toFixed(1).padStart(6)}×`;
 }
