@@ -47,8 +47,8 @@ export function fitDistance(
     distance = Math.max(distance, inHeight, nearer + (margin * right) / (tanHalfFov * aspect));
     deepest = Math.max(deepest, nearer);
   }
-  // Not nose to nose with what is thin and points at the camera.
-  return Math.max(distance, 1.5 * deepest) || 1;
+  // Not nose to nose with what is thin and points at the camera: it would touch the edge, whatever the margin.
+  return Math.max(distance, (1.5 * deepest) / (1 - coveredTop)) || 1;
 }
 
 export interface DepthRange {

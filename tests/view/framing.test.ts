@@ -89,6 +89,8 @@ describe('framing', () => {
           }
         },
       ),
+      // Something thin that points at the camera, once found on the very edge.
+      { examples: [[0.05, 0.4141262773465366, 0.05, 0, 1.4506417935452305, 1, 0.3999999999999974]], numRuns: 300 },
     );
   });
 
