@@ -52,6 +52,11 @@ export interface HeldTake {
 
 /** Of the reach. */
 const TOLERANCE = 1e-3;
+/**
+ * Of the tolerance, for what the joints do between frames and for keys left out each. They are looked at on frames and
+ * halfway; the rest is for what lies between.
+ */
+const SHARE = 0.42;
 /** How many times as many frames as were asked for, at most. */
 const FINEST = 8;
 
@@ -87,10 +92,10 @@ export function* holding(
     // Nobody knows how many rounds there will be; each takes about half of what is left.
     const share = 0.8 * (1 - 1 / finer);
     solved = yield* within(solving(job, clip, window, reach), share, share + 0.4 / finer);
-    if (samples || finer === FINEST || !(slideBetween(job, solved) > tolerance / 2)) break;
+    if (samples || finer === FINEST || !(slideBetween(job, solved) > SHARE * tolerance)) break;
   }
   const { window, frames, changed, dense } = solved;
-  const thin = yield* within(thinning(character, skeleton, pins, dense, window, changed, tolerance / 2), 0.8, 1);
+  const thin = yield* within(thinning(character, skeleton, pins, dense, window, changed, SHARE * tolerance), 0.8, 1);
   const held = withHalves(window.times.subarray(window.firstHeld, window.lastHeld + 1));
   const before = slides(character, skeleton, pins, targets, held);
   const after = slides(showing(character, thin), skeleton, pins, targets, held);
