@@ -3,7 +3,7 @@
  * functions as the menus, so what a script does can be undone and what it reads is what is drawn.
  */
 import { finiteNumber } from '../edit/arguments.ts';
-import { COMMANDS_AT_HAND, isFetched } from '../edit/commands/at-hand.ts';
+import { COMMANDS_AT_HAND, FETCHED_IDS } from '../edit/commands/at-hand.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import type { Command, Edit, Store } from '../edit/store.ts';
 import { type EndSitePosition, endSitePositions } from '../evaluate/end-sites.ts';
@@ -213,7 +213,7 @@ function keysOf(character: Character, channel: number): KeyInfo[] {
 function run(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): Promise<void> | undefined {
   const command = COMMANDS_AT_HAND.get(id);
   if (command) apply(workbench, command, args);
-  else if (isFetched(id)) return fetchAndRun(workbench, id, args);
+  else if (FETCHED_IDS.has(id)) return fetchAndRun(workbench, id, args);
   else return runAction(workbench, id, args);
   return undefined;
 }
@@ -221,8 +221,8 @@ function run(workbench: Workbench, id: string, args: Readonly<Record<string, unk
 async function fetchAndRun(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): Promise<void> {
   const { COMMANDS_BY_ID } = await import('../edit/commands/all.ts');
   const command = COMMANDS_BY_ID.get(id);
-  if (command) apply(workbench, command, args);
-  else await runAction(workbench, id, args);
+  if (!command) throw new Error(`There is no command "${id}".`);
+  apply(workbench, command, args);
 }
 
 function apply(

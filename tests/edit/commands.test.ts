@@ -1,5 +1,7 @@
+import { readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
+import { COMMANDS_AT_HAND, FETCHED_IDS } from '../../src/edit/commands/at-hand.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 
@@ -23,4 +25,26 @@ describe('commands called from the console', () => {
       expect(store.document).toBe(before);
     },
   );
+});
+
+const FOLDER = new URL('../../src/edit/commands/', import.meta.url);
+
+/** What the files of commands export that is one. */
+async function exportedCommands(): Promise<unknown[]> {
+  const files = readdirSync(FOLDER).filter((file) => file !== 'all.ts' && file !== 'at-hand.ts');
+  const modules: object[] = await Promise.all(files.map((file) => import(new URL(file, FOLDER).href)));
+  return modules.flatMap((module) => Object.values(module)).filter((made) => typeof made?.run === 'function');
+}
+
+describe('the list of commands', () => {
+  it('holds every command that a file exports, each under its own id', async () => {
+    const listed = [...COMMANDS_BY_ID.values()];
+    expect(new Set(listed)).toEqual(new Set(await exportedCommands()));
+    expect(listed.map(({ id }) => id)).toEqual([...COMMANDS_BY_ID.keys()]);
+  });
+
+  it('is known to the page, which fetches what is not at hand, by exactly its ids', () => {
+    const fetched = [...COMMANDS_BY_ID.keys()].filter((id) => !COMMANDS_AT_HAND.has(id));
+    expect([...FETCHED_IDS].sort()).toEqual(fetched.sort());
+  });
 });

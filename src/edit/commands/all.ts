@@ -22,7 +22,7 @@ import {
 } from './samples.ts';
 import { autoWeights } from './skin-weights.ts';
 
-/** Those that the page fetches first; by their ids it knows them (`isFetched`). */
+/** Those that the page fetches when they are asked for; it knows them by `FETCHED_IDS`. */
 const FETCHED: readonly Command<never, Document | Edit>[] = [
   simplify,
   resample,
