@@ -7,6 +7,7 @@ import { applySpace } from '../evaluate/space.ts';
 import { hasBox } from '../model/boxes.ts';
 import { type Character, DEFAULT_PLACEMENT, type Placement, shownClip, shownSkin } from '../model/document.ts';
 import type { SourceFile } from '../model/files.ts';
+import { perObject } from '../model/per-object.ts';
 
 /** Room left between two characters, as a part of the wider one. */
 const GAP = 0.25;
@@ -97,20 +98,11 @@ export interface Extent {
   readonly size: number;
 }
 
-const known = new WeakMap<Character, Extent>();
-
 /** Scratch, never escapes. */
 const at = new Float64Array(3);
 
 /** At the moment where its clip begins; found once for each character. */
-export function extentOf(character: Character): Extent {
-  let extent = known.get(character);
-  if (!extent) {
-    extent = measure(character);
-    known.set(character, extent);
-  }
-  return extent;
-}
+export const extentOf = perObject(measure);
 
 function measure(character: Character): Extent {
   const dofs = new Float64Array(dofCountOf(character));

@@ -16,6 +16,7 @@
  * vertices themselves would be tightest: a loop over a million vertices a frame.
  */
 import type { Morph } from '../model/morph.ts';
+import { perObject } from '../model/per-object.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { matrixCountOf } from './deform.ts';
 import { adoptNormals, normalsOf } from './normals.ts';
@@ -57,17 +58,13 @@ export interface SkinFacts {
   readonly movedVertices: Uint32Array;
 }
 
-const factsOf = new WeakMap<Skin, SkinFacts>();
-const reachOf = new WeakMap<Skin, WeakMap<Morph, MorphReach>>();
+const factsOf = perObject(measure);
+const reachesOf = perObject((skin: Skin) => perObject((morph: Morph) => measureReach(skin, morph)));
 const boundsOf = new WeakMap<Skin, { readonly morphs: readonly Morph[]; readonly bounds: SkinBounds }>();
 
 /** What is to be known of a skin, worked out once. The bounds are those with these morphs. */
 export function skinFacts(skin: Skin, morphs: readonly Morph[] = []): SkinFacts {
-  let facts = factsOf.get(skin);
-  if (!facts) {
-    facts = measure(skin);
-    factsOf.set(skin, facts);
-  }
+  const facts = factsOf(skin);
   return morphs.length ? { ...facts, bounds: skinBounds(skin, morphs) } : facts;
 }
 
@@ -76,12 +73,12 @@ export function skinFacts(skin: Skin, morphs: readonly Morph[] = []): SkinFacts 
  * @param morphs copies of those that were given to `skinFacts`, in the same order
  */
 export function adoptSkinFacts(skin: Skin, facts: SkinFacts, morphs: readonly Morph[] = []): void {
-  factsOf.set(skin, { ...facts, bounds: { joints: facts.bounds.joints, reaches: [] } });
+  factsOf.adopt(skin, { ...facts, bounds: { joints: facts.bounds.joints, reaches: [] } });
   if (facts.normals) adoptNormals(skin, facts.normals);
   const known = reachesOf(skin);
   morphs.forEach((morph, m) => {
     const reach = facts.bounds.reaches[m];
-    if (reach) known.set(morph, reach);
+    if (reach) known.adopt(morph, reach);
   });
 }
 
@@ -91,27 +88,10 @@ export function skinBounds(skin: Skin, morphs: readonly Morph[] = []): SkinBound
   if (cached && cached.morphs.length === morphs.length && cached.morphs.every((m, i) => m === morphs[i])) {
     return cached.bounds;
   }
-  const known = reachesOf(skin);
-  const reaches = morphs.map((morph) => {
-    let reach = known.get(morph);
-    if (!reach) {
-      reach = measureReach(skin, morph);
-      known.set(morph, reach);
-    }
-    return reach;
-  });
+  const reaches = morphs.map(reachesOf(skin));
   const bounds = { joints: skinFacts(skin).bounds.joints, reaches };
   boundsOf.set(skin, { morphs, bounds });
   return bounds;
-}
-
-function reachesOf(skin: Skin): WeakMap<Morph, MorphReach> {
-  let known = reachOf.get(skin);
-  if (!known) {
-    known = new WeakMap();
-    reachOf.set(skin, known);
-  }
-  return known;
 }
 
 /** Scratch of `posedBounds`, as large as the largest skin seen. */

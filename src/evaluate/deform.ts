@@ -13,6 +13,7 @@
 import { inverseTranspose3, invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
 import { normalizeAt } from '../math/vec3.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
+import { perObject } from '../model/per-object.ts';
 import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
 import { normalsOf } from './normals.ts';
 
@@ -31,17 +32,8 @@ export interface CompiledSkin {
   readonly normalMatrices: Float64Array;
 }
 
-const compiled = new WeakMap<Skin, CompiledSkin>();
-
 /** The skin's compiled form, made once for each skin. */
-export function compileSkin(skin: Skin): CompiledSkin {
-  let made = compiled.get(skin);
-  if (!made) {
-    made = compile(skin);
-    compiled.set(skin, made);
-  }
-  return made;
-}
+export const compileSkin = perObject(compile);
 
 /** How many joints' matrices move a skin: as many as it has bindings, and at least the root's. */
 export function matrixCountOf(skin: Skin): number {

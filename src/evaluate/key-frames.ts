@@ -8,6 +8,7 @@
  * (film's 23.976) where they don't.
  */
 import { type Channel, type ChannelClip, LINEAR } from '../model/clip.ts';
+import { perObject } from '../model/per-object.ts';
 import type { Frames } from './bake.ts';
 
 const LEAST_STRAIGHT = 10;
@@ -15,17 +16,8 @@ const LEAST_CURVED = 23;
 /** Times may be off their frame by this part of one: what decimals of a file leave. */
 const SAME_FRAME = 1e-4;
 
-const found = new WeakMap<ChannelClip, { readonly frames: Frames | undefined }>();
-
 /** The frames that all keys of a clip are at; undefined where it has samples, or no such rate. Found once for a clip. */
-export function keyFrames(clip: ChannelClip): Frames | undefined {
-  let known = found.get(clip);
-  if (!known) {
-    known = { frames: find(clip) };
-    found.set(clip, known);
-  }
-  return known.frames;
-}
+export const keyFrames = perObject(find);
 
 function find({ channels, range, samples }: ChannelClip): Frames | undefined {
   if (samples) return undefined;

@@ -9,6 +9,7 @@
 import { multiplyAffine } from '../math/mat4.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
+import { perObject } from '../model/per-object.ts';
 import { dofsOf, type Joint, type Motion, type Skeleton, takesLimits, UNLIMITED } from '../model/skeleton.ts';
 import { appliedDofs, eulerDofs } from './euler-dofs.ts';
 import type { JointMotion } from './motions/motion.ts';
@@ -43,17 +44,8 @@ export interface CompiledSkeleton {
   readonly couples: readonly DofCouple[];
 }
 
-const compiled = new WeakMap<Skeleton, CompiledSkeleton>();
-
 /** The skeleton's compiled form, made once for each skeleton. */
-export function compileSkeleton(skeleton: Skeleton): CompiledSkeleton {
-  let made = compiled.get(skeleton);
-  if (!made) {
-    made = compile(skeleton);
-    compiled.set(skeleton, made);
-  }
-  return made;
-}
+export const compileSkeleton = perObject(compile);
 
 function compile(skeleton: Skeleton): CompiledSkeleton {
   const { joints } = skeleton;

@@ -6,24 +6,19 @@
  * The cross product's length is twice the area, so that large triangles count for more.
  */
 import { normalizeAt } from '../math/vec3.ts';
+import { perObject } from '../model/per-object.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 
-const computed = new WeakMap<Skin, Float64Array>();
+const computed = perObject(({ positions, triangles }: Skin) => computeNormals(positions, triangles));
 
 /** x y z a vertex: as the file gives them, of any length; computed ones have length 1, and are computed once. */
 export function normalsOf(skin: Skin): Float64Array {
-  if (skin.normals) return skin.normals;
-  let normals = computed.get(skin);
-  if (!normals) {
-    normals = computeNormals(skin.positions, skin.triangles);
-    computed.set(skin, normals);
-  }
-  return normals;
+  return skin.normals ?? computed(skin);
 }
 
 /** Takes over normals that `computeNormals` gave elsewhere, in a worker. */
 export function adoptNormals(skin: Skin, normals: Float64Array): void {
-  if (normals.length === 3 * vertexCount(skin)) computed.set(skin, normals);
+  if (normals.length === 3 * vertexCount(skin)) computed.adopt(skin, normals);
 }
 
 /** Area-weighted normals. A vertex of no triangle, or of triangles that cancel out, points up. */

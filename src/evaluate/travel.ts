@@ -9,6 +9,7 @@
 import { type ChannelClip, isSampled } from '../model/clip.ts';
 import { type Character, type Space, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
+import { perPair } from '../model/per-object.ts';
 import { columnOf } from '../model/samples.ts';
 import { dofsOf, type Skeleton } from '../model/skeleton.ts';
 import type { CompiledSkeleton } from './kinematics.ts';
@@ -17,7 +18,7 @@ import { upAxis } from './space.ts';
 /** Less of the most that a joint of the chain translates is noise. */
 const NOISE = 0.05;
 
-const known = new WeakMap<ChannelClip, WeakMap<Skeleton, number>>();
+const carrierIn = perPair(findCarrier);
 
 /** Index of the joint that carries the character over the clip that it shows; found once for each clip and skeleton. */
 export function carrierOf(character: Character): number {
@@ -25,17 +26,7 @@ export function carrierOf(character: Character): number {
   const clip = shownClip(character);
   // Another's take is put onto the root.
   if (!skeleton || !clip || driver) return 0;
-  let bySkeleton = known.get(clip);
-  if (!bySkeleton) {
-    bySkeleton = new WeakMap();
-    known.set(clip, bySkeleton);
-  }
-  let carrier = bySkeleton.get(skeleton);
-  if (carrier === undefined) {
-    carrier = findCarrier(skeleton, clip);
-    bySkeleton.set(skeleton, carrier);
-  }
-  return carrier;
+  return carrierIn(skeleton, clip);
 }
 
 /**

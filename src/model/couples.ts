@@ -3,6 +3,7 @@
  * out, and put in an order in which each follows what is settled already.
  */
 import { firstDofs } from './dofs.ts';
+import { perObject } from './per-object.ts';
 import { dofsOf, type Skeleton } from './skeleton.ts';
 
 /** DOF `dof` is gain · φ + offset of DOF `follows`. */
@@ -22,20 +23,11 @@ export interface Couples {
 
 const NONE: Couples = { ordered: [], circular: [] };
 
-const found = new WeakMap<Skeleton, Couples>();
-
 /**
  * A skeleton's couples, worked out once for each skeleton. What names a DOF that its joint has not is left out; a reader
  * lets none through.
  */
-export function couplesOf(skeleton: Skeleton): Couples {
-  let couples = found.get(skeleton);
-  if (!couples) {
-    couples = resolve(skeleton);
-    found.set(skeleton, couples);
-  }
-  return couples;
-}
+export const couplesOf = perObject(resolve);
 
 /** What a DOF follows; none where it is its own. */
 export function coupleOf(skeleton: Skeleton | undefined, dof: number): DofCouple | undefined {

@@ -7,6 +7,7 @@
  * An End Site stands for the joint that it ends: picked or hovered, it is that joint.
  */
 import { boneEnds } from '../model/bone-ends.ts';
+import { perObject } from '../model/per-object.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { type JointSizes, jointSizes } from './joint-shapes.ts';
 import type { Tint } from './theme.ts';
@@ -72,36 +73,15 @@ function nodesOf(skeleton: Skeleton): Nodes {
   };
 }
 
-interface Known {
-  readonly sizes: JointSizes;
-  readonly nodes: Nodes;
-}
-
-const known = new WeakMap<Skeleton, Known>();
-
-function knownOf(skeleton: Skeleton): Known {
-  let found = known.get(skeleton);
-  if (!found) {
-    found = { sizes: jointSizes(skeleton), nodes: nodesOf(skeleton) };
-    known.set(skeleton, found);
-  }
-  return found;
-}
-
 /** `jointSizes`, once a skeleton. */
-export function sizesFor(skeleton: Skeleton): JointSizes {
-  return knownOf(skeleton).sizes;
-}
-
-export function nodesFor(skeleton: Skeleton): Nodes {
-  return knownOf(skeleton).nodes;
-}
+export const sizesFor = perObject((skeleton: Skeleton) => jointSizes(skeleton));
+export const nodesFor = perObject(nodesOf);
 
 /** Gives each skeleton its instances, one after the other. */
 export function layOut(skeletons: readonly PosedSkeleton[]): DrawnSkeleton[] {
   let next = 0;
   return skeletons.map((posed) => {
-    const { sizes, nodes } = knownOf(posed.skeleton);
+    const [sizes, nodes] = [sizesFor(posed.skeleton), nodesFor(posed.skeleton)];
     const placementCount = posed.placements.length / 16;
     const firstInstance = next;
     next += placementCount * nodes.count;

@@ -5,22 +5,19 @@
  */
 import { LinearMipmapLinearFilter, RepeatWrapping, SRGBColorSpace, Texture } from 'three';
 import type { Texture as Picture } from '../model/files.ts';
+import { perObject } from '../model/per-object.ts';
 
 /** Decoded once for each picture, whatever shows it. */
-const decoded = new WeakMap<Picture, Promise<ImageBitmap>>();
+const decoded = perObject((picture: Picture) =>
+  createImageBitmap(new Blob([picture.bytes], { type: picture.mime }), {
+    premultiplyAlpha: 'none',
+    colorSpaceConversion: 'none',
+  }),
+);
 
 /** @throws DOMException where the bytes are no picture that the browser knows. */
 export async function skinTexture(picture: Picture): Promise<Texture> {
-  let bitmap = decoded.get(picture);
-  if (!bitmap) {
-    const type = picture.mime;
-    bitmap = createImageBitmap(new Blob([picture.bytes], { type }), {
-      premultiplyAlpha: 'none',
-      colorSpaceConversion: 'none',
-    });
-    decoded.set(picture, bitmap);
-  }
-  const texture = new Texture(await bitmap);
+  const texture = new Texture(await decoded(picture));
   texture.name = picture.name;
   texture.flipY = false;
   texture.repeat.set(1, -1);

@@ -17,6 +17,7 @@ import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Channel, type ChannelClip, keylessChannel } from '../../model/clip.ts';
 import { filePose, firstDofs, rootDofCount } from '../../model/dofs.ts';
+import { perObject } from '../../model/per-object.ts';
 import { skelMotionOf } from '../../model/skel-motion.ts';
 import {
   type Box,
@@ -41,17 +42,8 @@ const THICKNESS = 1 / 80;
 /** The name of a leaf that stands for an End Site; as one token, which is what `.skel` can hold. */
 const END_SITE = 'End_Site';
 
-const made = new WeakMap<Skeleton, SkelFigure>();
-
 /** The skeleton itself where none of its joints is one of BVH. Made once for each skeleton. */
-export function skelFigure(skeleton: Skeleton): SkelFigure {
-  let figure = made.get(skeleton);
-  if (!figure) {
-    figure = make(skeleton);
-    made.set(skeleton, figure);
-  }
-  return figure;
-}
+export const skelFigure = perObject(make);
 
 /** What `.anim` can hold of a clip: keys, for the DOFs of `skelFigure(skeleton)`. */
 export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: KeyOptions = {}): ChannelClip {

@@ -3,6 +3,7 @@ import { rotationPart } from '../../evaluate/euler-angles.ts';
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
 import type { Vec3 } from '../../math/vec3.ts';
+import { perObject } from '../../model/per-object.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
 
 /** What the DOFs of each joint are mirrored by. */
@@ -104,15 +105,10 @@ export function fittingMap({ joints }: Skeleton, partner: Int32Array, j: number,
   return best;
 }
 
-const lists = new WeakMap<readonly Joint[], readonly number[][]>();
-
-function childrenOf(joints: readonly Joint[]): readonly number[][] {
-  const known = lists.get(joints);
-  if (known) return known;
+const childrenOf = perObject((joints: readonly Joint[]): readonly number[][] => {
   const children: number[][] = joints.map(() => []);
   joints.forEach(({ parent }, j) => {
     if (parent >= 0) children[parent].push(j);
   });
-  lists.set(joints, children);
   return children;
-}
+});

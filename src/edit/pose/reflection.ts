@@ -19,6 +19,7 @@
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { filePose, restPose } from '../../model/dofs.ts';
+import { perObject } from '../../model/per-object.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { type Partners, partnersAcross, sizeOf } from './partners.ts';
 import { fittingMap, type JointMaps, mapsOf, reflectionMatrix } from './reflection-maps.ts';
@@ -50,17 +51,8 @@ const SYMMETRIC = 0.02;
 /** Paired joints that are hardly apart: the pose says nothing of sides. */
 const APART = 1e-3;
 
-const made = new WeakMap<Skeleton, Reflection>();
-
 /** A skeleton's reflection, found once for each skeleton. */
-export function reflectionOf(skeleton: Skeleton): Reflection {
-  let known = made.get(skeleton);
-  if (!known) {
-    known = find(skeleton);
-    made.set(skeleton, known);
-  }
-  return known;
-}
+export const reflectionOf = perObject(find);
 
 interface Candidate extends Partners {
   readonly normal: Vec3;
