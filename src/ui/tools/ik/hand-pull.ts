@@ -17,7 +17,7 @@ import { autoKey } from '../../pose-edits.ts';
 import { standStill } from '../../stand-still.ts';
 import { tellFollows } from '../../tell-follows.ts';
 import type { Workbench } from '../../workbench.ts';
-import type { Hindrance } from './gap-text.ts';
+import type { Hindrance } from './hindrance.ts';
 import { ikInHand } from './in-hand.ts';
 import { type Gap, Pull } from './pull.ts';
 

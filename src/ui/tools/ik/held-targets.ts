@@ -6,7 +6,7 @@
 import { type PinTarget, pinTarget } from '../../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { IkSetup, Pin } from '../../../model/ik.ts';
-import type { Hindrance } from './gap-text.ts';
+import type { Hindrance } from './hindrance.ts';
 
 /** What a drag has left. */
 export interface Left {

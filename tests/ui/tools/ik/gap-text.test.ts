@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { gapCause, gapText, type Hindrance } from '../../../../src/ui/tools/ik/gap-text.ts';
+import { gapText } from '../../../../src/ui/tools/ik/gap-text.ts';
+import { gapCause, type Hindrance } from '../../../../src/ui/tools/ik/hindrance.ts';
 import { character, skeleton } from '../../builders.ts';
 
 const ch = character({
