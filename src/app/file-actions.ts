@@ -1,8 +1,8 @@
 /** What the menus can do with files, over dialogs, drops, samples and the disk. */
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer } from '../io/given.ts';
-import { onDemand } from '../ui/on-demand.ts';
-import type { FileActions, SampleEntry } from '../ui/workbench.ts';
+import { onDemand } from '../ui/state/on-demand.ts';
+import type { FileActions, SampleEntry } from '../ui/state/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';

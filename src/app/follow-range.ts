@@ -12,7 +12,7 @@ import { sharedFrameRate } from '../edit/frame-rate.ts';
 import { countedAt, DEFAULT_PLAYBACK, type Playback } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
 import { findCharacter, rangeOfClips } from '../model/document.ts';
-import type { Observable } from '../ui/observable.ts';
+import type { Observable } from '../ui/kit/observable.ts';
 
 type Range = readonly [number, number];
 

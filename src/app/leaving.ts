@@ -1,5 +1,5 @@
 /** What the browser shows of unsaved work: a mark in the title, and its question before the page is left. */
-import type { FileActions } from '../ui/workbench.ts';
+import type { FileActions } from '../ui/state/workbench.ts';
 
 /** `• wasp_walk.anim – Marrow`; `• 3 files – Marrow`. */
 export function titleFor(name: string, unsaved: readonly { readonly name: string }[]): string {

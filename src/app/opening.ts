@@ -11,9 +11,9 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
 import type { Selection } from '../model/session.ts';
-import type { Messages } from '../ui/messages.ts';
-import type { Observable } from '../ui/observable.ts';
-import type { Loading, Stage } from '../ui/workbench.ts';
+import type { Observable } from '../ui/kit/observable.ts';
+import type { Messages } from '../ui/state/messages.ts';
+import type { Loading, Stage } from '../ui/state/workbench.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
 import { sameData } from './same-data.ts';
 

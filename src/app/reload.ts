@@ -8,7 +8,7 @@ import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, findCharacter } from '../model/document.ts';
 import { baseName } from '../model/files.ts';
-import type { Messages } from '../ui/messages.ts';
+import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { partsOf } from './parts.ts';

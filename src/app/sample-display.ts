@@ -5,8 +5,8 @@
  */
 import type { Store } from '../edit/store.ts';
 import type { Display } from '../model/session.ts';
-import type { Observable } from '../ui/observable.ts';
-import type { Settings } from '../ui/settings.ts';
+import type { Observable } from '../ui/kit/observable.ts';
+import type { Settings } from '../ui/state/settings.ts';
 
 const SWITCHES = ['names', 'bones', 'axes'] as const;
 /** Those of the page's switches that samples may ask for. */

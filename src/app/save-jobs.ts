@@ -3,7 +3,7 @@ import type { Store } from '../edit/store.ts';
 import type { DiskFile } from '../io/disk-files.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter } from '../model/document.ts';
-import type { SaveKind, UnsavedPart } from '../ui/workbench.ts';
+import type { SaveKind, UnsavedPart } from '../ui/state/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import { distinctNames } from './distinct-names.ts';
 import { fileNameOf, isExport, jointPose, type Part, partKindOf, partsOf, poseToSave, sourceOf } from './parts.ts';

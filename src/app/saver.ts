@@ -8,8 +8,8 @@
 import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { findCharacter } from '../model/document.ts';
-import type { Messages } from '../ui/messages.ts';
-import type { SaveKind } from '../ui/workbench.ts';
+import type { Messages } from '../ui/state/messages.ts';
+import type { SaveKind } from '../ui/state/workbench.ts';
 import { fileNameOf, jointPose, partsOf, sourceOf } from './parts.ts';
 import { changedFiles, distinctJobs, filesOf, type Job, type JobParts } from './save-jobs.ts';
 import { SavedSources } from './saved-sources.ts';

@@ -10,8 +10,8 @@ import type { Character } from '../model/document.ts';
 import { findCharacter } from '../model/document.ts';
 import { filePose, rootDofCount } from '../model/dofs.ts';
 import { type ParsedFile, sameName } from '../model/files.ts';
-import { type Observable, observable } from '../ui/observable.ts';
-import type { PartKind, UnsavedPart } from '../ui/workbench.ts';
+import { type Observable, observable } from '../ui/kit/observable.ts';
+import type { PartKind, UnsavedPart } from '../ui/state/workbench.ts';
 import { fileNameOf, type Part, partsOf, posesByNames, poseToSave } from './parts.ts';
 import { sameData } from './same-data.ts';
 

@@ -8,7 +8,7 @@ import { DiskError, NotNowError } from '../../src/io/disk-files.ts';
 import type { GivenFile } from '../../src/io/given.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
-import { Messages } from '../../src/ui/messages.ts';
+import { Messages } from '../../src/ui/state/messages.ts';
 import { parse } from '../../src/worker/parse.ts';
 
 /** As much of a handle as a stand-in for a disk looks at. */

@@ -4,9 +4,9 @@ import { saveCharacter } from '../../src/app/saving.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
-import { Messages } from '../../src/ui/messages.ts';
-import { observable } from '../../src/ui/observable.ts';
-import type { Loading } from '../../src/ui/workbench.ts';
+import { observable } from '../../src/ui/kit/observable.ts';
+import { Messages } from '../../src/ui/state/messages.ts';
+import type { Loading } from '../../src/ui/state/workbench.ts';
 import { character } from '../helpers/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 

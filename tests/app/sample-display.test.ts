@@ -2,8 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { SampleDisplay } from '../../src/app/sample-display.ts';
 import { Store } from '../../src/edit/store.ts';
 import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { observable } from '../../src/ui/observable.ts';
-import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
+import { observable } from '../../src/ui/kit/observable.ts';
+import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
 import { character } from '../ui/builders.ts';
 
 describe('what a sample asks to be drawn', () => {

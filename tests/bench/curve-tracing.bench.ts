@@ -5,9 +5,9 @@
  */
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
+import type { TraceMap } from '../../src/evaluate/plot/trace-path.ts';
 import { type Channel, type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
-import { LineTrace, traceLine } from '../../src/ui/curves/trace.ts';
-import type { TraceMap } from '../../src/ui/curves/trace-path.ts';
+import { LineTrace, traceLine } from '../../src/ui/editors/curves/scene/trace.ts';
 
 const SECONDS = 10;
 const WIDTH = 1100;

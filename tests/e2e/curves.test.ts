@@ -5,7 +5,7 @@ import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import type { ChannelClip } from '../../src/model/clip.ts';
-import { TIME_RULER_HEIGHT } from '../../src/ui/timeline/time-ruler.ts';
+import { TIME_RULER_HEIGHT } from '../../src/ui/editors/timeline/time-ruler.ts';
 import { dropFiles, type Pixels, readPixels, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 

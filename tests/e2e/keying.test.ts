@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { afterAll, expect, it } from 'vitest';
-import { HANDLE_PIXELS } from '../../src/ui/curves/handles.ts';
+import { HANDLE_PIXELS } from '../../src/ui/editors/curves/scene/handles.ts';
 import { expectClose } from '../helpers/close.ts';
 import { commandJson, type PoseJson } from '../helpers/command.ts';
 import { type DroppedFile, dropFiles, withPage } from '../helpers/page.ts';

@@ -6,13 +6,13 @@ import type { Channel, ChannelClip } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
-import type { KeptOffer } from '../../src/ui/kept-offer.ts';
-import { Messages } from '../../src/ui/messages.ts';
-import { observable } from '../../src/ui/observable.ts';
-import { Posing } from '../../src/ui/posing/posing.ts';
-import { DEFAULT_SETTINGS } from '../../src/ui/settings.ts';
-import { Timeline } from '../../src/ui/timeline/timeline.ts';
-import type { DialogName, Loading, Workbench } from '../../src/ui/workbench.ts';
+import { observable } from '../../src/ui/kit/observable.ts';
+import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
+import { Messages } from '../../src/ui/state/messages.ts';
+import { Posing } from '../../src/ui/state/posing.ts';
+import { DEFAULT_SETTINGS } from '../../src/ui/state/settings.ts';
+import { Timeline } from '../../src/ui/state/timeline.ts';
+import type { DialogName, Loading, Workbench } from '../../src/ui/state/workbench.ts';
 
 export function joint(name: string, parent: number): Joint {
   return {

@@ -2,7 +2,7 @@
  * How a page comes by its autosave: a script of its own, fetched when the first picture is there, or with the first
  * change if that is earlier. Until then is taken down what it has to know of the time before.
  */
-import { onDemand, whenIdle } from '../../ui/on-demand.ts';
+import { onDemand, whenIdle } from '../../ui/state/on-demand.ts';
 import type { OpenedFiles } from '../opening.ts';
 import type { AutosaveParts } from './autosave.ts';
 

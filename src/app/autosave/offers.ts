@@ -4,8 +4,8 @@
  */
 import type { SessionLocks } from '../../io/session-locks.ts';
 import type { SessionCard, SessionStore } from '../../io/session-store.ts';
-import type { KeptOffer } from '../../ui/kept-offer.ts';
-import type { Observable } from '../../ui/observable.ts';
+import type { Observable } from '../../ui/kit/observable.ts';
+import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import { SESSION_VERSION } from './session-state.ts';
 
 export const MOST_KEPT = 5;

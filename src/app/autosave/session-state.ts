@@ -6,7 +6,7 @@ import type { Playback } from '../../edit/playback.ts';
 import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
 import type { Document } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
-import type { TimelineView } from '../../ui/timeline/timeline.ts';
+import type { TimelineView } from '../../ui/state/timeline.ts';
 import type { CameraView } from '../../view/camera.ts';
 import type { KnownSkin } from '../../worker/protocol.ts';
 

@@ -11,7 +11,7 @@ import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { writeBvh } from '../../../src/formats/bvh/write.ts';
 import { type Character, type Document, EMPTY_DOCUMENT, shownClip } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
-import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/timeline/timeline.ts';
+import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';

@@ -12,7 +12,7 @@ import type { Channel } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
-import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/timeline/timeline.ts';
+import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import type { WorkerClient } from '../../../src/worker/client.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';

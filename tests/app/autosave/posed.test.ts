@@ -13,7 +13,7 @@ import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
-import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/timeline/timeline.ts';
+import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { character } from '../../helpers/builders.ts';

@@ -1,0 +1,137 @@
+/**
+ * What a drag in rig mode comes to, as the numbers that a skeleton has. A point that the hand has in the scene is, by
+ * way of
+ *
+ *     scene ← placement ← character's space ← matrix of the parent ← offset
+ *
+ * an offset. A joint's own DOFs may move its pivot too (a prismatic joint's): so an offset is changed by how far its
+ * pivot is to go, and never worked out anew.
+ */
+import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
+import { add, dot, subtract, transformVector, type Vec3 } from '../../math/vec3.ts';
+import type { Box } from '../../model/skeleton.ts';
+
+/** Undefined where the matrix flattens: there is no way back then. */
+export function inverseOf(m: Float64Array, o = 0): Float64Array | undefined {
+  if (isSingular(m, o)) return undefined;
+  const inverse = new Float64Array(16);
+  invertAffine(m, o, inverse, 0);
+  return inverse;
+}
+
+/**
+ * From a parent's space to the scene. The root's parent is the character's space itself.
+ * @param world 16 a joint, in the character's space
+ * @param parent index; -1 above the root
+ */
+export function parentToScene(placement: Float64Array, world: Float64Array, parent: number): Float64Array {
+  if (parent < 0) return placement.slice(0, 16);
+  const matrix = new Float64Array(16);
+  multiplyAffine(placement, 0, world, 16 * parent, matrix, 0);
+  return matrix;
+}
+
+/**
+ * The offset that takes a pivot from one place in the scene to another; undefined where the parent flattens its space.
+ * @param parent from the parent's space to the scene
+ */
+export function offsetMoved(offset: Vec3, parent: Float64Array, from: Vec3, to: Vec3): Vec3 | undefined {
+  const inverse = inverseOf(parent);
+  return inverse && add(offset, transformVector(inverse, subtract(to, from)));
+}
+
+/**
+ * How far along a line the point is that comes nearest to a ray; undefined where they are all but parallel.
+ * @param direction of the line, any length: the answer counts in it
+ */
+export function alongLine(
+  anchor: Vec3,
+  direction: Vec3,
+  ray: { readonly origin: Vec3; readonly direction: Vec3 },
+): number | undefined {
+  // Nearest points of two lines: both differences are at right angles to both lines.
+  const w = subtract(anchor, ray.origin);
+  const a = dot(direction, direction);
+  const b = dot(direction, ray.direction);
+  const c = dot(ray.direction, ray.direction);
+  const d = dot(direction, w);
+  const e = dot(ray.direction, w);
+  const denominator = a * c - b * b;
+  return denominator > 1e-6 * a * c ? (b * e - c * d) / denominator : undefined;
+}
+
+/** The next 1, 2 or 5 times a power of ten, at least this much; for what numbers snap to. */
+export function roundStep(least: number): number {
+  if (!(least > 0) || !Number.isFinite(least)) return 1;
+  const power = 10 ** Math.floor(Math.log10(least));
+  for (const factor of [1, 2, 5]) if (factor * power >= least * (1 - 1e-9)) return tidy(factor * power);
+  return tidy(10 * power);
+}
+
+/** On the nearest whole multiple. */
+export function snapped(value: number, step: number): number {
+  return tidy(Math.round(value / step) * step) + 0;
+}
+
+export function snappedPoint([x, y, z]: Vec3, step: number): Vec3 {
+  return [snapped(x, step), snapped(y, step), snapped(z, step)];
+}
+
+/** Cuts what the multiplication leaves in the last digits: 3 steps of 0.1 are 0.3. */
+function tidy(value: number): number {
+  return Number(value.toPrecision(12));
+}
+
+/** Numbers to as many decimals as a hand can mean: a tenth of a pixel's worth. */
+export function withoutDust(point: Vec3, unitsPerPixel: number): Vec3 {
+  return snappedPoint(point, dustOf(unitsPerPixel));
+}
+
+function dustOf(unitsPerPixel: number): number {
+  return 10 ** Math.floor(Math.log10(Math.max(unitsPerPixel, 1e-12) / 10));
+}
+
+export type Side = 'min' | 'max';
+
+/**
+ * A box with one of its faces elsewhere. A face stops at the one across; in files min may lie above max, and such a
+ * box's faces may be moved freely.
+ * @param by in the box's space, along the axis
+ * @param both the face across goes the other way as far
+ * @param step what the face's place snaps to
+ * @param unitsPerPixel in the box's space: numbers that change have as many decimals as a hand can mean
+ */
+export function boxWithFace(
+  { min, max }: Box,
+  axis: 0 | 1 | 2,
+  side: Side,
+  by: number,
+  {
+    both = false,
+    step,
+    unitsPerPixel,
+  }: { readonly both?: boolean; readonly step?: number | undefined; readonly unitsPerPixel?: number } = {},
+): Box {
+  const own = side === 'min' ? min[axis] : max[axis];
+  const across = side === 'min' ? max[axis] : min[axis];
+  const isCrossed = min[axis] > max[axis];
+  const middle = (own + across) / 2;
+  const clean = (value: number) => (unitsPerPixel === undefined ? value : snapped(value, dustOf(unitsPerPixel)));
+  let face = by === 0 ? own : clean(own + by);
+  if (step !== undefined) face = snapped(own + by, step);
+  const stop = both ? middle : across;
+  if (!isCrossed) face = side === 'min' ? Math.min(face, stop) : Math.max(face, stop);
+  const goesAlong = both && face !== own;
+  const other = goesAlong ? (face === stop ? stop : clean(across - (face - own))) : across;
+  const put = (corner: Vec3, value: number): Vec3 => {
+    const next: [number, number, number] = [...corner];
+    next[axis] = value;
+    return next;
+  };
+  return side === 'min' ? { min: put(min, face), max: put(max, other) } : { min: put(min, other), max: put(max, face) };
+}
+
+/** The place across x = 0 of the character's space. */
+export function opposite([x, y, z]: Vec3): Vec3 {
+  return [-x + 0, y, z];
+}

@@ -1,0 +1,215 @@
+/**
+ * The problem of one drag, with where the hand is and the pose that it has come to. It counts what it has been solved:
+ * a frame has room for so many iterations, told without a clock, so that the same drag comes to the same pose anywhere.
+ *
+ * A point that can't come where the hand is pulls the less the further away the hand is, f² · gap = const. Pins that hold
+ * weigh ten times as much (a hundred times in squares), which is not enough beside a hand three metres off: feet would
+ * be drawn out of their places. So they stay, and the point still comes as near as they let it.
+ */
+
+import type { Character } from '../../../model/document.ts';
+import type { IkSetup } from '../../../model/ik.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { compileSkeleton } from '../../kinematics.ts';
+import { movedDofs } from '../../retarget/moved-dofs.ts';
+import { lookAt } from '../forward.ts';
+import { ikProblem, movePin } from '../problem.ts';
+import { type Dragged, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
+import { type IkMode, solve } from '../solve.ts';
+import type { IkProblem } from '../state.ts';
+import { inertia } from './inertia.ts';
+
+/** Parts of the reach. Nearer than that it is there; no screen shows it. */
+export const IS_THERE = 2e-4;
+/** A gap from which a point pulls with less than its weight. */
+const FULL_PULL = 0.01;
+/** The weight of what is dragged while the pins are put in order. */
+const BARELY = 1e-3;
+/** A pin that pulls with less than that part of the strongest one's pull holds nothing back. */
+const HOLDS_BACK = 0.25;
+/** Where nothing moves a point further than that, for a radian or a reach, it does not move. */
+const DOES_NOT_MOVE = 1e-6;
+/** Solutions at one place of the hand, until what pulls less has come to rest. */
+const MOST_ROUNDS = 5;
+
+export class HandProblem {
+  readonly problem: IkProblem;
+  /** The character's DOFs as the drag has them now. */
+  readonly dofs: Float64Array;
+  readonly reach: number;
+  /** Of what is dragged, among the pins. */
+  readonly index: number;
+  /** Whether other pins hold. */
+  readonly holds: boolean;
+  /** Where the hand is. */
+  readonly hand = new Float64Array(3);
+  /** Iterations that there is room for in this frame; below 0 where the last solution took more. */
+  left = Infinity;
+  private readonly ownWeight: number;
+  private readonly ownTurnWeight: number;
+
+  /** As of `Pull`. */
+  constructor(
+    character: Character,
+    skeleton: Skeleton,
+    start: ArrayLike<number>,
+    targets: ReadonlyMap<number, PinTarget>,
+    dragged: Dragged,
+  ) {
+    const setup = ikOf(character);
+    this.dofs = Float64Array.from(start);
+    const joint = 'pin' in dragged ? jointOfPin(setup, dragged.pin) : dragged.joint;
+    this.problem = ikProblem(skeleton, ikPinsOf(setup, targets, dragged), this.dofs, {
+      clamps: character.clampsToLimits,
+      stiffness: handStiffness(character, skeleton, joint),
+    });
+    const { pins, reach } = this.problem;
+    this.reach = reach;
+    this.index = draggedIndex(setup, dragged);
+    this.ownWeight = pins.weights[this.index];
+    this.ownTurnWeight = pins.turnWeights[this.index];
+    this.holds = pins.count > 1;
+    for (let k = 0; k < 3; k++) this.hand[k] = pins.targets[3 * this.index + k];
+    // What is known of the pose where nothing has moved yet.
+    this.run('drag', 1);
+  }
+
+  /** The hand is there; nothing is solved. */
+  moveHand(x: number, y: number, z: number): void {
+    this.hand[0] = x;
+    this.hand[1] = y;
+    this.hand[2] = z;
+    movePin(this.problem, this.index, x, y, z);
+  }
+
+  solve(mode: IkMode): void {
+    const gap = this.missing / this.reach;
+    this.run(mode, this.holds && gap > FULL_PULL ? Math.sqrt(FULL_PULL / gap) : 1);
+  }
+
+  /** The pins come first, and what is dragged stays about where it is. */
+  orderPins(): void {
+    this.run('drag', BARELY);
+  }
+
+  /** Where everything is in a pose that no solution has come to. */
+  look(): void {
+    lookAt(this.problem, this.dofs);
+  }
+
+  /**
+   * What pulls less takes more than one solution to come to rest.
+   * @param spare iterations that are left alone
+   */
+  comeToRest(spare: number): void {
+    const rest = 0.1 * IS_THERE * this.reach;
+    for (let round = 0; round < MOST_ROUNDS && this.left > spare; round++) {
+      const before = this.missing;
+      if (before <= IS_THERE * this.reach) return;
+      this.solve('drag');
+      if (Math.abs(before - this.missing) < rest) return;
+    }
+  }
+
+  /** How far the dragged point is from the hand. */
+  get missing(): number {
+    return this.missingOf(this.index);
+  }
+
+  missingOf(p: number): number {
+    const { positions, targets } = this.problem.pins;
+    const i = 3 * p;
+    return Math.hypot(positions[i] - targets[i], positions[i + 1] - targets[i + 1], positions[i + 2] - targets[i + 2]);
+  }
+
+  /** How far the pin that is furthest off is from where it holds; what is dragged doesn't count. */
+  get worstPin(): number {
+    let most = 0;
+    for (let p = 0; p < this.problem.pins.count; p++) if (p !== this.index) most = Math.max(most, this.missingOf(p));
+    return most;
+  }
+
+  /** Whether every pin is where it should be, and what is dragged. */
+  get isThere(): boolean {
+    for (let p = 0; p < this.problem.pins.count; p++) if (this.missingOf(p) > IS_THERE * this.reach) return false;
+    return true;
+  }
+
+  /**
+   * The pins that keep the dragged point from the hand, the strongest first. Where all is at rest each pin pulls with its
+   * weight squared times what it is off, and those that hold against the hand are the ones that are off at all.
+   */
+  holders(): number[] {
+    const { pins } = this.problem;
+    const pulls = Array.from({ length: pins.count }, (_, p) =>
+      p === this.index ? 0 : pins.weights[p] ** 2 * this.missingOf(p),
+    );
+    const hand = pins.weights[this.index] ** 2 * this.missing;
+    const most = Math.max(...pulls);
+    if (!(most > 0 && most >= HOLDS_BACK * hand)) return [];
+    const found = [...pulls.keys()].filter((p) => pulls[p] >= HOLDS_BACK * most);
+    return found.sort((a, b) => pulls[b] - pulls[a]);
+  }
+
+  /** Whether anything that is free moves the dragged point, in the pose that was last looked at. */
+  get canMove(): boolean {
+    const { jacobian, variables, pins, reach } = this.problem;
+    const first = pins.row[this.index] * variables.count;
+    const least = DOES_NOT_MOVE * pins.weights[this.index] * reach;
+    for (let i = first; i < first + 3 * variables.count; i++) if (Math.abs(jacobian[i]) > least) return true;
+    return false;
+  }
+
+  /**
+   * How far the pose has moved: the largest of its changes, in radians, factors, parts of the reach.
+   * @param from the first DOF that is asked about
+   * @param end after the last
+   */
+  furthest(before: Float64Array, from = 0, end = Infinity): number {
+    const { count, dof, scale, relative } = this.problem.variables;
+    let most = 0;
+    for (let v = 0; v < count; v++) {
+      if (dof[v] < from || dof[v] >= end) continue;
+      const change = Math.abs(this.dofs[dof[v]] - before[dof[v]]);
+      most = Math.max(most, change * (relative[v] / scale[v]));
+    }
+    return most;
+  }
+
+  private run(mode: IkMode, pull: number): void {
+    const { problem, index } = this;
+    problem.pins.weights[index] = this.ownWeight * pull;
+    problem.pins.turnWeights[index] = this.ownTurnWeight * pull;
+    this.left -= solve(problem, this.dofs, mode).iterations;
+  }
+}
+
+/** How unwilling each DOF is, by the character's DOF, while a hand has that joint. */
+export function handStiffness(character: Character, skeleton: Skeleton, joint: number): Float64Array {
+  const moves = inertia(skeleton);
+  const stays = staysBeside(character, skeleton, joint);
+  return stiffnessOf(skeleton, ikOf(character)).map((factor, dof) =>
+    stays(dof) ? Infinity : factor * (moves[dof] ?? 1),
+  );
+}
+
+function jointOfPin({ pins }: IkSetup, id: number): number {
+  return pins.find((pin) => pin.id === id)?.joint ?? -1;
+}
+
+/**
+ * Which DOFs stay because another character's take moves the others. What is posed over that take goes with it; in joints
+ * that the take leaves alone it would be for good, of a drag that was about the others. What is dragged itself may move,
+ * with what is above it up to the first joint that the take moves.
+ */
+function staysBeside(character: Character, skeleton: Skeleton, dragged: number): (dof: number) => boolean {
+  const moved = movedDofs(character);
+  if (!moved) return () => false;
+  const { firstDof, parent } = compileSkeleton(skeleton);
+  const free = new Set(moved);
+  for (let j = dragged; j >= 0; j = parent[j]) {
+    if (moved.has(firstDof[j])) break;
+    for (let dof = firstDof[j]; dof < firstDof[j + 1]; dof++) free.add(dof);
+  }
+  return (dof) => !free.has(dof);
+}

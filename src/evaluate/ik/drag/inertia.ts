@@ -1,0 +1,60 @@
+/**
+ * How much of a character a DOF moves. Among all poses in which the pins are where they should be, the nearest is not the
+ * one whose angles change least, but the one in which least of the body goes elsewhere: who pulls a hip wants the knees to
+ * bend, not the whole person to fall over, which would be fewer degrees.
+ *
+ *     I_j = Σ over bones below j   length · (distance of the bone's middle from j's pivot)²
+ *
+ * the moment of inertia of what hangs on a joint, at rest, bones being as heavy as they are long. A joint's DOFs are as
+ * much less willing as its I is beside the largest one.
+ */
+
+import { boneEnds } from '../../../model/bone-ends.ts';
+import { restPose } from '../../../model/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { compileSkeleton, worldMatrices } from '../../kinematics.ts';
+import { pointAt } from '../set-up.ts';
+
+/** How much less willing than the tip of a finger that is which moves everything. */
+const MOST = 60;
+
+/** By the character's DOF, without morphs: at least 1. What carries the whole is as unwilling as the root's turn. */
+export function inertia(skeleton: Skeleton): Float64Array {
+  const known = lists.get(skeleton);
+  if (known) return known;
+  const compiled = compileSkeleton(skeleton);
+  const { parent, firstDof, jointCount, travel } = compiled;
+  const dofs = Float64Array.from(restPose(skeleton, 0));
+  const world = new Float64Array(16 * jointCount);
+  worldMatrices(compiled, dofs, world);
+  // Of a joint and all below: the mass, the mass times the place (3), the mass times the place squared.
+  const sums = new Float64Array(5 * jointCount);
+  const add = (joint: number, end: readonly number[]) => {
+    const start = world.subarray(16 * joint + 12, 16 * joint + 15);
+    const middle = end.map((v, k) => (v + start[k]) / 2);
+    const length = Math.hypot(...end.map((v, k) => v - start[k]));
+    sums[5 * joint] += length;
+    for (let k = 0; k < 3; k++) sums[5 * joint + 1 + k] += length * middle[k];
+    sums[5 * joint + 4] += length * middle.reduce((sum, v) => sum + v * v, 0);
+  };
+  for (let j = 0; j < jointCount; j++)
+    if (parent[j] >= 0) add(parent[j], Array.from(world.subarray(16 * j + 12, 16 * j + 15)));
+  for (const { joint, at } of boneEnds(skeleton)) add(joint, pointAt(world, joint, at));
+  const moments = new Float64Array(jointCount);
+  for (let j = jointCount - 1; j >= 0; j--) {
+    const [mass, x, y, z, squares] = sums.subarray(5 * j, 5 * j + 5);
+    const [px, py, pz] = world.subarray(16 * j + 12, 16 * j + 15);
+    moments[j] = Math.max(0, squares - 2 * (x * px + y * py + z * pz) + mass * (px * px + py * py + pz * pz));
+    if (parent[j] >= 0) for (let k = 0; k < 5; k++) sums[5 * parent[j] + k] += sums[5 * j + k];
+  }
+  const most = moments.reduce((a, b) => Math.max(a, b), 0);
+  const list = new Float64Array(firstDof[jointCount]).fill(1);
+  if (most > 0) {
+    for (let j = 0; j < jointCount; j++) list.fill(1 + (MOST * moments[j]) / most, firstDof[j], firstDof[j + 1]);
+    for (const dof of travel) list[dof] = 1 + MOST;
+  }
+  lists.set(skeleton, list);
+  return list;
+}
+
+const lists = new WeakMap<Skeleton, Float64Array>();

@@ -1,0 +1,35 @@
+/** How many vertices each joint moves: those that have an attachment to it with a weight other than 0. */
+import { bindingCount, type Skin, vertexCount } from './skin.ts';
+
+const counted = new WeakMap<Skin, Uint32Array>();
+
+/** One pass over the skin's attachments, once a skin. A vertex that names a joint twice is one vertex. */
+export function movedVertices(skin: Skin, joint: number): number {
+  let counts = counted.get(skin);
+  if (!counts) {
+    counts = count(skin);
+    counted.set(skin, counts);
+  }
+  return counts[joint] ?? 0;
+}
+
+function count(skin: Skin): Uint32Array {
+  const { attachments } = skin;
+  const vertices = vertexCount(skin);
+  // Without weights it hangs on the root, as a whole.
+  if (!attachments) return Uint32Array.of(vertices);
+  const { start, joints, weights } = attachments;
+  let size = bindingCount(skin);
+  for (const joint of joints) if (joint >= size) size = joint + 1;
+  const counts = new Uint32Array(size);
+  const lastVertex = new Int32Array(size).fill(-1);
+  for (let v = 0; v < vertices; v++) {
+    for (let a = start[v]; a < start[v + 1]; a++) {
+      const joint = joints[a];
+      if (weights[a] === 0 || lastVertex[joint] === v) continue;
+      lastVertex[joint] = v;
+      counts[joint]++;
+    }
+  }
+  return counts;
+}

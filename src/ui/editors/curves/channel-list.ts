@@ -1,0 +1,364 @@
+/**
+ * The list of channels beside the plot. Only the rows in view exist, so that ten thousand channels cost what twenty do.
+ *
+ * For the keyboard it is one grid with one tab stop: arrows go from row to row and from control to control, Enter or
+ * Space does what a click does. The focus stays on the grid, which names the control that is meant
+ * (aria-activedescendant): rows that scroll away can't take it with them.
+ */
+
+import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
+import { allKeys, unionKeys } from '../../../edit/keys/selection.ts';
+import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { icon } from '../../kit/icons.ts';
+import { openMenu } from '../../kit/menu.ts';
+import { plural } from '../../kit/number-text.ts';
+import { isMac } from '../../shell/keys.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../../state/timeline.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { LIST_LABELS } from '../timeline/actions.ts';
+import { channelName, isAnimated, type ListedChannel } from '../timeline/channels.ts';
+import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { extrapolationIcon } from '../timeline/key-actions.ts';
+import { extrapolationEntries, openChannelMenu, toggleIn } from './context-menu.ts';
+import { isolatedAfter } from './isolating.ts';
+import { cssColour } from './scene/colours.ts';
+import type { CurveLine } from './scene/scene.ts';
+import { buttonMeant } from './tools/intent.ts';
+
+const ROW_PIXELS = 22;
+/** Rows beyond the edges, so that a quick turn of the wheel doesn't show gaps. */
+const SPARE_ROWS = 4;
+/** The controls of a row, left to right. */
+const CELLS = ['eye', 'name', 'in', 'out', 'pin'] as const;
+type Cell = (typeof CELLS)[number];
+
+interface Row {
+  readonly element: HTMLElement;
+  readonly cells: Readonly<Record<Cell, HTMLElement>>;
+  readonly swatch: HTMLElement;
+  readonly joint: HTMLElement;
+  readonly dof: HTMLElement;
+  readonly follows: HTMLElement;
+}
+
+/** In place of `Selected joint` while there is none, in what room there is. */
+const NO_JOINT_LABEL = 'No joint: all';
+const NO_JOINT_TITLE = 'Follows the selected joint. None is selected, so all channels are listed';
+
+/** What the plot knows of the channels. */
+export interface ListSource {
+  readonly channels: readonly ListedChannel[];
+  line(channel: number): CurveLine | undefined;
+}
+
+export class ChannelList {
+  readonly element: HTMLElement;
+  private readonly choice = element('select', { class: 'channel-choice', 'aria-label': 'Which channels are listed' });
+  private readonly filter = element('input', {
+    type: 'search',
+    class: 'channel-filter',
+    placeholder: 'Filter',
+    'aria-label': 'Filter channels by name',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  private readonly space = element('div', { class: 'channel-space' });
+  private readonly empty = element('p', { class: 'empty' });
+  private readonly grid = element(
+    'div',
+    { class: 'channel-rows', role: 'grid', tabindex: 0, 'aria-label': 'Channels' },
+    this.space,
+  );
+  private readonly rows: Row[] = [];
+  private readonly id = uniqueId('channel');
+  private channels: readonly ListedChannel[] = [];
+  private first = 0;
+  private active = 0;
+  private activeCell: Cell = 'name';
+  /** Where Shift and a click count from. */
+  private anchor = 0;
+  private visible = false;
+  readonly showSoon = oncePerFrame(() => this.show());
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly source: ListSource,
+  ) {
+    this.choice.append(...CHANNEL_LISTS.map((list) => element('option', { value: list }, LIST_LABELS[list])));
+    this.element = element(
+      'div',
+      { class: 'channel-list' },
+      element('div', { class: 'channel-head' }, this.choice, this.filter),
+      this.empty,
+      this.grid,
+    );
+    this.choice.addEventListener('change', () => {
+      const list = CHANNEL_LISTS.find((l) => l === this.choice.value);
+      if (list) this.wb.timeline.change({ list: list satisfies ListChoice });
+    });
+    this.filter.addEventListener('input', () => wb.timeline.change({ filter: this.filter.value }));
+    this.filter.addEventListener('keydown', (event) => {
+      if (event.key === 'Escape' && this.filter.value) wb.timeline.change({ filter: '' });
+      else if (event.key === 'ArrowDown' || event.key === 'Enter') this.grid.focus();
+      else return;
+      event.preventDefault();
+    });
+    this.grid.addEventListener('scroll', this.showSoon);
+    this.grid.addEventListener('keydown', (event) => this.onKey(event));
+    this.grid.addEventListener('click', (event) => this.onClick(event));
+    this.grid.addEventListener('dblclick', (event) => this.onDoubleClick(event));
+    this.grid.addEventListener('contextmenu', (event) => this.onMenu(event));
+    new ResizeObserver(this.showSoon).observe(this.grid);
+    wb.store.subscribe((now, before) => {
+      if (now.document !== before.document || now.selection !== before.selection) this.showSoon();
+    });
+    wb.timeline.view.subscribe(this.showSoon);
+  }
+
+  setVisible(visible: boolean): void {
+    this.visible = visible;
+    if (visible) this.showSoon();
+  }
+
+  private show(): void {
+    if (!this.visible) return;
+    const { wb, grid } = this;
+    const view = wb.timeline.view.get();
+    this.channels = this.source.channels;
+    this.showChoice(view.list);
+    if (this.filter.value !== view.filter) this.filter.value = view.filter;
+    const count = this.channels.length;
+    this.empty.hidden = count > 0;
+    grid.hidden = count === 0;
+    setText(this.empty, emptyText(wb, view.list, view.filter));
+    setAttribute(grid, 'aria-rowcount', String(count));
+    this.space.style.height = `${count * ROW_PIXELS}px`;
+    this.active = Math.max(0, Math.min(this.active, count - 1));
+    this.first = Math.max(0, Math.floor(grid.scrollTop / ROW_PIXELS) - SPARE_ROWS);
+    const last = Math.min(count, Math.ceil((grid.scrollTop + grid.clientHeight) / ROW_PIXELS) + SPARE_ROWS);
+    const needed = Math.max(0, last - this.first);
+    while (this.rows.length < needed) this.rows.push(this.makeRow(this.rows.length));
+    const state: ListState = {
+      hidden: new Set(view.hidden),
+      isolated: view.isolated && new Set(view.isolated),
+      pinned: new Set(view.pinned),
+      selected: new Set(keysInHand(wb).map((k) => k.channel)),
+    };
+    for (const [i, row] of this.rows.entries()) {
+      row.element.hidden = i >= needed;
+      if (i < needed) this.fill(row, this.first + i, state);
+    }
+    setAttribute(grid, 'aria-activedescendant', count ? this.cellId(this.active, this.activeCell) : undefined);
+  }
+
+  private showChoice(list: ListChoice): void {
+    const { choice, wb } = this;
+    if (choice.value !== list) choice.value = list;
+    const showsAll = list === 'selected' && wb.store.selection.joint === undefined;
+    const texts = showsAll ? { ...LIST_LABELS, selected: NO_JOINT_LABEL } : LIST_LABELS;
+    for (const [i, one] of CHANNEL_LISTS.entries()) setText(choice.options[i], texts[one]);
+    setAttribute(choice, 'title', showsAll ? NO_JOINT_TITLE : undefined);
+  }
+
+  private cellId(index: number, cell: Cell): string {
+    return `${this.id}-${index - this.first}-${cell}`;
+  }
+
+  private makeRow(place: number): Row {
+    const swatch = element('span', { class: 'channel-swatch' });
+    const joint = element('span', { class: 'channel-joint' });
+    const dof = element('span', { class: 'channel-dof' });
+    const follows = element('span', { class: 'channel-follows' });
+    const cell = (name: Cell, ...content: (Node | undefined)[]) => {
+      const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
+      made.id = `${this.id}-${place}-${name}`;
+      made.dataset.cell = name;
+      for (const node of content) if (node) made.append(node);
+      // The focus belongs to the grid, and a click on a control leaves it where it was.
+      made.addEventListener('mousedown', (event) => event.preventDefault());
+      return made;
+    };
+    const cells = {
+      eye: cell('eye', icon('eye')),
+      name: cell('name', swatch, joint, dof, follows),
+      in: cell('in'),
+      out: cell('out'),
+      pin: cell('pin', icon('pin')),
+    };
+    const row = element('div', { role: 'row', class: 'channel-row' }, ...CELLS.map((c) => cells[c]));
+    this.space.append(row);
+    return { element: row, cells, swatch, joint, dof, follows };
+  }
+
+  private fill(row: Row, index: number, state: ListState): void {
+    const listed = this.channels[index];
+    const { channel } = listed;
+    const line = this.source.line(channel);
+    const held = takeInHand(this.wb)?.clip.channels[channel];
+    const name = channelName(listed);
+    const keyed = isAnimated(listed);
+    const hidden = state.hidden.has(channel);
+    const isolated = state.isolated?.has(channel) ?? false;
+    const { element: target, cells } = row;
+    target.style.transform = `translateY(${index * ROW_PIXELS}px)`;
+    target.dataset.index = String(index);
+    setAttribute(target, 'aria-rowindex', String(index + 1));
+    target.className = 'channel-row';
+    target.classList.toggle('keyless', !keyed);
+    target.classList.toggle('not-drawn', keyed && (state.isolated ? !isolated : hidden));
+    target.classList.toggle('isolated', isolated);
+    target.classList.toggle('selected', state.selected.has(channel));
+    target.classList.toggle('active', index === this.active);
+    setText(row.joint, listed.joint);
+    setText(row.dof, listed.dof);
+    setText(row.follows, listed.follows === undefined ? '' : `← ${listed.follows}`);
+    target.classList.toggle('follows', listed.follows !== undefined);
+    row.swatch.style.background = line && keyed ? cssColour(line.colour) : '';
+    row.swatch.classList.toggle('dashed', (line?.colour.dash.length ?? 0) > 0);
+    describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
+    const { keyCount, sampleCount } = listed;
+    const keys = sampleCount ? plural(sampleCount, 'sample') : keyed ? plural(keyCount, 'key') : 'no keys';
+    const follows = listed.follows === undefined ? '' : `; it follows ${listed.follows}, whatever its keys say`;
+    describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}${follows}`, isolated);
+    const pinned = state.pinned.has(channel);
+    describe(cells.pin, `${pinned ? 'Unpin' : 'Pin'} ${name}`, pinned);
+    for (const side of ['in', 'out'] as const) {
+      const way = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
+      const cell = cells[side];
+      // Beyond samples their ends hold: there is nothing to choose.
+      cell.hidden = keyCount === 0;
+      if (!way || cell.dataset.way === way) continue;
+      cell.dataset.way = way;
+      cell.replaceChildren(icon(extrapolationIcon(way)));
+      describe(cell, `${side === 'in' ? 'Before' : 'After'} the keys: ${EXTRAPOLATION_NAMES[way]}`);
+      cell.setAttribute('aria-haspopup', 'menu');
+    }
+    for (const cell of CELLS) {
+      cells[cell].classList.toggle('current', index === this.active && cell === this.activeCell);
+    }
+  }
+
+  private indexAt(event: Event): { readonly index: number; readonly cell: Cell | undefined } | undefined {
+    if (!(event.target instanceof Element)) return undefined;
+    const row = event.target.closest<HTMLElement>('.channel-row');
+    const index = Number(row?.dataset.index ?? Number.NaN);
+    if (!this.channels[index]) return undefined;
+    const name = event.target.closest<HTMLElement>('[data-cell]')?.dataset.cell;
+    return { index, cell: CELLS.find((c) => c === name) };
+  }
+
+  private onClick(event: MouseEvent): void {
+    const at = this.indexAt(event);
+    if (!at?.cell) return;
+    this.active = at.index;
+    this.activeCell = at.cell;
+    const box = event.target instanceof Element ? event.target.getBoundingClientRect() : undefined;
+    this.press(at.index, at.cell, event.shiftKey, isMac ? event.metaKey : event.ctrlKey, box, false);
+  }
+
+  /** What a control does. */
+  private press(
+    index: number,
+    cell: Cell,
+    shift: boolean,
+    ctrl: boolean,
+    box: DOMRect | undefined,
+    byKeyboard: boolean,
+  ) {
+    const { wb } = this;
+    const { channel } = this.channels[index];
+    if (cell === 'eye') toggleIn(wb, 'hidden', channel);
+    else if (cell === 'pin') toggleIn(wb, 'pinned', channel);
+    else if (cell === 'name') {
+      if (!isAnimated(this.channels[index])) return this.showSoon();
+      const range = shift ? this.between(this.anchor, index) : [channel];
+      if (!shift) this.anchor = index;
+      wb.timeline.isolate(isolatedAfter(wb.timeline.view.get().isolated, range, ctrl));
+    } else if (box) {
+      const label = cell === 'in' ? 'Before the keys' : 'After the keys';
+      openMenu(box, extrapolationEntries(wb, channel, cell), { label, focusFirst: byKeyboard });
+    }
+    this.showSoon();
+  }
+
+  private between(a: number, b: number): number[] {
+    const rows = this.channels.slice(Math.min(a, b), Math.max(a, b) + 1);
+    return rows.filter(isAnimated).map((c) => c.channel);
+  }
+
+  private onDoubleClick(event: MouseEvent): void {
+    const at = this.indexAt(event);
+    const take = takeInHand(this.wb);
+    if (at?.cell !== 'name' || !take) return;
+    const keys = allKeys(take.clip, [this.channels[at.index].channel]);
+    selectKeys(this.wb, event.ctrlKey || event.shiftKey ? unionKeys(selectedKeys(this.wb), keys) : keys);
+  }
+
+  private onMenu(event: MouseEvent): void {
+    event.preventDefault();
+    const at = this.indexAt(event);
+    const byKeyboard = buttonMeant(event, isMac) !== 2;
+    const index = byKeyboard ? this.active : at?.index;
+    if (index === undefined || !this.channels[index]) return;
+    const box = this.rows[index - this.first]?.element.getBoundingClientRect();
+    const where = byKeyboard && box ? { x: box.left + 24, y: box.bottom } : { x: event.clientX, y: event.clientY };
+    this.active = index;
+    openChannelMenu(this.wb, this.channels[index].channel, where, byKeyboard);
+    this.showSoon();
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.altKey || !this.channels.length) return;
+    const ctrl = isMac ? event.metaKey : event.ctrlKey;
+    const page = Math.max(1, Math.floor(this.grid.clientHeight / ROW_PIXELS) - 1);
+    const last = this.channels.length - 1;
+    const steps: Record<string, number> = { ArrowUp: -1, ArrowDown: 1, PageUp: -page, PageDown: page };
+    const step = steps[event.key];
+    const side = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
+    if (event.key === 'Enter' || event.key === ' ') {
+      const box = this.rows[this.active - this.first]?.cells[this.activeCell].getBoundingClientRect();
+      this.press(this.active, this.activeCell, event.shiftKey, ctrl, box, true);
+    } else if (ctrl || event.shiftKey) return;
+    else if (step) this.goTo(this.active + step);
+    else if (event.key === 'Home') this.goTo(0);
+    else if (event.key === 'End') this.goTo(last);
+    else if (side) {
+      const next = CELLS.indexOf(this.activeCell) + side;
+      this.activeCell = CELLS[Math.max(0, Math.min(CELLS.length - 1, next))];
+      this.showSoon();
+    } else return;
+    event.preventDefault();
+  }
+
+  private goTo(index: number): void {
+    this.active = Math.max(0, Math.min(this.channels.length - 1, index));
+    const top = this.active * ROW_PIXELS;
+    const { grid } = this;
+    if (top < grid.scrollTop) grid.scrollTop = top;
+    else if (top + ROW_PIXELS > grid.scrollTop + grid.clientHeight)
+      grid.scrollTop = top + ROW_PIXELS - grid.clientHeight;
+    this.showSoon();
+  }
+}
+
+interface ListState {
+  readonly hidden: ReadonlySet<number>;
+  readonly isolated: ReadonlySet<number> | undefined;
+  readonly pinned: ReadonlySet<number>;
+  readonly selected: ReadonlySet<number>;
+}
+
+function describe(target: HTMLElement, label: string, on = false): void {
+  setAttribute(target, 'aria-label', label);
+  setAttribute(target, 'title', label);
+  target.classList.toggle('on', on);
+}
+
+function emptyText(wb: Workbench, list: ListChoice, filter: string): string {
+  if (filter) return `No channel here is called “${filter}”.`;
+  if (list === 'pinned') return 'Nothing is pinned. The pin at the end of a channel’s row keeps it here.';
+  if (currentCharacter(wb)?.driver) return 'Its own channels stand aside.';
+  return wb.store.document.characters.length ? 'This joint has nothing that moves.' : 'Channels will stand here.';
+}

@@ -1,0 +1,193 @@
+/** Menus of the plot and of the channel list. What is pressed on is selected first: then the menu is about what one sees. */
+
+import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
+import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
+import { EXTRAPOLATIONS, isSampled } from '../../../model/clip.ts';
+import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { itemOf } from '../../state/menu-entries.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { channelName, namedChannel } from '../timeline/channels.ts';
+import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { extrapolate } from '../timeline/key-edits.ts';
+import { insertOnCurve } from './insert.ts';
+import type { Hit } from './scene/scene.ts';
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+const LINE: MenuEntry = { kind: 'line' };
+const TANGENTS = ['flat', 'linear', 'smooth', 'fixed'].map((kind) => `tangents.${kind}`);
+export const SAMPLE_TOOLS = [
+  'convertToKeys',
+  'smoothSamples',
+  'resampleSamples',
+  'samples.crop',
+  'samples.trimStart',
+  'samples.trimEnd',
+  'samples.split',
+  'samples.reverse',
+];
+export const CURVE_TOOLS = ['simplify', 'resample', 'bake', 'euler', 'loop', 'scaleKeys'];
+
+/** Actions of the timeline as entries. */
+export function entriesOf(wb: Workbench, ids: readonly string[]): MenuEntry[] {
+  const actions = actionsOf(wb);
+  return ids.flatMap((id) => actions.filter((a) => a.id === `timeline.${id}`).map((a) => itemOf(wb, a)));
+}
+
+/** @param byKeyboard there is nothing under a pointer: the menu is about what is selected */
+export function openPlotMenu(wb: Workbench, hit: Hit, where: Place, byKeyboard: boolean): void {
+  const focusFirst = byKeyboard;
+  if (hit.kind === 'key' || hit.kind === 'handle') {
+    if (!hasKey(keysInHand(wb), hit.channel, hit.index)) {
+      selectKeys(wb, [{ channel: hit.channel, indices: [hit.index] }]);
+    }
+    openMenu(where, keyEntries(wb), { label: 'Key', focusFirst });
+  } else if (hit.kind === 'curve' && isSampledHere(wb, hit.channel)) {
+    openMenu(where, sampledEntries(wb, hit.channel), { label: 'Curve', focusFirst });
+  } else if (hit.kind === 'curve') {
+    selectCurve(wb, hit.channel);
+    const { channel, timeSeconds } = hit;
+    const insert: MenuEntry = {
+      kind: 'item',
+      label: 'Insert key here',
+      enabled: true,
+      run: () => insertOnCurve(wb, channel, timeSeconds),
+    };
+    openMenu(where, [insert, LINE, ...channelEntries(wb, channel)], { label: 'Curve', focusFirst });
+  } else if (byKeyboard && keysInHand(wb).length) openMenu(where, keyEntries(wb), { label: 'Keys', focusFirst });
+  else openMenu(where, groundEntries(wb), { label: 'Curves', focusFirst });
+}
+
+/** Of a channel in the list. */
+export function openChannelMenu(wb: Workbench, channel: number, where: Place, focusFirst: boolean): void {
+  const take = takeInHand(wb);
+  if (!take) return;
+  const label = channelName(namedChannel(take.character, channel));
+  if (isSampled(take.clip, channel)) {
+    openMenu(where, sampledEntries(wb, channel), { label, focusFirst });
+  } else if (take.clip.channels[channel]?.times.length) {
+    selectCurve(wb, channel);
+    openMenu(where, channelEntries(wb, channel), { label, focusFirst });
+  } else {
+    openMenu(where, [{ kind: 'note', text: `${label} has no keys yet.` }, LINE, pinEntry(wb, channel)], { label });
+  }
+}
+
+/** All keys of a channel, unless some of it are selected. */
+function selectCurve(wb: Workbench, channel: number): void {
+  const take = takeInHand(wb);
+  if (!take || keysInHand(wb).some((k) => k.channel === channel)) return;
+  selectKeys(wb, allKeys(take.clip, [channel]));
+}
+
+function keyEntries(wb: Workbench): MenuEntry[] {
+  const side = (label: string, name: 'in' | 'out'): MenuEntry => ({
+    kind: 'menu',
+    label,
+    entries: () =>
+      entriesOf(
+        wb,
+        TANGENTS.map((id) => id.replace('tangents', `tangents.${name}`)),
+      ),
+  });
+  return [
+    ...entriesOf(wb, TANGENTS),
+    side('Before the key', 'in'),
+    side('After the key', 'out'),
+    LINE,
+    ...entriesOf(wb, ['unify', 'break']),
+    LINE,
+    ...entriesOf(wb, ['cut', 'copy', 'paste', 'duplicate', 'delete']),
+    LINE,
+    ...entriesOf(wb, ['snapToFrames', 'scaleKeys', 'selectChannels', 'fitSelected']),
+  ];
+}
+
+function isSampledHere(wb: Workbench, channel: number): boolean {
+  const clip = takeInHand(wb)?.clip;
+  return clip !== undefined && isSampled(clip, channel);
+}
+
+/** Of a curve that follows samples: it has no keys to do anything with. */
+function sampledEntries(wb: Workbench, channel: number): MenuEntry[] {
+  return [...showEntries(wb, channel), LINE, ...entriesOf(wb, SAMPLE_TOOLS)];
+}
+
+/** What of a channel is shown. */
+function showEntries(wb: Workbench, channel: number): MenuEntry[] {
+  const { view } = wb.timeline;
+  const { isolated } = view.get();
+  const isOnly = isolated?.length === 1 && isolated[0] === channel;
+  return [
+    {
+      kind: 'item',
+      label: 'Isolate',
+      checked: isOnly,
+      enabled: true,
+      run: () => wb.timeline.isolate(isOnly ? undefined : [channel]),
+    },
+    {
+      kind: 'item',
+      label: 'Hide',
+      checked: view.get().hidden.includes(channel),
+      enabled: true,
+      run: () => toggleIn(wb, 'hidden', channel),
+    },
+    pinEntry(wb, channel),
+  ];
+}
+
+function channelEntries(wb: Workbench, channel: number): MenuEntry[] {
+  return [
+    ...showEntries(wb, channel),
+    LINE,
+    { kind: 'menu', label: 'Before the keys', entries: () => extrapolationEntries(wb, channel, 'in') },
+    { kind: 'menu', label: 'After the keys', entries: () => extrapolationEntries(wb, channel, 'out') },
+    { kind: 'menu', label: 'Curve tools', entries: () => entriesOf(wb, CURVE_TOOLS) },
+    LINE,
+    ...entriesOf(wb, ['cut', 'copy', 'paste', 'delete']),
+  ];
+}
+
+function groundEntries(wb: Workbench): MenuEntry[] {
+  return [
+    ...entriesOf(wb, ['insertKey', 'paste', 'pasteInsert', 'pasteInto']),
+    LINE,
+    ...entriesOf(wb, ['selectAll', 'invert', 'selectBefore', 'selectHere', 'selectAfter']),
+    LINE,
+    { kind: 'menu', label: 'Curve tools', entries: () => entriesOf(wb, CURVE_TOOLS) },
+    { kind: 'menu', label: 'Samples', entries: () => entriesOf(wb, SAMPLE_TOOLS) },
+    LINE,
+    ...entriesOf(wb, ['fitSelected', 'fitAll', 'normalised', 'snapsToFrames', 'snapsToValues', 'scaleFrame']),
+  ];
+}
+
+function pinEntry(wb: Workbench, channel: number): MenuEntry {
+  const checked = wb.timeline.view.get().pinned.includes(channel);
+  return { kind: 'item', label: 'Pin', checked, enabled: true, run: () => toggleIn(wb, 'pinned', channel) };
+}
+
+/** How one channel goes on past an end. */
+export function extrapolationEntries(wb: Workbench, channel: number, side: 'in' | 'out'): MenuEntry[] {
+  const held = takeInHand(wb)?.clip.channels[channel];
+  const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
+  return EXTRAPOLATIONS.map((extrapolation) => ({
+    kind: 'item',
+    label: EXTRAPOLATION_NAMES[extrapolation],
+    radio: true,
+    checked: extrapolation === now,
+    enabled: held !== undefined,
+    run: () => extrapolate(wb, side, extrapolation, [channel]),
+  }));
+}
+
+/** Hides or shows a channel, pins it or lets it go. */
+export function toggleIn(wb: Workbench, what: 'hidden' | 'pinned', channel: number): void {
+  const now = wb.timeline.view.get()[what];
+  const next = now.includes(channel) ? now.filter((c) => c !== channel) : [...now, channel].sort((a, b) => a - b);
+  wb.timeline.change(what === 'hidden' ? { hidden: next } : { pinned: next });
+}

@@ -1,0 +1,270 @@
+/** What each of the tools for samples asks; those that need nothing asked are in `timeline/sample-tools.ts`. */
+
+import {
+  type ConvertToKeys,
+  convertSteps,
+  convertToKeys,
+  type ResampleSamples,
+  resampleSamples,
+  resampleSteps,
+  type SmoothSamples,
+  smoothSamples,
+  smoothSteps,
+} from '../../../../edit/commands/samples.ts';
+import type { Converted } from '../../../../edit/samples/convert.ts';
+import { MEDIAN_FRAMES } from '../../../../edit/samples/median.ts';
+import { isSampled } from '../../../../model/clip.ts';
+import { type Character, type Document, findCharacter, shownClip } from '../../../../model/document.ts';
+import { jointName } from '../../../../model/joint-name.ts';
+import type { Samples } from '../../../../model/samples.ts';
+import type { Skeleton } from '../../../../model/skeleton.ts';
+import type { DialogContent } from '../../../kit/dialog.ts';
+import { element } from '../../../kit/dom.ts';
+import { count, plural, seconds, shown } from '../../../kit/number-text.ts';
+import { shownPerUnit, unitText } from '../../../state/angles.ts';
+import { lengthUnit } from '../../../state/length-unit.ts';
+import type { Workbench } from '../../../state/workbench.ts';
+import { channelsInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
+import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
+
+/** Of the skeleton's size: what is hardly seen of a joint. */
+const POSITION_PART = 0.005;
+const ANGLE_DEGREES = 1;
+
+export function convertDialog(wb: Workbench, close: () => void): DialogContent {
+  return withSamples(wb, ({ character, clip }, samples, channels) => {
+    const { angles } = wb.settings.get();
+    const degrees = angles === 'degrees' ? ANGLE_DEGREES : Number(((ANGLE_DEGREES * Math.PI) / 180).toPrecision(2));
+    const all = clip.channels.reduce((sum, _, c) => sum + (isSampled(clip, c) ? 1 : 0), 0);
+    const { skeleton } = character;
+    return toolDialog<ConvertToKeys>(wb, close, {
+      name: 'convertToKeys',
+      title: 'Convert to keys',
+      about:
+        `Fewest keys for ${count(samples.frameCount)} frames with every joint and End Site where it was: cubics fitted ` +
+        'to each curve, angles freed of jumps first, and all joints measured at every frame until none is further off there.',
+      asked: [
+        ...channelsAsked(wb, channels.length, all),
+        {
+          kind: 'number',
+          name: 'position',
+          label: 'Joints within',
+          value: Number((POSITION_PART * (skeleton ? sizeOf(skeleton) : 1)).toPrecision(2)),
+          unit: lengthUnit(character),
+        },
+        {
+          kind: 'number',
+          name: 'angle',
+          label: 'Turned within',
+          value: degrees,
+          unit: unitText('angle', angles).trim(),
+        },
+      ],
+      command: convertToKeys,
+      args: (answers) => ({
+        characterId: character.id,
+        channels: answers.choice('channels') === 'view' ? channels : undefined,
+        tolerance: {
+          position: answers.number('position'),
+          angle: answers.number('angle') / shownPerUnit('angle', angles),
+        },
+      }),
+      *steps(document, args) {
+        const { edit, report } = yield* convertSteps(document, args);
+        return { change: edit, text: convertedText(wb, character, report) };
+      },
+      result: () => '',
+    });
+  });
+}
+
+export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
+  return withSamples(wb, ({ character, clip }, samples, channels) => {
+    const all = clip.channels.reduce((sum, _, c) => sum + (isSampled(clip, c) ? 1 : 0), 0);
+    const [from, to] = wb.transport.get().range;
+    const offset = character.timeOffsetSeconds;
+    return toolDialog<SmoothSamples>(wb, close, {
+      name: 'smoothSamples',
+      title: 'Smooth samples',
+      about:
+        'Over the frames around each, alike to both sides, so that nothing comes later. Joints with three angles are ' +
+        'filtered as rotations. Within a range it sets in and ends little by little.',
+      asked: [
+        ...channelsAsked(wb, channels.length, all),
+        {
+          kind: 'choice',
+          name: 'filter',
+          label: 'Filter',
+          value: 'gaussian',
+          options: [
+            ['gaussian', 'Gaussian'],
+            ['median', 'Median (removes spikes)'],
+          ],
+        },
+        { kind: 'number', name: 'sigma', label: 'Width (σ)', value: 0.05, unit: 's', onlyFor: ['filter', 'gaussian'] },
+        {
+          kind: 'choice',
+          name: 'frames',
+          label: 'Width',
+          value: String(MEDIAN_FRAMES[0]),
+          options: MEDIAN_FRAMES.map((frames) => [String(frames), `${frames} frames`]),
+          onlyFor: ['filter', 'median'],
+        },
+        {
+          kind: 'choice',
+          name: 'range',
+          label: 'Over',
+          value: 'take',
+          options: [
+            ['take', 'The whole take'],
+            ['played', `Played, ${shown(from, 3)} – ${shown(to, 3)} s`],
+          ],
+        },
+      ],
+      command: smoothSamples,
+      args: (answers) => ({
+        characterId: character.id,
+        channels: answers.choice('channels') === 'view' ? channels : undefined,
+        range: answers.choice('range') === 'played' ? ([from + offset, to + offset] as const) : undefined,
+        ...(answers.choice('filter') === 'median'
+          ? { filter: 'median', frames: Number(answers.choice('frames')) }
+          : { filter: 'gaussian', sigmaSeconds: answers.number('sigma') }),
+      }),
+      *steps(document, args) {
+        const change = yield* smoothSteps(document, args);
+        return { change, text: smoothedText(args, samples, samplesOf(change, character.id)) };
+      },
+      result: () => '',
+    });
+  });
+}
+
+export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogContent {
+  return withSamples(wb, ({ character }, samples) => {
+    const own = 1 / samples.frameSeconds;
+    const preset = shownRate(own);
+    return toolDialog<ResampleSamples>(wb, close, {
+      name: 'resampleSamples',
+      title: 'Resample samples',
+      about: 'The same motion at another frame rate; joints turn along their way from rotation to rotation.',
+      asked: [{ kind: 'number', name: 'rate', label: 'Frames per second', value: preset }],
+      command: resampleSamples,
+      args(answers) {
+        const rate = answers.number('rate');
+        // What is shown for the take's own rate is that rate, whatever it was rounded to.
+        return { characterId: character.id, framesPerSecond: rate === preset ? own : rate };
+      },
+      *steps(document, args) {
+        const change = yield* resampleSteps(document, args);
+        const now = samplesOf(change, character.id);
+        const text = now === samples ? `The take has ${preset} frames a second already.` : resampledText(samples, now);
+        return { change, text };
+      },
+      result: () => '',
+    });
+  });
+}
+
+/**
+ * A rate as one says it: 60 where the frame time is 0.016667 s. Nearer to a whole number than half of what is between
+ * 30 and the 29.97 of television, which are two rates.
+ */
+export function shownRate(framesPerSecond: number): number {
+  const whole = Math.round(framesPerSecond);
+  const isNear = Math.abs(framesPerSecond - whole) < 5e-4 * whole;
+  return isNear ? whole : Number(framesPerSecond.toPrecision(5));
+}
+
+function smoothedText(args: SmoothSamples, before: Samples, after: Samples | undefined): string {
+  const { sigmaSeconds } = args;
+  if (args.filter === 'median' || sigmaSeconds === undefined) {
+    const changed = framesChanged(before, after ?? before);
+    return changed ? `${plural(changed, 'frame')} of ${count(before.frameCount)} changed.` : 'No spikes there.';
+  }
+  const frames = sigmaSeconds / before.frameSeconds;
+  const halved = (Math.PI * sigmaSeconds) / Math.sqrt(Math.LN2 / 2);
+  return `σ is ${shown(frames, 1)} frames: of what goes to and fro ${shown(1 / halved, 1)} times a second half is left.`;
+}
+
+/** Frames in which any value is another. */
+function framesChanged({ values, scales, frameCount }: Samples, after: Samples): number {
+  if (after.values === values) return 0;
+  let changed = 0;
+  for (let f = 0; f < frameCount; f++) {
+    const end = (f + 1) * scales.length;
+    let at = f * scales.length;
+    while (at < end && values[at] === after.values[at]) at++;
+    if (at < end) changed++;
+  }
+  return changed;
+}
+
+function resampledText({ frameCount }: Samples, now: Samples | undefined): string {
+  return `${count(frameCount)} → ${plural(now?.frameCount ?? 0, 'frame')}.`;
+}
+
+function samplesOf(document: Document, characterId: string): Samples | undefined {
+  const changed = findCharacter(document, characterId);
+  return changed && shownClip(changed)?.samples;
+}
+
+/** Whether the tool's channels are those in hand or all, where that is not the same. */
+function channelsAsked(wb: Workbench, inHand: number, all: number): Asked[] {
+  if (inHand === all || inHand === 0) return [];
+  // Who has picked a joint and looks at its curves means these.
+  const { selection } = wb.store;
+  const isOfJoint = wb.timeline.view.get().list === 'selected' && selection.joint !== undefined;
+  return [
+    {
+      kind: 'choice',
+      name: 'channels',
+      label: 'Curves',
+      value: isOfJoint ? 'view' : 'all',
+      options: [
+        ['all', `All ${count(all)}`],
+        ['view', inHand === 1 ? 'The one in view' : `The ${count(inHand)} in view`],
+      ],
+    },
+  ];
+}
+
+/** `202,554 samples → 12,408 keys (16 to 1). Furthest off: LeftHand by 0.48 cm at 12.2 s; turned most: Head by 0.9° at 3.1 s.` */
+function convertedText(wb: Workbench, character: Character, report: Converted): string {
+  const { angles } = wb.settings.get();
+  const { samplesBefore, keysAfter, worstPosition, worstAngle } = report;
+  const { skeleton, timeOffsetSeconds } = character;
+  const nameOf = (joint: number) => jointName(skeleton, joint);
+  const at = (time: number) => `at ${seconds(Number((time - timeOffsetSeconds).toFixed(3)))} s`;
+  const off = `${shown(worstPosition.error, 4)} ${lengthUnit(character)}`;
+  const turned = `${shown(worstAngle.error * shownPerUnit('angle', angles), 3)}${unitText('angle', angles)}`;
+  return [
+    `${plural(samplesBefore, 'sample')} → ${plural(keysAfter, 'key')}, ${shown(samplesBefore / keysAfter, 1)} to 1.`,
+    `Furthest off: ${nameOf(worstPosition.joint)} by ${off} ${at(worstPosition.atSeconds)}.`,
+    `Turned most: ${nameOf(worstAngle.joint)} by ${turned} ${at(worstAngle.atSeconds)}.`,
+  ].join('\n');
+}
+
+/** The longest side of the box around the joints at rest. */
+function sizeOf({ joints }: Skeleton): number {
+  const at: number[][] = [];
+  for (const { parent, offset } of joints) at.push(offset.map((v, k) => v + (parent < 0 ? 0 : at[parent][k])));
+  const sides = [0, 1, 2].map((k) => Math.max(...at.map((p) => p[k])) - Math.min(...at.map((p) => p[k])));
+  return Math.max(...sides) || 1;
+}
+
+function withSamples(
+  wb: Workbench,
+  make: (take: Take, samples: Samples, channels: readonly number[]) => DialogContent,
+): DialogContent {
+  const take = takeInHand(wb);
+  const samples = take?.clip.samples;
+  if (take && samples) {
+    return make(
+      take,
+      samples,
+      channelsInHand(wb).filter((c) => isSampled(take.clip, c)),
+    );
+  }
+  const body = element('p', { class: 'empty' }, 'This take has no samples.');
+  return { title: 'Samples', body, kind: 'tool-dialog' };
+}

@@ -1,0 +1,78 @@
+/**
+ * What was typed into a tool's dialog as the arguments of its command: seconds of the transport become the clip's, what
+ * is shown in degrees radians. Units that were not asked for are not made up.
+ */
+import type { BakeExtrapolation, Resample, Simplify, Tolerances } from '../../../../edit/commands/channels.ts';
+import type { ScaleKeys } from '../../../../edit/commands/keys.ts';
+import type { Character } from '../../../../model/document.ts';
+import { unitOfChannel } from '../../../../model/dofs.ts';
+import type { ChannelKeys } from '../../../../model/session.ts';
+import { DOF_UNITS, type DofUnit } from '../../../../model/skeleton.ts';
+import { shownPerUnit } from '../../../state/angles.ts';
+import type { Settings } from '../../../state/settings.ts';
+import { dofsFor } from '../../timeline/channels.ts';
+import type { Answers } from '../../timeline/tool-dialog.ts';
+
+export const UNITS: readonly DofUnit[] = DOF_UNITS;
+
+/** The units that occur among a character's channels: what a dialog has to ask for. In the order of `UNITS`. */
+export function unitsOf(character: Character, channels: readonly number[]): DofUnit[] {
+  const dofs = dofsFor(character);
+  const found = new Set(channels.map((c) => unitOfChannel(dofs, c)));
+  return UNITS.filter((unit) => found.has(unit));
+}
+
+/** From a number by the name of each unit. */
+export function simplifyArguments(
+  character: Character,
+  channels: readonly number[],
+  answers: Answers,
+  angles: Settings['angles'],
+): Simplify {
+  const tolerance: { -readonly [U in keyof Tolerances]: Tolerances[U] } = {};
+  for (const unit of unitsOf(character, channels)) tolerance[unit] = answers.number(unit) / shownPerUnit(unit, angles);
+  return { characterId: character.id, channels, tolerance };
+}
+
+/** From `rate`, `from`, `to` and `tangents`. The frames are the transport's: those that one sees. */
+export function resampleArguments(character: Character, channels: readonly number[], answers: Answers): Resample {
+  return {
+    characterId: character.id,
+    channels,
+    framesPerSecond: answers.number('rate'),
+    offsetSeconds: character.timeOffsetSeconds,
+    ...rangeOf(character, answers),
+    tangents: answers.choice('tangents') === 'linear' ? 'linear' : 'smooth',
+  };
+}
+
+/** From `from` and `to`. */
+export function bakeArguments(character: Character, channels: readonly number[], answers: Answers): BakeExtrapolation {
+  return { characterId: character.id, channels, ...rangeOf(character, answers) };
+}
+
+/** From `time`, `pivot`, `value` and the value that stays by the name of each unit. */
+export function scaleArguments(
+  character: Character,
+  keys: readonly ChannelKeys[],
+  answers: Answers,
+  angles: Settings['angles'],
+): ScaleKeys {
+  const dofs = dofsFor(character);
+  return {
+    characterId: character.id,
+    keys,
+    pivotSeconds: answers.number('pivot') + character.timeOffsetSeconds,
+    timeFactor: answers.number('time'),
+    valueFactor: answers.number('value'),
+    pivotValues: keys.map(({ channel }) => {
+      const unit = unitOfChannel(dofs, channel);
+      return answers.number(unit) / shownPerUnit(unit, angles);
+    }),
+  };
+}
+
+/** In seconds of the clip. */
+function rangeOf({ timeOffsetSeconds }: Character, answers: Answers) {
+  return { from: answers.number('from') + timeOffsetSeconds, to: answers.number('to') + timeOffsetSeconds };
+}

@@ -1,0 +1,54 @@
+/** What a tool for whole curves changes beyond their ends, in sentences: nobody should have to find it out later. */
+
+import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
+import type { ChannelClip, Extrapolation } from '../../../../model/clip.ts';
+import { plural, seconds } from '../../../kit/number-text.ts';
+import { period } from '../../timeline/period.ts';
+
+const SIDES = [
+  ['Before the keys', 'extrapolateIn'],
+  ['After the keys', 'extrapolateOut'],
+] as const;
+
+/** `After the keys, 2 curves will be constant instead of cycle.` None where all goes on as it did. */
+export function changesBeyond(before: ChannelClip, after: ChannelClip, channels: readonly number[]): string[] {
+  const sentences: string[] = [];
+  for (const [where, side] of SIDES) {
+    const kinds = new Map<string, number>();
+    const spans: (readonly [number, number])[] = [];
+    for (const index of channels) {
+      const was = before.channels[index];
+      const now = after.channels[index];
+      if (!was?.times.length || !now?.times.length || was === now) continue;
+      if (now[side] !== was[side]) {
+        const what = `${nameOf(now[side])} instead of ${nameOf(was[side])}`;
+        kinds.set(what, (kinds.get(what) ?? 0) + 1);
+      } else if (repeats(now[side]) && isOther(period(was), period(now))) spans.push([period(was), period(now)]);
+    }
+    for (const [what, number] of kinds) sentences.push(`${where}, ${plural(number, 'curve')} will be ${what}.`);
+    if (spans.length) sentences.push(`${where}, ${spansText(spans)}`);
+  }
+  return sentences;
+}
+
+/** What repeats does so with all that is keyed by then. */
+function spansText(spans: readonly (readonly [number, number])[]): string {
+  const [[was, now]] = spans;
+  const what = `${plural(spans.length, 'curve')} will repeat all keys, the new ones too:`;
+  const alike = spans.every(([w, n]) => !isOther(w, was) && !isOther(n, now));
+  if (!alike) return `${what} not as before.`;
+  return `${what} every ${seconds(now)} s instead of every ${seconds(was)} s.`;
+}
+
+function nameOf(extrapolation: Extrapolation): string {
+  return EXTRAPOLATION_NAMES[extrapolation].toLowerCase();
+}
+
+function repeats(extrapolation: Extrapolation): boolean {
+  return extrapolation !== 'constant' && extrapolation !== 'linear';
+}
+
+/** By more than rounding. */
+function isOther(a: number, b: number): boolean {
+  return Math.abs(a - b) > 1e-9 * Math.max(1, Math.abs(a), Math.abs(b));
+}

@@ -1,0 +1,187 @@
+/** What each of the curve tools asks. */
+
+import type { Reduction } from '../../../../edit/channels/report.ts';
+import {
+  bakeExtrapolation,
+  bakePreview,
+  resample,
+  resamplePreview,
+  simplify,
+  simplifyPreview,
+} from '../../../../edit/commands/channels.ts';
+import { scaleKeys } from '../../../../edit/commands/keys.ts';
+import { countKeys } from '../../../../edit/keys/selection.ts';
+import { type Document, findCharacter, shownClip } from '../../../../model/document.ts';
+import type { DofUnit } from '../../../../model/skeleton.ts';
+import type { DialogContent } from '../../../kit/dialog.ts';
+import { element } from '../../../kit/dom.ts';
+import { count, plural, shown } from '../../../kit/number-text.ts';
+import { shownPerUnit, unitText } from '../../../state/angles.ts';
+import type { Workbench } from '../../../state/workbench.ts';
+import { channelsInHand, keysInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
+import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
+import {
+  bakeArguments,
+  resampleArguments,
+  scaleArguments,
+  simplifyArguments,
+  UNITS,
+  unitsOf,
+} from './tool-arguments.ts';
+import { changesBeyond } from './tool-changes.ts';
+
+/** What is hardly seen: half a degree, a hundredth of a length, half a per cent of a scale or morph. In what is shown. */
+const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> = {
+  angle: ['Angles within', 0.5, 0.01],
+  length: ['Lengths within', 0.01, 0.01],
+  factor: ['Factors within', 0.005, 0.005],
+  weight: ['Weights within', 0.005, 0.005],
+};
+
+export function simplifyDialog(wb: Workbench, close: () => void): DialogContent {
+  return withTake(wb, (take, channels) => {
+    const { angles } = wb.settings.get();
+    const found = unitsOf(take.character, channels);
+    const document = wb.store.document;
+    return toolDialog(wb, close, {
+      name: 'simplify',
+      title: 'Simplify',
+      about: `Fewer keys on ${plural(channels.length, 'curve')}, none of which gets further off than this anywhere.`,
+      asked: found.map((unit) => {
+        const [label, inDegrees, otherwise] = TOLERANCES[unit];
+        const value = unit === 'angle' && angles === 'degrees' ? inDegrees : otherwise;
+        return { kind: 'number', name: unit, label, value, unit: unitText(unit, angles).trim() };
+      }),
+      command: simplify,
+      args: (answers) => simplifyArguments(take.character, channels, answers, angles),
+      result: (args) => reductionText(wb, simplifyPreview(document, args)),
+    });
+  });
+}
+
+export function resampleDialog(wb: Workbench, close: () => void): DialogContent {
+  return withTake(wb, (take, channels) => {
+    const document = wb.store.document;
+    return toolDialog(wb, close, {
+      name: 'resample',
+      title: 'Resample',
+      about: `A key on every frame of ${plural(channels.length, 'curve')}; keys outside stay.`,
+      asked: [
+        number('rate', 'Frames per second', wb.transport.get().framesPerSecond),
+        ...rangeAsked(keysSpan(take, channels)),
+        {
+          kind: 'choice',
+          name: 'tangents',
+          label: 'Tangents',
+          value: 'smooth',
+          options: [
+            ['smooth', 'Smooth'],
+            ['linear', 'Linear'],
+          ],
+        },
+      ],
+      command: resample,
+      args: (answers) => resampleArguments(take.character, channels, answers),
+      result: (args, after) =>
+        [`${reductionText(wb, resamplePreview(document, args))}.`, ...beyond(take, after, channels)].join('\n'),
+    });
+  });
+}
+
+export function bakeDialog(wb: Workbench, close: () => void): DialogContent {
+  return withTake(wb, (take, channels) => {
+    const document = wb.store.document;
+    return toolDialog(wb, close, {
+      name: 'bake',
+      title: 'Bake extrapolation to keys',
+      about: `What ${plural(channels.length, 'curve')} do beyond their ends, as keys of their own.`,
+      asked: rangeAsked(wb.transport.get().range),
+      command: bakeExtrapolation,
+      args: (answers) => bakeArguments(take.character, channels, answers),
+      result(args, after) {
+        const { keysBefore, keysAfter } = bakePreview(document, args);
+        const keys = `${count(keysBefore)} → ${plural(keysAfter, 'key')}.`;
+        return [keys, ...beyond(take, after, channels)].join('\n');
+      },
+    });
+  });
+}
+
+export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
+  return withTake(wb, (take) => {
+    const keys = keysInHand(wb);
+    const { angles } = wb.settings.get();
+    const found = unitsOf(
+      take.character,
+      keys.map((k) => k.channel),
+    );
+    const pivots = found.map((unit): Asked => {
+      const what = `${{ angle: 'Angles', length: 'Lengths', factor: 'Factors', weight: 'Weights' }[unit]} about`;
+      return { kind: 'number', name: unit, label: what, value: 0, unit: unitText(unit, angles).trim() };
+    });
+    return toolDialog(wb, close, {
+      name: 'scaleKeys',
+      title: 'Scale keys',
+      about: `${plural(countKeys(keys), 'key')}, nearer together or further apart. −1 mirrors.`,
+      asked: [
+        number('time', 'Time ×', 1),
+        number('pivot', 'about', wb.transport.get().timeSeconds, 's'),
+        number('value', 'Values ×', 1),
+        ...pivots,
+      ],
+      command: scaleKeys,
+      args: (answers) => ({
+        ...scaleArguments(take.character, keys, answers, angles),
+        onCollision: wb.timeline.view.get().onCollision,
+      }),
+      result: () => '',
+    });
+  });
+}
+
+function withTake(wb: Workbench, make: (take: Take, channels: readonly number[]) => DialogContent): DialogContent {
+  const take = takeInHand(wb);
+  const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.times.length);
+  if (take && channels.length) return make(take, channels);
+  const body = element('p', { class: 'empty' }, 'No curve is in view, and no key is selected.');
+  return { title: 'Curve tools', body, kind: 'tool-dialog' };
+}
+
+function number(name: string, label: string, value: number, unit?: string): Asked {
+  return { kind: 'number', name, label, value: Number(value.toPrecision(12)), ...(unit && { unit }) };
+}
+
+/** In seconds of the transport. */
+function rangeAsked(range: readonly [number, number]): Asked[] {
+  return [number('from', 'From', range[0], 's'), number('to', 'to', range[1], 's')];
+}
+
+/** From the first key of these channels to the last one, in seconds of the transport. */
+function keysSpan({ clip, character }: Take, channels: readonly number[]): readonly [number, number] {
+  let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
+  for (const { times } of channels.map((c) => clip.channels[c])) {
+    from = Math.min(from, times[0]);
+    to = Math.max(to, times[times.length - 1]);
+  }
+  const offset = character.timeOffsetSeconds;
+  return [from - offset, to - offset];
+}
+
+/** What becomes of the take's curves beyond their keys. */
+function beyond({ character, clip }: Take, after: Document, channels: readonly number[]): string[] {
+  const changed = findCharacter(after, character.id);
+  const now = changed && shownClip(changed);
+  return now ? changesBeyond(clip, now, channels) : [];
+}
+
+/** `1,240 → 86 keys, largest error 0.12°`. */
+function reductionText(wb: Workbench, { keysBefore, keysAfter, largest }: Reduction): string {
+  const { angles } = wb.settings.get();
+  const errors = UNITS.flatMap((unit) => {
+    const worst = largest[unit];
+    if (!worst) return [];
+    return `${shown(worst.largestError * shownPerUnit(unit, angles), 4)}${unitText(unit, angles)}`;
+  });
+  const error = errors.length ? `, largest error ${errors.join(' / ')}` : '';
+  return `${count(keysBefore)} → ${plural(keysAfter, 'key')}${error}`;
+}

@@ -1,0 +1,188 @@
+/**
+ * The exact numbers of the selected keys: time, value, slope on both sides. Where they differ a dash stands, and typing
+ * sets all of them; where all keys are on one axis that is what one means by it.
+ */
+import { setKeys } from '../../../edit/commands/keys.ts';
+import { countKeys } from '../../../edit/keys/selection.ts';
+import { keySlope } from '../../../evaluate/slopes.ts';
+import { unitOfChannel } from '../../../model/dofs.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import type { DofUnit } from '../../../model/skeleton.ts';
+import { element } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { NumberField, type NumberFieldOptions } from '../../kit/number-field.ts';
+import { brief } from '../../kit/number-text.ts';
+import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { dofsFor } from '../timeline/channels.ts';
+import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { framesOf } from '../timeline/snapping.ts';
+
+/** Numbers that all selected keys share; undefined where they differ. Of the clip, in model units. */
+export interface SharedNumbers {
+  readonly time: number | undefined;
+  readonly value: number | undefined;
+  readonly slopeIn: number | undefined;
+  readonly slopeOut: number | undefined;
+}
+
+/** More than this are not looked through: nobody types a time for all of them. */
+const MOST_KEYS = 5000;
+/** What a field has room for: `-418.731`. */
+const MOST_CHARACTERS = 8;
+const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
+
+function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
+  if (!keys.length || countKeys(keys) > MOST_KEYS) return MIXED;
+  let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
+  for (const { channel: c, indices } of keys) {
+    const channel = clip.channels[c];
+    for (const index of indices) {
+      const own = {
+        time: channel.times[index],
+        value: channel.values[index],
+        slopeIn: keySlope(channel, index, 'in'),
+        slopeOut: keySlope(channel, index, 'out'),
+      };
+      if (!found) found = own;
+      if (found.time !== own.time) found.time = undefined;
+      if (found.value !== own.value) found.value = undefined;
+      if (found.slopeIn !== own.slopeIn) found.slopeIn = undefined;
+      if (found.slopeOut !== own.slopeOut) found.slopeOut = undefined;
+    }
+  }
+  return found ?? MIXED;
+}
+
+export function keyFields(wb: Workbench): HTMLElement {
+  const inFrames = () => wb.settings.get().timeDisplay === 'frames';
+  /** Model units to what is shown; undefined for keys of different units, whose numbers mean different things. */
+  const unitOf = (): DofUnit | undefined => {
+    const take = takeInHand(wb);
+    if (!take) return undefined;
+    const dofs = dofsFor(take.character);
+    const units = new Set(keysInHand(wb).map((k) => unitOfChannel(dofs, k.channel)));
+    const [unit] = units;
+    return units.size === 1 ? unit : undefined;
+  };
+  const perUnit = () => {
+    const unit = unitOf();
+    return unit ? shownPerUnit(unit, wb.settings.get().angles) : 1;
+  };
+  const set = (typed: Partial<Record<'timeSeconds' | 'value' | 'slopeIn' | 'slopeOut', number>>) => {
+    const take = takeInHand(wb);
+    const keys = keysInHand(wb);
+    if (!take || !keys.length) return;
+    attempt(wb.messages, () => {
+      wb.store.apply(aboutKeysInHand(wb, setKeys), { characterId: take.character.id, keys, ...typed });
+    });
+  };
+  const noUnits = () => ({});
+  const ofValues = () => typedUnits(unitOf(), wb.settings.get().angles);
+  const field = (
+    label: string,
+    commit: (value: number) => void,
+    text: (value: number) => string,
+    step: number,
+    units = ofValues,
+  ) => new MixedField({ label, commit, text, step, units, refuse: (reason) => wb.messages.note(reason, 'warning') });
+  const time = field(
+    'Time of the selected keys',
+    (typed) => {
+      const { framesPerSecond } = wb.transport.get();
+      const seconds = inFrames() ? typed / framesPerSecond : typed;
+      set({ timeSeconds: seconds + (takeInHand(wb)?.character.timeOffsetSeconds ?? 0) });
+    },
+    (value) => brief(value, inFrames() ? 2 : 4, MOST_CHARACTERS),
+    1,
+    noUnits,
+  );
+  const value = field(
+    'Value of the selected keys',
+    (typed) => set({ value: typed / perUnit() }),
+    (v) => brief(v, 4, MOST_CHARACTERS),
+    1,
+  );
+  const slopeIn = field(
+    'Slope before the selected keys, per second',
+    (typed) => set({ slopeIn: typed / perUnit() }),
+    (v) => brief(v, 3, MOST_CHARACTERS),
+    1,
+  );
+  const slopeOut = field(
+    'Slope after the selected keys, per second',
+    (typed) => set({ slopeOut: typed / perUnit() }),
+    (v) => brief(v, 3, MOST_CHARACTERS),
+    1,
+  );
+  const all = [time, value, slopeIn, slopeOut];
+  const made = element(
+    'div',
+    { class: 'key-fields', role: 'group', 'aria-label': 'Selected keys' },
+    labelled('Time', time.element),
+    labelled('Value', value.element),
+    element('span', { class: 'slope-fields' }, labelled('Slope', slopeIn.element), slopeOut.element),
+  );
+  const show = oncePerFrame(() => {
+    const take = takeInHand(wb);
+    const keys = keysInHand(wb);
+    const unit = unitOf();
+    for (const one of all) one.enable(keys.length > 0);
+    if (!take || !keys.length) {
+      for (const one of all) one.show(undefined, '');
+      return;
+    }
+    const numbers = sharedNumbers(take, keys);
+    const per = perUnit();
+    const { framesPerSecond } = wb.transport.get();
+    const at = numbers.time === undefined ? undefined : numbers.time - take.character.timeOffsetSeconds;
+    time.show(at === undefined ? undefined : inFrames() ? framesOf(at, framesPerSecond) : withoutNoise(at));
+    const scaled = (n: number | undefined) => (n === undefined || !unit ? undefined : withoutNoise(n * per));
+    value.show(scaled(numbers.value));
+    slopeIn.show(scaled(numbers.slopeIn));
+    slopeOut.show(scaled(numbers.slopeOut));
+    // A number for radians and lengths alike would be nonsense.
+    for (const one of [value, slopeIn, slopeOut]) one.enable(unit !== undefined);
+  });
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document || now.selection !== before.selection) show();
+  });
+  wb.timeline.view.subscribe(show);
+  wb.settings.subscribe(show);
+  wb.transport.subscribe((now, before) => {
+    if (now.framesPerSecond !== before.framesPerSecond) show();
+  });
+  show();
+  return made;
+}
+
+/** A number field that can also stand for several numbers. */
+class MixedField {
+  readonly element: HTMLInputElement;
+  private readonly field: NumberField;
+
+  constructor(options: NumberFieldOptions) {
+    this.field = new NumberField(options);
+    this.element = this.field.element;
+  }
+
+  /** @param otherwise what stands there for no one number */
+  show(value: number | undefined, otherwise = '—'): void {
+    this.element.placeholder = value === undefined ? otherwise : '';
+    this.field.show(value ?? Number.NaN);
+  }
+
+  enable(enabled: boolean): void {
+    this.element.disabled = !enabled;
+  }
+}
+
+function labelled(label: string, field: HTMLElement): HTMLElement {
+  return element(
+    'label',
+    { class: 'field' },
+    element('span', { class: 'faint', 'data-short': label[0].toLowerCase() }, label),
+    field,
+  );
+}

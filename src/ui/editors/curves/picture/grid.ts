@@ -1,0 +1,135 @@
+/** What the curves stand on: range, grid, limits; and what stands over them: values along the axes. */
+import { drawOutsideRange, drawTimeGrid, type TimeView } from '../../timeline/time-ruler.ts';
+import type { CurveLine, CurveScene } from '../scene/scene.ts';
+import { AXES, type AxisName, PLOT_TOP, yOf } from '../scene/space.ts';
+import { isInDegrees, type ValueTick, valueTicks } from '../scene/ticks.ts';
+import type { PictureColours } from './picture-colours.ts';
+
+const LABEL_SPACING = 34;
+/** Of a second axis on the right. */
+const LABEL_WIDTH = 46;
+const HATCH_PIXELS = 7;
+/** Curves run over it. */
+const HATCH_OPACITY = 0.6;
+
+const UNITS: Readonly<Record<AxisName, string>> = {
+  angle: 'angle',
+  length: 'length',
+  factor: 'factor',
+  weight: 'weight',
+  normalised: 'normalised',
+};
+
+export function timeView(scene: CurveScene): TimeView {
+  const { space, range, framesPerSecond, inFrames } = scene;
+  return { window: space.window, width: space.width, range, framesPerSecond, inFrames };
+}
+
+/** The axes that lines are drawn on: the first is labelled on the left and has the grid. */
+function shownAxes(lines: readonly CurveLine[]): AxisName[] {
+  const shown = AXES.filter((axis) => lines.some((line) => line.axis === axis));
+  return shown.length ? shown : ['angle'];
+}
+
+export function drawGround(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+  const { width, height } = scene.space;
+  const view = timeView(scene);
+  g.fillStyle = colours.plot;
+  g.fillRect(0, 0, width, height);
+  drawOutsideRange(g, view, PLOT_TOP, height, colours.time);
+  drawTimeGrid(g, view, PLOT_TOP, height, colours.time);
+  const [axis] = shownAxes(scene.lines);
+  const ticks = axisTicks(scene, axis);
+  for (const labelled of [false, true]) {
+    for (const tick of ticks) {
+      if ((tick.label !== undefined) !== labelled) continue;
+      g.fillStyle = tick.value === 0 ? colours.zeroLine : labelled ? colours.valueLine : colours.fineValueLine;
+      g.fillRect(0, Math.round(yOf(scene.space, { axis }, tick.value)), width, 1);
+    }
+  }
+}
+
+/** Labels of every axis that is shown, kept readable over curves by an edge of the plot's colour. */
+export function drawValueLabels(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+  const { width, height } = scene.space;
+  const axes = shownAxes(scene.lines);
+  g.font = colours.time.font;
+  g.textBaseline = 'middle';
+  g.lineJoin = 'round';
+  g.lineWidth = 3;
+  g.strokeStyle = colours.plot;
+  g.fillStyle = colours.label;
+  axes.forEach((axis, i) => {
+    g.textAlign = i === 0 ? 'left' : 'right';
+    const x = i === 0 ? 6 : width - 6 - LABEL_WIDTH * (axes.length - 1 - i);
+    const write = (text: string, y: number) => {
+      g.strokeText(text, x, y);
+      g.fillText(text, x, y);
+    };
+    for (const { label, value } of axisTicks(scene, axis)) {
+      if (label === undefined) continue;
+      const y = Math.round(yOf(scene.space, { axis }, value)) - (i === 0 ? 7 : 0);
+      if (y < PLOT_TOP + (axes.length > 1 ? 20 : 8) || y > height - 6) continue;
+      write(label, y);
+      if (i > 0) g.fillRect(x + 3, Math.round(yOf(scene.space, { axis }, value)), 3, 1);
+    }
+    if (axes.length > 1) write(UNITS[axis], PLOT_TOP + 10);
+  });
+}
+
+function axisTicks(scene: CurveScene, axis: AxisName): ValueTick[] {
+  const pixels = scene.space.height - PLOT_TOP;
+  return valueTicks(scene.space.axes[axis], pixels, LABEL_SPACING, isInDegrees(axis, scene.degrees));
+}
+
+/** Hatches what the DOF can't reach, if it is clear whose limits are meant: those of one line, or the same for all. */
+export function drawLimits(
+  g: CanvasRenderingContext2D,
+  scene: CurveScene,
+  emphasised: readonly CurveLine[],
+  ratio: number,
+  colours: PictureColours,
+): void {
+  const [line, ...others] = emphasised.length ? emphasised : scene.lines.length === 1 ? scene.lines : [];
+  if (!line?.limit) return;
+  const { min, max } = line.limit;
+  const bottom = yOf(scene.space, line, min);
+  const top = yOf(scene.space, line, max);
+  for (const other of others) {
+    if (!other.limit) return;
+    if (yOf(scene.space, other, other.limit.min) !== bottom || yOf(scene.space, other, other.limit.max) !== top) return;
+  }
+  const { width, height } = scene.space;
+  g.fillStyle = hatchPattern(g, ratio, colours.hatch) ?? colours.hatch;
+  g.globalAlpha = HATCH_OPACITY;
+  if (top > PLOT_TOP) g.fillRect(0, PLOT_TOP, width, Math.min(height, top) - PLOT_TOP);
+  if (bottom < height) g.fillRect(0, Math.max(PLOT_TOP, bottom), width, height - Math.max(PLOT_TOP, bottom));
+  g.globalAlpha = 1;
+  g.fillStyle = colours.hatch;
+  for (const y of [top, bottom]) if (y > PLOT_TOP && y < height) g.fillRect(0, Math.round(y), width, 1);
+}
+
+let pattern: { readonly made: CanvasPattern | null; readonly of: string } | undefined;
+
+function hatchPattern(g: CanvasRenderingContext2D, ratio: number, colour: string): CanvasPattern | null {
+  const of = `${colour} ${ratio}`;
+  if (pattern?.of === of) return pattern.made;
+  const size = Math.max(4, Math.round(HATCH_PIXELS * ratio));
+  const tile = document.createElement('canvas');
+  tile.width = tile.height = size;
+  const t = tile.getContext('2d');
+  if (!t) return null;
+  t.strokeStyle = colour;
+  t.lineWidth = ratio;
+  t.beginPath();
+  // Three strokes, so that the corners of neighbouring tiles meet.
+  for (const shift of [-size, 0, size]) {
+    t.moveTo(shift, size);
+    t.lineTo(shift + size, 0);
+  }
+  t.stroke();
+  const made = g.createPattern(tile, 'repeat');
+  made?.setTransform(new DOMMatrix([1 / ratio, 0, 0, 1 / ratio, 0, 0]));
+  pattern = { made, of };
+  return made;
+}

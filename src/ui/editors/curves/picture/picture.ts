@@ -1,0 +1,223 @@
+/**
+ * The curve editor's picture: three canvases, one over the other, so that playing draws a line and nothing else.
+ *
+ *     overlay    playhead, what is under the pointer, the box being dragged
+ *     keys       diamonds, and handles of those selected
+ *     curves     range, grid, limits, curves, labels, ruler
+ *
+ * A layer is drawn anew when something in it is another object than before; which lines have to be traced again is
+ * decided one by one (`picture-curves.ts`).
+ */
+import { element } from '../../../kit/dom.ts';
+import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
+import { handleOf } from '../scene/handles.ts';
+import { type Box, type CurveLine, type CurveScene, type Hit, lineOf } from '../scene/scene.ts';
+import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
+import { drawGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
+import { type PictureColours, readPictureColours } from './picture-colours.ts';
+import { CurveLayer } from './picture-curves.ts';
+import { drawKeys, KEY_PIXELS } from './picture-keys.ts';
+
+const HOVER_WIDTH = 3;
+
+export class CurvePicture {
+  /** Fills its container and takes no pointer events of its own: listen on the container. */
+  readonly element: HTMLElement;
+  private readonly curves = new Layer();
+  private readonly keys = new Layer();
+  private readonly overlay = new Layer();
+  private readonly lines = new CurveLayer();
+  private colours: PictureColours | undefined;
+  private isWhole = true;
+  private scene: CurveScene | undefined;
+
+  /** @param host positioned; the canvases fill it */
+  constructor(host: HTMLElement) {
+    this.element = element(
+      'div',
+      { class: 'curve-picture', 'aria-hidden': 'true' },
+      this.curves.canvas,
+      this.keys.canvas,
+      this.overlay.canvas,
+    );
+    Object.assign(this.element.style, { position: 'absolute', inset: '0', pointerEvents: 'none', overflow: 'hidden' });
+    host.append(this.element);
+  }
+
+  /**
+   * Draws what is different from the scene drawn before: parts are compared by identity. The overlay comes after.
+   * @returns whether it is done; many lines take a few frames, in each of which it has to be asked again
+   */
+  draw(scene: CurveScene): boolean {
+    const before = this.scene;
+    this.scene = scene;
+    const { width, height } = scene.space;
+    if (!(width > 0 && height > 0)) return true;
+    const ratio = window.devicePixelRatio;
+    this.colours ??= readPictureColours(this.element);
+    // Each is asked, for each has to take on the size.
+    const resized = [this.curves, this.keys, this.overlay].filter((layer) => layer.resize(width, height, ratio));
+    const all = resized.length > 0 || !before || !sameGround(before, scene);
+    if (all || !this.isWhole || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
+    if (all || before.selected !== scene.selected) {
+      const { colours } = this;
+      this.keys.setVisible(this.keys.draw((g) => drawKeys(g, scene, colours)) === true);
+    }
+    return this.isWhole;
+  }
+
+  /** Playhead (the transport's seconds), what is under the pointer, the box being dragged. Nothing else is touched. */
+  drawOverlay(timeSeconds: number, hover?: Hit, box?: Box): void {
+    const { scene, colours } = this;
+    if (!scene || !colours) return;
+    this.overlay.draw((g) => {
+      if (hover) this.drawHover(g, scene, hover, colours);
+      if (box) drawBox(g, box, colours);
+      drawPlayhead(g, timeView(scene), timeSeconds, scene.space.height, colours.time);
+    });
+  }
+
+  /** Another theme: colours are read anew, and everything is drawn with them. */
+  recolour(): void {
+    this.colours = undefined;
+    const { scene } = this;
+    this.scene = undefined;
+    if (scene) this.draw(scene);
+  }
+
+  private drawCurves(scene: CurveScene, ratio: number, colours: PictureColours): void {
+    const standOut = emphasisOf(scene);
+    const emphasised = scene.lines.filter((line) => standOut.has(line.channel));
+    this.curves.draw((g) => {
+      drawGround(g, scene, colours);
+      drawLimits(g, scene, emphasised, ratio, colours);
+      this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette });
+      drawValueLabels(g, scene, colours);
+      drawTimeRuler(g, timeView(scene), colours.time);
+    });
+  }
+
+  private drawHover(g: CanvasRenderingContext2D, scene: CurveScene, hover: Hit, colours: PictureColours): void {
+    if (hover.kind === 'empty') return;
+    const line = lineOf(scene, hover.channel);
+    if (!line) return;
+    g.save();
+    g.beginPath();
+    g.rect(0, PLOT_TOP, scene.space.width, scene.space.height - PLOT_TOP);
+    g.clip();
+    g.strokeStyle = colours.hover;
+    if (hover.kind === 'curve') {
+      g.globalAlpha = 0.25;
+      g.lineWidth = HOVER_WIDTH;
+      this.lines.outline(g, line.channel);
+      g.globalAlpha = 1;
+      g.fillStyle = colours.hover;
+      const x = xOf(scene.space, hover.timeSeconds - scene.offsetSeconds);
+      dot(g, x, yOf(scene.space, line, hover.value), 2.5);
+      g.fill();
+    } else ringAround(g, scene, line, hover);
+    g.restore();
+  }
+}
+
+function ringAround(
+  g: CanvasRenderingContext2D,
+  scene: CurveScene,
+  line: CurveLine,
+  hover: Extract<Hit, { kind: 'key' | 'handle' }>,
+): void {
+  const { times, values } = scene.clip.channels[line.channel];
+  // What was under the pointer may be gone by now.
+  if (hover.index >= times.length) return;
+  g.lineWidth = 1.5;
+  if (hover.kind === 'key') {
+    const x = xOf(scene.space, times[hover.index] - scene.offsetSeconds);
+    dot(g, x, yOf(scene.space, line, values[hover.index]), KEY_PIXELS + 3);
+  } else {
+    const { endX, endY } = handleOf(scene, line, hover.index, hover.side);
+    dot(g, endX, endY, KEY_PIXELS + 2);
+  }
+  g.stroke();
+}
+
+function dot(g: CanvasRenderingContext2D, x: number, y: number, radius: number): void {
+  g.beginPath();
+  g.arc(x, y, radius, 0, 2 * Math.PI);
+}
+
+function drawBox(g: CanvasRenderingContext2D, { x0, y0, x1, y1 }: Box, colours: PictureColours): void {
+  const left = Math.round(Math.min(x0, x1)) + 0.5;
+  const top = Math.round(Math.min(y0, y1)) + 0.5;
+  const width = Math.round(Math.abs(x1 - x0));
+  const height = Math.round(Math.abs(y1 - y0));
+  g.fillStyle = colours.boxFill;
+  g.strokeStyle = colours.boxLine;
+  g.lineWidth = 1;
+  g.fillRect(left, top, width, height);
+  g.strokeRect(left, top, width, height);
+}
+
+/** Channels whose lines stand out: those asked for, and those with selected keys. */
+function emphasisOf(scene: CurveScene): Set<number> {
+  return new Set([...(scene.emphasised ?? []), ...scene.selected.map((keys) => keys.channel)]);
+}
+
+function sameEmphasis(a: CurveScene, b: CurveScene): boolean {
+  if (a.selected === b.selected && a.emphasised === b.emphasised) return true;
+  const [before, now] = [emphasisOf(a), emphasisOf(b)];
+  return before.size === now.size && [...now].every((channel) => before.has(channel));
+}
+
+/** Whether everything under the selection is the same. */
+function sameGround(a: CurveScene, b: CurveScene): boolean {
+  return (
+    a.clip === b.clip &&
+    a.offsetSeconds === b.offsetSeconds &&
+    a.lines === b.lines &&
+    a.space === b.space &&
+    a.range[0] === b.range[0] &&
+    a.range[1] === b.range[1] &&
+    a.framesPerSecond === b.framesPerSecond &&
+    a.inFrames === b.inFrames &&
+    a.degrees === b.degrees
+  );
+}
+
+/** A canvas that counts in CSS pixels and has as many of its own as the screen. */
+class Layer {
+  readonly canvas: HTMLCanvasElement = element('canvas');
+  private ratio = 1;
+
+  constructor() {
+    Object.assign(this.canvas.style, { position: 'absolute', left: '0', top: '0' });
+  }
+
+  /** @returns whether it has become another, and so has to be drawn */
+  resize(width: number, height: number, ratio: number): boolean {
+    const { canvas } = this;
+    const wide = Math.max(1, Math.ceil(width * ratio));
+    const high = Math.max(1, Math.ceil(height * ratio));
+    if (canvas.width === wide && canvas.height === high && this.ratio === ratio) return false;
+    this.ratio = ratio;
+    canvas.width = wide;
+    canvas.height = high;
+    // Not 100 %: a size that is no whole number of the screen's pixels would blur every line.
+    canvas.style.width = `${wide / ratio}px`;
+    canvas.style.height = `${high / ratio}px`;
+    return true;
+  }
+
+  /** Gives what `paint` gives. */
+  draw<T>(paint: (g: CanvasRenderingContext2D) => T): T | undefined {
+    const g = this.canvas.getContext('2d');
+    if (!g) return undefined;
+    g.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    g.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    return paint(g);
+  }
+
+  /** A canvas that is cleared and gets nothing new goes on showing what it had in Chromium: one without marks is hidden. */
+  setVisible(visible: boolean): void {
+    this.canvas.style.visibility = visible ? '' : 'hidden';
+  }
+}

@@ -1,0 +1,293 @@
+/** Everything a pointer and the held keys do in the plot: what they mean is `tools/intent.ts`, what follows the tools. */
+import { hasKey } from '../../../edit/keys/selection.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { isMac, waitOutDrag } from '../../shell/keys.ts';
+import { openPlotMenu } from './context-menu.ts';
+import { insertOnCurve } from './insert.ts';
+import { hitTest } from './scene/hit.ts';
+import type { Hit } from './scene/scene.ts';
+import { PLOT_TOP, pan, timeAt, zoom } from './scene/space.ts';
+import { boxDrag } from './tools/box.ts';
+import { buttonMeant, cursorOf, type Intent, intentOf } from './tools/intent.ts';
+import { keysDrag } from './tools/move-keys.ts';
+import { panDrag, wheelMeans, zoomDrag } from './tools/navigate.ts';
+import { scaleDrag } from './tools/scale.ts';
+import { scrubDrag } from './tools/scrub.ts';
+import { slopeDrag } from './tools/slope.ts';
+import type { Drag, PlotAccess, PointerAt } from './tools/tool.ts';
+
+/** A press that goes no further than this is a click. */
+const TREMBLE_PIXELS = 3;
+const REACH_MOUSE = 6;
+const REACH_TOUCH = 14;
+const NO_HIT: Hit = { kind: 'empty' };
+/** Drags that change neither document nor selection. */
+const LOOKING: readonly Intent[] = ['scrub', 'pan', 'zoom'];
+
+/** What input needs of the plot beside what drags do. */
+export interface PlotHost extends PlotAccess {
+  readonly element: HTMLElement;
+  /** While it is so, nothing rescales by itself. */
+  freeze(frozen: boolean): void;
+  /** Something under the pointer is another. */
+  drawSoon(): void;
+  /** A drag is over, or was given up. */
+  afterDrag(): void;
+}
+
+export class PlotInput {
+  private hover: Hit = NO_HIT;
+  /** Which of its channel's selected keys is being dragged; its index in the channel changes as it passes others. */
+  private grabbed = -1;
+  /** Where it is; undefined outside. */
+  pointer: PointerAt | undefined;
+  /** Code of the key that is down, and of the one that scaling lasts as long as; none where it was asked for otherwise. */
+  private down: string | undefined;
+  private heldForScaling: string | undefined;
+  private drag: { readonly drag: Drag; readonly from: PointerAt; moved: boolean; waiting?: PointerAt } | undefined;
+  private readonly moveSoon = oncePerFrame(() => this.flushMove());
+
+  constructor(private readonly plot: PlotHost) {
+    this.listen();
+  }
+
+  get dragging(): boolean {
+    return this.drag !== undefined;
+  }
+
+  /** What is under the pointer, or being dragged. */
+  shownHover(): Hit {
+    const { hover, drag } = this;
+    if (!drag || hover.kind !== 'key') return hover;
+    const keys = this.plot.scene()?.selected.find((k) => k.channel === hover.channel);
+    const index = keys?.indices[this.grabbed];
+    return index === undefined ? NO_HIT : { ...hover, index };
+  }
+
+  /** The picture is another: looks again at what is under the pointer. */
+  refresh(): void {
+    if (this.pointer && !this.drag) this.lookUnder(this.pointer);
+  }
+
+  /** Given up, with the button still down. */
+  get cancelled(): boolean {
+    return this.drag?.drag.cancelled?.() ?? false;
+  }
+
+  private listen(): void {
+    const { element: target } = this.plot;
+    target.addEventListener('pointerdown', (event) => this.onPress(event));
+    target.addEventListener('pointermove', (event) => this.onMove(event));
+    target.addEventListener('pointerleave', () => this.onLeave());
+    target.addEventListener('lostpointercapture', (event) => this.endDrag(this.at(event)));
+    target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
+    target.addEventListener('dblclick', (event) => this.onDoubleClick(event));
+    target.addEventListener('contextmenu', (event) => this.onMenu(event));
+    target.addEventListener('keydown', (event) => {
+      if (!event.repeat) this.down = event.code;
+      this.holdKeys(event);
+    });
+    target.addEventListener('keyup', (event) => {
+      const { scaling } = this.plot.wb.timeline;
+      if (event.code === this.heldForScaling) scaling.set(false);
+      if (event.code === this.down) this.down = undefined;
+      this.holdKeys(event);
+    });
+    target.addEventListener('blur', () => {
+      this.down = undefined;
+      this.plot.wb.timeline.scaling.set(false);
+    });
+    this.plot.wb.timeline.scaling.subscribe((scales) => {
+      this.heldForScaling = scales ? this.down : undefined;
+      this.refresh();
+    });
+  }
+
+  private at(event: MouseEvent): PointerAt {
+    const box = this.plot.element.getBoundingClientRect();
+    return {
+      x: event.clientX - box.left,
+      y: event.clientY - box.top,
+      shift: event.shiftKey,
+      ctrl: isMac ? event.metaKey : event.ctrlKey,
+      alt: event.altKey,
+    };
+  }
+
+  private hitAt(at: PointerAt, reach: number): Hit {
+    const scene = this.plot.scene();
+    return scene && at.y >= PLOT_TOP ? hitTest(scene, at.x, at.y, reach) : NO_HIT;
+  }
+
+  private intent(at: PointerAt, button: number, hit: Hit): Intent {
+    return intentOf({ ...at, button, inRuler: at.y < PLOT_TOP, scaling: this.plot.wb.timeline.scaling.get() }, hit);
+  }
+
+  private onPress(event: PointerEvent): void {
+    if (this.drag || event.target instanceof HTMLButtonElement) return;
+    const at = this.at(event);
+    const hit = this.hitAt(at, event.pointerType === 'mouse' ? REACH_MOUSE : REACH_TOUCH);
+    const intent = this.intent(at, buttonMeant(event, isMac), hit);
+    event.preventDefault();
+    this.plot.element.focus({ preventScroll: true });
+    if (intent === 'menu' || !this.plot.scene()) return;
+    if (intent === 'insert' && hit.kind === 'curve') {
+      insertOnCurve(this.plot.wb, hit.channel, hit.timeSeconds);
+      return;
+    }
+    const drag = this.dragFor(intent, at, hit);
+    if (!drag) return;
+    this.drag = { drag, from: at, moved: false };
+    this.hover = hit;
+    this.grabbed = this.placeInSelection(hit);
+    this.plot.freeze(true);
+    this.plot.element.setPointerCapture(event.pointerId);
+    this.plot.element.style.cursor = drag.cursor(at);
+    window.addEventListener('keydown', LOOKING.includes(intent) ? this.onLookingKey : this.onDragKey, true);
+    // The ruler answers to the press itself.
+    if (intent === 'scrub') drag.move(at);
+  }
+
+  private placeInSelection(hit: Hit): number {
+    if (hit.kind !== 'key') return -1;
+    const keys = this.plot.scene()?.selected.find((k) => k.channel === hit.channel);
+    return keys?.indices.indexOf(hit.index) ?? -1;
+  }
+
+  private dragFor(intent: Intent, at: PointerAt, hit: Hit): Drag | undefined {
+    if (intent === 'scrub') return scrubDrag(this.plot);
+    if (intent === 'pan') return panDrag(this.plot, at);
+    if (intent === 'zoom') return zoomDrag(this.plot, at);
+    if (intent === 'scale') return scaleDrag(this.plot, at);
+    if (intent === 'slope' && hit.kind === 'handle') return slopeDrag(this.plot, hit);
+    if (intent === 'keys' && hit.kind === 'key') return keysDrag(this.plot, hit, at);
+    if (intent === 'curve' && hit.kind === 'curve') return boxDrag(this.plot, at, hit.channel);
+    return intent === 'box' ? boxDrag(this.plot, at) : undefined;
+  }
+
+  private onMove(event: PointerEvent): void {
+    const at = this.at(event);
+    this.pointer = at;
+    const { drag } = this;
+    if (drag) {
+      drag.moved ||= Math.hypot(at.x - drag.from.x, at.y - drag.from.y) >= TREMBLE_PIXELS;
+      drag.waiting = at;
+      this.moveSoon();
+    } else this.lookUnder(at);
+    this.plot.drawSoon();
+  }
+
+  /** At most once a frame: moving many keys may take longer than the next event. */
+  private flushMove(): void {
+    const { drag } = this;
+    if (!drag?.waiting) return;
+    const at = drag.waiting;
+    delete drag.waiting;
+    if (!drag.moved) return;
+    drag.drag.move(at);
+    this.plot.element.style.cursor = drag.drag.cursor(at);
+  }
+
+  private endDrag(at: PointerAt): void {
+    const { drag } = this;
+    if (!drag) return;
+    this.drag = undefined;
+    drag.drag.end(drag.waiting ?? at, drag.moved);
+    this.afterDrag();
+  }
+
+  private cancelDrag(event: KeyboardEvent): void {
+    event.preventDefault();
+    event.stopPropagation();
+    const { drag } = this;
+    this.drag = undefined;
+    drag?.drag.cancel();
+    this.afterDrag();
+  }
+
+  private readonly onLookingKey = (event: KeyboardEvent) => {
+    if (event.key === 'Escape') this.cancelDrag(event);
+  };
+
+  private readonly onDragKey = (event: KeyboardEvent) => {
+    waitOutDrag(event);
+    if (event.key === 'Escape') this.cancelDrag(event);
+    // What is held changes what the drag does at once, wherever the focus is.
+    else this.holdKeys(event);
+  };
+
+  private afterDrag(): void {
+    window.removeEventListener('keydown', this.onLookingKey, true);
+    window.removeEventListener('keydown', this.onDragKey, true);
+    // It was for this drag alone, unless its key is still held.
+    if (this.heldForScaling === undefined) this.plot.wb.timeline.scaling.set(false);
+    if (this.pointer) this.lookUnder(this.pointer);
+    this.plot.afterDrag();
+  }
+
+  private onLeave(): void {
+    if (this.drag) return;
+    this.pointer = undefined;
+    this.hover = NO_HIT;
+    this.plot.drawSoon();
+  }
+
+  /** What is under the pointer, and what a press would do there. */
+  private lookUnder(at: PointerAt): void {
+    this.hover = this.hitAt(at, REACH_MOUSE);
+    const { hover } = this;
+    const isSelected = hover.kind === 'key' && hasKey(this.plot.scene()?.selected, hover.channel, hover.index);
+    this.plot.element.style.cursor = cursorOf(this.intent(at, 0, hover), at, isSelected);
+  }
+
+  private onWheel(event: WheelEvent): void {
+    const scene = this.plot.scene();
+    if (!scene) return;
+    event.preventDefault();
+    const at = this.at(event);
+    const meant = wheelMeans(event);
+    const { space } = scene;
+    this.plot.look('panX' in meant ? pan(space, meant.panX, 0) : zoom(space, at.x, at.y, meant.time, meant.value));
+  }
+
+  private onDoubleClick(event: MouseEvent): void {
+    const at = this.at(event);
+    const scene = this.plot.scene();
+    if (!scene || at.y < PLOT_TOP || at.alt || at.shift || at.ctrl) return;
+    const hit = hitTest(scene, at.x, at.y, REACH_MOUSE);
+    if (hit.kind === 'curve') insertOnCurve(this.plot.wb, hit.channel, hit.timeSeconds);
+    // Beside the only curve there is, it is that curve that is meant.
+    else if (hit.kind === 'empty' && scene.lines.length === 1) {
+      insertOnCurve(this.plot.wb, scene.lines[0].channel, timeAt(scene.space, at.x) + scene.offsetSeconds);
+    }
+  }
+
+  private onMenu(event: MouseEvent): void {
+    event.preventDefault();
+    // Alt and the right button zoom.
+    if (event.altKey || this.drag) return;
+    const byKeyboard = buttonMeant(event, isMac) !== 2;
+    const at = this.at(event);
+    const hit = byKeyboard ? NO_HIT : this.hitAt(at, REACH_MOUSE);
+    const box = this.plot.element.getBoundingClientRect();
+    const where = byKeyboard ? { x: box.left + 40, y: box.top + 40 } : { x: event.clientX, y: event.clientY };
+    openPlotMenu(this.plot.wb, hit, where, byKeyboard);
+  }
+
+  /** The cursor, and what is being dragged, tell at once what a key that is held changes. */
+  private holdKeys(event: KeyboardEvent): void {
+    const { pointer } = this;
+    if (!pointer) return;
+    this.pointer = {
+      ...pointer,
+      shift: event.shiftKey,
+      ctrl: isMac ? event.metaKey : event.ctrlKey,
+      alt: event.altKey,
+    };
+    if (!this.drag) this.lookUnder(this.pointer);
+    else if (this.drag.moved) {
+      this.drag.waiting = this.pointer;
+      this.moveSoon();
+    }
+  }
+}

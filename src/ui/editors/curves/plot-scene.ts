@@ -1,0 +1,133 @@
+/**
+ * The scene of the moment, from document, selection and settings. Parts that did not change keep their identity from
+ * one scene to the next, by which the picture knows what to draw anew.
+ */
+import { compileClip } from '../../../evaluate/compiled-clip.ts';
+import type { ChannelClip } from '../../../model/clip.ts';
+import type { Character } from '../../../model/document.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { drawnChannels, type ListedChannel, listedChannels } from '../timeline/channels.ts';
+import { keysInHand, takeInHand } from '../timeline/in-hand.ts';
+import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
+import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
+
+/** Time goes on without a take: there is a ruler to scrub in, and nothing above it. */
+const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
+const NO_LINES: readonly CurveLine[] = [];
+
+export class PlotScene {
+  /** Values shown; the time window is the timeline's. */
+  axes: CurveSpace['axes'] = DEFAULT_AXES;
+  width = 0;
+  height = 0;
+  /**
+   * While keys are dragged nothing rescales by itself: a normalised curve keeps the scale it had, though its largest key
+   * is on the way somewhere else.
+   */
+  frozen = false;
+  private listed: readonly ListedChannel[] = [];
+  private drawn: readonly number[] = NO_CHANNELS;
+  private lines: readonly CurveLine[] = [];
+  private made: CurveScene | undefined;
+  private stale = true;
+  private linesOf: readonly unknown[] = [];
+  private linesDrawn: readonly number[] | undefined;
+  private byChannel: ReadonlyMap<number, CurveLine> = new Map();
+
+  constructor(private readonly wb: Workbench) {}
+
+  /** Something that the scene is made of has changed. */
+  invalidate(): void {
+    this.stale = true;
+  }
+
+  get channels(): readonly ListedChannel[] {
+    this.update();
+    return this.listed;
+  }
+
+  /** Without a take there are no lines in it. */
+  get scene(): CurveScene {
+    return this.update();
+  }
+
+  private update(): CurveScene {
+    if (this.made && !this.stale) return this.made;
+    this.stale = false;
+    const { wb } = this;
+    const take = takeInHand(wb);
+    const view = wb.timeline.view.get();
+    const character = currentCharacter(wb);
+    this.listed = character ? listedChannels(character, wb.store.selection, view) : [];
+    const drawn = take ? drawnChannels(this.listed, view) : NO_CHANNELS;
+    if (!sameNumbers(drawn, this.drawn)) this.drawn = drawn;
+    if (take) this.updateLines(take.character, take.clip, view.normalised);
+    else {
+      this.lines = NO_LINES;
+      this.linesOf = NO_LINES;
+      this.byChannel = new Map();
+    }
+    const { framesPerSecond } = wb.transport.get();
+    const settings = wb.settings.get();
+    const clip = take?.clip ?? NO_CLIP;
+    const offsetSeconds = take?.character.timeOffsetSeconds ?? 0;
+    const made: CurveScene = {
+      clip,
+      curves: compileClip(clip),
+      offsetSeconds,
+      lines: this.lines,
+      selected: keysInHand(wb),
+      space: { width: this.width, height: this.height, window: view.window, axes: this.axes },
+      range: wb.transport.get().range,
+      framesPerSecond,
+      inFrames: settings.timeDisplay === 'frames',
+      degrees: settings.angles === 'degrees',
+    };
+    this.made = made;
+    return made;
+  }
+
+  private updateLines(character: Character, clip: ChannelClip, normalised: boolean): void {
+    // Only normalised lines depend on where the keys and samples are.
+    const keys = normalised ? (this.frozen ? this.linesOf[4] : clip.channels) : undefined;
+    const samples = normalised ? (this.frozen ? this.linesOf[5] : clip.samples) : undefined;
+    const count = clip.channels.length;
+    const from = [
+      character.id,
+      character.skeleton,
+      character.morphs,
+      this.listedNumbers(),
+      keys,
+      samples,
+      normalised,
+      count,
+    ];
+    const same = from.every((part, i) => part === this.linesOf[i]);
+    if (same && this.drawn === this.linesDrawn) return;
+    // Of all that are listed, so that a curve keeps its colour when another one is hidden.
+    if (!same)
+      this.byChannel = new Map(sceneLines(character, this.listedNumbers(), normalised).map((l) => [l.channel, l]));
+    this.linesOf = from;
+    this.linesDrawn = this.drawn;
+    this.lines = this.drawn.flatMap((c) => this.byChannel.get(c) ?? []);
+  }
+
+  /** The line of a listed channel that the clip has, drawn or not. */
+  line(channel: number): CurveLine | undefined {
+    this.update();
+    return this.byChannel.get(channel);
+  }
+
+  private numbers: readonly number[] = NO_CHANNELS;
+
+  private listedNumbers(): readonly number[] {
+    const now = this.listed.map((l) => l.channel);
+    if (!sameNumbers(now, this.numbers)) this.numbers = now;
+    return this.numbers;
+  }
+}
+
+export function sameNumbers(a: readonly number[], b: readonly number[]): boolean {
+  return a.length === b.length && a.every((n, i) => n === b[i]);
+}

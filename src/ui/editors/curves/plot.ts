@@ -1,0 +1,232 @@
+/** The plot: the picture of the curves and what floats over it, kept in step with document, settings and time. */
+import { element, setText, uniqueId } from '../../kit/dom.ts';
+import { HAS_KEYS } from '../../kit/focus.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { revealTime } from '../../kit/time-window.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { takeInHand } from '../timeline/in-hand.ts';
+import { selectedText } from '../timeline/key-edits.ts';
+import type { ListSource } from './channel-list.ts';
+import { emptyPlotText } from './empty-text.ts';
+import { CurvePicture } from './picture/picture.ts';
+import { type PlotHost, PlotInput } from './plot-input.ts';
+import { PlotScene, sameNumbers } from './plot-scene.ts';
+import { Readout } from './readout.ts';
+import { ScaleFrame } from './scale-frame.ts';
+import { fit as fitted } from './scene/fit.ts';
+import type { Box, CurveScene } from './scene/scene.ts';
+import { type CurveSpace, PLOT_TOP, pan, xOf, yOf, zoom } from './scene/space.ts';
+
+type FitKind = 'all' | 'values';
+
+export class CurvePlot implements PlotHost {
+  readonly element: HTMLElement;
+  private readonly picture: CurvePicture;
+  private readonly plotScene: PlotScene;
+  private readonly readout: Readout;
+  private readonly frame: ScaleFrame;
+  private readonly input: PlotInput;
+  private readonly spoken = element('p', {
+    class: 'off-screen',
+    id: uniqueId('curves-selected'),
+    'aria-live': 'polite',
+  });
+  private readonly empty = element('p', { class: 'empty curve-empty', hidden: true });
+  readonly drawSoon = oncePerFrame(() => this.draw());
+  private visible = false;
+  private pendingFit: FitKind | undefined = 'all';
+  private box: Box | undefined;
+  private drawn: CurveScene | undefined;
+  /** What the view was fitted to, so that it is fitted anew when that is something else. */
+  private fittedTo: { readonly take: string; readonly channels: readonly number[] } = { take: '', channels: [] };
+
+  constructor(readonly wb: Workbench) {
+    this.element = element('div', {
+      class: 'curve-plot',
+      tabindex: 0,
+      [HAS_KEYS]: true,
+      role: 'application',
+      'aria-roledescription': 'curve editor',
+      'aria-label': 'Curves',
+      'aria-describedby': this.spoken.id,
+    });
+    this.picture = new CurvePicture(this.element);
+    this.plotScene = new PlotScene(wb);
+    this.readout = new Readout(wb);
+    this.frame = new ScaleFrame(this);
+    this.element.append(this.empty, this.frame.element, this.readout.element, this.spoken);
+    new ResizeObserver(() => this.measure()).observe(this.element);
+    this.input = new PlotInput(this);
+    this.follow();
+  }
+
+  scene(): CurveScene {
+    return this.plotScene.scene;
+  }
+
+  /** What the list of channels shows. */
+  get source(): ListSource {
+    return this.plotScene;
+  }
+
+  get dragging(): boolean {
+    return this.input.dragging || this.frame.dragging;
+  }
+
+  setVisible(visible: boolean): void {
+    this.visible = visible;
+    if (visible) {
+      this.measure();
+      this.drawSoon();
+    }
+  }
+
+  recolour(): void {
+    this.picture.recolour();
+    this.drawSoon();
+  }
+
+  fitAll(): void {
+    this.pendingFit = 'all';
+    this.drawSoon();
+  }
+
+  fitSelected(): void {
+    this.look(fitted(this.scene(), 'selected'));
+  }
+
+  look(space: CurveSpace): void {
+    const { wb, plotScene } = this;
+    plotScene.axes = space.axes;
+    this.redraw();
+    const { window } = space;
+    if (window !== wb.timeline.view.get().window) wb.timeline.change({ window });
+  }
+
+  /** About the playhead where it is in view, else the middle. */
+  zoom(timeFactor: number, valueFactor: number): void {
+    const { space } = this.scene();
+    const playhead = xOf(space, this.wb.transport.get().timeSeconds);
+    const x = playhead >= 0 && playhead <= space.width ? playhead : space.width / 2;
+    this.look(zoom(space, x, (PLOT_TOP + space.height) / 2, timeFactor, valueFactor));
+  }
+
+  pan(timePart: number, valuePart: number): void {
+    const { space } = this.scene();
+    this.look(pan(space, -timePart * space.width, valuePart * (space.height - PLOT_TOP)));
+  }
+
+  placeOf(channel: number, timeSeconds: number, value: number): { readonly x: number; readonly y: number } | undefined {
+    const { lines, space } = this.scene();
+    const line = lines.find((l) => l.channel === channel);
+    if (!line) return undefined;
+    const { left, top } = this.element.getBoundingClientRect();
+    return { x: left + xOf(space, timeSeconds), y: top + yOf(space, line, value) };
+  }
+
+  showBox(box: Box | undefined): void {
+    this.box = box;
+    this.drawSoon();
+  }
+
+  say(text: string): void {
+    this.readout.say(text);
+  }
+
+  /** While something is dragged nothing rescales by itself. */
+  freeze(frozen: boolean): void {
+    this.plotScene.frozen = frozen;
+    if (!frozen) this.redraw();
+  }
+
+  afterDrag(): void {
+    this.box = undefined;
+    this.say('');
+    this.freeze(false);
+    setText(this.spoken, selectedText(this.wb));
+  }
+
+  private redraw(): void {
+    this.plotScene.invalidate();
+    this.drawSoon();
+  }
+
+  private follow(): void {
+    const { wb } = this;
+    wb.store.subscribe((now, before) => {
+      if (now.document !== before.document || now.selection !== before.selection) this.redraw();
+      if (!this.dragging) setText(this.spoken, selectedText(wb));
+    });
+    wb.timeline.view.subscribe(() => this.redraw());
+    wb.settings.subscribe((now, before) => {
+      if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) this.redraw();
+    });
+    wb.transport.subscribe((now, before) => {
+      if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
+      if (now.timeSeconds === before.timeSeconds) return;
+      // Jumped to, by a key or a number. While playing the window stays where it was put.
+      if (this.visible && !now.playing && !this.input.dragging) {
+        const { window } = wb.timeline.view.get();
+        const next = revealTime(window, now.timeSeconds);
+        if (next !== window) wb.timeline.change({ window: next });
+      }
+      this.drawSoon();
+    });
+  }
+
+  private measure(): void {
+    const { clientWidth, clientHeight } = this.element;
+    const { plotScene } = this;
+    if (clientWidth === plotScene.width && clientHeight === plotScene.height) return;
+    plotScene.width = clientWidth;
+    plotScene.height = clientHeight;
+    this.redraw();
+  }
+
+  private draw(): void {
+    const { plotScene, wb } = this;
+    if (!this.visible || !plotScene.width || !plotScene.height) return;
+    this.fitWhereNew();
+    const { scene } = plotScene;
+    // What was under the pointer may be gone, or something else be there.
+    if (scene !== this.drawn) this.input.refresh();
+    this.drawn = scene;
+    const hover = this.input.shownHover();
+    // Escape has put everything back, though the button is still down.
+    if (this.input.cancelled) this.say('');
+    const isEmpty = !scene.lines.length;
+    this.empty.hidden = !isEmpty;
+    if (isEmpty) setText(this.empty, emptyPlotText(wb, plotScene.channels.length));
+    if (!this.picture.draw(scene)) this.drawSoon();
+    this.picture.drawOverlay(wb.transport.get().timeSeconds, hover, this.box);
+    this.frame.show(scene);
+    this.readout.show(scene, this.input.pointer, hover);
+  }
+
+  /** Other channels, another take: the view shows all of them. Keys that move never move it. */
+  private fitWhereNew(): void {
+    const { plotScene, wb } = this;
+    if (this.dragging) return;
+    const take = takeInHand(wb);
+    const view = wb.timeline.view.get();
+    const name = take ? `${take.character.id} ${take.character.shownClip}` : '';
+    const { lines } = plotScene.scene;
+    // Hiding one curve leaves the others where they are.
+    const channels = [
+      view.normalised ? 1 : 0,
+      lines.length ? 1 : 0,
+      ...(view.isolated ?? []),
+      -1,
+      ...plotScene.channels.map((c) => c.channel),
+    ];
+    const before = this.fittedTo;
+    if (before.take !== name) this.pendingFit = 'all';
+    else if (!sameNumbers(before.channels, channels)) this.pendingFit ??= 'values';
+    else if (!this.pendingFit) return;
+    this.fittedTo = { take: name, channels };
+    const { scene } = plotScene;
+    const kind = this.pendingFit;
+    this.pendingFit = undefined;
+    if (kind) this.look(fitted(scene, 'all', kind === 'values'));
+  }
+}

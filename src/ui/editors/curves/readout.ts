@@ -1,0 +1,60 @@
+/** The corner that says in numbers what is under the pointer, and what a drag has come to. */
+
+import { element, setText } from '../../kit/dom.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { channelName, namedChannel } from '../timeline/channels.ts';
+import { takeInHand } from '../timeline/in-hand.ts';
+import type { Hit } from './scene/scene.ts';
+import { type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
+import { timeAt, valueAt } from './scene/space.ts';
+import { timeText, valueText } from './tools/readout-text.ts';
+import type { PointerAt } from './tools/tool.ts';
+
+export class Readout {
+  private readonly place = element('span', {});
+  private readonly name = element('span', { class: 'readout-name' });
+  private readonly value = element('span', {});
+  private readonly drag = element('span', { class: 'readout-drag' });
+  readonly element = element('div', { class: 'curve-readout' }, this.drag, this.name, this.value, this.place);
+
+  constructor(private readonly wb: Workbench) {}
+
+  /** What a drag has come to; empty takes it away. */
+  say(text: string): void {
+    setText(this.drag, text);
+  }
+
+  show(scene: CurveScene | undefined, pointer: PointerAt | undefined, hover: Hit): void {
+    this.element.hidden = !scene || !pointer;
+    if (!scene || !pointer) return;
+    const { wb } = this;
+    const [time, name, value] = this.under(scene, pointer, hover);
+    setText(this.place, timeText(wb, time));
+    setText(this.name, name);
+    setText(this.value, value);
+  }
+
+  /** Seconds of the transport, a channel's name, a value. */
+  private under(scene: CurveScene, pointer: PointerAt, hover: Hit): readonly [number, string, string] {
+    const { wb } = this;
+    const { space, clip, offsetSeconds } = scene;
+    const at = timeAt(space, pointer.x);
+    const line = hover.kind === 'empty' ? undefined : lineOf(scene, hover.channel);
+    if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
+    const take = takeInHand(wb);
+    const name = take ? channelName(namedChannel(take.character, line.channel)) : line.name;
+    if (hover.kind === 'curve') return [hover.timeSeconds - offsetSeconds, name, valueText(wb, line.unit, hover.value)];
+    const channel = clip.channels[hover.channel];
+    // A key that a drag has taken away.
+    if (!(hover.index < channel.times.length)) return [at, name, ''];
+    const value = valueText(wb, line.unit, channel.values[hover.index]);
+    return [channel.times[hover.index] - offsetSeconds, name, value];
+  }
+}
+
+/** The height of the pointer on each axis that is drawn. */
+function heights(wb: Workbench, scene: CurveScene, y: number): string {
+  const onAxis = new Map<string, CurveLine>();
+  for (const line of scene.lines) if (!line.normalise && !onAxis.has(line.axis)) onAxis.set(line.axis, line);
+  return [...onAxis.values()].map((line) => valueText(wb, line.unit, valueAt(scene.space, line, y))).join(' / ');
+}

@@ -1,0 +1,152 @@
+/** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
+import { button, element } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { waitOutDrag } from '../../shell/keys.ts';
+import type { CurveScene } from './scene/scene.ts';
+import { PLOT_TOP, timeAt, xOf, yOf } from './scene/space.ts';
+import { scaler } from './tools/scale.ts';
+import type { PlotAccess } from './tools/tool.ts';
+
+/** What the frame needs of the plot beside what drags do. */
+export interface FramedPlot extends PlotAccess {
+  readonly element: HTMLElement;
+  /** Nothing rescales by itself meanwhile. */
+  freeze(frozen: boolean): void;
+}
+
+interface Edges {
+  readonly left: number;
+  readonly right: number;
+  readonly top: number;
+  readonly bottom: number;
+}
+
+/** −1 left or top, 0 in the middle, 1 right or bottom. */
+const GRIPS: readonly (readonly [-1 | 0 | 1, -1 | 0 | 1, string])[] = [
+  [-1, -1, 'nwse-resize'],
+  [0, -1, 'ns-resize'],
+  [1, -1, 'nesw-resize'],
+  [-1, 0, 'ew-resize'],
+  [1, 0, 'ew-resize'],
+  [-1, 1, 'nesw-resize'],
+  [0, 1, 'ns-resize'],
+  [1, 1, 'nwse-resize'],
+];
+/** Kept free between the keys and the frame, so that keys can still be taken. */
+const MARGIN = 12;
+/** A side that is shorter has nothing to scale. */
+const LEAST_PIXELS = 2;
+
+export class ScaleFrame {
+  readonly element = element('div', { class: 'scale-frame', hidden: true });
+  dragging = false;
+  private edges: Edges | undefined;
+  private readonly grips: readonly { readonly x: number; readonly y: number; readonly element: HTMLElement }[];
+
+  constructor(private readonly plot: FramedPlot) {
+    this.grips = GRIPS.map(([x, y, cursor]) => {
+      const grip = button('Scale the selected keys', { class: 'scale-grip', tabindex: -1 }, undefined, () => {});
+      grip.style.left = `${50 + 50 * x}%`;
+      grip.style.top = `${50 + 50 * y}%`;
+      grip.style.cursor = cursor;
+      grip.addEventListener('pointerdown', (event) => this.onPress(event, x, y));
+      return { x, y, element: grip };
+    });
+    this.element.append(...this.grips.map((g) => g.element));
+  }
+
+  show(scene: CurveScene | undefined): void {
+    const { wb } = this.plot;
+    this.edges = scene && wb.timeline.view.get().scaleFrame ? edgesOf(scene) : undefined;
+    const { edges, element: frame } = this;
+    frame.hidden = edges === undefined;
+    if (!edges) return;
+    frame.style.transform = `translate(${edges.left - MARGIN}px, ${edges.top - MARGIN}px)`;
+    frame.style.width = `${edges.right - edges.left + 2 * MARGIN}px`;
+    frame.style.height = `${edges.bottom - edges.top + 2 * MARGIN}px`;
+    const wide = edges.right - edges.left >= LEAST_PIXELS;
+    const high = edges.bottom - edges.top >= LEAST_PIXELS;
+    for (const grip of this.grips) grip.element.hidden = (grip.x !== 0 && !wide) || (grip.y !== 0 && !high);
+  }
+
+  private onPress(event: PointerEvent, gripX: number, gripY: number): void {
+    const { plot, edges } = this;
+    const scale = scaler(plot);
+    const first = plot.scene();
+    if (event.button !== 0 || !edges || !scale || !first) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const grip = event.currentTarget;
+    if (!(grip instanceof HTMLElement)) return;
+    grip.setPointerCapture(event.pointerId);
+    plot.element.focus({ preventScroll: true });
+    this.dragging = true;
+    plot.freeze(true);
+    let last = event;
+    const move = () => {
+      const middle = last.altKey;
+      const along = (grip: number, low: number, high: number, by: number) => {
+        const pivot = middle ? (low + high) / 2 : grip < 0 ? high : low;
+        const arm = (grip < 0 ? low : high) - pivot;
+        return { pivot, factor: grip === 0 || arm === 0 ? 1 : (arm + by) / arm };
+      };
+      const x = along(gripX, edges.left, edges.right, last.clientX - event.clientX);
+      const y = along(gripY, edges.top, edges.bottom, last.clientY - event.clientY);
+      scale.to({
+        pivotSeconds: timeAt(first.space, x.pivot),
+        timeFactor: x.factor,
+        pivotY: y.pivot,
+        valueFactor: y.factor,
+      });
+    };
+    const moveSoon = oncePerFrame(() => this.dragging && move());
+    const onMove = (e: PointerEvent) => {
+      last = e;
+      moveSoon();
+    };
+    grip.addEventListener('pointermove', onMove);
+    window.addEventListener('keydown', waitOutDrag, true);
+    grip.addEventListener(
+      'lostpointercapture',
+      () => {
+        grip.removeEventListener('pointermove', onMove);
+        window.removeEventListener('keydown', waitOutDrag, true);
+        if (last !== event) move();
+        scale.edit.commit();
+        this.dragging = false;
+        plot.freeze(false);
+        plot.say('');
+      },
+      { once: true },
+    );
+  }
+}
+
+/** Where the selected keys in view of the list are; undefined where there is nothing to scale. */
+function edgesOf(scene: CurveScene): Edges | undefined {
+  const { space, clip, offsetSeconds } = scene;
+  let left = Number.POSITIVE_INFINITY;
+  let right = Number.NEGATIVE_INFINITY;
+  let top = Number.POSITIVE_INFINITY;
+  let bottom = Number.NEGATIVE_INFINITY;
+  let count = 0;
+  const lines = new Map(scene.lines.map((l) => [l.channel, l]));
+  for (const { channel, indices } of scene.selected) {
+    const line = lines.get(channel);
+    const keys = clip.channels[channel];
+    if (!line || !keys || !indices.length) continue;
+    count += indices.length;
+    left = Math.min(left, xOf(space, keys.times[indices[0]] - offsetSeconds));
+    right = Math.max(right, xOf(space, keys.times[indices[indices.length - 1]] - offsetSeconds));
+    let low = Number.POSITIVE_INFINITY;
+    let high = Number.NEGATIVE_INFINITY;
+    for (const index of indices) {
+      low = Math.min(low, keys.values[index]);
+      high = Math.max(high, keys.values[index]);
+    }
+    top = Math.min(top, yOf(space, line, high));
+    bottom = Math.max(bottom, yOf(space, line, low));
+  }
+  if (count < 2 || bottom < PLOT_TOP - space.height) return undefined;
+  return { left, right, top, bottom };
+}

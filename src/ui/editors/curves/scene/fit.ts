@@ -1,0 +1,136 @@
+/** The view that shows all of something, with some room around it. */
+
+import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
+import { isSampled, spanOfChannel } from '../../../../model/clip.ts';
+import type { CurveLine, CurveScene } from './scene.ts';
+import { AXES, type AxisName, type CurveSpace, PLOT_TOP, type ValueAxis } from './space.ts';
+
+export type Fitted = Pick<CurveScene, 'clip' | 'curves' | 'lines' | 'offsetSeconds' | 'selected' | 'space' | 'range'>;
+
+/** Room beside what is fitted: for labels on both sides, and for half a diamond. */
+const SIDE_PIXELS = 48;
+const ABOVE_PIXELS = 22;
+
+/** An axis never shows less than this when fitted: noise in the last digits must not look like a movement. */
+const LEAST_EXTENT: Readonly<Record<AxisName, number>> = {
+  angle: Math.PI / 90,
+  length: 1e-3,
+  factor: 0.02,
+  weight: 0.02,
+  normalised: 2,
+};
+/** What is shown about something that stands still. */
+const STILL_EXTENT: Readonly<Record<AxisName, number>> = {
+  angle: Math.PI / 3,
+  length: 1,
+  factor: 2.4,
+  weight: 1.2,
+  normalised: 2,
+};
+const SHORTEST_SECONDS = 0.05;
+
+interface Bounds {
+  from: number;
+  to: number;
+  readonly low: Record<AxisName, number>;
+  readonly high: Record<AxisName, number>;
+}
+
+const extremes = new ChannelExtremes();
+
+/**
+ * Axes of which there is nothing to show stay as they are.
+ *
+ * @param what the lines' keys or samples and the played range, or the selected keys (all where none is selected)
+ * @param keepTime leaves the window of time alone, and fits the values that are in it
+ */
+export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): CurveSpace {
+  const { space, offsetSeconds } = scene;
+  const selected = what === 'selected' && scene.selected.some((s) => scene.lines.some((l) => l.channel === s.channel));
+  const bounds = noBounds();
+  if (keepTime && !selected) includeInView(scene, bounds);
+  else if (selected) includeSelected(scene, bounds);
+  else includeAll(scene, bounds);
+  const axes = { ...space.axes };
+  for (const axis of AXES) axes[axis] = fittedAxis(axis, bounds, space);
+  if (keepTime || !(bounds.to >= bounds.from)) return { ...space, axes };
+  return { ...space, axes, window: fittedWindow(bounds.from - offsetSeconds, bounds.to - offsetSeconds, space.width) };
+}
+
+function noBounds(): Bounds {
+  const every = (value: number) => ({ angle: value, length: value, factor: value, weight: value, normalised: value });
+  return {
+    from: Number.POSITIVE_INFINITY,
+    to: Number.NEGATIVE_INFINITY,
+    low: every(Number.POSITIVE_INFINITY),
+    high: every(Number.NEGATIVE_INFINITY),
+  };
+}
+
+function fittedWindow(from: number, to: number, width: number) {
+  const missing = Math.max(0, SHORTEST_SECONDS - (to - from)) / 2;
+  // A lone key stands in the middle of a second.
+  const around = to > from ? missing : 0.5;
+  const part = Math.min(0.2, SIDE_PIXELS / Math.max(1, width));
+  const seconds = (to - from + 2 * around) / (1 - 2 * part);
+  return { from: from - around - part * seconds, to: to + around + part * seconds };
+}
+
+function fittedAxis(axis: AxisName, bounds: Bounds, space: CurveSpace): ValueAxis {
+  const low = bounds.low[axis];
+  const high = bounds.high[axis];
+  if (!(low <= high) || !Number.isFinite(high - low)) return space.axes[axis];
+  const least = high > low ? LEAST_EXTENT[axis] : STILL_EXTENT[axis];
+  const around = Math.max(0, least - (high - low)) / 2;
+  const part = Math.min(0.25, ABOVE_PIXELS / Math.max(1, space.height - PLOT_TOP));
+  const extent = (high - low + 2 * around) / (1 - 2 * part);
+  return { low: low - around - part * extent, high: high + around + part * extent };
+}
+
+function include(bounds: Bounds, line: CurveLine, low: number, high: number): void {
+  const { axis, normalise: n } = line;
+  bounds.low[axis] = Math.min(bounds.low[axis], n ? low * n.scale + n.shift : low);
+  bounds.high[axis] = Math.max(bounds.high[axis], n ? high * n.scale + n.shift : high);
+}
+
+function includeAll(scene: Fitted, bounds: Bounds): void {
+  bounds.from = scene.range[0] + scene.offsetSeconds;
+  bounds.to = scene.range[1] + scene.offsetSeconds;
+  for (const line of scene.lines) {
+    const [start, stop] = spanOfChannel(scene.clip, line.channel) ?? [bounds.from, bounds.from];
+    bounds.from = Math.min(bounds.from, start);
+    bounds.to = Math.max(bounds.to, stop);
+    includeCurve(scene, line, start, stop, bounds);
+  }
+}
+
+function includeInView(scene: Fitted, bounds: Bounds): void {
+  const { window } = scene.space;
+  for (const line of scene.lines) {
+    includeCurve(scene, line, window.from + scene.offsetSeconds, window.to + scene.offsetSeconds, bounds);
+  }
+}
+
+function includeCurve({ curves, clip }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
+  const channel = clip.channels[line.channel];
+  if (channel.times.length === 0 && !isSampled(clip, line.channel)) {
+    include(bounds, line, channel.rest ?? 0, channel.rest ?? 0);
+    return;
+  }
+  extremes.open(curves, line.channel, channel);
+  extremes.over(from, to);
+  include(bounds, line, extremes.low, extremes.high);
+}
+
+function includeSelected(scene: Fitted, bounds: Bounds): void {
+  for (const { channel, indices } of scene.selected) {
+    const line = scene.lines.find((l) => l.channel === channel);
+    if (!line) continue;
+    const { times, values } = scene.clip.channels[channel];
+    for (const k of indices) {
+      bounds.from = Math.min(bounds.from, times[k]);
+      bounds.to = Math.max(bounds.to, times[k]);
+      include(bounds, line, values[k], values[k]);
+    }
+  }
+}

@@ -1,0 +1,94 @@
+/**
+ * Tangent handles. A handle is as long on screen whatever the zoom, and points along the curve as it looks:
+ *
+ *     direction = (pixels a second, −pixels a unit · slope), scaled to HANDLE_PIXELS      out: to the right, in: left
+ *
+ * so dragging one sets a slope and nothing else: how far it is dragged does not count.
+ */
+
+import { keySlope } from '../../../../evaluate/slopes.ts';
+import { firstNotBelow } from '../../../../math/search.ts';
+import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
+import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
+
+export const HANDLE_PIXELS = 44;
+/** With more selected keys than this in view, handles would be a thicket that nobody can take one out of. */
+const MOST_KEYS_WITH_HANDLES = 120;
+/** Nor where a line's selected keys are nearer to each other than this on average; a few may be. */
+const LEAST_PIXELS_BETWEEN = 24;
+const FEW_KEYS = 4;
+/** A pointer straight above its key would mean an endless slope; it counts as this far to the side. */
+const LEAST_PIXELS_ASIDE = 1;
+
+export interface Handle {
+  readonly line: CurveLine;
+  readonly index: number;
+  readonly side: HandleSide;
+  /** The key. */
+  readonly x: number;
+  readonly y: number;
+  readonly endX: number;
+  readonly endY: number;
+}
+
+/**
+ * Handles of the selected keys in view, none where there are too many to tell apart. A key at a step has only the one
+ * that shows in the curve; the ends have both, since the outer one may be what linear extrapolation goes by.
+ */
+export function handlesOf(scene: CurveScene): Handle[] {
+  const { space, clip, offsetSeconds } = scene;
+  const left = timeAt(space, -HANDLE_PIXELS) + offsetSeconds;
+  const right = timeAt(space, space.width + HANDLE_PIXELS) + offsetSeconds;
+  const handles: Handle[] = [];
+  for (const { channel, indices } of scene.selected) {
+    const line = lineOf(scene, channel);
+    const times = clip.channels[channel]?.times;
+    if (!line || !times) continue;
+    const begin = firstNotBelow(indices, firstNotBelow(times, left));
+    let end = begin;
+    while (end < indices.length && end - begin <= MOST_KEYS_WITH_HANDLES && times[indices[end]] <= right) end++;
+    const count = end - begin;
+    if (count > FEW_KEYS) {
+      const pixels = (times[indices[end - 1]] - times[indices[begin]]) * pixelsPerSecond(space);
+      if (pixels < LEAST_PIXELS_BETWEEN * (count - 1)) continue;
+    }
+    for (let i = begin; i < end; i++) {
+      if (handles.length >= 2 * MOST_KEYS_WITH_HANDLES) return [];
+      const index = indices[i];
+      if (times[index - 1] !== times[index]) handles.push(handleOf(scene, line, index, 'in'));
+      if (times[index + 1] !== times[index]) handles.push(handleOf(scene, line, index, 'out'));
+    }
+  }
+  return handles;
+}
+
+/** Where a key's handle is. The key is one of the line's channel. */
+export function handleOf(scene: CurveScene, line: CurveLine, index: number, side: HandleSide): Handle {
+  const { space } = scene;
+  const channel = scene.clip.channels[line.channel];
+  const slope = keySlope(channel, index, side);
+  const dx = pixelsPerSecond(space);
+  const dy = -pixelsPerUnit(space, line) * slope;
+  const length = Math.hypot(dx, dy);
+  const scale = ((side === 'in' ? -1 : 1) * HANDLE_PIXELS) / (Number.isFinite(length) && length > 0 ? length : 1);
+  const x = xOf(space, channel.times[index] - scene.offsetSeconds);
+  const y = yOf(space, line, channel.values[index]);
+  return { line, index, side, x, y, endX: x + dx * scale, endY: y + dy * scale };
+}
+
+/** The slope (value per second) that a handle has whose end is drawn towards a point; it stays on its side of the key. */
+export function slopeFromHandle(
+  scene: CurveScene,
+  line: CurveLine,
+  index: number,
+  side: HandleSide,
+  x: number,
+  y: number,
+): number {
+  const { space } = scene;
+  const channel = scene.clip.channels[line.channel];
+  const aside = x - xOf(space, channel.times[index] - scene.offsetSeconds);
+  const dx = side === 'in' ? Math.min(-LEAST_PIXELS_ASIDE, aside) : Math.max(LEAST_PIXELS_ASIDE, aside);
+  const up = yOf(space, line, channel.values[index]) - y;
+  return ((up / pixelsPerUnit(space, line)) * pixelsPerSecond(space)) / dx;
+}

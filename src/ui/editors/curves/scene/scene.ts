@@ -1,0 +1,156 @@
+/** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
+import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
+import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
+import { type Channel, type ChannelClip, isSampled } from '../../../../model/clip.ts';
+import { coupleOf } from '../../../../model/couples.ts';
+import { type Character, shownClip } from '../../../../model/document.ts';
+import { axisOfDof } from '../../../../model/dof-axis.ts';
+import { type CharacterDof, characterDofs, unitOfChannel } from '../../../../model/dofs.ts';
+import { jointName } from '../../../../model/joint-name.ts';
+import { columnOf } from '../../../../model/samples.ts';
+import type { ChannelKeys } from '../../../../model/session.ts';
+import { type DofUnit, isUnlimited, type Limit } from '../../../../model/skeleton.ts';
+import { axisColour, followingColour, type LineColour, otherColour } from './colours.ts';
+import type { AxisName, CurveSpace, Normalise } from './space.ts';
+
+/** A channel that is drawn. */
+export interface CurveLine {
+  /** Index in the clip. */
+  readonly channel: number;
+  /** `leg_fl rx`; a morph's own name. */
+  readonly name: string;
+  /** What its values measure. */
+  readonly unit: DofUnit;
+  /** The axis it is drawn on: its unit's, or `normalised`. */
+  readonly axis: AxisName;
+  readonly colour: LineColour;
+  /** Of the DOF; absent where it has none. */
+  readonly limit?: Limit;
+  readonly normalise?: Normalise;
+}
+
+export interface CurveScene {
+  readonly clip: ChannelClip;
+  /** The same clip, compiled. */
+  readonly curves: CompiledClip;
+  /** Clip's time = transport's time + this. */
+  readonly offsetSeconds: number;
+  /** Back to front. */
+  readonly lines: readonly CurveLine[];
+  readonly selected: readonly ChannelKeys[];
+  /** Channels that stand out (chosen in the list, say); their limits are hatched. Those with selected keys do anyway. */
+  readonly emphasised?: readonly number[];
+  readonly space: CurveSpace;
+  /** What is played, seconds of the transport. */
+  readonly range: readonly [number, number];
+  readonly framesPerSecond: number;
+  readonly inFrames: boolean;
+  /** Angles are labelled in degrees. */
+  readonly degrees: boolean;
+}
+
+/** What is under a point of the plot (`hit.ts`). */
+export type Hit =
+  | { readonly kind: 'key'; readonly channel: number; readonly index: number }
+  | { readonly kind: 'handle'; readonly channel: number; readonly index: number; readonly side: HandleSide }
+  /** The curve itself, at a time of the clip and the value there. */
+  | { readonly kind: 'curve'; readonly channel: number; readonly timeSeconds: number; readonly value: number }
+  | { readonly kind: 'empty' };
+
+export type HandleSide = 'in' | 'out';
+
+/** Two corners in pixels, in any order. */
+export interface Box {
+  readonly x0: number;
+  readonly y0: number;
+  readonly x1: number;
+  readonly y1: number;
+}
+
+export const NO_CHANNELS: readonly number[] = [];
+
+/**
+ * The lines of these channels of the character's shown clip, in the order given; a channel that the clip does not have
+ * is left out. Channels past the character's DOFs are called by their number.
+ *
+ * @param kept lines whose scale a normalised line keeps: during a drag nothing may rescale by itself
+ */
+export function sceneLines(
+  character: Character,
+  channels: readonly number[],
+  normalised: boolean,
+  kept: readonly CurveLine[] = [],
+): CurveLine[] {
+  const clip = shownClip(character);
+  if (!clip) return [];
+  const dofs = characterDofs(character.skeleton, character.morphs);
+  const ordinals = new Map<string, number>();
+  let others = 0;
+  const lines: CurveLine[] = [];
+  for (const channel of channels) {
+    const held = clip.channels[channel];
+    if (!held) continue;
+    const dof: CharacterDof | undefined = dofs[channel];
+    const axis = dof && axisOfDof(character.skeleton, dof);
+    const group = dof ? `${dof.joint}` : '';
+    if (axis && !ordinals.has(group)) ordinals.set(group, ordinals.size);
+    const unit = unitOfChannel(dofs, channel);
+    const colour = axis ? axisColour(axis, ordinals.get(group) ?? 0) : otherColour(others++);
+    lines.push({
+      channel,
+      name: lineName(character, channel, dof),
+      unit,
+      axis: normalised ? 'normalised' : unit,
+      colour: coupleOf(character.skeleton, channel) ? followingColour(colour) : colour,
+      ...(dof && isLimited(dof.limit) && { limit: dof.limit }),
+      ...(normalised && {
+        normalise: kept.find((line) => line.channel === channel)?.normalise ?? normalisation(clip, channel),
+      }),
+    });
+  }
+  return lines;
+}
+
+/** `hips rx`, `root tx`, a morph's name, or `channel 12`. */
+function lineName(character: Character, channel: number, dof: CharacterDof | undefined): string {
+  if (!dof) return `channel ${channel}`;
+  if (dof.joint < 0) return dof.name;
+  return `${jointName(character.skeleton, dof.joint)} ${dof.name}`;
+}
+
+function isLimited(limit: Limit): boolean {
+  return !isUnlimited(limit) && limit.min <= limit.max && (Number.isFinite(limit.min) || Number.isFinite(limit.max));
+}
+
+const normalisations = new WeakMap<Channel, Normalise>();
+
+/** The smallest key or sample goes to −1, the largest to 1; a channel of one value to 0. */
+function normalisation(clip: ChannelClip, index: number): Normalise {
+  if (clip.samples && isSampled(clip, index)) {
+    const { low, high } = extremesOfColumn(clip.samples, columnOf(clip.samples, index));
+    return normaliseBetween(low, high);
+  }
+  const channel = clip.channels[index];
+  const known = normalisations.get(channel);
+  if (known) return known;
+  let low = Number.POSITIVE_INFINITY;
+  let high = Number.NEGATIVE_INFINITY;
+  for (const value of channel.values) {
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  if (!(low <= high)) low = high = channel.rest ?? 0;
+  const made = normaliseBetween(low, high);
+  normalisations.set(channel, made);
+  return made;
+}
+
+function normaliseBetween(low: number, high: number): Normalise {
+  const scale = high > low && Number.isFinite(2 / (high - low)) ? 2 / (high - low) : 1;
+  return { scale, shift: -scale * (low + (high - low) / 2) };
+}
+
+/** The line that draws a channel. */
+export function lineOf(scene: Pick<CurveScene, 'lines'>, channel: number): CurveLine | undefined {
+  return scene.lines.find((line) => line.channel === channel);
+}

@@ -1,0 +1,152 @@
+/**
+ * The curve editor's coordinates. Everything on screen is in CSS pixels from the plot's top left corner, everything in
+ * the document in seconds of the clip and model units (radians, lengths, factors, weights).
+ *
+ *      x = 0                                  width
+ *      ┌──────────── time ruler ────────────────┐ y = 0
+ *      ├────────────────────────────────────────┤ y = PLOT_TOP     axis.high
+ *      │        ╭──╮                            │
+ *      │  ──────╯  ╰──────── curves             │ value up, y down
+ *      └────────────────────────────────────────┘ y = height       axis.low
+ *   window.from   (transport's seconds)     window.to
+ *
+ *      clip's time = transport's time + offsetSeconds
+ *
+ * Angles, lengths, factors and weights have an axis each: three metres and three radians are not the same height. All
+ * axes are zoomed and moved together on screen, so that no curve slides over another by that. Normalised lines share a
+ * fifth axis, in which each line's own smallest key is −1 and its largest is 1.
+ */
+import { DOF_UNITS } from '../../../../model/skeleton.ts';
+import { type TimeWindow, zoomWindow } from '../../../kit/time-window.ts';
+import { TIME_RULER_HEIGHT } from '../../timeline/time-ruler.ts';
+
+/** The units of DOFs, and what normalised lines share. */
+export const AXES = [...DOF_UNITS, 'normalised'] as const;
+export type AxisName = (typeof AXES)[number];
+
+/** What an axis shows from bottom to top, in model units; `high` is above `low`. */
+export interface ValueAxis {
+  readonly low: number;
+  readonly high: number;
+}
+
+export interface CurveSpace {
+  /** CSS pixels of the plot, the ruler's strip included. */
+  readonly width: number;
+  readonly height: number;
+  /** Seconds of the transport from the left edge to the right. */
+  readonly window: TimeWindow;
+  readonly axes: Readonly<Record<AxisName, ValueAxis>>;
+}
+
+/** On its axis a value stands at value · scale + shift. */
+export interface Normalise {
+  readonly scale: number;
+  readonly shift: number;
+}
+
+/** What of a line says where its values are drawn. */
+export interface OnAxis {
+  readonly axis: AxisName;
+  readonly normalise?: Normalise | undefined;
+}
+
+/** Height of the ruler's strip, over the plot. */
+export const PLOT_TOP: number = TIME_RULER_HEIGHT;
+
+export const DEFAULT_AXES: CurveSpace['axes'] = {
+  angle: { low: -Math.PI / 2, high: Math.PI / 2 },
+  length: { low: -1, high: 1 },
+  factor: { low: -0.2, high: 2.2 },
+  weight: { low: -0.1, high: 1.1 },
+  normalised: { low: -1.15, high: 1.15 },
+};
+
+/** Axes are never zoomed beyond these, in model units. */
+const SMALLEST_EXTENT = 1e-9;
+const LARGEST_EXTENT = 1e9;
+
+export function xOf(space: CurveSpace, transportSeconds: number): number {
+  return (transportSeconds - space.window.from) * pixelsPerSecond(space);
+}
+
+/** Seconds of the transport. */
+export function timeAt(space: CurveSpace, x: number): number {
+  return space.window.from + x / pixelsPerSecond(space);
+}
+
+export function pixelsPerSecond({ width, window }: CurveSpace): number {
+  return width / (window.to - window.from);
+}
+
+export function yOf(space: CurveSpace, line: OnAxis, value: number): number {
+  const { low } = space.axes[line.axis];
+  const n = line.normalise;
+  return space.height - ((n ? value * n.scale + n.shift : value) - low) * axisPixels(space, line.axis);
+}
+
+/** The value that stands at a height, in model units. */
+export function valueAt(space: CurveSpace, line: OnAxis, y: number): number {
+  const { low } = space.axes[line.axis];
+  const shown = low + (space.height - y) / axisPixels(space, line.axis);
+  return line.normalise ? (shown - line.normalise.shift) / line.normalise.scale : shown;
+}
+
+/** Pixels for each unit of an axis. */
+function axisPixels(space: CurveSpace, axis: AxisName): number {
+  const { low, high } = space.axes[axis];
+  return Math.max(1, space.height - PLOT_TOP) / (high - low);
+}
+
+/** Pixels upwards for each of a line's model units. */
+export function pixelsPerUnit(space: CurveSpace, line: OnAxis): number {
+  return axisPixels(space, line.axis) * (line.normalise?.scale ?? 1);
+}
+
+/** Zooms about a point, which stays where it is; factors above 1 show more, 1 leaves that direction alone. */
+export function zoom(
+  space: CurveSpace,
+  aboutX: number,
+  aboutY: number,
+  timeFactor: number,
+  valueFactor: number,
+): CurveSpace {
+  const window = timeFactor === 1 ? space.window : zoomWindow(space.window, timeAt(space, aboutX), timeFactor);
+  if (valueFactor === 1) return { ...space, window };
+  const part = (space.height - aboutY) / Math.max(1, space.height - PLOT_TOP);
+  const axes = mapAxes(space.axes, ({ low, high }) => {
+    const extent = high - low;
+    const next = Math.min(LARGEST_EXTENT, Math.max(SMALLEST_EXTENT, extent * valueFactor));
+    const about = low + part * extent;
+    return { low: about - part * next, high: about + (1 - part) * next };
+  });
+  return { ...space, window, axes };
+}
+
+/** Moves what is shown along with the pointer: `dx` to the right, `dy` down. */
+export function pan(space: CurveSpace, dx: number, dy: number): CurveSpace {
+  const seconds = -dx / pixelsPerSecond(space);
+  const window = dx === 0 ? space.window : { from: space.window.from + seconds, to: space.window.to + seconds };
+  if (dy === 0) return { ...space, window };
+  const part = dy / Math.max(1, space.height - PLOT_TOP);
+  const axes = mapAxes(space.axes, ({ low, high }) => {
+    const move = part * (high - low);
+    return { low: low + move, high: high + move };
+  });
+  return { ...space, window, axes };
+}
+
+/** Another size of the plot: time and values stay, stretched. */
+export function resize(space: CurveSpace, width: number, height: number): CurveSpace {
+  return width === space.width && height === space.height ? space : { ...space, width, height };
+}
+
+function mapAxes(axes: CurveSpace['axes'], change: (axis: ValueAxis) => ValueAxis): CurveSpace['axes'] {
+  return {
+    angle: change(axes.angle),
+    length: change(axes.length),
+    factor: change(axes.factor),
+    weight: change(axes.weight),
+    normalised: change(axes.normalised),
+  };
+}

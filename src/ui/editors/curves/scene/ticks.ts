@@ -1,0 +1,79 @@
+/**
+ * Ticks of the value axes. Angles in degrees stand at divisors of the turn, so that 45° and 90° are always among them;
+ * everything else at 1, 2 or 5 times a power of ten, as time does (`ruler.ts`).
+ */
+import { niceStep } from '../../../kit/ruler.ts';
+import type { AxisName, ValueAxis } from './space.ts';
+
+export interface ValueTick {
+  /** In the axis' own unit: radians for angles, whatever the labels count in. */
+  readonly value: number;
+  /** Absent on the fine lines between. */
+  readonly label?: string;
+}
+
+const DEGREE = Math.PI / 180;
+/** Degrees apart, and into how many parts fine lines divide that. Finer and coarser than these go by tens. */
+const DEGREE_STEPS: readonly (readonly [number, number])[] = [
+  [1, 5],
+  [2, 2],
+  [5, 5],
+  [10, 2],
+  [15, 3],
+  [30, 3],
+  [45, 3],
+  [90, 2],
+  [180, 2],
+  [360, 2],
+  [720, 2],
+  [1800, 5],
+];
+/** Never more, whatever the scale. */
+const MOST_TICKS = 1000;
+
+/**
+ * @param pixels height of the axis
+ * @param spacing pixels that labels are apart at least
+ */
+export function valueTicks(axis: ValueAxis, pixels: number, spacing: number, inDegrees: boolean): ValueTick[] {
+  const unit = inDegrees ? DEGREE : 1;
+  const low = axis.low / unit;
+  const high = axis.high / unit;
+  if (!(high > low) || !(pixels > 0) || !Number.isFinite(high - low)) return [];
+  const [step, parts] = stepFor(((high - low) / pixels) * spacing, inDegrees);
+  const fine = step / parts;
+  const first = Math.ceil(low / fine - 1e-9);
+  const last = Math.min(Math.floor(high / fine + 1e-9), first + MOST_TICKS);
+  const ticks: ValueTick[] = [];
+  for (let i = first; i <= last; i++) {
+    const value = i * fine * unit;
+    if (i % parts === 0) ticks.push({ value, label: labelOf((i / parts) * step, step, inDegrees) });
+    else ticks.push({ value });
+  }
+  return ticks;
+}
+
+/** Whether an axis is labelled in degrees. */
+export function isInDegrees(axis: AxisName, degrees: boolean): boolean {
+  return degrees && axis === 'angle';
+}
+
+function stepFor(least: number, inDegrees: boolean): readonly [number, number] {
+  if (inDegrees && least > 0.5) {
+    const found = DEGREE_STEPS.find(([step]) => step >= least * (1 - 1e-9));
+    if (found) return found;
+  }
+  const step = niceStep(least);
+  const leading = Math.round(step / 10 ** Math.floor(Math.log10(step) + 1e-9));
+  return [step, leading === 2 ? 2 : 5];
+}
+
+/** No more decimals than the step has. */
+function labelOf(value: number, step: number, inDegrees: boolean): string {
+  const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
+  const size = Math.abs(value);
+  const number =
+    size >= 1e6 || (decimals > 6 && size > 0) ? value.toExponential(2) : String(Number(value.toFixed(decimals)));
+  const text = number === '-0' ? '0' : number.replace('-', '−');
+  return inDegrees ? `${text}°` : text;
+}

@@ -1,0 +1,146 @@
+/** The buttons of the curve editor, in the row of the tabs. All of them are actions; none does anything of its own. */
+
+import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { type IconName, icon } from '../../kit/icons.ts';
+import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { tryAction } from '../../shell/keys.ts';
+import { isEnabled } from '../../state/action.ts';
+import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { HANDLE_LABELS } from '../timeline/actions.ts';
+import { CURVE_TOOLS, entriesOf, SAMPLE_TOOLS } from './context-menu.ts';
+import { keyFields } from './key-fields.ts';
+
+const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
+  auto: 'handlesAuto',
+  alone: 'handlesAlone',
+  together: 'handlesTogether',
+};
+
+/** Groups that give way where there is no room (`curves.css`): what of them a menu has then. */
+const YIELDING: Readonly<Record<string, readonly string[]>> = {
+  'key-tools': ['insertKey', 'delete', 'onCollision.replace', 'onCollision.step'],
+  'snap-tools': ['snapsToFrames', 'snapsToValues', 'scaleFrame'],
+  'fit-tools': ['fitSelected', 'fitAll', 'normalised'],
+};
+
+const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'];
+
+export function curveToolbar(wb: Workbench): HTMLElement {
+  const tools: (() => void)[] = [];
+  const tool = (id: string, label: string, name: IconName, isSwitch = false) => {
+    const action = actionsOf(wb).find((a) => a.id === `timeline.${id}`);
+    const made = keepsFocusElsewhere(
+      button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
+    );
+    keepTooltip(wb, made, `timeline.${id}`, () => label);
+    tools.push(() => {
+      if (isSwitch) made.setAttribute('aria-pressed', String(action?.checked?.(wb) ?? false));
+      else made.disabled = !(action && isEnabled(wb, action));
+    });
+    return made;
+  };
+  const menu = (label: string, name: IconName, entries: () => readonly MenuEntry[]) => {
+    const made = keepsFocusElsewhere(
+      element('button', { type: 'button', class: 'tool', 'aria-label': label, title: label }, icon(name)),
+    );
+    menuButton(made, label, entries);
+    return made;
+  };
+  const handles = menu('What the other handle does', HANDLE_ICONS.auto, () =>
+    entriesOf(
+      wb,
+      HANDLE_MODES.map((mode) => `handles.${mode}`),
+    ),
+  );
+  const collision = menu('A key moved onto another', 'collideReplace', () =>
+    entriesOf(wb, ['onCollision.replace', 'onCollision.step']),
+  );
+  const showModes = () => {
+    const view = wb.timeline.view.get();
+    handles.replaceChildren(icon(HANDLE_ICONS[view.handles]));
+    handles.title = `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`;
+    const replaces = view.onCollision === 'replace';
+    collision.replaceChildren(icon(replaces ? 'collideReplace' : 'collideStep'));
+    collision.title = `A key moved onto another ${replaces ? 'replaces it' : 'makes a step with it'}`;
+  };
+  const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
+  const group = (label: string, name: string, ...children: HTMLElement[]) =>
+    element('div', { class: `tools ${name}`, role: 'group', 'aria-label': label }, ...children);
+  const isHidden = (name: string) => bar.querySelector(`.${name}`)?.getClientRects().length === 0;
+  const more = menu('More tools', 'more', () =>
+    Object.entries(YIELDING)
+      .filter(([name]) => isHidden(name))
+      .flatMap(([, ids], i) => [...(i ? [{ kind: 'line' } as const] : []), ...entriesOf(wb, ids)]),
+  );
+  more.classList.add('more-tools');
+
+  const bar = element(
+    'div',
+    { class: 'curve-tools', role: 'group', 'aria-label': 'Curve tools' },
+    group(
+      'Tangents',
+      'tangent-tools',
+      tool('tangents.flat', 'Flat tangents', 'flat'),
+      tool('tangents.linear', 'Linear tangents', 'linear'),
+      tool('tangents.smooth', 'Smooth tangents', 'smooth'),
+      tool('tangents.fixed', 'Fixed slopes', 'fixed'),
+      tool('unify', 'Unify tangents', 'unify'),
+      tool('break', 'Break tangents', 'break'),
+      handles,
+    ),
+    group(
+      'Keys',
+      'key-tools',
+      tool('insertKey', 'Insert key at the playhead', 'insertKey'),
+      tool('delete', 'Delete keys', 'deleteKey'),
+      collision,
+    ),
+    group(
+      'Snapping',
+      'snap-tools',
+      tool('snapsToFrames', 'Snap to frames', 'snapFrames', true),
+      tool('snapsToValues', 'Snap to values', 'snapValues', true),
+      tool('scaleFrame', 'Frame to scale keys with', 'scaleFrame', true),
+    ),
+    group(
+      'Curves',
+      'whole-tools',
+      menu('Before and after the keys', 'extrapolate_cycle_offset', () => [
+        { kind: 'note', text: 'Before and after' },
+        ...entriesOf(wb, extrapolation('both')()),
+        { kind: 'line' },
+        { kind: 'menu', label: 'Before the keys', entries: () => entriesOf(wb, extrapolation('in')()) },
+        { kind: 'menu', label: 'After the keys', entries: () => entriesOf(wb, extrapolation('out')()) },
+      ]),
+      menu('Tools for whole curves', 'curveTools', () => [
+        ...entriesOf(wb, CURVE_TOOLS),
+        { kind: 'line' },
+        { kind: 'note', text: 'Samples' },
+        ...entriesOf(wb, SAMPLE_TOOLS),
+      ]),
+    ),
+    group(
+      'View',
+      'fit-tools',
+      tool('fitSelected', 'Fit selected keys', 'frame'),
+      tool('fitAll', 'Fit all', 'fitAll'),
+      tool('normalised', 'Normalised', 'normalised', true),
+    ),
+    more,
+    keyFields(wb),
+  );
+  const show = oncePerFrame(() => {
+    for (const update of tools) update();
+    showModes();
+  });
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document || now.selection !== before.selection) show();
+  });
+  wb.timeline.view.subscribe(show);
+  show();
+  return bar;
+}

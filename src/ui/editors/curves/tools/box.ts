@@ -1,0 +1,38 @@
+/** Dragging on empty ground: a box takes the keys in it. A click there lets all keys go, one on a curve takes all of its. */
+import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
+import type { ChannelKeys } from '../../../../model/session.ts';
+import { plural } from '../../../kit/number-text.ts';
+import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
+import { keysInBox } from '../scene/hit.ts';
+import type { Box } from '../scene/scene.ts';
+import type { Drag, PlotAccess, PointerAt } from './tool.ts';
+
+/** @param curve the channel whose curve was pressed on, if one was */
+export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag {
+  const { wb } = plot;
+  const before = selectedKeys(wb);
+  const boxTo = (at: PointerAt): Box => ({ x0: from.x, y0: from.y, x1: at.x, y1: at.y });
+  const select = (found: readonly ChannelKeys[], at: PointerAt) => {
+    if (at.ctrl || from.ctrl) selectKeys(wb, withoutKeys(before, found));
+    else selectKeys(wb, at.shift || from.shift ? unionKeys(before, found) : found);
+  };
+  return {
+    cursor: () => 'crosshair',
+    move(at) {
+      const scene = plot.scene();
+      plot.showBox(boxTo(at));
+      if (!scene) return;
+      const count = countKeys(keysInBox(scene, boxTo(at)));
+      plot.say(plural(count, 'key'));
+    },
+    end(at, moved) {
+      const scene = plot.scene();
+      plot.showBox(undefined);
+      if (moved && scene) return select(keysInBox(scene, boxTo(at)), at);
+      const take = takeInHand(wb);
+      if (curve !== undefined && take) select(allKeys(take.clip, [curve]), at);
+      else if (!from.shift && !from.ctrl) selectKeys(wb, []);
+    },
+    cancel: () => plot.showBox(undefined),
+  };
+}

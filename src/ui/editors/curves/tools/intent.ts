@@ -1,0 +1,68 @@
+/**
+ * What a press in the plot means, and so what its cursor says. A table of its own, without a page, because this is where
+ * hands notice every difference:
+ *
+ *                   plain        Shift        Ctrl            Alt            S held
+ *     ruler         scrub        scrub free   scrub           pan            scrub
+ *     handle        slope        slope        both sides      this side      slope
+ *     key           move         add, lock    remove, unsnap  pan            scale
+ *     curve         select       add          insert          pan            scale
+ *     empty ground  box          box adds     box removes     pan            scale
+ *
+ * The middle button pans everywhere, the right one zooms with Alt and opens the menu without.
+ */
+import type { Hit } from '../scene/scene.ts';
+import type { PointerAt } from './tool.ts';
+
+export type Intent = 'scrub' | 'pan' | 'zoom' | 'slope' | 'scale' | 'keys' | 'curve' | 'insert' | 'box' | 'menu';
+
+export interface Press extends Pick<PointerAt, 'shift' | 'ctrl' | 'alt'> {
+  /** As in PointerEvent: 0 left, 1 middle, 2 right. */
+  readonly button: number;
+  readonly inRuler: boolean;
+  /** S is held. */
+  readonly scaling: boolean;
+}
+
+/** The button that a press stands for: a click with Ctrl is a Mac's right button. */
+export function buttonMeant({ button, ctrlKey }: Pick<MouseEvent, 'button' | 'ctrlKey'>, mac: boolean): number {
+  return mac && button === 0 && ctrlKey ? 2 : button;
+}
+
+export function intentOf(press: Press, hit: Hit): Intent {
+  if (press.button === 1) return 'pan';
+  if (press.button === 2) return press.alt ? 'zoom' : 'menu';
+  if (press.inRuler) return press.alt ? 'pan' : 'scrub';
+  if (press.scaling) return 'scale';
+  if (hit.kind === 'handle') return 'slope';
+  if (press.alt) return 'pan';
+  if (hit.kind === 'key') return 'keys';
+  if (hit.kind === 'curve') return press.ctrl ? 'insert' : 'curve';
+  return 'box';
+}
+
+/** The cursor over what a press would do. */
+export function cursorOf(intent: Intent, press: Pick<Press, 'shift' | 'ctrl'>, isSelected: boolean): string {
+  switch (intent) {
+    case 'scrub':
+      return 'col-resize';
+    case 'pan':
+      return 'grab';
+    case 'zoom':
+      return 'zoom-in';
+    case 'slope':
+      return 'pointer';
+    case 'scale':
+      return 'nwse-resize';
+    case 'keys':
+      // Shift adds what is not selected, and else holds the drag to one direction.
+      return press.shift && !isSelected ? 'copy' : 'move';
+    case 'curve':
+      return press.shift ? 'copy' : 'pointer';
+    case 'insert':
+      return 'crosshair';
+    case 'box':
+    case 'menu':
+      return 'default';
+  }
+}

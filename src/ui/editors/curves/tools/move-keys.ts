@@ -1,0 +1,105 @@
+/**
+ * A press on a key: selects as clicks do, and dragged moves everything that is selected.
+ *
+ * All selected keys go the same way on screen. On one axis that is the same amount; where axes differ (radians and
+ * lengths, or normalised curves) each goes by what the pixels are worth on its own.
+ */
+import { moveKeys } from '../../../../edit/commands/keys.ts';
+import { hasKey, toggleKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
+import type { ChannelKeys } from '../../../../model/session.ts';
+import { shownPerUnit } from '../../../state/angles.ts';
+import {
+  aboutKeysInHand,
+  editOfTake,
+  keysInHand,
+  selectedKeys,
+  selectKeys,
+  takeInHand,
+} from '../../timeline/in-hand.ts';
+import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
+import type { Hit } from '../scene/scene.ts';
+import { type CurveLine, lineOf } from '../scene/scene.ts';
+import { type CurveSpace, pixelsPerUnit, timeAt, xOf, yOf } from '../scene/space.ts';
+import { deltaText } from './readout-text.ts';
+import type { Drag, PlotAccess, PointerAt } from './tool.ts';
+
+type KeyHit = Extract<Hit, { kind: 'key' }>;
+
+export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
+  const { wb } = plot;
+  const grabbed: ChannelKeys = { channel: hit.channel, indices: [hit.index] };
+  const before = selectedKeys(wb);
+  const wasSelected = hasKey(before, hit.channel, hit.index);
+  if (!wasSelected && !from.ctrl) selectKeys(wb, from.shift ? unionKeys(before, [grabbed]) : [grabbed]);
+
+  const move = mover(plot, hit, from);
+  return {
+    cursor: (at) => (at.shift ? (isSideways(from, at) ? 'ew-resize' : 'ns-resize') : 'move'),
+    move: (at) => move?.to(at),
+    end(at, moved) {
+      if (moved) move?.to(at);
+      move?.edit.commit();
+      if (moved || !wasSelected) return;
+      // A click on what was selected already: all others go, or with a key held only this one.
+      if (from.shift) selectKeys(wb, toggleKeys(before, [grabbed]));
+      else if (from.ctrl) selectKeys(wb, withoutKeys(before, [grabbed]));
+      else selectKeys(wb, [grabbed]);
+    },
+    cancel: () => move?.edit.cancel(),
+    cancelled: () => move?.edit.cancelled ?? false,
+  };
+}
+
+/** Moves the keys that are selected at the press. */
+function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
+  const { wb } = plot;
+  const scene = plot.scene();
+  const take = takeInHand(wb);
+  const line = scene && lineOf(scene, hit.channel);
+  const channel = take?.clip.channels[hit.channel];
+  if (!scene || !take || !line || !channel) return undefined;
+  const keyTime = channel.times[hit.index] - take.character.timeOffsetSeconds;
+  const keyValue = channel.values[hit.index];
+  // Where in the key it was taken: the key stays under the pointer as it was, also if one zooms meanwhile.
+  const offX = from.x - xOf(scene.space, keyTime);
+  const offY = from.y - yOf(scene.space, line, keyValue);
+  const edit = editOfTake(wb, take);
+  const command = aboutKeysInHand(wb, moveKeys);
+  const drawn = new Map(scene.lines.map((l) => [l.channel, l]));
+  const keys = keysInHand(wb);
+
+  const to = (at: PointerAt) => {
+    const space = plot.scene()?.space ?? scene.space;
+    const sideways = isSideways(from, at);
+    const view = wb.timeline.view.get();
+    const framesPerSecond = wb.transport.get().framesPerSecond;
+    let seconds = at.shift && !sideways ? 0 : timeAt(space, at.x - offX) - keyTime;
+    let value = at.shift && sideways ? 0 : (yOf(space, line, keyValue) + offY - at.y) / pixelsPerUnit(space, line);
+    if (seconds !== 0 && view.snapsToFrames !== at.ctrl) seconds = snapSeconds(keyTime, seconds, framesPerSecond);
+    if (value !== 0 && view.snapsToValues !== at.ctrl) {
+      const shownPer = shownPerUnit(line.unit, wb.settings.get().angles);
+      value = snapValue(keyValue, value, valueStep(pixelsPerUnit(space, line), shownPer));
+    }
+    edit.preview(command, {
+      characterId: take.character.id,
+      keys,
+      seconds,
+      values: keys.map((k) => valueFor(space, line, drawn.get(k.channel), value)),
+      onCollision: view.onCollision,
+    });
+    if (!edit.cancelled) plot.say(deltaText(wb, line.unit, seconds, value));
+  };
+  return { edit, to };
+}
+
+/** What a key of `other` goes by when one of `line` goes by `value`. */
+function valueFor(space: CurveSpace, line: CurveLine, other: CurveLine | undefined, value: number): number {
+  if (!other) return 0;
+  if (other.axis === line.axis && other.normalise?.scale === line.normalise?.scale) return value;
+  return (value * pixelsPerUnit(space, line)) / pixelsPerUnit(space, other);
+}
+
+/** Whether it has gone more to the side than up or down. */
+export function isSideways(from: PointerAt, at: PointerAt): boolean {
+  return Math.abs(at.x - from.x) >= Math.abs(at.y - from.y);
+}

@@ -1,0 +1,92 @@
+/**
+ * Scaling the selected keys: dragging with S held goes about the playhead in time and about the height of the press in
+ * values, whichever way the drag sets out; the scale frame's edges go about the opposite edge.
+ *
+ *     t' = pivot + factor · (t − pivot)          v' = pivot + factor · (v − pivot)
+ */
+import { scaleKeys } from '../../../../edit/commands/keys.ts';
+import { shown } from '../../../kit/number-text.ts';
+import { aboutKeysInHand, editOfTake, keysInHand, takeInHand } from '../../timeline/in-hand.ts';
+import { valueAt, xOf } from '../scene/space.ts';
+import { isSideways } from './move-keys.ts';
+import type { Drag, PlotAccess, PointerAt } from './tool.ts';
+
+/** Nearer than this to the pivot, a pixel would be an endless factor. */
+const LEAST_PIXELS = 32;
+/** Pixels up that make values e times as large. */
+const VALUE_PIXELS = 120;
+
+export interface Scaling {
+  /** Seconds of the transport. */
+  readonly pivotSeconds: number;
+  readonly timeFactor: number;
+  /** Where the pivot of values is on screen. */
+  readonly pivotY: number;
+  readonly valueFactor: number;
+}
+
+/** What S and a drag do. */
+export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
+  const { wb } = plot;
+  const scale = scaler(plot);
+  const pivotSeconds = wb.transport.get().timeSeconds;
+  /** The direction it set out in holds. */
+  let sideways: boolean | undefined;
+  const move = (at: PointerAt) => {
+    const scene = plot.scene();
+    if (!scene || !scale) return;
+    sideways ??= isSideways(from, at);
+    const arm = from.x - xOf(scene.space, pivotSeconds);
+    const length = Math.max(LEAST_PIXELS, Math.abs(arm));
+    const factor = 1 + ((at.x - from.x) * (arm < 0 ? -1 : 1)) / length;
+    scale.to({
+      pivotSeconds,
+      timeFactor: sideways ? factor : 1,
+      pivotY: from.y,
+      valueFactor: sideways ? 1 : Math.exp((from.y - at.y) / VALUE_PIXELS),
+    });
+  };
+  return {
+    cursor: () => (sideways === undefined ? 'nwse-resize' : sideways ? 'ew-resize' : 'ns-resize'),
+    move,
+    end(at, moved) {
+      if (moved) move(at);
+      scale?.edit.commit();
+    },
+    cancel: () => scale?.edit.cancel(),
+    cancelled: () => scale?.edit.cancelled ?? false,
+  };
+}
+
+/** Scales the keys selected now, in one hand edit. Undefined where there are none in view. */
+export function scaler(plot: PlotAccess) {
+  const { wb } = plot;
+  const take = takeInHand(wb);
+  const first = plot.scene();
+  if (!take || !first) return undefined;
+  const drawn = new Map(first.lines.map((l) => [l.channel, l]));
+  const keys = keysInHand(wb);
+  if (!keys.length) return undefined;
+  const edit = editOfTake(wb, take);
+  const command = aboutKeysInHand(wb, scaleKeys);
+  const to = ({ pivotSeconds, timeFactor, pivotY, valueFactor }: Scaling) => {
+    const scene = plot.scene() ?? first;
+    edit.preview(command, {
+      characterId: take.character.id,
+      keys,
+      pivotSeconds: pivotSeconds + take.character.timeOffsetSeconds,
+      timeFactor,
+      valueFactor,
+      pivotValues: keys.map(({ channel }) => {
+        const line = drawn.get(channel);
+        return line ? valueAt(scene.space, line, pivotY) : 0;
+      }),
+      onCollision: wb.timeline.view.get().onCollision,
+    });
+    if (edit.cancelled) return;
+    const time = timeFactor === 1 ? '' : `time × ${shown(timeFactor, 3)}`;
+    const value = valueFactor === 1 ? '' : `values × ${shown(valueFactor, 3)}`;
+    plot.say([time, value].filter(Boolean).join('   '));
+  };
+  return { edit, to };
+}

@@ -1,0 +1,72 @@
+/**
+ * Dragging a handle: the slope of that side becomes what the handle points along. The other side follows where both
+ * had the same slope (or always, or never: the timeline's setting); Alt leaves it, Ctrl takes it along.
+ */
+import { setSlopes } from '../../../../edit/commands/tangents.ts';
+import type { Command, Edit } from '../../../../edit/store.ts';
+import { keySlope } from '../../../../evaluate/slopes.ts';
+import type { HandleMode } from '../../../state/timeline.ts';
+import { editOfTake, selectedKeys, takeInHand } from '../../timeline/in-hand.ts';
+import { slopeFromHandle } from '../scene/handles.ts';
+import type { Hit } from '../scene/scene.ts';
+import { lineOf } from '../scene/scene.ts';
+import { slopeText } from './readout-text.ts';
+import type { Drag, PlotAccess, PointerAt } from './tool.ts';
+
+type HandleHit = Extract<Hit, { kind: 'handle' }>;
+
+export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
+  const { wb } = plot;
+  const take = takeInHand(wb);
+  const channel = take?.clip.channels[hit.channel];
+  const edit = take && editOfTake(wb, take);
+  const wereEqual =
+    channel !== undefined && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
+  const selected = selectedKeys(wb);
+  // One key's slope is set, but all that were selected stay so, with their handles.
+  const command: Command<Parameters<typeof setSlopes.run>[1], Edit> = {
+    ...setSlopes,
+    run: (document, args) => ({ document: setSlopes.run(document, args).document, keys: selected }),
+  };
+
+  const move = (at: PointerAt) => {
+    const scene = plot.scene();
+    const line = scene && lineOf(scene, hit.channel);
+    if (!scene || !take || !edit || !line) return;
+    const slope = slopeFromHandle(scene, line, hit.index, hit.side, at.x, at.y);
+    const both = movesBoth(wb.timeline.view.get().handles, wereEqual, at);
+    edit.preview(command, {
+      characterId: take.character.id,
+      keys: [{ channel: hit.channel, indices: [hit.index] }],
+      side: both ? 'both' : hit.side,
+      slope,
+    });
+    if (!edit.cancelled) plot.say(slopeText(wb, line.unit, slope));
+  };
+  return {
+    cursor: () => 'grabbing',
+    move,
+    end(at, moved) {
+      if (moved) move(at);
+      edit?.commit();
+    },
+    cancel: () => edit?.cancel(),
+    cancelled: () => edit?.cancelled ?? false,
+  };
+}
+
+/** Whether the other side goes along. */
+export function movesBoth(
+  mode: HandleMode,
+  wereEqual: boolean,
+  at: { readonly alt: boolean; readonly ctrl: boolean },
+): boolean {
+  if (at.alt) return false;
+  if (at.ctrl) return true;
+  return mode === 'auto' ? wereEqual : mode === 'together';
+}
+
+/** But for rounding. */
+export function sameSlope(a: number, b: number): boolean {
+  return Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(a), Math.abs(b));
+}

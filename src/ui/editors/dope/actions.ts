@@ -1,0 +1,100 @@
+/** What the dope sheet has beyond the keys' own actions: ripple, folds, and the way to the curves. */
+import { rippleKeys } from '../../../edit/commands/keys.ts';
+import type { Action } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { allFolds } from '../timeline/dope-rows.ts';
+import { aboutKeysInHand, keysInHand, takeInHand } from '../timeline/in-hand.ts';
+import { showCurves } from './show-curves.ts';
+
+const MENU = 'Keys/Dope sheet';
+const hasTake = (wb: Workbench) => takeInHand(wb) !== undefined;
+const hasKeys = (wb: Workbench) => keysInHand(wb).length > 0;
+
+export const DOPE_ACTIONS: readonly Action[] = [
+  {
+    id: 'dope.ripples',
+    label: 'Ripple: later keys move along',
+    group: 'Keys',
+    menu: MENU,
+    section: 15,
+    shortcuts: ['R'],
+    panel: 'timeline',
+    icon: 'ripple',
+    checked: (wb) => wb.timeline.view.get().ripples,
+    run: (wb) => wb.timeline.change({ ripples: !wb.timeline.view.get().ripples }),
+  },
+  ripple('dope.rippleLater', 'Push on by a frame, with all later keys', '>', 1),
+  ripple('dope.rippleEarlier', 'Pull back by a frame, with all later keys', '<', -1),
+  {
+    id: 'dope.curves',
+    label: 'Show the curves of the selected keys',
+    group: 'Keys',
+    menu: MENU,
+    section: 16,
+    panel: 'timeline',
+    enabled: hasKeys,
+    run: (wb) =>
+      showCurves(
+        wb,
+        keysInHand(wb).map((k) => k.channel),
+      ),
+  },
+  {
+    id: 'dope.allRows',
+    label: 'Rows without keys too',
+    group: 'Keys',
+    menu: MENU,
+    section: 17,
+    panel: 'timeline',
+    icon: 'allRows',
+    checked: (wb) => wb.timeline.view.get().allRows,
+    run: (wb) => wb.timeline.change({ allRows: !wb.timeline.view.get().allRows }),
+  },
+  {
+    id: 'dope.unfoldAll',
+    label: 'Fold out all rows',
+    group: 'Keys',
+    menu: MENU,
+    section: 17,
+    panel: 'timeline',
+    enabled: hasTake,
+    run(wb) {
+      const take = takeInHand(wb);
+      if (take) wb.timeline.change({ unfolded: allFolds(take.character, take.clip) });
+    },
+  },
+  {
+    id: 'dope.foldAll',
+    label: 'Fold all rows',
+    group: 'Keys',
+    menu: MENU,
+    section: 17,
+    panel: 'timeline',
+    enabled: (wb) => wb.timeline.view.get().unfolded.length > 0,
+    run: (wb) => wb.timeline.change({ unfolded: [] }),
+  },
+];
+
+function ripple(id: string, label: string, shortcut: string, frames: number): Action {
+  return {
+    id,
+    label,
+    group: 'Keys',
+    menu: MENU,
+    section: 15,
+    shortcuts: [shortcut],
+    panel: 'timeline',
+    repeats: true,
+    enabled: hasKeys,
+    run(wb) {
+      const take = takeInHand(wb);
+      if (!take) return;
+      const seconds = frames / wb.transport.get().framesPerSecond;
+      wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
+        characterId: take.character.id,
+        keys: keysInHand(wb),
+        seconds,
+      });
+    },
+  };
+}

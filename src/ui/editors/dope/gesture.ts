@@ -1,0 +1,35 @@
+/** What a drag in the sheet is, and what it may use. */
+
+import type { Workbench } from '../../state/workbench.ts';
+import type { Box } from '../curves/scene/scene.ts';
+import type { SheetKeys } from './hit.ts';
+import type { Sheet } from './sheet.ts';
+
+/** Where the pointer is, in the sheet, and what is held down. */
+export interface Pointer {
+  readonly x: number;
+  readonly y: number;
+  readonly shift: boolean;
+  /** Ctrl, or Cmd. */
+  readonly ctrl: boolean;
+  readonly alt: boolean;
+}
+
+/** What gestures see of the panel: always as it is now, for it may be scrolled and zoomed under them. */
+export interface DopeHost {
+  readonly wb: Workbench;
+  sheet(): Sheet;
+  shown(): SheetKeys;
+}
+
+/** `move` works from the press on and not from the last call, so that nothing drifts. */
+export interface Gesture {
+  move(at: Pointer): void;
+  /** @param moved the pointer went further than a click's */
+  release(at: Pointer, moved: boolean): void;
+  /** Escape: everything as it was. */
+  cancel(): void;
+  readonly box?: Box | undefined;
+  /** What it has come to, to be read beside the pointer. */
+  readonly readout?: string | undefined;
+}

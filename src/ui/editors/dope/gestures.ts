@@ -1,0 +1,84 @@
+/**
+ * What a press with the first button begins.
+ *
+ *     a diamond        selects its keys; Shift adds or takes away; dragging moves what is selected
+ *       with Ctrl      drags a copy and leaves the keys where they are
+ *       with Alt       takes all later keys along (ripple); with the ripple switch on, the other way round
+ *     the strip's bar  moves what is selected, its ends scale it about the other end, with Alt about the playhead
+ *     anything else    a box: Shift adds, Ctrl takes away; a click selects nothing
+ */
+
+import { areSelected } from '../../../edit/keys/row-keys.ts';
+import { toggleKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
+import { keysInHand, selectedKeys, selectKeys } from '../timeline/in-hand.ts';
+import type { DopeHost, Gesture, Pointer } from './gesture.ts';
+import type { SheetHit } from './hit.ts';
+import { MoveKeys, type MoveWay, ScaleKeys } from './key-drags.ts';
+import { SelectBox } from './select-box.ts';
+
+/** Undefined where a press means nothing more. */
+export function gestureAt(host: DopeHost, hit: SheetHit, at: Pointer): Gesture | undefined {
+  switch (hit.kind) {
+    case 'keys':
+      return pressKeys(host, hit, at);
+    case 'strip':
+      return hit.part === 'body' ? new MoveKeys(host, at, moveWay(host, at)) : new ScaleKeys(host, at, hit.part);
+    case 'row':
+      return new SelectBox(host, at, hit.row === 0);
+    case 'nothing':
+      return new SelectBox(host, at, false);
+    case 'ruler':
+      return undefined;
+  }
+}
+
+/** A press on a diamond selects before it moves anything. */
+function pressKeys(
+  host: DopeHost,
+  { keys, timeSeconds }: Extract<SheetHit, { kind: 'keys' }>,
+  at: Pointer,
+): Gesture | undefined {
+  const { wb } = host;
+  const before = selectedKeys(wb);
+  const had = areSelected(keys, before);
+  if (at.shift && had) {
+    selectKeys(wb, withoutKeys(before, keys));
+    return undefined;
+  }
+  if (!had) selectKeys(wb, at.shift ? unionKeys(before, keys) : keys);
+  const drag = new MoveKeys(host, at, moveWay(host, at), timeSeconds);
+  return {
+    get readout() {
+      return drag.readout;
+    },
+    move: (to) => drag.move(to),
+    cancel: () => drag.cancel(),
+    release(to, moved) {
+      drag.release(to, moved);
+      // What was a click after all means this diamond, and no other that was selected with it.
+      if (!moved && !at.shift) selectKeys(wb, at.ctrl ? toggleKeys(before, keys) : keys);
+    },
+  };
+}
+
+function moveWay({ wb }: DopeHost, at: Pointer): MoveWay {
+  if (at.ctrl) return 'copy';
+  return at.alt === wb.timeline.view.get().ripples ? 'move' : 'ripple';
+}
+
+/** The cursor that says what a press would do. */
+export function cursorFor({ wb }: DopeHost, hit: SheetHit, held: Pick<Pointer, 'ctrl' | 'shift'>): string {
+  switch (hit.kind) {
+    case 'ruler':
+      return 'col-resize';
+    case 'strip':
+      if (hit.part !== 'body') return 'ew-resize';
+      return held.ctrl ? 'copy' : 'move';
+    case 'keys':
+      if (held.shift) return 'pointer';
+      if (held.ctrl) return 'copy';
+      return areSelected(hit.keys, keysInHand(wb)) ? 'move' : 'pointer';
+    default:
+      return held.shift || held.ctrl ? 'crosshair' : 'default';
+  }
+}

@@ -1,0 +1,106 @@
+/** What is under the pointer, and what a box takes in. Pure: the sheet's geometry and the clip's keys, no canvas. */
+
+import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
+import type { Channel } from '../../../model/clip.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import type { Box } from '../curves/scene/scene.ts';
+import type { DopeRow } from '../timeline/dope-rows.ts';
+import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, secondsPerPixel, timeAt, xOf } from './sheet.ts';
+
+/** What the sheet shows. */
+export interface SheetKeys {
+  readonly rows: readonly DopeRow[];
+  /** Of the clip. */
+  readonly channels: readonly Channel[];
+  /** Clip's time = transport's time + this. */
+  readonly offsetSeconds: number;
+  /** First and last time of the selected keys, the transport's; absent where none is selected. */
+  readonly selectedSpan?: readonly [number, number] | undefined;
+}
+
+export type SheetHit =
+  | { readonly kind: 'ruler' }
+  /** The bar of the selection: one of its ends scales, the rest moves. */
+  | { readonly kind: 'strip'; readonly part: 'start' | 'end' | 'body' }
+  /** A diamond, and the keys that it stands for. */
+  | { readonly kind: 'keys'; readonly row: number; readonly timeSeconds: number; readonly keys: readonly ChannelKeys[] }
+  | { readonly kind: 'row'; readonly row: number }
+  | { readonly kind: 'nothing' };
+
+/** A diamond is taken from this many pixels away, and a box that reaches as far into a row touches its keys. */
+export const REACH = 6;
+/** Width of what is grabbed at each end of the strip's bar, outside and inside of it. */
+export const GRIP = 7;
+/** Times nearer than this are one: the same frame, come to by different sums. */
+const SAME_SECONDS = 1e-6;
+
+export function hitSheet(sheet: Sheet, shown: SheetKeys, x: number, y: number): SheetHit {
+  if (y < 0 || y > sheet.height || x < 0 || x > sheet.width) return { kind: 'nothing' };
+  if (y < STRIP_TOP) return { kind: 'ruler' };
+  if (y < HEAD) return hitStrip(sheet, shown, x);
+  const row = rowAt(sheet, y);
+  if (row === undefined) return { kind: 'nothing' };
+  const timeSeconds = diamondNear(sheet, shown, row, x);
+  if (timeSeconds === undefined) return { kind: 'row', row };
+  return { kind: 'keys', row, timeSeconds, keys: keysUnder(sheet, shown, row, timeSeconds) };
+}
+
+/** The transport's time of the key in a row that is nearest to x, if it is near enough to be meant. */
+function diamondNear(sheet: Sheet, shown: SheetKeys, row: number, x: number): number | undefined {
+  const at = timeAt(sheet, x) + shown.offsetSeconds;
+  const time = nearestKeyTime(shown.channels, shown.rows[row].channels, at, REACH * secondsPerPixel(sheet));
+  return time === undefined ? undefined : time - shown.offsetSeconds;
+}
+
+/** All keys that one diamond stands for: the row's keys in the pixel of one of them, as they are drawn. */
+function keysUnder(sheet: Sheet, shown: SheetKeys, row: number, timeSeconds: number): ChannelKeys[] {
+  const pixel = secondsPerPixel(sheet);
+  const left = sheet.window.from + Math.floor((timeSeconds - sheet.window.from) / pixel) * pixel;
+  const same = Math.min(SAME_SECONDS, pixel / 4);
+  const from = Math.min(left, timeSeconds - same) + shown.offsetSeconds;
+  const to = Math.max(left + pixel * (1 - 1e-9), timeSeconds + same) + shown.offsetSeconds;
+  return keysBetween(shown.channels, shown.rows[row].channels, from, to);
+}
+
+function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHit {
+  if (!selectedSpan) return { kind: 'nothing' };
+  const start = xOf(sheet, selectedSpan[0]);
+  const end = xOf(sheet, selectedSpan[1]);
+  if (x < start - GRIP || x > end + GRIP) return { kind: 'nothing' };
+  // Keys of one moment can only be moved.
+  if (!(selectedSpan[1] > selectedSpan[0])) return { kind: 'strip', part: 'body' };
+  // A short bar keeps a middle to be moved by: its grips lie outside.
+  const inside = Math.min(GRIP, (end - start) / 4);
+  if (x <= start + inside) return { kind: 'strip', part: 'start' };
+  if (x >= end - inside) return { kind: 'strip', part: 'end' };
+  return { kind: 'strip', part: 'body' };
+}
+
+/**
+ * The keys whose diamonds lie in a box: of every row that it reaches into, those between its left and right edge. The
+ * summary stands in front of rows that are scrolled below it, so it is a box of its own: only one that begins on it
+ * means it, and then whole columns.
+ *
+ * @param box pixels; what is scrolled out of sight lies above or below the sheet
+ */
+export function keysInBox(sheet: Sheet, shown: SheetKeys, box: Box, onSummary: boolean): ChannelKeys[] {
+  const from = timeAt(sheet, Math.min(box.x0, box.x1)) + shown.offsetSeconds;
+  const to = timeAt(sheet, Math.max(box.x0, box.x1)) + shown.offsetSeconds;
+  if (onSummary) return keysBetween(shown.channels, shown.rows[0]?.channels ?? [], from, to);
+  const channels = new Set<number>();
+  const [first, end] = rowsTouched(sheet, Math.min(box.y0, box.y1), Math.max(box.y0, box.y1));
+  for (let row = first; row < end; row++) for (const channel of shown.rows[row].channels) channels.add(channel);
+  const inOrder = [...channels].sort((a, b) => a - b);
+  return keysBetween(shown.channels, inOrder, from, to);
+}
+
+/** First and end (not included) of the rows below the summary whose diamonds an upright span touches. */
+export function rowsTouched(sheet: Sheet, top: number, bottom: number): readonly [number, number] {
+  const { rowHeight, rowCount } = sheet;
+  const half = Math.min(REACH, rowHeight / 2);
+  // A row's diamonds reach from its middle − half to its middle + half, its middle being at rowTop + rowHeight / 2.
+  const rowsDown = (y: number) => (y - rowTop(sheet, 1)) / rowHeight + 0.5;
+  const first = Math.ceil(rowsDown(top - half));
+  const end = Math.floor(rowsDown(bottom + half)) + 1;
+  return [Math.max(1, Math.min(rowCount, first)), Math.max(1, Math.min(rowCount, end))];
+}

@@ -1,0 +1,159 @@
+/**
+ * Dragging keys: moving them in time, alone or with all later ones or as copies, and scaling their times. Each is one
+ * command, previewed from the document as it was at the press: one step of undo at the release, none after Escape.
+ */
+import { moveKeys, rippleKeys, scaleKeys } from '../../../edit/commands/keys.ts';
+import { pasteKeys } from '../../../edit/commands/paste.ts';
+import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
+import { countKeys } from '../../../edit/keys/selection.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { aboutKeysInHand, editOfTake, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { framesOf, snapSeconds } from '../timeline/snapping.ts';
+import type { DopeHost, Gesture, Pointer } from './gesture.ts';
+import { secondsPerPixel, timeAt } from './sheet.ts';
+
+/** What moving and scaling have in common: the keys as they were, and an edit that is kept or given up. */
+abstract class KeyDrag implements Gesture {
+  readout: string | undefined;
+  protected readonly edit: HandEdit | undefined;
+  protected readonly take: Take | undefined;
+  protected readonly keys: readonly ChannelKeys[];
+  /** From the first selected key to the last, the transport's seconds. */
+  protected readonly span: readonly [number, number];
+
+  constructor(
+    protected readonly host: DopeHost,
+    protected readonly from: Pointer,
+  ) {
+    const { wb } = host;
+    this.take = takeInHand(wb);
+    this.edit = this.take && editOfTake(wb, this.take);
+    this.keys = keysInHand(wb);
+    this.span = host.shown().selectedSpan ?? [0, 0];
+  }
+
+  move(at: Pointer): void {
+    const { take, keys } = this;
+    const { edit } = this;
+    const text = take && edit && keys.length && !edit.cancelled ? this.preview(at, take, edit) : undefined;
+    this.readout = text && !edit?.cancelled ? `${text} · ${plural(countKeys(keys), 'key')}` : undefined;
+  }
+
+  /** Shows the edit as it would be here, and says what it comes to. */
+  protected abstract preview(at: Pointer, take: Take, edit: HandEdit): string | undefined;
+
+  release(_at: Pointer, moved: boolean): void {
+    this.readout = undefined;
+    if (!moved) {
+      this.edit?.cancel();
+      return;
+    }
+    this.edit?.commit();
+  }
+
+  cancel(): void {
+    this.readout = undefined;
+    this.edit?.cancel();
+  }
+
+  /** Seconds that the pointer has gone since the press, such that a key taken at `grabbed` lands on a frame. */
+  protected dragged(at: Pointer, grabbed: number, snapTurned: boolean): number {
+    const { wb } = this.host;
+    const sheet = this.host.sheet();
+    const seconds = timeAt(sheet, at.x) - timeAt(sheet, this.from.x);
+    const snaps = wb.timeline.view.get().snapsToFrames !== snapTurned;
+    return snaps ? snapSeconds(grabbed, seconds, wb.transport.get().framesPerSecond) : seconds;
+  }
+}
+
+/** `ripple` takes all later keys of the same channels along; `copy` leaves the keys and moves others like them. */
+export type MoveWay = 'move' | 'ripple' | 'copy';
+
+const WAY_WORDS: Readonly<Record<MoveWay, string>> = { move: '', ripple: 'Ripple ', copy: 'Copy ' };
+
+export class MoveKeys extends KeyDrag {
+  private readonly copied: CopiedKeys | undefined;
+  private readonly moving: typeof moveKeys;
+  private readonly rippling: typeof rippleKeys;
+
+  /** @param grabbedSeconds the key that is put on frames: the one taken hold of, else the first */
+  constructor(
+    host: DopeHost,
+    from: Pointer,
+    private readonly way: MoveWay,
+    private readonly grabbedSeconds?: number,
+  ) {
+    super(host, from);
+    this.moving = aboutKeysInHand(host.wb, moveKeys);
+    this.rippling = aboutKeysInHand(host.wb, rippleKeys);
+    this.copied = way === 'copy' && this.take ? copyKeys(this.take.clip, this.keys) : undefined;
+  }
+
+  protected preview(at: Pointer, { character }: Take, edit: HandEdit): string {
+    const { keys, way, copied } = this;
+    const { wb } = this.host;
+    const { id: characterId, timeOffsetSeconds } = character;
+    // Ctrl held for a copy is not held to come off the frames.
+    const seconds = this.dragged(at, this.grabbedSeconds ?? this.span[0], at.ctrl && way !== 'copy');
+    if (copied) {
+      const timeSeconds = this.span[0] + timeOffsetSeconds + seconds;
+      edit.preview(pasteKeys, { characterId, copied, timeSeconds, mode: 'merge' });
+    } else if (way === 'ripple') {
+      edit.preview(this.rippling, { characterId, keys, seconds });
+    } else {
+      edit.preview(this.moving, { characterId, keys, seconds, onCollision: wb.timeline.view.get().onCollision });
+    }
+    return `${WAY_WORDS[way]}${amountText(wb, seconds)}`;
+  }
+}
+
+/** Scales times about the other end, or with Alt about the playhead; values stay. */
+export class ScaleKeys extends KeyDrag {
+  private readonly scaling: typeof scaleKeys;
+
+  constructor(
+    host: DopeHost,
+    from: Pointer,
+    private readonly end: 'start' | 'end',
+  ) {
+    super(host, from);
+    this.scaling = aboutKeysInHand(host.wb, scaleKeys);
+  }
+
+  protected preview(at: Pointer, { character }: Take, edit: HandEdit): string | undefined {
+    const { wb } = this.host;
+    const { timeSeconds, framesPerSecond } = wb.transport.get();
+    const { snapsToFrames, onCollision } = wb.timeline.view.get();
+    const [start, end] = this.span;
+    const [moving, other] = this.end === 'end' ? [end, start] : [start, end];
+    const pivot = at.alt ? timeSeconds : other;
+    const reach = moving - pivot;
+    // A playhead on the very end that is dragged: there is nothing to scale by.
+    if (Math.abs(reach) < 1e-9) return undefined;
+    const by = this.dragged(at, moving, at.ctrl);
+    // Never onto the pivot or through it: all keys would fall on each other.
+    const least = snapsToFrames === at.ctrl ? secondsPerPixel(this.host.sheet()) : 1 / framesPerSecond;
+    const timeFactor = Math.max(Math.min(1, least / Math.abs(reach)), (reach + by) / reach);
+    edit.preview(this.scaling, {
+      characterId: character.id,
+      keys: this.keys,
+      pivotSeconds: pivot + character.timeOffsetSeconds,
+      timeFactor,
+      valueFactor: 1,
+      onCollision,
+    });
+    return `× ${shown(timeFactor, 3)}`;
+  }
+}
+
+/** `+3 frames`, `−0.25 s`. */
+function amountText(wb: Workbench, seconds: number): string {
+  const sign = seconds < 0 ? '−' : '+';
+  const size = Math.abs(seconds);
+  if (wb.settings.get().timeDisplay !== 'frames') return `${sign}${shown(size, 3)} s`;
+  const frames = framesOf(size, wb.transport.get().framesPerSecond);
+  return `${sign}${shown(frames, 2)} ${frames === 1 ? 'frame' : 'frames'}`;
+}

@@ -1,0 +1,97 @@
+/** Context menus of the dope sheet: what can be done with the keys or the row under the pointer. */
+
+import { areSelected } from '../../../edit/keys/row-keys.ts';
+import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
+import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { plural } from '../../kit/number-text.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { itemOf, itemsOf } from '../../state/menu-entries.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { DopeRow } from '../timeline/dope-rows.ts';
+import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
+import { insertAtPlayhead } from '../timeline/key-edits.ts';
+import type { SheetHit } from './hit.ts';
+import { rowName } from './names.ts';
+import { showCurves } from './show-curves.ts';
+
+type Place = { readonly x: number; readonly y: number };
+
+/** Actions, or a menu of the menu bar's as one within. */
+const KEY_IDS = [
+  ['timeline.cut', 'timeline.copy', 'timeline.paste', 'timeline.duplicate', 'timeline.delete'],
+  ['Keys/Tangents', 'timeline.snapToFrames', 'timeline.scaleKeys', 'dope.rippleEarlier', 'dope.rippleLater'],
+  ['dope.curves', 'timeline.fitSelected'],
+] as const;
+const EMPTY_IDS = [
+  ['timeline.paste', 'timeline.pasteInsert'],
+  ['timeline.selectAll', 'timeline.selectBefore', 'timeline.selectHere', 'timeline.selectAfter', 'timeline.selectNone'],
+  ['dope.allRows', 'dope.unfoldAll', 'dope.foldAll', 'timeline.fitAll'],
+] as const;
+
+/** The menu of a place in the sheet. Keys that are not selected yet become so first: it is about what one points at. */
+export function sheetMenu(wb: Workbench, rows: readonly DopeRow[], hit: SheetHit, at: Place): void {
+  if (hit.kind === 'keys' || hit.kind === 'strip') keysMenu(wb, rows, hit, at);
+  else if (hit.kind === 'row') rowMenu(wb, rows[hit.row], at);
+  else show(wb, EMPTY_IDS, [], at, 'Dope sheet');
+}
+
+function keysMenu(wb: Workbench, rows: readonly DopeRow[], hit: SheetHit, at: Place): void {
+  const own: MenuEntry[] = [];
+  if (hit.kind === 'keys') {
+    if (!areSelected(hit.keys, keysInHand(wb))) selectKeys(wb, hit.keys);
+    const { timeSeconds } = hit;
+    own.push(
+      item('Go to this time', () => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }))),
+      item('Select all keys at this time', () => {
+        const take = takeInHand(wb);
+        if (!take) return;
+        const clipSeconds = timeSeconds + take.character.timeOffsetSeconds;
+        selectKeys(wb, keysAtTime(take.clip, rows[0].channels, clipSeconds));
+      }),
+      { kind: 'line' },
+    );
+  }
+  show(wb, KEY_IDS, own, at, 'Keys');
+}
+
+/** The menu of a row, on its name and beside its keys alike. */
+export function rowMenu(wb: Workbench, row: DopeRow, at: Place): void {
+  const take = takeInHand(wb);
+  if (!take) return;
+  const keys = allKeys(take.clip, row.channels);
+  const count = countKeys(keys);
+  const name = rowName(row);
+  const own: MenuEntry[] = [
+    item(`Select ${plural(count, 'key')} of the row`, () => selectKeys(wb, keys), count > 0),
+    item('Add them to the selection', () => selectKeys(wb, unionKeys(selectedKeys(wb), keys)), count > 0),
+    item('Insert keys at the playhead', () => insertAtPlayhead(wb, row.channels), row.channels.length > 0),
+    item('Show its curves', () => showCurves(wb, row.channels)),
+    { kind: 'line' },
+  ];
+  show(wb, EMPTY_IDS, own, at, name);
+}
+
+function show(
+  wb: Workbench,
+  sections: readonly (readonly string[])[],
+  first: readonly MenuEntry[],
+  at: Place,
+  label: string,
+): void {
+  const actions = actionsOf(wb);
+  const entries: MenuEntry[] = [...first];
+  for (const ids of sections) {
+    if (entries.length && entries.at(-1)?.kind !== 'line') entries.push({ kind: 'line' });
+    for (const id of ids) {
+      const within = actions.filter((a) => a.menu === id);
+      const [, label] = id.split('/');
+      if (label && within.length) entries.push({ kind: 'menu', label, entries: () => itemsOf(wb, within) });
+      else entries.push(...actions.filter((a) => a.id === id).map((action) => itemOf(wb, action)));
+    }
+  }
+  openMenu(at, entries, { label });
+}
+
+function item(label: string, run: () => void, enabled = true): MenuEntry {
+  return { kind: 'item', label, enabled, run };
+}

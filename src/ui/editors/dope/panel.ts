@@ -1,0 +1,339 @@
+/**
+ * The dope sheet: when things are keyed, for the whole character at a glance. Names and counts of the rows to the left,
+ * their keys on canvases to the right; both follow the document, the selection and the timeline's view, and draw once a
+ * frame what has changed of them, only while they can be seen.
+ */
+
+import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts';
+import { allKeys, NO_KEYS, unionKeys } from '../../../edit/keys/selection.ts';
+import { withKeys } from '../../../edit/store.ts';
+import { compileChannels, compileClip } from '../../../evaluate/compiled-clip.ts';
+import { element, setAttribute, setText } from '../../kit/dom.ts';
+import { HAS_KEYS } from '../../kit/focus.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { fitWindow, panWindow, revealTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import type { TimelineTab } from '../../state/timeline.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
+import { keysInHand, selectedKeys, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
+import { selectedText } from '../timeline/key-edits.ts';
+import { emptyText } from './empty-text.ts';
+import type { SheetKeys } from './hit.ts';
+import { rowMenu, sheetMenu } from './menus.ts';
+import { DopeNames } from './names.ts';
+import { DopePicture } from './picture.ts';
+import { SheetPointer, type SheetPointerHost } from './pointer.ts';
+import type { DopeScene } from './scene.ts';
+import type { Sheet } from './sheet.ts';
+import { dopeFilter, dopeTools } from './tools.ts';
+
+export function dopePanel(wb: Workbench): TimelineTab {
+  return new DopePanel(wb);
+}
+
+const NO_CURVES = compileChannels([]);
+/** A single moment is shown in the middle of this much. */
+const AROUND_SECONDS = 0.5;
+
+class DopePanel implements TimelineTab, SheetPointerHost {
+  readonly element: HTMLElement;
+  readonly tools: HTMLElement;
+  private readonly names: DopeNames;
+  private readonly picture = new DopePicture();
+  private readonly plot = element('div', {
+    class: 'dope-sheet',
+    role: 'application',
+    tabindex: 0,
+    [HAS_KEYS]: true,
+    'aria-roledescription': 'dope sheet',
+  });
+  private readonly empty = element('p', { class: 'empty dope-empty', hidden: true });
+  private readonly pointer: SheetPointer;
+  private take: Take | undefined;
+  private rows: readonly DopeRow[] = [];
+  private visible = false;
+  private size = { width: 0, height: 0 };
+  private stale = true;
+  private readonly drawSoon = oncePerFrame(() => this.draw());
+
+  constructor(readonly wb: Workbench) {
+    this.names = new DopeNames(
+      {
+        fold: (row, open, every) => this.fold(row, open, every),
+        choose: (row) => this.choose(row),
+        selectKeys: (row, adds) => this.selectRow(row, adds),
+        menu: (row, at) => rowMenu(wb, row, at),
+        scrolled: () => this.redraw(),
+      },
+      (row) => this.count(row),
+    );
+    this.plot.append(this.picture.element, this.empty);
+    this.pointer = new SheetPointer(this.plot, this);
+    this.tools = dopeTools(wb);
+    const left = element('div', { class: 'dope-left' }, dopeFilter(wb), this.names.element);
+    this.element = element('div', { class: 'dope' }, left, this.plot);
+    this.follow();
+  }
+
+  private follow(): void {
+    const { wb } = this;
+    wb.store.subscribe((now, before) => {
+      if (!this.visible || (now.document === before.document && now.selection === before.selection)) return;
+      this.refresh();
+      const { joint } = now.selection;
+      if (joint !== undefined && joint !== before.selection.joint) this.names.reveal(joint);
+    });
+    wb.timeline.view.subscribe((now, before) => {
+      if (!this.visible) return;
+      const { unfolded, allRows, filter } = before;
+      if (now.unfolded !== unfolded || now.allRows !== allRows || now.filter !== filter) this.refresh(true);
+      this.redraw();
+    });
+    wb.transport.subscribe((now, before) => {
+      if (!this.visible) return;
+      if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
+      // Jumped to, by a key or a number: bring it into view. While playing the window stays where it was put.
+      if (now.timeSeconds !== before.timeSeconds && !now.playing) {
+        const { window } = wb.timeline.view.get();
+        const next = revealTime(window, now.timeSeconds);
+        if (next !== window) this.look(next);
+      }
+      this.drawSoon();
+    });
+    wb.settings.subscribe((now, before) => {
+      if (now.timeDisplay !== before.timeDisplay) this.redraw();
+    });
+    new ResizeObserver(() => this.measure()).observe(this.plot);
+  }
+
+  // A tab of the timeline.
+
+  setVisible(visible: boolean): void {
+    if (visible === this.visible) return;
+    this.visible = visible;
+    if (visible) this.refresh(true);
+  }
+
+  fitAll(): void {
+    const span = this.wholeSpan();
+    if (span) this.look(fitWindow(span));
+  }
+
+  fitSelected(): void {
+    const span = this.shown().selectedSpan ?? this.jointSpan();
+    if (!span) this.fitAll();
+    else if (span[1] > span[0]) this.look(fitWindow(span));
+    else this.look({ from: span[0] - AROUND_SECONDS, to: span[0] + AROUND_SECONDS });
+  }
+
+  zoom(timeFactor: number): void {
+    const { window } = this.wb.timeline.view.get();
+    const { timeSeconds } = this.wb.transport.get();
+    const span = this.shown().selectedSpan;
+    const about = span ? (span[0] + span[1]) / 2 : timeSeconds;
+    const inside = about >= window.from && about <= window.to;
+    this.look(zoomWindow(window, inside ? about : (window.from + window.to) / 2, timeFactor));
+  }
+
+  pan(timePart: number, valuePart: number): void {
+    const { window } = this.wb.timeline.view.get();
+    if (timePart) this.look(panWindow(window, timePart * (window.to - window.from)));
+    if (valuePart) this.scrollBy(-valuePart * this.size.height);
+  }
+
+  recolour(): void {
+    this.picture.recolour();
+    this.redraw();
+  }
+
+  // What gestures and the pointer ask for.
+
+  sheet(): Sheet {
+    const { window } = this.wb.timeline.view.get();
+    const { rowHeight, scrollTop } = this.names;
+    return { ...this.size, window, rowHeight, rowCount: this.rows.length, scrollTop };
+  }
+
+  shown(): SheetKeys {
+    const { take, rows } = this;
+    const offsetSeconds = take?.character.timeOffsetSeconds ?? 0;
+    const channels = take?.clip.channels ?? [];
+    const span = spanOf(channels, this.selected());
+    const selectedSpan = span && ([span[0] - offsetSeconds, span[1] - offsetSeconds] as const);
+    return { rows, channels, offsetSeconds, selectedSpan };
+  }
+
+  look(window: TimeWindow): void {
+    this.wb.timeline.change({ window });
+  }
+
+  scrollBy(pixels: number): void {
+    this.names.scrollTo(this.names.scrollTop + pixels);
+  }
+
+  menu(hit: Parameters<SheetPointerHost['menu']>[0], at: { readonly x: number; readonly y: number }): void {
+    sheetMenu(this.wb, this.rows, hit, at);
+  }
+
+  overlayChanged(): void {
+    this.drawSoon();
+  }
+
+  // Rows.
+
+  private selected() {
+    return this.take ? keysInHand(this.wb) : NO_KEYS;
+  }
+
+  private count(row: DopeRow): { keys: number; selected: number } {
+    const channels = this.take?.clip.channels ?? [];
+    return { keys: keyCount(channels, row.channels), selected: selectedCount(row.channels, this.selected()) };
+  }
+
+  /** The rows anew where they are others, everything drawn anew in any case. */
+  private refresh(force = false): void {
+    const before = this.take;
+    this.take = takeInHand(this.wb);
+    const { take } = this;
+    if (force || !sameTake(before, take)) {
+      const { unfolded, allRows, filter } = this.wb.timeline.view.get();
+      this.rows = take ? dopeRows(take.character, take.clip, { unfolded, all: allRows, filter }) : [];
+      this.names.show(this.rows);
+      const text = this.rows.length ? '' : emptyText(this.wb, take);
+      setText(this.empty, text);
+      this.empty.hidden = !text;
+    }
+    if (
+      take &&
+      (before?.character.id !== take.character.id || before.character.shownClip !== take.character.shownClip)
+    ) {
+      this.meet(before !== undefined);
+    }
+    this.names.refresh(this.jointInHand());
+    this.redraw();
+  }
+
+  /** Another take: where one looked at the one before says nothing about it. */
+  private meet(isAnother: boolean): void {
+    const span = this.wholeSpan();
+    if (!span) return;
+    const { window } = this.wb.timeline.view.get();
+    const shared = Math.min(window.to, span[1]) - Math.max(window.from, span[0]);
+    const whole = Math.max(window.to, span[1]) - Math.min(window.from, span[0]);
+    // Coming from the curves one goes on looking where one was.
+    if (isAnother || shared < whole / 2) this.fitAll();
+  }
+
+  private jointInHand(): number | undefined {
+    const { selection } = this.wb.store;
+    return selection.characterId === this.take?.character.id ? selection.joint : undefined;
+  }
+
+  /** All keys and the clip's range, seconds of the transport. */
+  private wholeSpan(): readonly [number, number] | undefined {
+    const { take } = this;
+    if (!take) return undefined;
+    const { channels, range } = take.clip;
+    const offset = take.character.timeOffsetSeconds;
+    let [from, to] = range;
+    for (const { times } of channels) {
+      if (!times.length) continue;
+      from = Math.min(from, times[0]);
+      to = Math.max(to, times[times.length - 1]);
+    }
+    return [from - offset, to - offset];
+  }
+
+  private jointSpan(): readonly [number, number] | undefined {
+    const { take } = this;
+    const joint = this.jointInHand();
+    if (!take || joint === undefined) return undefined;
+    const row = this.rows.find((r) => r.kind === 'joint' && r.joint === joint);
+    const span = row && spanOf(take.clip.channels, allKeys(take.clip, row.channels));
+    const offset = take.character.timeOffsetSeconds;
+    return span && [span[0] - offset, span[1] - offset];
+  }
+
+  private fold({ fold }: DopeRow, open: boolean, every: boolean): void {
+    const { take } = this;
+    if (fold === undefined || !take) return;
+    const { unfolded } = this.wb.timeline.view.get();
+    const others = unfolded.filter((f) => f !== fold);
+    if (every) this.wb.timeline.change({ unfolded: open ? allFolds(take.character, take.clip) : [] });
+    else this.wb.timeline.change({ unfolded: open ? [...others, fold] : others });
+  }
+
+  /** Selects the row's joint; selected keys stay, for one looks for the joint that they are of. */
+  private choose({ joint }: DopeRow): void {
+    const { take } = this;
+    if (!take || joint === undefined) return;
+    const characterId = take.character.id;
+    this.wb.store.select(withKeys({ characterId, joint }, this.selected()));
+  }
+
+  private selectRow(row: DopeRow, adds: boolean): void {
+    const { take } = this;
+    if (!take) return;
+    const keys = allKeys(take.clip, row.channels);
+    selectKeys(this.wb, adds ? unionKeys(selectedKeys(this.wb), keys) : keys);
+  }
+
+  // Drawing.
+
+  private measure(): void {
+    this.size = { width: this.plot.clientWidth, height: this.plot.clientHeight };
+    if (!this.size.width) return;
+    this.names.resized();
+    this.redraw();
+  }
+
+  private redraw(): void {
+    this.stale = true;
+    this.drawSoon();
+  }
+
+  private draw(): void {
+    if (!this.visible || !this.size.width) return;
+    const scene = this.scene();
+    if (this.stale) {
+      this.picture.draw(scene);
+      this.describe();
+    }
+    this.stale = false;
+    const { timeSeconds } = this.wb.transport.get();
+    this.picture.drawOverlay(scene, { timeSeconds, ...this.pointer.overlay });
+  }
+
+  private scene(): DopeScene {
+    const { take } = this;
+    const { framesPerSecond, range } = this.wb.transport.get();
+    return {
+      ...this.shown(),
+      sheet: this.sheet(),
+      curves: take ? compileClip(take.clip) : NO_CURVES,
+      selected: this.selected(),
+      selectedJoint: this.jointInHand(),
+      range,
+      framesPerSecond,
+      inFrames: this.wb.settings.get().timeDisplay === 'frames',
+    };
+  }
+
+  private describe(): void {
+    const { take } = this;
+    const label = take ? `Keys of ${take.character.name}. ${selectedText(this.wb)}` : 'Keys. There is no take.';
+    setAttribute(this.plot, 'aria-label', label);
+  }
+}
+
+/** Whether two takes have the same rows. */
+function sameTake(a: Take | undefined, b: Take | undefined): boolean {
+  if (!a || !b) return a === b;
+  return (
+    a.character.id === b.character.id &&
+    a.character.skeleton === b.character.skeleton &&
+    a.character.morphs === b.character.morphs &&
+    a.character.driver?.source.name === b.character.driver?.source.name &&
+    sameRows(a.clip, b.clip)
+  );
+}

@@ -1,0 +1,169 @@
+/**
+ * Draws the dope sheet on two canvases: what changes with edits and looking around below, and what follows the clock
+ * and the pointer (playhead, box, readout) above, so that playing redraws a line and nothing else.
+ */
+
+import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
+import { runsOf } from '../../../evaluate/plot/runs.ts';
+import { rangeOfSamples } from '../../../model/samples.ts';
+import { element } from '../../kit/dom.ts';
+import {
+  drawOutsideRange,
+  drawPlayhead,
+  drawTimeGrid,
+  drawTimeRuler,
+  type TimeView,
+  translucent,
+} from '../timeline/time-ruler.ts';
+import { type DiamondSize, Diamonds } from './diamonds.ts';
+import {
+  type DopeColours,
+  drawBox,
+  drawGround,
+  drawHeld,
+  drawReadout,
+  drawSampled,
+  drawStrip,
+  PAD,
+  readColours,
+} from './parts.ts';
+import type { DopeOverlay, DopeScene } from './scene.ts';
+import { HEAD, rowsInView, rowsTop, rowTop, type Sheet, secondsPerPixel } from './sheet.ts';
+
+const BAND_HALF: Readonly<Record<DiamondSize, number>> = { summary: 4, group: 3, channel: 2 };
+
+export class DopePicture {
+  readonly element: HTMLElement = element('div', { class: 'dope-picture', 'aria-hidden': 'true' });
+  private readonly below = element('canvas');
+  private readonly above = element('canvas');
+  private colours: DopeColours | undefined;
+  private diamonds: Diamonds | undefined;
+  private diamondsRatio = 0;
+  private marks = new Uint8Array(0);
+  private moves = new Uint8Array(0);
+
+  constructor() {
+    this.element.append(this.below, this.above);
+  }
+
+  /** Another theme: colours are read anew with the next drawing. */
+  recolour(): void {
+    this.colours = undefined;
+    this.diamonds = undefined;
+  }
+
+  draw(scene: DopeScene): void {
+    const { sheet } = scene;
+    const g = this.begin(this.below, sheet);
+    if (!g) return;
+    const colours = this.ready();
+    const view = timeView(scene);
+    g.fillStyle = colours.surface;
+    g.fillRect(0, 0, sheet.width, sheet.height);
+    g.save();
+    g.beginPath();
+    g.rect(0, rowsTop(sheet), sheet.width, Math.max(0, sheet.height - rowsTop(sheet)));
+    g.clip();
+    this.drawRows(g, scene, view, colours, ...rowsInView(sheet));
+    g.restore();
+    if (scene.rows.length) {
+      g.fillStyle = colours.raised;
+      g.fillRect(0, HEAD, sheet.width, sheet.rowHeight);
+      this.drawRows(g, scene, view, colours, 0, 1);
+      g.fillStyle = colours.line;
+      g.fillRect(0, rowsTop(sheet) - 1, sheet.width, 1);
+    }
+    drawStrip(g, scene, colours);
+    drawTimeRuler(g, view, colours);
+  }
+
+  drawOverlay(scene: DopeScene, { timeSeconds, box, readout }: DopeOverlay): void {
+    const { sheet } = scene;
+    const g = this.begin(this.above, sheet);
+    if (!g) return;
+    const colours = this.ready();
+    drawPlayhead(g, timeView(scene), timeSeconds, sheet.height, colours);
+    if (box) drawBox(g, sheet, box, colours);
+    if (readout) drawReadout(g, sheet, readout, colours);
+  }
+
+  private begin(canvas: HTMLCanvasElement, { width, height }: Sheet): CanvasRenderingContext2D | null {
+    const ratio = window.devicePixelRatio;
+    const wide = Math.max(1, Math.round(width * ratio));
+    const high = Math.max(1, Math.round(height * ratio));
+    if (canvas.width !== wide || canvas.height !== high) {
+      canvas.width = wide;
+      canvas.height = high;
+    }
+    const g = canvas.getContext('2d');
+    g?.setTransform(ratio, 0, 0, ratio, 0, 0);
+    g?.clearRect(0, 0, width, height);
+    return g;
+  }
+
+  private ready(): DopeColours {
+    this.colours ??= readColours(this.element);
+    if (!this.diamonds || this.diamondsRatio !== window.devicePixelRatio) {
+      this.diamondsRatio = window.devicePixelRatio;
+      const { key, selected, surface } = this.colours;
+      this.diamonds = new Diamonds({ key, selected, rim: surface }, this.diamondsRatio);
+    }
+    return this.colours;
+  }
+
+  /** Rows `first` up to `end`, from their grounds to their keys. */
+  private drawRows(
+    g: CanvasRenderingContext2D,
+    scene: DopeScene,
+    view: TimeView,
+    colours: DopeColours,
+    first: number,
+    end: number,
+  ): void {
+    const { sheet, rows } = scene;
+    for (let i = first; i < end; i++) drawGround(g, sheet, i, rows[i], scene.selectedJoint, colours);
+    const top = rowTop(sheet, first);
+    const bottom = first < end ? rowTop(sheet, end - 1) + sheet.rowHeight : top;
+    const outside = { ...colours, outside: translucent(colours.outside, 0.7) };
+    drawOutsideRange(g, view, top, bottom, outside);
+    drawTimeGrid(g, view, top, bottom, colours);
+    for (let i = first; i < end; i++) this.drawKeys(g, scene, i, colours);
+  }
+
+  private drawKeys(g: CanvasRenderingContext2D, scene: DopeScene, row: number, colours: DopeColours): void {
+    const { sheet, rows, channels, curves, selected, offsetSeconds } = scene;
+    const pixels = Math.ceil(sheet.width) + 2 * PAD;
+    if (this.marks.length !== pixels) {
+      this.marks = new Uint8Array(pixels);
+      this.moves = new Uint8Array(pixels);
+    }
+    const { marks, moves, diamonds } = this;
+    const { channels: of, kind } = rows[row];
+    const pixel = secondsPerPixel(sheet);
+    const span = { from: sheet.window.from + offsetSeconds - PAD * pixel, secondsPerPixel: pixel };
+    const y = rowTop(sheet, row) + sheet.rowHeight / 2;
+    if (curves.samples && of.some((channel) => curves.columns[channel] >= 0)) {
+      const [from, to] = rangeOfSamples(curves.samples);
+      drawSampled(g, sheet, from - offsetSeconds, to - offsetSeconds, y, colours);
+    }
+    const ends = markMoves(curves, of, span, moves);
+    if (ends) drawHeld(g, moves, ends, y, colours);
+    markKeys(channels, of, selected, span, marks);
+    const size = kind === 'summary' ? 'summary' : kind === 'channel' ? 'channel' : 'group';
+    const half = BAND_HALF[size];
+    runsOf(marks, {
+      diamond: (at, mark) => diamonds?.draw(g, at - PAD + 0.5, y, size, mark),
+      band(from, to, mark) {
+        g.fillStyle = mark === SELECTED ? colours.selected : colours.band;
+        g.fillRect(from - PAD, y - half, to - from + 1, 2 * half);
+        if (mark !== (PLAIN | SELECTED)) return;
+        g.fillStyle = colours.selected;
+        g.fillRect(from - PAD, y - half, to - from + 1, half);
+      },
+    });
+  }
+}
+
+function timeView({ sheet, range, framesPerSecond, inFrames }: DopeScene): TimeView {
+  return { window: sheet.window, width: sheet.width, range, framesPerSecond, inFrames };
+}

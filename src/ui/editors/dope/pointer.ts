@@ -1,0 +1,241 @@
+/** Mouse, wheel and Escape over the sheet: scrubbing, panning, zooming, and the gestures of `gestures.ts`. */
+
+import { oncePerFrame } from '../../kit/frame.ts';
+import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { isMac } from '../../shell/keys.ts';
+import { scrubFrames } from '../curves/tools/scrub.ts';
+import type { DopeHost, Gesture, Pointer } from './gesture.ts';
+import { cursorFor, gestureAt } from './gestures.ts';
+import { hitSheet, type SheetHit } from './hit.ts';
+import { rowsTop, secondsPerPixel, timeAt } from './sheet.ts';
+
+export interface SheetPointerHost extends DopeHost {
+  look(window: TimeWindow): void;
+  /** Pixels, to the rows' beginning or end at most. */
+  scrollBy(pixels: number): void;
+  menu(hit: SheetHit, at: { readonly x: number; readonly y: number }): void;
+  overlayChanged(): void;
+}
+
+/** A press that goes no further than this is a click. */
+const CLICK_PIXELS = 3;
+const ZOOM_STEP = 1.15;
+/** What one notch of a wheel mostly is, in steps of the zoom. */
+const STEP_PIXELS = 60;
+const LINE_PIXELS = 16;
+
+export class SheetPointer {
+  private gesture: Gesture | undefined;
+  private last: Pointer | undefined;
+  private hover: { readonly x: number; readonly y: number } | undefined;
+  private moved = false;
+
+  constructor(
+    private readonly target: HTMLElement,
+    private readonly host: SheetPointerHost,
+  ) {
+    target.addEventListener('pointerdown', (event) => this.onDown(event));
+    target.addEventListener('pointermove', (event) => {
+      this.hover = this.placeOf(event);
+      if (!this.dragging) this.showCursor(event);
+    });
+    target.addEventListener('pointerleave', () => {
+      this.hover = undefined;
+    });
+    target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
+    target.addEventListener('dblclick', (event) => this.onDoubleClick(event));
+    target.addEventListener('contextmenu', (event) => this.onMenu(event));
+    // Modifiers change what a press would do.
+    for (const type of ['keydown', 'keyup'] as const) target.addEventListener(type, (e) => this.showCursor(e));
+  }
+
+  private dragging = false;
+
+  /** The box and the readout of the drag that is under way. */
+  get overlay() {
+    const { gesture, last } = this;
+    const text = gesture?.readout;
+    return { box: gesture?.box, readout: text && last ? { x: last.x, y: last.y, text } : undefined };
+  }
+
+  private placeOf(event: MouseEvent): { readonly x: number; readonly y: number } {
+    const box = this.target.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+
+  private pointerOf(event: PointerEvent): Pointer {
+    const ctrl = isMac ? event.metaKey : event.ctrlKey;
+    return { ...this.placeOf(event), shift: event.shiftKey, ctrl, alt: event.altKey };
+  }
+
+  private hitAt({ x, y }: { readonly x: number; readonly y: number }): SheetHit {
+    return hitSheet(this.host.sheet(), this.host.shown(), x, y);
+  }
+
+  private showCursor(event: MouseEvent | KeyboardEvent): void {
+    if (!this.hover || this.dragging) return;
+    const ctrl = isMac ? event.metaKey : event.ctrlKey;
+    const held = { shift: event.shiftKey, ctrl };
+    this.target.style.cursor = cursorFor(this.host, this.hitAt(this.hover), held);
+  }
+
+  private onDown(event: PointerEvent): void {
+    if (event.button > 1 || this.dragging) return;
+    event.preventDefault();
+    this.target.focus({ preventScroll: true });
+    // Ctrl with a click is a Mac's context menu.
+    if (event.button === 0 && isMac && event.ctrlKey) return;
+    const at = this.pointerOf(event);
+    const hit = this.hitAt(at);
+    if (event.button === 1) this.follow(event, this.panning(at), 'grabbing');
+    else if (hit.kind === 'ruler') this.follow(event, this.scrubbing(at), 'col-resize');
+    else {
+      const gesture = gestureAt(this.host, hit, at);
+      this.gesture = gesture;
+      if (gesture) this.follow(event, this.gesturing(gesture), this.target.style.cursor);
+    }
+  }
+
+  private panning(from: Pointer): Gesture {
+    let last = from;
+    return {
+      move: (at) => {
+        const sheet = this.host.sheet();
+        if (at.x !== last.x) this.host.look(panWindow(sheet.window, (last.x - at.x) * secondsPerPixel(sheet)));
+        this.host.scrollBy(last.y - at.y);
+        last = at;
+      },
+      release() {},
+      cancel() {},
+    };
+  }
+
+  private scrubbing(from: Pointer): Gesture {
+    const { wb } = this.host;
+    const move = (at: Pointer) => {
+      const sheet = this.host.sheet();
+      const timeSeconds = snapTime(timeAt(sheet, at.x), secondsPerPixel(sheet), scrubFrames(wb, at.shift));
+      wb.transport.update((p) =>
+        p.timeSeconds === timeSeconds && !p.playing ? p : { ...p, timeSeconds, playing: false },
+      );
+    };
+    move(from);
+    return { move, release: move, cancel() {} };
+  }
+
+  /** Tells a click from a drag, and scrolls where the drag leaves the rows. */
+  private gesturing(gesture: Gesture): Gesture {
+    return {
+      move: (at) => {
+        if (gesture.box) this.scrollAtEdge(at);
+        gesture.move(at);
+      },
+      release: (at, moved) => gesture.release(at, moved),
+      cancel: () => gesture.cancel(),
+    };
+  }
+
+  private scrollAtEdge({ y }: Pointer): void {
+    const sheet = this.host.sheet();
+    const over = y > sheet.height ? y - sheet.height : Math.min(0, y - rowsTop(sheet));
+    if (over !== 0) this.host.scrollBy(over / 2);
+  }
+
+  /** Once a frame with the latest position, and once more with the release. */
+  private follow(event: PointerEvent, gesture: Gesture, cursor: string): void {
+    const from = this.pointerOf(event);
+    let latest = from;
+    this.last = from;
+    this.moved = false;
+    this.dragging = true;
+    const { target } = this;
+    target.style.cursor = cursor;
+    target.setPointerCapture(event.pointerId);
+    const step = () => {
+      if (!this.dragging || !this.moved) return;
+      gesture.move(latest);
+      this.last = latest;
+      this.host.overlayChanged();
+    };
+    const soon = oncePerFrame(step);
+    const take = (e: PointerEvent) => {
+      latest = this.pointerOf(e);
+      this.moved ||= Math.hypot(latest.x - from.x, latest.y - from.y) > CLICK_PIXELS;
+    };
+    const onMove = (e: PointerEvent) => {
+      take(e);
+      if (this.moved) soon();
+    };
+    const end = (finish: () => void) => {
+      if (!this.dragging) return;
+      finish();
+      this.dragging = false;
+      this.gesture = undefined;
+      target.removeEventListener('pointermove', onMove);
+      target.removeEventListener('pointerup', onUp);
+      target.removeEventListener('lostpointercapture', onLost);
+      window.removeEventListener('keydown', onKey, true);
+      if (target.hasPointerCapture(event.pointerId)) target.releasePointerCapture(event.pointerId);
+      target.style.cursor = '';
+      this.host.overlayChanged();
+    };
+    const onUp = (e: PointerEvent) => {
+      if (e.button !== event.button) return;
+      take(e);
+      end(() => {
+        step();
+        gesture.release(latest, this.moved);
+      });
+    };
+    const onLost = () => end(() => gesture.cancel());
+    const onKey = (e: KeyboardEvent) => {
+      if (e.key === 'Escape') {
+        e.preventDefault();
+        e.stopPropagation();
+        end(() => gesture.cancel());
+      } else if (['Alt', 'Control', 'Shift', 'Meta'].includes(e.key)) {
+        // Alt would open the browser's menu.
+        e.preventDefault();
+      } else if (this.gesture) {
+        // The keyboard waits: a deleted key can't be dragged on.
+        e.preventDefault();
+        e.stopPropagation();
+      }
+    };
+    target.addEventListener('pointermove', onMove);
+    target.addEventListener('pointerup', onUp);
+    target.addEventListener('lostpointercapture', onLost);
+    window.addEventListener('keydown', onKey, true);
+  }
+
+  private onWheel(event: WheelEvent): void {
+    event.preventDefault();
+    const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PIXELS : 1;
+    const dx = event.deltaX * unit;
+    const dy = event.deltaY * unit;
+    const { host } = this;
+    const sheet = host.sheet();
+    const at = this.placeOf(event);
+    if (event.ctrlKey || event.metaKey || this.hitAt(at).kind === 'ruler') {
+      host.look(zoomWindow(sheet.window, timeAt(sheet, at.x), ZOOM_STEP ** (dy / STEP_PIXELS)));
+      return;
+    }
+    // With Shift some systems turn the wheel to the side by themselves.
+    const sideways = Math.abs(dx) > Math.abs(dy) ? dx : event.shiftKey ? dy : 0;
+    if (sideways) host.look(panWindow(sheet.window, sideways * secondsPerPixel(sheet)));
+    else host.scrollBy(dy);
+  }
+
+  private onDoubleClick(event: MouseEvent): void {
+    const hit = this.hitAt(this.placeOf(event));
+    if (hit.kind !== 'keys' || event.shiftKey || event.ctrlKey || event.metaKey) return;
+    this.host.wb.transport.update((p) => ({ ...p, timeSeconds: hit.timeSeconds, playing: false }));
+  }
+
+  private onMenu(event: MouseEvent): void {
+    event.preventDefault();
+    if (this.dragging) return;
+    const hit = this.hitAt(this.placeOf(event));
+    this.host.menu(hit, { x: event.clientX, y: event.clientY });
+  }
+}

@@ -1,0 +1,25 @@
+/** What the dope sheet shows at one moment: all that drawing needs, and nothing it may change. */
+import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import type { Box } from '../curves/scene/scene.ts';
+import type { SheetKeys } from './hit.ts';
+import type { Sheet } from './sheet.ts';
+
+export interface DopeScene extends SheetKeys {
+  readonly sheet: Sheet;
+  readonly curves: CompiledClip;
+  readonly selected: readonly ChannelKeys[];
+  /** Its rows stand out. */
+  readonly selectedJoint: number | undefined;
+  /** What is played, seconds of the transport. */
+  readonly range: readonly [number, number];
+  readonly framesPerSecond: number;
+  readonly inFrames: boolean;
+}
+
+export interface DopeOverlay {
+  readonly timeSeconds: number;
+  readonly box?: Box | undefined;
+  /** Beside the pointer, during a drag. */
+  readonly readout?: { readonly x: number; readonly y: number; readonly text: string } | undefined;
+}

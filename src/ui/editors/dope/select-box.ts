@@ -1,0 +1,51 @@
+/** Dragging a box over diamonds. Its first corner stays on its time and row when the sheet is scrolled or zoomed. */
+import { unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import type { Box } from '../curves/scene/scene.ts';
+import { selectedKeys, selectKeys } from '../timeline/in-hand.ts';
+import type { DopeHost, Gesture, Pointer } from './gesture.ts';
+import { keysInBox } from './hit.ts';
+import { HEAD, rowsTop, timeAt, xOf } from './sheet.ts';
+
+export class SelectBox implements Gesture {
+  box: Box | undefined;
+  private readonly before: readonly ChannelKeys[];
+  private readonly seconds: number;
+  /** Pixels below the sheet's top, were the rows not scrolled. */
+  private readonly down: number;
+
+  /** @param onSummary whole columns: the summary stands for all rows */
+  constructor(
+    private readonly host: DopeHost,
+    private readonly from: Pointer,
+    private readonly onSummary: boolean,
+  ) {
+    const sheet = host.sheet();
+    this.before = selectedKeys(host.wb);
+    this.seconds = timeAt(sheet, from.x);
+    this.down = from.y + sheet.scrollTop;
+  }
+
+  move(at: Pointer): void {
+    const { wb } = this.host;
+    const sheet = this.host.sheet();
+    const x0 = xOf(sheet, this.seconds);
+    const top = rowsTop(sheet);
+    this.box = this.onSummary
+      ? { x0, y0: HEAD, x1: at.x, y1: top }
+      : { x0, y0: this.down - sheet.scrollTop, x1: at.x, y1: Math.min(sheet.height, Math.max(top, at.y)) };
+    const inside = keysInBox(sheet, this.host.shown(), this.box, this.onSummary);
+    if (this.from.shift) selectKeys(wb, unionKeys(this.before, inside));
+    else selectKeys(wb, this.from.ctrl ? withoutKeys(this.before, inside) : inside);
+  }
+
+  release(_at: Pointer, moved: boolean): void {
+    this.box = undefined;
+    if (!moved && !this.from.shift && !this.from.ctrl) selectKeys(this.host.wb, []);
+  }
+
+  cancel(): void {
+    this.box = undefined;
+    selectKeys(this.host.wb, this.before);
+  }
+}

@@ -1,0 +1,57 @@
+/** The dope sheet's few controls: a filter over the names, and switches in the row of the tabs. */
+
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { tryAction } from '../../shell/keys.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+/** Switches and what their tooltips say of them. */
+const SWITCHES: Readonly<Record<string, string>> = {
+  'dope.ripples': 'Ripple: dragged keys take all later ones along; Alt while dragging does the other',
+  'timeline.snapsToFrames': 'Snap to frames; Ctrl while dragging does the other',
+  'dope.allRows': 'Rows without keys too',
+};
+
+export function dopeTools(wb: Workbench): HTMLElement {
+  const tools = element('div', { class: 'tools dope-tools', role: 'toolbar', 'aria-label': 'Dope sheet' });
+  const actions = actionsOf(wb);
+  for (const [id, text] of Object.entries(SWITCHES)) {
+    const action = actions.find((a) => a.id === id);
+    if (!action?.icon) continue;
+    const made = keepsFocusElsewhere(
+      button(text.split(/[:;]/)[0], { class: 'tool' }, icon(action.icon), () => tryAction(wb, action)),
+    );
+    keepTooltip(wb, made, id, () => text);
+    const show = () => setAttribute(made, 'aria-pressed', String(action.checked?.(wb) ?? false));
+    wb.timeline.view.subscribe(show);
+    show();
+    tools.append(made);
+  }
+  return tools;
+}
+
+/** Part of a joint's or a channel's name: one filter for curves and dope sheet. */
+export function dopeFilter(wb: Workbench): HTMLElement {
+  const input = element('input', {
+    type: 'search',
+    'aria-label': 'Filter the rows by name',
+    placeholder: 'Filter',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  const show = () => {
+    const { filter } = wb.timeline.view.get();
+    if (input.value !== filter) input.value = filter;
+  };
+  input.addEventListener('input', () => wb.timeline.change({ filter: input.value }));
+  input.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape' || !input.value) return;
+    event.preventDefault();
+    wb.timeline.change({ filter: '' });
+  });
+  wb.timeline.view.subscribe(show);
+  show();
+  return element('div', { class: 'search dope-filter' }, icon('search'), input);
+}

@@ -1,0 +1,83 @@
+/** Beside the switch of modes: the selected joint's DOFs, the active one pressed, and what those follow that can't be. */
+import { coupleOf } from '../../../model/couples.ts';
+import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
+import { selectedJoint } from '../../state/selected-joint.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { coupleText } from '../inspector/dof-rows.ts';
+import { activeDof, chooseDof, dofsByHand, dofsOfJoint } from '../posing/active-dof.ts';
+import { channelName, namedChannel } from '../timeline/channels.ts';
+
+export function dofButtons(wb: Workbench): { readonly element: HTMLElement; readonly dispose: () => void } {
+  const group = element('div', { class: 'dof-buttons tools', role: 'radiogroup', 'aria-label': 'Active DOF' });
+  const show = () => {
+    const selected = selectedJoint(wb);
+    group.hidden = selected === undefined;
+    if (!selected) return;
+    const { character, skeleton } = selected;
+    const all = characterDofs(skeleton, []);
+    const own = dofsOfJoint(selected);
+    const byHand = dofsByHand(selected);
+    const active = activeDof(wb);
+    const hadFocus = group.contains(document.activeElement);
+    const parts = own.flatMap((dof) => {
+      const couple = coupleOf(skeleton, dof);
+      if (couple) {
+        const followed = channelName(namedChannel(character, couple.follows));
+        const title = `${all[dof].name} ${coupleText(couple, all[dof], character, wb.settings.get().angles)}`;
+        return [element('span', { class: 'dof-note', title }, `${all[dof].name} ← ${followed}`)];
+      }
+      return byHand.includes(dof)
+        ? [dofButton(wb, dof, all[dof].name, axisOfDof(character.skeleton, all[dof]), dof === active)]
+        : [];
+    });
+    if (!own.length) parts.push(element('span', { class: 'dof-note' }, 'fixed: no DOF'));
+    else if (!parts.length) parts.push(element('span', { class: 'dof-note' }, 'turns freely'));
+    group.replaceChildren(...parts);
+    if (hadFocus) group.querySelector<HTMLElement>('[aria-checked=true]')?.focus();
+  };
+  group.addEventListener('keydown', (event) => {
+    const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    const selected = selectedJoint(wb);
+    const now = activeDof(wb);
+    if (!step || !selected || now === undefined) return;
+    event.preventDefault();
+    const dofs = dofsByHand(selected);
+    chooseDof(wb, dofs[(dofs.indexOf(now) + step + dofs.length) % dofs.length]);
+  });
+  let skeleton = selectedJoint(wb)?.skeleton;
+  const stops = [
+    wb.posing.chosenDof.subscribe(show),
+    wb.store.subscribe((now, before) => {
+      const next = selectedJoint(wb)?.skeleton;
+      if (now.selection !== before.selection || next !== skeleton) show();
+      skeleton = next;
+    }),
+  ];
+  show();
+  return { element: group, dispose: () => stops.forEach((stop) => void stop()) };
+}
+
+function dofButton(
+  wb: Workbench,
+  dof: number,
+  name: string,
+  axis: AxisLetter | undefined,
+  isActive: boolean,
+): HTMLElement {
+  const made = element(
+    'button',
+    {
+      type: 'button',
+      class: `tool dof-button axis-${axis ?? 'other'}`,
+      role: 'radio',
+      'aria-checked': String(isActive),
+      title: `${name}: turned by dragging the bone up or down`,
+      tabindex: isActive ? 0 : -1,
+    },
+    name,
+  );
+  made.addEventListener('click', () => chooseDof(wb, dof));
+  return keepsFocusElsewhere(made);
+}

@@ -1,0 +1,192 @@
+/**
+ * From the hand's way to values of DOFs: one mover for each thing that can be taken hold of. They are made when a drag
+ * begins, with the pose as it stands then.
+ */
+import type { DofValue } from '../../../edit/commands/pose.ts';
+import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
+import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
+import { Turning } from '../../../view/gizmo/free-turn.ts';
+import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
+import {
+  type Handle,
+  type HandleId,
+  type JointHandles,
+  jointHandles,
+  sameHandle,
+} from '../../../view/gizmo/handles.ts';
+import {
+  diagonalMeasure,
+  lineOfSight,
+  type Measure,
+  rollMeasure,
+  type Sight,
+  slideMeasure,
+  turnMeasure,
+  upMeasure,
+  viewTurnMeasure,
+} from '../../../view/gizmo/pointer-measures.ts';
+import { BALL_PART, shearPart } from '../../../view/gizmo/shapes.ts';
+import type { SelectedJoint } from '../../state/selected-joint.ts';
+import { SNAP_ANGLE, snapStep } from '../posing/active-dof.ts';
+import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+import { DraggedValue, type HandWants } from './dragged-value.ts';
+
+/** What a drag has come to. */
+export interface Moved {
+  readonly dofs: readonly DofValue[];
+  /** As the gizmo shows it. */
+  readonly handle: DraggedHandle;
+  /** DOFs that limits hold, or that are past them. */
+  readonly stops: readonly { readonly dof: number; readonly limit: number }[];
+  /** Radians turned since the press, where that is what is told. */
+  readonly turned?: number;
+}
+
+export type Mover = (at: CanvasPointer) => Moved;
+
+/** Where a drag begins. */
+export interface Grip {
+  readonly selected: SelectedJoint;
+  /** The pose at that moment. */
+  readonly dofs: Float64Array;
+  /** 16, from the character's space to the world. */
+  readonly placement: Float64Array;
+  readonly sight: Sight;
+  /** Of the rings, CSS pixels. */
+  readonly radius: number;
+  readonly at: CanvasPointer;
+}
+
+/** Radians a pixel that the bone is dragged up. */
+const BONE_TURN = Math.PI / 360;
+const BONE_FACTOR = 0.01;
+
+export const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWants => ({
+  fine: shiftKey,
+  snap: ctrlKey || metaKey,
+});
+
+/** Of a handle; undefined where the joint does not have it. */
+export function handleMover(id: HandleId, grip: Grip): Mover | undefined {
+  const joint = handlesOf(grip);
+  const handle = joint.handles.find((h) => sameHandle(h.id, id));
+  if (id.kind === 'dof') return handle && dofMover(handle, grip, handleMeasure(handle, grip), true);
+  if (!joint.freeTurn) return undefined;
+  if (id.kind === 'ball') return rollMover(joint, grip);
+  const { sight, at } = grip;
+  if (id.kind === 'view') {
+    const axis = lineOfSight(sight, joint.pivot);
+    return freeMover(id, axis, viewTurnMeasure(sight, joint.pivot, at.clientX, at.clientY), joint, grip);
+  }
+  return handle && freeMover(id, handle.axis, handleMeasure(handle, grip), joint, grip);
+}
+
+/** Of the bone itself, dragged up and down: the DOF turns or moves; a joint that has none to turn is rolled. */
+export function boneMover(dof: number | undefined, grip: Grip): Mover | undefined {
+  const joint = handlesOf(grip);
+  if (dof === undefined) return joint.freeTurn && rollMover(joint, grip);
+  const handle = joint.handles.find(({ id }) => id.kind === 'dof' && id.dof === dof);
+  return handle && dofMover(handle, grip, boneMeasure(handle, grip), false);
+}
+
+function handlesOf({ selected: { skeleton, joint }, dofs, placement }: Grip): JointHandles {
+  const world = worldOf(skeleton, dofs);
+  return jointHandles(skeleton, joint, dofs, world, placement);
+}
+
+function worldOf(skeleton: SelectedJoint['skeleton'], dofs: Float64Array): Float64Array {
+  const world = new Float64Array(16 * skeleton.joints.length);
+  worldMatrices(compileSkeleton(skeleton), dofs, world);
+  return world;
+}
+
+/** A handle's way in the DOF's own unit. */
+function handleMeasure(handle: Handle, { sight, radius, at }: Grip): Measure {
+  const { kind, axis, centre, reach, arm, range } = handle;
+  const { clientX, clientY } = at;
+  const size = radius * sight.unitsPerPixel(centre);
+  const per = (measure: Measure, unit: number): Measure => {
+    return (x, y) => measure(x, y) / unit;
+  };
+  // A factor doubles by a handle's length; what is large already, sooner.
+  const factor = Math.max(1, Math.abs(range.value));
+  switch (kind) {
+    case 'turn':
+      return turnMeasure(sight, axis, centre, size, clientX, clientY);
+    case 'slide':
+      return per(slideMeasure(sight, axis, centre, clientX, clientY), reach);
+    case 'stretch':
+      return per(slideMeasure(sight, axis, centre, clientX, clientY), size / factor);
+    case 'grow':
+      return per(diagonalMeasure(clientX, clientY), radius / factor);
+    case 'shear': {
+      const far = (shearPart(handle) * size) / (Math.hypot(...(arm ?? axis)) || 1);
+      return per(slideMeasure(sight, axis, centre, clientX, clientY), far * reach);
+    }
+  }
+}
+
+function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: Grip): Measure {
+  const up = upMeasure(at.clientY);
+  const isFactor = kind === 'stretch' || kind === 'grow' || kind === 'shear';
+  const perPixel = isFactor
+    ? BONE_FACTOR * Math.max(1, Math.abs(range.value))
+    : kind === 'slide'
+      ? sight.unitsPerPixel(centre) / reach
+      : BONE_TURN;
+  return (x, y) => perPixel * up(x, y);
+}
+
+function dofMover(handle: Handle, { selected, dofs }: Grip, measure: Measure, sticks: boolean): Mover {
+  const { character, skeleton } = selected;
+  const { dof, range, id } = handle;
+  const from = dofs[dof];
+  const step = snapStep(characterDofs(skeleton, [])[dof], skeleton);
+  const limits = { min: range.min, max: range.max, hold: character.clampsToLimits };
+  const dragged = new DraggedValue(from, limits, step, sticks);
+  return (at) => {
+    const { value, stop } = dragged.by(measure(at.clientX, at.clientY), wantsOf(at));
+    const stops = stop ? [{ dof, limit: range[stop] }] : [];
+    return { dofs: [{ index: dof, value }], handle: { id, from, stop }, stops };
+  };
+}
+
+/** About an axis that stays where it was at the press. */
+function freeMover(id: HandleId, axis: Handle['axis'], measure: Measure, joint: JointHandles, grip: Grip): Mover {
+  const turning = turningOf(joint, grip);
+  const angle = new DraggedValue(0, { min: 1, max: 0, hold: false }, SNAP_ANGLE, true);
+  let turned = 0;
+  return (at) => {
+    const { value } = angle.by(measure(at.clientX, at.clientY), wantsOf(at));
+    turning?.by(axis, value - turned);
+    turned = value;
+    return { ...freeResult(id, turning, grip), turned };
+  };
+}
+
+function rollMover(joint: JointHandles, grip: Grip): Mover {
+  const { sight, radius, at } = grip;
+  const turning = turningOf(joint, grip);
+  const roll = rollMeasure(sight, joint.pivot, BALL_PART * radius, at.clientX, at.clientY);
+  return (next) => {
+    const by = roll(next.clientX, next.clientY);
+    if (by) turning?.by(by.axis, wantsOf(next).fine ? 0.1 * by.angle : by.angle);
+    return freeResult({ kind: 'ball' }, turning, grip);
+  };
+}
+
+function turningOf({ freeTurn }: JointHandles, { selected: { skeleton }, dofs, placement }: Grip): Turning | undefined {
+  return freeTurn && new Turning(skeleton, freeTurn, dofs, worldOf(skeleton, dofs), placement);
+}
+
+function freeResult(id: HandleId, turning: Turning | undefined, { selected: { skeleton } }: Grip): Moved {
+  const all: readonly CharacterDof[] = characterDofs(skeleton, []);
+  const values = turning?.result ?? [];
+  const dofs = (turning?.turn.dofs ?? []).map((index, i) => ({ index, value: values[i] }));
+  const stops = dofs.flatMap(({ index, value }) => {
+    const { min, max } = all[index].limit;
+    if (min > max || (value > min && value < max)) return [];
+    return [{ dof: index, limit: value <= min ? min : max }];
+  });
+  return { dofs, handle: { id, from: 0, stop: undefined }, stops };
+}

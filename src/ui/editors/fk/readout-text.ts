@@ -1,0 +1,31 @@
+/** What stands beside the pointer while something is dragged: `rx 34.2°`, `rx 90.0° · limit 90°`. */
+import type { Character } from '../../../model/document.ts';
+import type { CharacterDof } from '../../../model/dofs.ts';
+import { aligned, shown } from '../../kit/number-text.ts';
+import { shownPerUnit, unitText } from '../../state/angles.ts';
+import { lengthUnit } from '../../state/length-unit.ts';
+import type { Settings } from '../../state/settings.ts';
+
+type Unit = Pick<CharacterDof, 'name' | 'unit'>;
+
+export function valueText(dof: Unit, value: number, character: Character, angles: Settings['angles']): string {
+  const decimals = dof.unit === 'angle' && angles === 'degrees' ? 1 : 3;
+  const text = aligned(value * shownPerUnit(dof.unit, angles), decimals).replace(/^-/, '−');
+  return `${dof.name} ${text}${unitOf(dof, character, angles)}`;
+}
+
+/** @param holds whether the limit stops the hand, or is only told to be behind it */
+export function limitNote(
+  dof: Unit,
+  limit: number,
+  holds: boolean,
+  character: Character,
+  angles: Settings['angles'],
+): string {
+  const text = shown(limit * shownPerUnit(dof.unit, angles), 2).replace(/^-/, '−');
+  return `${holds ? 'limit' : 'past its limit'} ${text}${unitOf(dof, character, angles)}`;
+}
+
+function unitOf({ unit }: Unit, character: Character, angles: Settings['angles']): string {
+  return unit === 'length' ? ` ${lengthUnit(character)}` : unitText(unit, angles);
+}

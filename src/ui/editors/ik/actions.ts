@@ -1,0 +1,116 @@
+/** Inverse kinematics: pins, joints that are locked, whether the whole travels. Its scripts are fetched when asked for. */
+import { defaultIk } from '../../../model/ik.ts';
+import { type Action, currentCharacter } from '../../state/action.ts';
+import { selectedJoint } from '../../state/selected-joint.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+const MENU = 'Edit/Pins';
+const edits = () => import('./pin-edits.ts');
+const ikOfCurrent = (wb: Workbench) => {
+  const character = currentCharacter(wb);
+  return character?.skeleton && (character.ik ?? defaultIk(character.skeleton));
+};
+const hasPins = (wb: Workbench) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0;
+const NO_PINS = 'The character has no pins.';
+const NO_JOINT = 'No joint is selected.';
+
+const hasJoint = (wb: Workbench) => selectedJoint(wb) !== undefined;
+const isPinned = (wb: Workbench) => {
+  const joint = selectedJoint(wb)?.joint;
+  return ikOfCurrent(wb)?.pins.some((pin) => pin.joint === joint) ?? false;
+};
+const isLocked = (wb: Workbench) => {
+  const joint = selectedJoint(wb)?.joint;
+  return ikOfCurrent(wb)?.stiff.some((one) => one.joint === joint && one.stiffness === undefined) ?? false;
+};
+
+export const IK_ACTIONS: readonly Action[] = [
+  {
+    id: 'ik.pinJoint',
+    name: 'Pin the selected joint, or let it go',
+    label: (wb) => (isPinned(wb) ? 'Let the selected joint go' : 'Pin the selected joint'),
+    group: 'Pose',
+    menu: MENU,
+    section: 1,
+    shortcuts: ['Y'],
+    enabled: hasJoint,
+    whyNot: () => NO_JOINT,
+    async run(wb) {
+      const { togglePin } = await edits();
+      const found = selectedJoint(wb);
+      if (found) togglePin(wb, found.character, found.joint);
+    },
+  },
+  {
+    id: 'ik.lockJoint',
+    label: 'Lock the selected joint',
+    group: 'Pose',
+    menu: MENU,
+    section: 1,
+    shortcuts: ['Shift+Y'],
+    enabled: hasJoint,
+    whyNot: () => NO_JOINT,
+    checked: isLocked,
+    async run(wb) {
+      const { toggleLock } = await edits();
+      const found = selectedJoint(wb);
+      if (found) toggleLock(wb, found.character, found.joint);
+    },
+  },
+  {
+    id: 'ik.rootFree',
+    label: 'Root travels',
+    detail: 'The character moves as a whole where a pin asks for it',
+    group: 'Pose',
+    menu: MENU,
+    section: 2,
+    enabled: (wb) => ikOfCurrent(wb) !== undefined,
+    checked: (wb) => ikOfCurrent(wb)?.rootIsFree ?? false,
+    async run(wb) {
+      const { freeRoot } = await edits();
+      const character = currentCharacter(wb);
+      const now = ikOfCurrent(wb);
+      if (character && now) freeRoot(wb, character.id, !now.rootIsFree);
+    },
+  },
+  {
+    id: 'ik.letAllGo',
+    label: 'Let all pins go',
+    group: 'Pose',
+    menu: MENU,
+    section: 2,
+    enabled: hasPins,
+    whyNot: () => NO_PINS,
+    async run(wb) {
+      const { letAllGo } = await edits();
+      const character = currentCharacter(wb);
+      if (character) letAllGo(wb, character.id);
+    },
+  },
+  {
+    id: 'ik.solve',
+    label: 'Solve the pins from anywhere',
+    detail: 'Looks for a pose further away where a drag is stuck',
+    group: 'Pose',
+    menu: MENU,
+    section: 3,
+    enabled: hasPins,
+    whyNot: () => NO_PINS,
+    async run(wb) {
+      const { solvePins } = await import('./solve-pins.ts');
+      const character = currentCharacter(wb);
+      if (character) solvePins(wb, character);
+    },
+  },
+  {
+    id: 'ik.holdPins',
+    label: 'Hold the pins over a range…',
+    detail: 'Foot lock: baked into the take',
+    group: 'Pose',
+    menu: MENU,
+    section: 3,
+    enabled: hasPins,
+    whyNot: () => NO_PINS,
+    run: (wb) => wb.dialog.set('holdPins'),
+  },
+];

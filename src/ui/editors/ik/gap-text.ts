@@ -1,0 +1,70 @@
+/** What to say of a pin that can't be where it should be: what stands in the way. */
+
+import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
+import type { Character } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+
+/** Limits named at once; the rest is counted. */
+const MOST_NAMED = 3;
+/** Of pins and locks, whose names are all that is said. */
+const MOST_JOINTS = 2;
+
+/**
+ * `knee_l rx at its limit`, `knee_l is locked`, or both; where neither is in the way what else it is: pins that hold, or
+ * a root that stays.
+ */
+export function gapText(character: Character, joint: number, hindrance: Hindrance): string {
+  const { binding, holders, locks, canMove, rootStays } = hindrance;
+  if (!canMove && rootStays) return 'the root stays: let it travel';
+  const limits = canMove ? limitsText(character, joint, binding) : '';
+  const locked = locks.length > 0 ? locksText(character, joint, locks) : '';
+  if (limits || locked) return [limits, locked].filter((part) => part !== '').join(', ');
+  return canMove ? outOfReach(character, [...new Set(holders)], joint, rootStays) : 'nothing here is free to move';
+}
+
+/** Limits on the way from the joint to the root come first, nearest first: those are the ones that one sees. */
+function limitsText(character: Character, joint: number, binding: readonly number[]): string {
+  const { skeleton } = character;
+  if (!skeleton || binding.length === 0) return '';
+  const dofs = characterDofs(skeleton, character.morphs);
+  const onWay = wayToRoot(character, joint);
+  const place = (dof: number) => {
+    const at = onWay.indexOf(dofs[dof]?.joint ?? -1);
+    return at < 0 ? onWay.length : at;
+  };
+  const ordered = [...binding].sort((a, b) => place(a) - place(b) || a - b);
+  const named = ordered.slice(0, MOST_NAMED).map((dof) => {
+    const { joint: of = -1, name = '' } = dofs[dof] ?? {};
+    return `${jointName(character.skeleton, of)} ${name}`;
+  });
+  const more = ordered.length - named.length;
+  const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
+  return ordered.length === 1 ? `${list} at its limit` : `${list} at their limits`;
+}
+
+function locksText({ skeleton }: Character, joint: number, locks: readonly number[]): string {
+  // Its name stands before all this.
+  if (locks.length === 1 && locks[0] === joint) return 'it is locked';
+  return `${namesOf(skeleton, locks)} ${locks.length === 1 ? 'is' : 'are'} locked`;
+}
+
+function namesOf(skeleton: Skeleton | undefined, joints: readonly number[]): string {
+  const named = joints.slice(0, MOST_JOINTS).map((joint) => jointName(skeleton, joint));
+  const more = joints.length - named.length;
+  return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(' and ');
+}
+
+function outOfReach({ skeleton }: Character, holders: readonly number[], joint: number, rootStays: boolean): string {
+  const others = holders.filter((other) => other !== joint);
+  if (others.length === 0) return rootStays ? 'out of reach while the root stays' : 'out of reach';
+  return `out of reach while ${namesOf(skeleton, others)} ${others.length === 1 ? 'holds' : 'hold'}`;
+}
+
+/** The joint, its parent, and so on. */
+function wayToRoot({ skeleton }: Character, joint: number): number[] {
+  const way: number[] = [];
+  for (let j = joint; j >= 0; j = skeleton?.joints[j]?.parent ?? -1) way.push(j);
+  return way;
+}

@@ -1,0 +1,129 @@
+/** Holding pins over a range of time (*foot lock*): what is asked, and what it came to. */
+import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
+import type { HeldTake } from '../../../edit/hold/hold.ts';
+import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import type { Extrapolation } from '../../../model/clip.ts';
+import { type Character, shownClip } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { element } from '../../kit/dom.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { toolDialog } from '../timeline/tool-dialog.ts';
+import { selectedPin } from './in-hand.ts';
+
+const TITLE = 'Hold pins';
+/** How long the way to the held place takes, and that back: seconds. */
+const EASE_SECONDS = 0.1;
+/** What is longer than that is held when it is asked for. */
+const QUICK_SECONDS = 2;
+/** About as long as a foot stands. */
+const STEP_SECONDS = 0.5;
+/** Curves named at once; the rest is counted. */
+const MOST_NAMED = 3;
+
+export function holdDialog(wb: Workbench, close: () => void): DialogContent {
+  const character = currentCharacter(wb);
+  const pins = character ? ikOf(character).pins : [];
+  if (!character || pins.length === 0) return nothing('No point of the character is pinned: pin one in IK mode first.');
+  if (!shownClip(character)) return nothing(`${character.name} shows no take: nothing moves that could be held.`);
+  const { range: played, timeSeconds, framesPerSecond } = wb.transport.get();
+  const range = firstRange(played, timeSeconds);
+  const all = pins.length === 1 ? 'The pin' : `All ${pins.length} pins`;
+  const selected = selectedPin(wb);
+  const chosen = selected?.character.id === character.id ? String(selected.pin.id) : 'all';
+  const dialog = toolDialog<HoldPins>(wb, close, {
+    name: 'holdPins',
+    title: TITLE,
+    about:
+      'What is pinned stays where it is at one moment for all of a range, as a foot that is not to slide; the take gets ' +
+      'keys for it, or other frames where it has frames.',
+    asked: [
+      {
+        kind: 'choice',
+        name: 'pins',
+        label: 'Pins',
+        value: chosen,
+        options: [
+          ['all', all],
+          ...pins.map(({ id, joint }) => [String(id), jointName(character.skeleton, joint)] as const),
+        ],
+      },
+      { kind: 'number', name: 'from', label: 'From', value: tidy(range[0]), unit: 's' },
+      { kind: 'number', name: 'to', label: 'To', value: tidy(range[1]), unit: 's' },
+      { kind: 'number', name: 'at', label: 'Where it is at', value: tidy(timeSeconds), unit: 's' },
+      { kind: 'number', name: 'ease', label: 'Way there and back', value: EASE_SECONDS, unit: 's' },
+    ],
+    command: holdPins,
+    args: (answers) => {
+      const which = answers.choice('pins');
+      return {
+        characterId: character.id,
+        pins: which === 'all' ? pins.map(({ id }) => id) : [Number(which)],
+        range: [answers.number('from'), answers.number('to')],
+        atSeconds: answers.number('at'),
+        framesPerSecond,
+        easeSeconds: answers.number('ease'),
+      };
+    },
+    takesLong: ({ range: [from, to] }) => Math.min(to, played[1]) - Math.max(from, played[0]) > QUICK_SECONDS,
+    *steps(document, args) {
+      const { edit, report } = yield* holdSteps(document, args);
+      const warning = writtenOutText(character, report);
+      return { change: edit, text: heldText(report), ...(warning && { warning }) };
+    },
+    result: () => '',
+  });
+  // What it comes to is seen in the viewport.
+  return { ...dialog, kind: `${dialog.kind} is-aside` };
+}
+
+/** Short enough to be held while one looks: all that is played, or a step from now on. */
+export function firstRange([start, end]: readonly [number, number], now: number): readonly [number, number] {
+  if (end - start <= QUICK_SECONDS) return [start, end];
+  const from = Math.min(Math.max(now, start), end - STEP_SECONDS);
+  return [from, from + STEP_SECONDS];
+}
+
+/** Of curves that repeated: what was said by one period is said by keys now, over what is played and no further. */
+export function writtenOutText(before: Character, { clip, channels }: Pick<HeldTake, 'clip' | 'channels'>): string {
+  const own = shownClip(before);
+  const dofs = characterDofs(before.skeleton, before.morphs);
+  const names = channels
+    .filter((channel) => {
+      const [was, now] = [own?.channels[channel], clip.channels[channel]];
+      if (!was || was.times.length < 2) return false;
+      const isLost = (side: 'extrapolateIn' | 'extrapolateOut') => isRepetition(was[side]) && !isRepetition(now[side]);
+      return isLost('extrapolateIn') || isLost('extrapolateOut');
+    })
+    .map((channel) => `${jointName(before.skeleton, dofs[channel].joint)} ${dofs[channel].name}`);
+  if (names.length === 0) return '';
+  const named = names.slice(0, MOST_NAMED);
+  const more = names.length - named.length;
+  const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
+  return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys stand for it over what is played.`;
+}
+
+function isRepetition(side: Extrapolation): boolean {
+  return side !== 'constant' && side !== 'linear';
+}
+
+/** `12 curves changed; slides at most 0.0001 where it slid 0.21.` */
+function heldText({ channels, pins, unreached }: HeldTake): string {
+  if (channels.length === 0) return 'Nothing has to change: it stays there anyway.';
+  const most = (of: (pin: HeldTake['pins'][number]) => number) => shown(Math.max(...pins.map(of)), 4);
+  const slides = `slides at most ${most((pin) => pin.slideAfter)} where it slid ${most((pin) => pin.slideBefore)}`;
+  const missed = unreached > 0 ? ` Out of reach in ${plural(unreached, 'frame')}.` : '';
+  return `${plural(channels.length, 'curve')} changed; ${slides}.${missed}`;
+}
+
+/** To the tenth of a millisecond: a playhead stands anywhere between two frames. */
+function tidy(seconds: number): number {
+  return Number(seconds.toFixed(4));
+}
+
+function nothing(why: string): DialogContent {
+  return { title: TITLE, body: element('p', { class: 'faint' }, why), kind: 'tool-dialog' };
+}

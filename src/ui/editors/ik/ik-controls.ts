@@ -1,0 +1,66 @@
+/** Beside the switch of modes: whether the whole may travel, letting go of all pins, and what to do first. */
+import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { runAction } from '../../shell/actions.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { whileShown } from '../posing/while-shown.ts';
+import { ikInHand } from './in-hand.ts';
+
+/** Made once; it follows the page while it is shown. */
+export function ikControls(wb: Workbench): HTMLElement {
+  const root = keepsFocusElsewhere(
+    button('Root travels', { class: 'tool ik-root' }, 'Root travels', () => runAction(wb, 'ik.rootFree')),
+  );
+  const rootTitle = keepTooltip(wb, root, 'ik.rootFree', () => {
+    const character = currentCharacter(wb);
+    if (!character) return 'Whether the whole character travels';
+    return ikOf(character).rootIsFree
+      ? `${character.name} travels as a whole where a pin asks for it`
+      : `${character.name} stays where it is: only its joints bend`;
+  });
+  const all = keepsFocusElsewhere(
+    button('Let all pins go', { class: 'tool' }, 'Let all go', () => runAction(wb, 'ik.letAllGo')),
+  );
+  keepTooltip(wb, all, 'ik.letAllGo', () => 'Let all pins of the character go');
+  const hold = keepsFocusElsewhere(
+    button('Hold the pins over a range', { class: 'tool' }, 'Hold…', () => runAction(wb, 'ik.holdPins')),
+  );
+  keepTooltip(wb, hold, 'ik.holdPins', () => 'Hold the pins over a range of the take');
+  const hint = element('span', { class: 'ik-hint', role: 'note' });
+  const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
+  const inHand = ikInHand(wb);
+  const show = () => {
+    const character = currentCharacter(wb);
+    const setup = character?.skeleton && ikOf(character);
+    root.disabled = setup === undefined;
+    all.disabled = hold.disabled = !setup?.pins.length;
+    setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
+    setText(root, setup?.rootIsFree === false ? 'Root stays' : 'Root travels');
+    root.classList.toggle('asked', setup?.rootIsFree === false && inHand.wantsRoot.get());
+    rootTitle();
+    setText(hint, hintText(setup?.pins.length ?? 0));
+    hint.hidden = inHand.hasDragged.get() || setup === undefined;
+  };
+  const showSoon = oncePerFrame(show);
+  const controls = element('div', { class: 'ik-controls' }, tools, hint);
+  whileShown(wb.posing, controls, () => {
+    show();
+    return [
+      wb.store.subscribe((now, before) => {
+        if (now.document.characters !== before.document.characters || now.selection !== before.selection) showSoon();
+      }),
+      inHand.hasDragged.subscribe(show),
+      inHand.wantsRoot.subscribe(showSoon),
+    ];
+  });
+  return controls;
+}
+
+/** What to do first, and what next. */
+export function hintText(pins: number): string {
+  if (pins === 0) return 'Click pins a point; drag any other: pins hold.';
+  return 'Drag any point: pins hold. Click a pin to let it go.';
+}

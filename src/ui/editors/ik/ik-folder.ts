@@ -1,0 +1,234 @@
+/**
+ * Inverse kinematics in the inspector: whether the whole travels, how the selected joint bends, and the pins, each with
+ * what it holds. Shown in IK mode, and for whoever has pins.
+ */
+
+import type { GUI } from 'lil-gui';
+import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import { type Character, findCharacter } from '../../../model/document.ts';
+import type { Pin } from '../../../model/ik.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { button, element, setAttribute, setText } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { NumberField } from '../../kit/number-field.ts';
+import { inField } from '../../kit/number-text.ts';
+import { runAction } from '../../shell/actions.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { ikInHand, type PinRef, selectedPin } from './in-hand.ts';
+import { changePin, freeRoot, letGo, selectPin, stiffen } from './pin-edits.ts';
+import { pointName } from './pin-picture.ts';
+
+/** How stiff a joint is that has just been made so. */
+const USUAL_STIFFNESS = 4;
+
+type Bending = 'usual' | 'stiff' | 'locked';
+const BENDING: readonly (readonly [Bending, string])[] = [
+  ['usual', 'as usual'],
+  ['stiff', 'stiffer'],
+  ['locked', 'locked'],
+];
+
+/** A pin's row, kept while the pin is there. */
+interface Row {
+  readonly element: HTMLElement;
+  show(pin: Pin, character: Character): void;
+}
+
+export class IkFolder {
+  private readonly root = element('input', { type: 'checkbox', id: 'ik-root' });
+  private readonly joint = element('span', { class: 'ik-joint' });
+  private readonly bending = element(
+    'select',
+    { 'aria-label': 'How the selected joint bends' },
+    ...BENDING.map(([value, text]) => element('option', { value }, text)),
+  );
+  private readonly stiffness: NumberField;
+  private readonly jointRow: HTMLElement;
+  private readonly list = element('ul', { class: 'ik-pins', 'aria-label': 'Pins' });
+  private readonly empty = element('p', { class: 'faint' }, 'No pins: in IK mode click a point of the character.');
+  private readonly note = element(
+    'p',
+    { class: 'faint' },
+    'While IK is on, drags, sliders and numbers keep pinned points in place; in FK they move.',
+  );
+  private readonly hold: HTMLButtonElement;
+  private readonly rows = new Map<number, Row>();
+  private characterId: string | undefined;
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly folder: GUI,
+  ) {
+    this.stiffness = new NumberField({
+      label: 'How stiff: 1 is as usual, 4 half as far for the same need',
+      text: (value) => inField(value, 3),
+      commit: (value) => this.bend(value),
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
+      step: 1,
+    });
+    const bends = element('label', { class: 'ik-bends' }, element('span', { class: 'faint' }, 'Bends'), this.bending);
+    this.jointRow = element('div', { class: 'ik-row' }, this.joint, bends, this.stiffness.element);
+    this.hold = button('Hold the pins over a range', { class: 'plain ik-hold' }, undefined, () =>
+      runAction(wb, 'ik.holdPins'),
+    );
+    this.hold.textContent = 'Hold the pins over a range…';
+    const rootRow = element(
+      'label',
+      { class: 'ik-row', for: 'ik-root' },
+      this.root,
+      'Root travels where a pin asks for it',
+    );
+    folder.$children.append(
+      element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty, this.note, this.hold),
+    );
+    this.root.addEventListener('change', () => {
+      if (this.characterId) freeRoot(wb, this.characterId, this.root.checked);
+    });
+    this.bending.addEventListener('change', () => {
+      const chosen = BENDING.find(([value]) => value === this.bending.value)?.[0] ?? 'usual';
+      this.bend(chosen === 'stiff' ? USUAL_STIFFNESS : chosen);
+    });
+    this.list.addEventListener('keydown', (event) => this.onKey(event));
+    ikInHand(wb).selected.subscribe(() => this.update());
+    wb.posing.mode.subscribe(() => this.update());
+  }
+
+  /** What is so now. */
+  update(): void {
+    const character = currentCharacter(this.wb);
+    const setup = character?.skeleton && ikOf(character);
+    this.folder.show(setup !== undefined && (this.wb.posing.mode.get() === 'ik' || setup.pins.length > 0));
+    if (character?.id !== this.characterId) this.clear();
+    this.characterId = character?.id;
+    if (!character || !setup) {
+      this.clear();
+      return;
+    }
+    this.root.checked = setup.rootIsFree;
+    this.showJoint(character);
+    this.showPins(character, setup.pins);
+  }
+
+  private showJoint(character: Character): void {
+    const { joint } = this.wb.store.selection;
+    const isChosen = joint !== undefined && this.wb.store.selection.characterId === character.id;
+    this.jointRow.hidden = !isChosen;
+    if (!isChosen) return;
+    const own = ikOf(character).stiff.find((one) => one.joint === joint);
+    const now: Bending = !own ? 'usual' : own.stiffness === undefined ? 'locked' : 'stiff';
+    setText(this.joint, jointName(character.skeleton, joint));
+    this.joint.title = `${jointName(character.skeleton, joint)}: how it bends`;
+    this.bending.value = now;
+    this.stiffness.element.hidden = now !== 'stiff';
+    this.stiffness.show(own?.stiffness ?? Number.NaN);
+  }
+
+  private showPins(character: Character, pins: readonly Pin[]): void {
+    for (const [id, row] of this.rows) {
+      if (pins.some((pin) => pin.id === id)) continue;
+      row.element.remove();
+      this.rows.delete(id);
+    }
+    this.empty.hidden = pins.length > 0;
+    this.hold.hidden = this.note.hidden = pins.length === 0;
+    for (const pin of pins) {
+      let row = this.rows.get(pin.id);
+      if (!row) {
+        row = this.rowOf({ characterId: character.id, pin: pin.id });
+        this.rows.set(pin.id, row);
+        this.list.append(row.element);
+      }
+      row.show(pin, character);
+    }
+  }
+
+  private rowOf(ref: PinRef): Row {
+    const { wb } = this;
+    const name = element('span', { class: 'ik-pin-joint' });
+    const kind = element('span', { class: 'ik-pin-point' });
+    const choose = button('Select the pin', { class: 'ik-pin-name' }, undefined, () => {
+      const pin = this.pinOf(ref);
+      if (pin) selectPin(wb, ref, pin.joint);
+    });
+    choose.append(name, kind);
+    const weight = new NumberField({
+      label: 'Weight beside the other pins',
+      text: (value) => inField(value, 3),
+      commit: (value) => {
+        changePin(wb, ref, { weight: value });
+        this.update();
+      },
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
+      step: 1,
+    });
+    const turn = button(
+      'Hold the orientation too',
+      { class: 'tool small', 'aria-pressed': 'false' },
+      icon('axes'),
+      () => {
+        const pin = this.pinOf(ref);
+        if (pin) changePin(wb, ref, { holdsOrientation: !pin.holdsOrientation });
+      },
+    );
+    const free = button('Let the pin go', { class: 'tool small' }, icon('close'), () => {
+      const next = made.nextElementSibling ?? made.previousElementSibling;
+      letGo(wb, ref);
+      // The focus goes on to a neighbour, not to nowhere.
+      next?.querySelector<HTMLElement>('.ik-pin-name')?.focus();
+    });
+    const made = element('li', { class: 'ik-pin', 'data-pin': String(ref.pin) }, choose, weight.element, turn, free);
+    const { pointedAt } = ikInHand(wb);
+    made.addEventListener('pointerenter', () => pointedAt.set(ref));
+    made.addEventListener('pointerleave', () => pointedAt.set(undefined));
+    return {
+      element: made,
+      show(pin, character) {
+        const text = `${jointName(character.skeleton, pin.joint)}, ${pointName(character, pin)}`;
+        setText(name, jointName(character.skeleton, pin.joint));
+        setText(kind, pointName(character, pin));
+        setAttribute(choose, 'aria-label', `Select the pin of ${text}`);
+        choose.title = text;
+        setAttribute(free, 'aria-label', `Let ${text} go`);
+        setAttribute(turn, 'aria-label', `Hold the orientation of ${text} too`);
+        setAttribute(turn, 'aria-pressed', String(pin.holdsOrientation));
+        setAttribute(weight.element, 'aria-label', `Weight of ${text} beside the other pins`);
+        weight.show(pin.weight);
+        const chosen = selectedPin(wb);
+        const isChosen = chosen?.pin.id === pin.id && chosen.character.id === character.id;
+        made.classList.toggle('selected', isChosen);
+        setAttribute(choose, 'aria-current', isChosen ? 'true' : undefined);
+      },
+    };
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const row = event.target instanceof Element ? event.target.closest<HTMLElement>('.ik-pin') : null;
+    const onName = event.target instanceof Element && event.target.matches('.ik-pin-name');
+    if (!row || !onName || event.ctrlKey || event.metaKey || event.altKey) return;
+    const to =
+      event.key === 'ArrowDown' ? row.nextElementSibling : event.key === 'ArrowUp' ? row.previousElementSibling : null;
+    if (event.key === 'Delete' || event.key === 'Backspace') {
+      row.querySelector<HTMLButtonElement>('[aria-label^="Let"]')?.click();
+    } else if (to) to.querySelector<HTMLElement>('.ik-pin-name')?.focus();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  private bend(stiffness: number | 'locked' | 'usual'): void {
+    const { joint } = this.wb.store.selection;
+    if (this.characterId && joint !== undefined) stiffen(this.wb, this.characterId, joint, stiffness);
+    this.update();
+  }
+
+  private pinOf({ characterId, pin }: PinRef): Pin | undefined {
+    const character = findCharacter(this.wb.store.document, characterId);
+    return character && ikOf(character).pins.find(({ id }) => id === pin);
+  }
+
+  private clear(): void {
+    for (const { element: row } of this.rows.values()) row.remove();
+    this.rows.clear();
+  }
+}

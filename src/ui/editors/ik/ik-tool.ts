@@ -1,0 +1,240 @@
+/**
+ * The viewport's tool for inverse kinematics.
+ *
+ *     click          pins the point that is seen there, or lets go of the pin
+ *     Shift+click    selects the joint, and the pin
+ *     drag           of a pin, or of any other point: it follows, and the pins hold
+ *     Alt, right     in depth; the right button only from a pin, for elsewhere it pans
+ *     long press     of a finger: as Shift+click; a second finger takes a drag into depth
+ */
+import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
+import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
+import { PinOverlay } from '../../../view/pins/pin-overlay.ts';
+import { Readout } from '../../kit/readout.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+import type { ModeTool } from '../viewport/mode-tool.ts';
+import { depthText } from './depth-text.ts';
+import type { Grip } from './hand-pull.ts';
+import { ikControls } from './ik-controls.ts';
+import { IkLabels } from './ik-labels.ts';
+import { ikInHand, keepInHand } from './in-hand.ts';
+import { PinDrag } from './pin-drag.ts';
+import { letGo, pinAt, selectPin } from './pin-edits.ts';
+import { PinNudge } from './pin-nudge.ts';
+import { type HandNow, paintPins } from './pin-picture.ts';
+import { besidePins } from './pins-beside.ts';
+import { pinsInPicture, pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
+
+/** With more triangles than this the pointer's every move would be felt: points light up on a press only. */
+const HOVER_TRIANGLES = 300_000;
+
+export function ikTool(wb: Workbench): ModeTool {
+  return new IkTool(wb);
+}
+
+class IkTool implements ModeTool {
+  private drag: PinDrag | undefined;
+  private readonly nudge: PinNudge;
+  private hoveredPin: SeenPin | undefined;
+  private hoveredPoint: SeenPoint | undefined;
+  /** Where the pointer is to be looked at with the next frame. */
+  private looking: CanvasPointer | undefined;
+  private frame = 0;
+  private readonly labels: IkLabels;
+  private controls: HTMLElement | undefined;
+  private readout: Readout | undefined;
+  private stops: (() => void)[] = [];
+
+  constructor(private readonly wb: Workbench) {
+    this.nudge = new PinNudge(wb);
+    this.labels = new IkLabels(wb);
+  }
+
+  enter(): void {
+    const { wb, labels } = this;
+    const overlay = new PinOverlay((painter) => {
+      const shown = paintPins(wb, painter, this.now);
+      labels.show(shown, shown.length ? pinsInPicture(wb).places : []);
+    });
+    const { selected, pointedAt, targets } = ikInHand(wb);
+    labels.enter();
+    this.readout = new Readout(wb.viewportElement);
+    this.controls ??= ikControls(wb);
+    wb.posing.controls.set(this.controls);
+    wb.posing.beside = (id, dof) => besidePins(wb, id, dof);
+    // Another joint may have been selected in another mode.
+    keepInHand(wb, true);
+    const redraw = () => wb.viewport.requestRender();
+    const listening = new AbortController();
+    const { canvas } = wb.viewport;
+    canvas.addEventListener('keydown', (event) => this.nudge.key(event), { signal: listening.signal });
+    canvas.addEventListener('blur', () => this.nudge.finish(), { signal: listening.signal });
+    this.stops = [
+      wb.viewport.addOverlay(overlay),
+      selected.subscribe(redraw),
+      pointedAt.subscribe(redraw),
+      wb.store.subscribe((now, before) => {
+        const isAnother = now.selection !== before.selection;
+        if (now.document.characters === before.document.characters && !isAnother) return;
+        keepInHand(wb, isAnother);
+        targets.keepOnly(new Set(now.document.characters.map(({ id }) => id)));
+        this.forgetGone();
+      }),
+      () => listening.abort(),
+    ];
+  }
+
+  leave(): void {
+    const { wb, labels } = this;
+    this.nudge.finish();
+    this.hover(undefined);
+    for (const stop of this.stops) stop();
+    this.stops = [];
+    labels.leave();
+    this.readout?.remove();
+    this.readout = undefined;
+    wb.posing.controls.set(undefined);
+    wb.posing.beside = undefined;
+  }
+
+  press(at: CanvasPointer): PinDrag | undefined {
+    this.nudge.finish();
+    // Shift selects, and pans.
+    if (at.shiftKey) return undefined;
+    const pin = pinUnder(this.wb, at);
+    if (pin) {
+      const { character, placement } = pin;
+      const { id, joint, point } = pin.pin;
+      return this.begin({ characterId: character.id, placement, joint, point, pin: id }, at, () => {
+        if (at.button === 0) letGo(this.wb, { characterId: character.id, pin: id });
+      });
+    }
+    if (at.button !== 0) return undefined;
+    const seen = pointUnder(this.wb, at);
+    if (!seen) return undefined;
+    const { characterId, placement, joint, natural } = seen;
+    const grip = { characterId, placement, joint, point: natural?.point ?? seen.point };
+    return this.begin(grip, at, () => this.pin(seen));
+  }
+
+  click(at: CanvasPointer): boolean {
+    const pin = pinUnder(this.wb, at);
+    if (pin && at.shiftKey) {
+      selectPin(this.wb, { characterId: pin.character.id, pin: pin.pin.id }, pin.pin.joint, pin.placement);
+      return true;
+    }
+    // On the ground, or with Shift on a joint: it picks.
+    ikInHand(this.wb).selected.set(undefined);
+    return false;
+  }
+
+  hover(at: CanvasPointer | undefined): string | undefined {
+    this.looking = undefined;
+    const pin = at && pinUnder(this.wb, at);
+    this.show(pin, pin || !at ? undefined : this.hoveredPoint);
+    if (pin) return 'grab';
+    if (at && at.pointerType !== 'touch') this.lookSoon(at);
+    return this.hoveredPoint ? 'pointer' : undefined;
+  }
+
+  private begin(grip: Grip, at: CanvasPointer, click: () => void): PinDrag {
+    this.show(undefined, undefined);
+    this.looking = undefined;
+    const drag = new PinDrag(this.wb, grip, at, {
+      click,
+      longPress: () => {
+        const { characterId, placement, joint, pin } = grip;
+        if (pin === undefined) this.wb.store.select({ characterId, placement, joint });
+        else selectPin(this.wb, { characterId, pin }, joint, placement);
+      },
+      over: () => {
+        this.drag = undefined;
+        this.readout?.hide();
+        this.labels.say(this.labelOfGap());
+        this.wb.viewport.canvas.style.cursor = '';
+        this.wb.viewport.requestRender();
+      },
+      began: () => {
+        this.wb.viewport.canvas.style.cursor = 'grabbing';
+      },
+      moved: (depth, now) => this.showDepth(grip.characterId, depth, now),
+    });
+    this.drag = drag;
+    return drag;
+  }
+
+  /** In the line of sight a way can't be seen: it is told. */
+  private showDepth(characterId: string, depth: number | undefined, { clientX, clientY }: CanvasPointer): void {
+    const character = findCharacter(this.wb.store.document, characterId);
+    if (depth === undefined || !character) this.readout?.hide();
+    else this.readout?.show(clientX, clientY, depthText(character, depth));
+  }
+
+  /** A natural point, the vertex that was picked, or where one would expect a pin of the joint. */
+  private pin({ characterId, joint, natural, vertex, point }: SeenPoint): void {
+    const { wb } = this;
+    const character = findCharacter(wb.store.document, characterId);
+    if (!character?.skeleton) return;
+    const meant =
+      natural?.point ??
+      (vertex === undefined ? defaultPinPoint(character.skeleton, joint, shownSkin(character)).point : point);
+    const there = pinnedAt(character, joint, meant);
+    if (there === undefined) pinAt(wb, characterId, joint, meant);
+    else letGo(wb, { characterId, pin: there });
+  }
+
+  /** What is under the pointer takes a picture of its own to find: at most one a frame. */
+  private lookSoon(at: CanvasPointer): void {
+    this.looking = at;
+    if (this.frame) return;
+    this.frame = requestAnimationFrame(() => {
+      this.frame = 0;
+      const { looking, wb } = this;
+      this.looking = undefined;
+      if (!looking || this.drag || wb.viewport.stats().triangles > HOVER_TRIANGLES) return;
+      this.show(undefined, pointUnder(wb, looking));
+      wb.viewport.canvas.style.cursor = this.hoveredPoint ? 'pointer' : '';
+    });
+  }
+
+  private show(pin: SeenPin | undefined, point: SeenPoint | undefined): void {
+    if (
+      pin?.pin === this.hoveredPin?.pin &&
+      pin?.placement === this.hoveredPin?.placement &&
+      point === this.hoveredPoint
+    )
+      return;
+    this.hoveredPin = pin;
+    this.hoveredPoint = point;
+    this.wb.viewport.requestRender();
+  }
+
+  private forgetGone(): void {
+    const { document } = this.wb.store;
+    const { hoveredPin, hoveredPoint } = this;
+    const isThere = (id: string | undefined) => findCharacter(document, id) !== undefined;
+    const pins = hoveredPin && findCharacter(document, hoveredPin.character.id)?.ik?.pins;
+    const keepsPin = hoveredPin && pins?.includes(hoveredPin.pin);
+    this.show(keepsPin ? hoveredPin : undefined, isThere(hoveredPoint?.characterId) ? hoveredPoint : undefined);
+  }
+
+  private labelOfGap(): string {
+    const labels: string[] = [];
+    paintPins(this.wb, { mark() {}, line() {} }, this.now).forEach(({ kind, text }) => {
+      if (kind === 'gap') labels.push(text);
+    });
+    return labels.join('. ');
+  }
+
+  private get now(): HandNow {
+    const { hoveredPin, hoveredPoint } = this;
+    return { pull: this.drag?.state ?? this.nudge.state, hoveredPin, hoveredPoint };
+  }
+}
+
+/** The pin that holds that point, if one does. */
+function pinnedAt(character: Character, joint: number, point: readonly number[]): number | undefined {
+  return ikOf(character).pins.find((pin) => pin.joint === joint && pin.point.every((part, k) => part === point[k]))?.id;
+}

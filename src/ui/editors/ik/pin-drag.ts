@@ -1,0 +1,220 @@
+/**
+ * The mouse that drags a point: in the plane through it that faces the camera, or in depth (up is away) while Alt is held
+ * or a second finger is down, or from the beginning by the right button. A press that goes nowhere is a click, and nothing
+ * has begun; one of a finger that stays is a long press.
+ */
+import type { Vec3 } from '../../../math/vec3.ts';
+import { findCharacter } from '../../../model/document.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
+import { type Grip, HandPull, type PullState } from './hand-pull.ts';
+import { ikInHand } from './in-hand.ts';
+
+/** A finger that stays for so long presses long. */
+export const LONG_PRESS_MS = 500;
+
+/** Runs something later, unless what it gives is called first. */
+export type Later = (run: () => void, afterMs: number) => () => void;
+
+const byTimer: Later = (run, afterMs) => {
+  const timer = setTimeout(run, afterMs);
+  return () => clearTimeout(timer);
+};
+
+export interface PinDragEvents {
+  /** The press went nowhere. */
+  click(at: CanvasPointer): void;
+  /** It was long and went nowhere so far: it is no click any more. */
+  longPress(): void;
+  /** It has moved: it is a drag. */
+  began(): void;
+  /** After each step. @param depth how far it has gone away from the viewer, in the character's unit; undefined: not in depth */
+  moved(depth: number | undefined, at: CanvasPointer): void;
+  /** The press is over, either way. */
+  over(): void;
+}
+
+export class PinDrag implements CanvasDrag {
+  private hand: HandPull | undefined;
+  private refused = false;
+  /** Where the point and the pointer were when the drag began, or changed its manner. */
+  private from: Vec3 | undefined;
+  private fromY: number;
+  /** Where the hand is in the world. */
+  private last: Vec3 | undefined;
+  /** From the pointer to the point on the screen. */
+  private besideX = 0;
+  private besideY = 0;
+  private inDepth: boolean;
+  /** How far it was away from the viewer, of the whole drag, when it changed its manner, and now: the character's unit. */
+  private depthBefore = 0;
+  private depth = 0;
+  private fingerCount = 1;
+  private wasLong = false;
+  private readonly stopWaiting: () => void;
+  private latest: CanvasPointer | undefined;
+  /** Where the last step was taken. */
+  private stepped: CanvasPointer | undefined;
+  private frame = 0;
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly grip: Grip,
+    private readonly press: CanvasPointer,
+    private readonly events: PinDragEvents,
+    later = byTimer,
+  ) {
+    this.fromY = press.clientY;
+    this.inDepth = this.isInDepth(press);
+    this.stopWaiting = press.pointerType === 'touch' ? later(this.onLongPress, LONG_PRESS_MS) : () => {};
+  }
+
+  /** What there is to be drawn of it, once it has begun. */
+  get state(): PullState | undefined {
+    return this.hand?.isOver === false ? this.hand.state : undefined;
+  }
+
+  /** At most one step a frame: what comes in between is the next one's. A pose that is on its way goes on by itself. */
+  move(at: CanvasPointer): void {
+    if (this.hasMoved(at)) this.stopWaiting();
+    this.latest = at;
+    if (this.frame) return;
+    this.step();
+    this.frame = requestAnimationFrame(this.onFrame);
+  }
+
+  /** A second one takes it into depth. */
+  fingers(count: number): void {
+    this.stopWaiting();
+    this.fingerCount = count;
+  }
+
+  end(at: CanvasPointer): void {
+    this.stopWaiting();
+    cancelAnimationFrame(this.frame);
+    if (!this.hand && !this.hasMoved(at)) {
+      if (!this.wasLong) this.events.click(at);
+    } else {
+      // Where it stands already it has asked for everything.
+      if (this.latest || !this.standsAt(at)) {
+        this.latest = at;
+        this.step();
+      }
+      this.release();
+    }
+    this.events.over();
+  }
+
+  cancel(): void {
+    this.stopWaiting();
+    cancelAnimationFrame(this.frame);
+    this.hand?.cancel();
+    this.events.over();
+  }
+
+  private release(): void {
+    const { hand } = this;
+    if (!hand) return;
+    const { isOver } = hand;
+    hand.finish();
+    if (!isOver) this.select();
+  }
+
+  /**
+   * What is keyed next, and what the inspector tells of, is what the hand was at. Only after the step: Escape leaves the
+   * selection alone, and undo gives back the one of before.
+   */
+  private select(): void {
+    const { store, viewport } = this.wb;
+    const { characterId, placement, joint } = this.grip;
+    const { selection } = store;
+    const character = findCharacter(store.document, characterId);
+    if (!character) return;
+    const isSame = selection.characterId === characterId;
+    if (isSame && selection.joint === joint) {
+      if (viewport.pickedCopy(character) !== placement) store.select({ ...selection, placement });
+    } else store.select({ characterId, placement, joint, ...(isSame && selection.keys && { keys: selection.keys }) });
+  }
+
+  private readonly onLongPress = () => {
+    this.wasLong = true;
+    this.events.longPress();
+  };
+
+  private readonly onFrame = () => {
+    this.frame = 0;
+    if (this.latest) this.step();
+    else if (!this.hand?.goOn()) return;
+    this.frame = requestAnimationFrame(this.onFrame);
+  };
+
+  private step(): void {
+    const { latest: at, wb } = this;
+    this.latest = undefined;
+    if (!at || this.refused || (!this.hand && !this.hasMoved(at))) return;
+    if (!this.hand && !this.begin()) return;
+    this.stepped = at;
+    const { hand } = this;
+    if (!hand || !this.from) return;
+    const { eye } = wb.viewport;
+    if (this.isInDepth(at) !== this.inDepth) this.change(at);
+    if (this.inDepth) {
+      const away = (this.fromY - at.clientY) * eye.unitsPerPixel(this.from);
+      const goal = eye.inDepth(this.from, away);
+      this.depth = this.depthBefore + Math.sign(away) * hand.inOwnUnit(this.from, goal);
+      hand.to(this.goal(goal));
+    } else hand.to(this.goal(eye.inPlaneOf(this.from, at.clientX + this.besideX, at.clientY + this.besideY)));
+    this.events.moved(this.inDepth ? this.depth : undefined, at);
+  }
+
+  private begin(): boolean {
+    const { wb, press } = this;
+    this.hand = HandPull.begin(wb, this.grip);
+    this.refused = this.hand === undefined;
+    if (!this.hand) return false;
+    ikInHand(wb).hasDragged.set(true);
+    this.from = this.hand.anchor;
+    this.last = this.from;
+    this.standBeside(press);
+    this.events.began();
+    return true;
+  }
+
+  private standsAt(at: CanvasPointer): boolean {
+    const { stepped } = this;
+    return (
+      stepped?.clientX === at.clientX &&
+      stepped.clientY === at.clientY &&
+      this.isInDepth(stepped) === this.isInDepth(at)
+    );
+  }
+
+  private goal(world: Vec3): Vec3 {
+    this.last = world;
+    return world;
+  }
+
+  /** From the plane to depth or back: goes on from where it is. */
+  private change(at: CanvasPointer): void {
+    this.inDepth = !this.inDepth;
+    this.from = this.last;
+    this.depthBefore = this.depth;
+    this.fromY = at.clientY;
+    this.standBeside(at);
+  }
+
+  private standBeside({ clientX, clientY }: CanvasPointer): void {
+    if (!this.from) return;
+    const { x, y } = this.wb.viewport.eye.toScreen(this.from);
+    this.besideX = x - clientX;
+    this.besideY = y - clientY;
+  }
+
+  private hasMoved({ clientX, clientY }: CanvasPointer): boolean {
+    return Math.hypot(clientX - this.press.clientX, clientY - this.press.clientY) > CLICK_PIXELS;
+  }
+
+  private isInDepth({ altKey }: CanvasPointer): boolean {
+    return this.press.button === 2 || altKey || this.fingerCount > 1;
+  }
+}

@@ -1,0 +1,86 @@
+/** Pinning, letting go, locking: what the mouse, the keys, the menus and the inspector do alike. */
+import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from '../../../edit/commands/ik.ts';
+import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
+import { ikOf } from '../../../evaluate/ik/set-up.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { ikInHand, type PinRef } from './in-hand.ts';
+
+/**
+ * Pins a point. It is not selected by that: arrow keys, which turn the view, would move it from then on.
+ * @param point in the joint's space
+ */
+export function pinAt(wb: Workbench, characterId: string, joint: number, point: Vec3): void {
+  attempt(wb.messages, () => {
+    wb.store.apply(pinPoint, { characterId, joint, point });
+    // The inspector is about it.
+    if (wb.store.selection.characterId !== characterId) wb.store.select({ characterId, joint });
+  });
+}
+
+export function letGo(wb: Workbench, { characterId, pin }: PinRef): void {
+  attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: [pin] }));
+  const { selected } = ikInHand(wb);
+  const now = selected.get();
+  if (now?.characterId === characterId && now.pin === pin) selected.set(undefined);
+}
+
+export function letAllGo(wb: Workbench, characterId: string): void {
+  attempt(wb.messages, () => wb.store.apply(clearPins, { characterId }));
+  ikInHand(wb).selected.set(undefined);
+}
+
+/** Pins a joint where one would expect it, or lets go of all that is pinned of it. */
+export function togglePin(wb: Workbench, character: Character, joint: number): void {
+  const { skeleton, id: characterId } = character;
+  if (!skeleton) return;
+  const pins = ikOf(character).pins.filter((pin) => pin.joint === joint);
+  if (pins.length) attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: pins.map(({ id }) => id) }));
+  else {
+    pinAt(wb, characterId, joint, defaultPinPoint(skeleton, joint, shownSkin(character)).point);
+    // By keys: they are to go on with it.
+    const made = ikOf(findCharacter(wb.store.document, characterId) ?? character).pins.at(-1);
+    if (made) ikInHand(wb).selected.set({ characterId, pin: made.id });
+  }
+}
+
+/**
+ * Selects a pin, and its joint.
+ * @param placement the copy of the character that it was picked in; absent where that does not matter, as in a list
+ */
+export function selectPin(wb: Workbench, ref: PinRef, joint: number, placement?: number): void {
+  ikInHand(wb).selected.set(ref);
+  wb.store.select({ characterId: ref.characterId, ...(placement !== undefined && { placement }), joint });
+}
+
+export function stiffen(
+  wb: Workbench,
+  characterId: string,
+  joint: number,
+  stiffness: number | 'locked' | 'usual',
+): void {
+  attempt(wb.messages, () => wb.store.apply(setStiffness, { characterId, joints: [joint], stiffness }));
+}
+
+export function isLocked(character: Character, joint: number): boolean {
+  return ikOf(character).stiff.some((one) => one.joint === joint && one.stiffness === undefined);
+}
+
+/** Locked becomes usual; anything else locked. */
+export function toggleLock(wb: Workbench, character: Character, joint: number): void {
+  stiffen(wb, character.id, joint, isLocked(character, joint) ? 'usual' : 'locked');
+}
+
+export function freeRoot(wb: Workbench, characterId: string, isFree: boolean): void {
+  attempt(wb.messages, () => wb.store.apply(setRootFree, { characterId, isFree }));
+}
+
+export function changePin(
+  wb: Workbench,
+  { characterId, pin }: PinRef,
+  change: { readonly weight?: number; readonly holdsOrientation?: boolean },
+): void {
+  attempt(wb.messages, () => wb.store.apply(setPin, { characterId, pin, ...change }));
+}

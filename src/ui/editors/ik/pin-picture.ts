@@ -1,0 +1,235 @@
+/**
+ * What of inverse kinematics is drawn over the picture and written beside its points, as things are before each picture.
+ * Nothing is painted where there is no pin, no locked joint and nothing under the pointer.
+ */
+import { pinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { ZERO } from '../../../math/vec3.ts';
+import { type Character, shownSkin } from '../../../model/document.ts';
+import type { Pin } from '../../../model/ik.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { reachOf } from '../../../model/reach.ts';
+import type { PinColor, PinPainter } from '../../../view/pins/pin-overlay.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { gapText } from './gap-text.ts';
+import type { PullState } from './hand-pull.ts';
+import type { Label } from './ik-labels.ts';
+import { ikInHand, type PinRef } from './in-hand.ts';
+import {
+  inWorld,
+  naturalPoints,
+  offeredPoints,
+  type SeenPin,
+  type SeenPoint,
+  type SeenSkeleton,
+  seenSkeletons,
+} from './pins-on-screen.ts';
+
+/** CSS pixels. */
+const PIN_SIZE = 12;
+const AXIS_LENGTH = 16;
+/** Part of the reach. */
+const LIMB = 0.13;
+/** Shorter gaps are not worth a line. */
+const LEAST_GAP = 1.5;
+/** Part of the reach: as near as that counts as there. */
+const IS_THERE = 1e-3;
+
+/** What the hand is at. */
+export interface HandNow {
+  readonly pull: PullState | undefined;
+  readonly hoveredPin: SeenPin | undefined;
+  readonly hoveredPoint: SeenPoint | undefined;
+}
+
+/** Paints what there is. @returns what is to be written beside it */
+export function paintPins(wb: Workbench, painter: PinPainter, hand: HandNow): Label[] {
+  const labels: Label[] = [];
+  const { pull, hoveredPoint } = hand;
+  const isOf = ({ id, ik }: Character) =>
+    (ik !== undefined && (ik.pins.length > 0 || ik.stiff.length > 0)) ||
+    hoveredPoint?.characterId === id ||
+    pull?.grip.characterId === id;
+  for (const seen of seenSkeletons(wb, isOf)) {
+    const { character, placement } = seen;
+    paintStiff(painter, seen);
+    const isPulled = pull?.grip.characterId === character.id && pull.grip.placement === placement;
+    const points = hoveredPoint?.characterId === character.id && hoveredPoint.placement === placement;
+    if (hoveredPoint && points && !pull) labels.push(...paintPoints(wb, painter, seen, hoveredPoint));
+    for (const pin of character.ik?.pins ?? []) labels.push(...paintPin(wb, painter, seen, pin, hand));
+    if (isPulled && pull) labels.push(...paintPull(wb, painter, seen, pull));
+    else if (!pull) labels.push(...paintLeft(wb, painter, seen));
+  }
+  return labels;
+}
+
+function paintPin(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pin: Pin, hand: HandNow): Label[] {
+  const { character, placement } = seen;
+  const at = inWorld(seen, pin.joint, pin.point);
+  const { selected, pointedAt } = ikInHand(wb);
+  const is = (ref: PinRef | undefined) => ref?.characterId === character.id && ref.pin === pin.id;
+  const { pull, hoveredPin } = hand;
+  const isPulled = pull?.grip.characterId === character.id && pull.grip.pin === pin.id;
+  const isHovered =
+    hoveredPin?.character.id === character.id && hoveredPin.placement === placement && hoveredPin.pin.id === pin.id;
+  const isLit = isHovered || is(pointedAt.get());
+  const color: PinColor = isPulled ? 'selected' : isLit ? 'hovered' : is(selected.get()) ? 'selected' : 'pin';
+  if (pin.holdsOrientation) paintAxes(wb, painter, seen, pin.joint, at);
+  const { weight } = pin;
+  painter.mark(at, {
+    shape: pin.holdsOrientation ? 'square' : 'round',
+    color,
+    ...(!isLit && !isPulled && { cover: coverOf(seen) }),
+    // A heavier pin is a little larger, a lighter one emptier.
+    size: PIN_SIZE + (isLit || isPulled ? 2 : 0) + (weight > 1 ? Math.min(4, Math.log2(weight)) : 0),
+    fill: Math.min(1, weight),
+  });
+  if (!isLit && !isPulled) return [];
+  const { x, y, depth } = wb.viewport.eye.toScreen(at);
+  const text = pinText(character, pin);
+  return depth > 0 ? [{ kind: 'name', text, x, y, of: pinKey(seen, pin.id), side: sideOf(wb, seen, x) }] : [];
+}
+
+/** What labels of one pin have in common. */
+function pinKey({ character, placement }: SeenSkeleton, pin: number): string {
+  return `${character.id} ${placement} ${pin}`;
+}
+
+/** Away from the middle of the character's joints. */
+function sideOf(wb: Workbench, { skeleton, world, toWorld }: SeenSkeleton, x: number): 'left' | 'right' {
+  const sum = [0, 0, 0];
+  for (let j = 0; j < skeleton.joints.length; j++) for (let k = 0; k < 3; k++) sum[k] += world[16 * j + 12 + k];
+  const [mx, my, mz] = sum.map((part) => part / skeleton.joints.length);
+  return x < wb.viewport.eye.toScreen(pointAt(toWorld, 0, [mx, my, mz])).x ? 'left' : 'right';
+}
+
+/** `foot_l · tip, orientation, weight 2`. */
+export function pinText(character: Character, pin: Pin): string {
+  const parts = [pointName(character, pin)];
+  if (pin.holdsOrientation) parts.push('orientation');
+  if (pin.weight !== 1) parts.push(`weight ${Number(pin.weight.toPrecision(3))}`);
+  return `${jointName(character.skeleton, pin.joint)} · ${parts.join(', ')}`;
+}
+
+/** What of its joint a pin holds: `origin`, `End Site`; else a point of the skin, or just a point. */
+export function pointName(character: Character, { joint, point }: Pick<Pin, 'joint' | 'point'>): string {
+  const { skeleton } = character;
+  if (!skeleton) return 'point';
+  const skin = shownSkin(character);
+  const near = 1e-6 * reachOf(skeleton);
+  const found = naturalPoints(skeleton, joint, skin).find(
+    (natural) => Math.hypot(...natural.point.map((part, k) => part - point[k])) <= near,
+  );
+  return found?.name ?? (skin ? 'point of the skin' : 'point');
+}
+
+function paintAxes(
+  wb: Workbench,
+  painter: PinPainter,
+  { world, toWorld }: SeenSkeleton,
+  joint: number,
+  at: Vec3,
+): void {
+  const length = AXIS_LENGTH * wb.viewport.eye.unitsPerPixel(at);
+  (['axisX', 'axisY', 'axisZ'] as const).forEach((color, axis) => {
+    const way = [0, 1, 2].map((r) =>
+      [0, 1, 2].reduce((sum, k) => sum + toWorld[4 * k + r] * world[16 * joint + 4 * axis + k], 0),
+    );
+    const size = Math.hypot(...way);
+    if (!(size > 0)) return;
+    const scale = length / size;
+    painter.line(at, [at[0] + scale * way[0], at[1] + scale * way[1], at[2] + scale * way[2]], color, 2, false);
+  });
+}
+
+/** How much of the character itself may be in front of a joint of its near side: about as much as a limb is thick. */
+function coverOf({ skeleton, toWorld }: SeenSkeleton): number {
+  return LIMB * reachOf(skeleton) * Math.hypot(toWorld[0], toWorld[1], toWorld[2]);
+}
+
+/** Joints that don't bend, or unwillingly. */
+function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
+  for (const { joint, stiffness } of seen.character.ik?.stiff ?? []) {
+    if (joint >= seen.skeleton.joints.length) continue;
+    const shape = stiffness === undefined ? 'lock' : 'stiff';
+    painter.mark(inWorld(seen, joint, ZERO), { shape, color: 'label', size: 13 });
+  }
+}
+
+/** The points of the joint under the pointer that could be pinned, and the one that a click would pin. */
+function paintPoints(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, hovered: SeenPoint): Label[] {
+  const { character, skeleton } = seen;
+  const { joint, natural } = hovered;
+  if (joint >= skeleton.joints.length) return [];
+  const cover = coverOf(seen);
+  for (const { point } of offeredPoints(wb, character, skeleton, joint)) {
+    painter.mark(inWorld(seen, joint, point), { shape: 'dot', color: 'pin', size: 5, opacity: 0.7, cover });
+  }
+  const meant = natural?.point ?? (hovered.vertex === undefined ? undefined : hovered.point);
+  if (!meant) return [];
+  const at = inWorld(seen, joint, meant);
+  painter.mark(at, { shape: 'ring', color: 'hovered', size: PIN_SIZE });
+  const { x, y } = wb.viewport.eye.toScreen(at);
+  const of = natural?.name ?? 'point of the skin';
+  const text = `${jointName(character.skeleton, joint)} · ${of}`;
+  return [{ kind: 'name', text, x, y, of: 'point', side: sideOf(wb, seen, x) }];
+}
+
+/** What is dragged, and what it can't reach. */
+function paintPull(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pull: PullState): Label[] {
+  const { grip, gaps, hindrance } = pull;
+  const { character, toWorld } = seen;
+  if (grip.pin === undefined)
+    painter.mark(inWorld(seen, grip.joint, grip.point), { shape: 'round', color: 'selected', size: 10 });
+  return gaps.flatMap(({ index, joint, from, to }) => {
+    const text = gapText(character, joint, hindrance);
+    return paintGap(
+      wb,
+      painter,
+      seen,
+      character.ik?.pins[index]?.id,
+      pointAt(toWorld, 0, from),
+      pointAt(toWorld, 0, to),
+      `${jointName(character.skeleton, joint)}: ${text}`,
+    );
+  });
+}
+
+/** What an earlier drag could not reach. */
+function paintLeft(wb: Workbench, painter: PinPainter, seen: SeenSkeleton): Label[] {
+  const { character, skeleton, dofs, toWorld, world } = seen;
+  const { targets } = ikInHand(wb);
+  const left = targets.leftOf(character.id, dofs);
+  if (!left) return [];
+  const near = IS_THERE * reachOf(skeleton);
+  return (character.ik?.pins ?? []).flatMap((pin) => {
+    const target = targets.leftTarget(left, pin);
+    if (!target) return [];
+    const { position } = pinTarget(pin, world);
+    if (Math.hypot(...position.map((p, k) => p - target[k])) <= near) return [];
+    const text = `${jointName(character.skeleton, pin.joint)}: ${gapText(character, pin.joint, left.hindrance)}`;
+    return paintGap(wb, painter, seen, pin.id, pointAt(toWorld, 0, position), pointAt(toWorld, 0, target), text);
+  });
+}
+
+/** @param pin its id; undefined for a point that is no pin */
+function paintGap(
+  wb: Workbench,
+  painter: PinPainter,
+  seen: SeenSkeleton,
+  pin: number | undefined,
+  from: Vec3,
+  to: Vec3,
+  text: string,
+): Label[] {
+  const { eye } = wb.viewport;
+  const a = eye.toScreen(from);
+  const b = eye.toScreen(to);
+  // One that lies in the line of sight is short on the screen, and a gap nevertheless.
+  const inDepth = Math.hypot(...to.map((v, k) => v - from[k])) / eye.unitsPerPixel(from);
+  if (Math.max(inDepth, Math.hypot(b.x - a.x, b.y - a.y)) < LEAST_GAP) return [];
+  painter.line(from, to, 'pinGap', 2, true);
+  painter.mark(to, { shape: 'ring', color: 'pinGap', size: 10 });
+  const of = pin === undefined ? 'dragged' : pinKey(seen, pin);
+  return b.depth > 0 ? [{ kind: 'gap', text, x: b.x, y: b.y, of, side: sideOf(wb, seen, b.x) }] : [];
+}

@@ -1,0 +1,194 @@
+/** Where pins and joints are in the picture, as it is drawn now. */
+
+import { nearestOnScreen, type PlaceOnScreen, SNAP_PIXELS, seenPoint } from '../../../evaluate/ik/drag/grip.ts';
+import { type PinPoint, pinPoints, skinPinPoint } from '../../../evaluate/ik/pin-points.ts';
+import { ikOf, pointAt } from '../../../evaluate/ik/set-up.ts';
+import { invertAffine, isSingular } from '../../../math/mat4.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
+import type { Pin } from '../../../model/ik.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import type { Skin } from '../../../model/skin.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+
+/** CSS pixels around a pin within which the pointer is on it. */
+const PIN_PIXELS = 9;
+const PIN_PIXELS_TOUCH = 18;
+/** How near the pointer has to be to a bone to be on it rather than on the box behind. */
+const BONE_PIXELS = 7;
+
+/** A pin in the picture. */
+export interface SeenPin {
+  readonly character: Character;
+  readonly placement: number;
+  readonly pin: Pin;
+}
+
+/** A point of a joint under the pointer. */
+export interface SeenPoint {
+  readonly characterId: string;
+  readonly placement: number;
+  readonly joint: number;
+  /** What is there, for a drag; in the joint's space. */
+  readonly point: Vec3;
+  /** The natural point that is meant, where one is near. */
+  readonly natural?: PinPoint;
+  /** The vertex of the skin that was picked. */
+  readonly vertex?: number;
+}
+
+/** A skeleton that is seen: its matrices in its own space, and where it stands, until the next `seek`. */
+export interface SeenSkeleton {
+  readonly character: Character;
+  readonly skeleton: Skeleton;
+  readonly placement: number;
+  readonly world: Float64Array;
+  /** From its own space to the world. */
+  readonly toWorld: Float64Array;
+  readonly dofs: Float64Array;
+}
+
+/** Characters that are drawn and have a skeleton, once for each of their places. */
+export function* seenSkeletons(wb: Workbench, of: (character: Character) => boolean): Generator<SeenSkeleton> {
+  for (const character of wb.store.document.characters) {
+    const { id, skeleton } = character;
+    if (!skeleton || character.isHidden || !of(character)) continue;
+    const facts = wb.viewport.character(id);
+    if (!facts) continue;
+    const world = facts.worlds;
+    if (world.length < 16 * skeleton.joints.length) continue;
+    for (let placement = 0; placement < character.placements.length; placement++) {
+      const toWorld = wb.viewport.placementOf(id, placement);
+      if (toWorld && toWorld.length === 16) yield { character, skeleton, placement, world, toWorld, dofs: facts.dofs };
+    }
+  }
+}
+
+/** Where a point of a joint is in the world. */
+export function inWorld({ world, toWorld }: SeenSkeleton, joint: number, point: Vec3): Vec3 {
+  return pointAt(toWorld, 0, pointAt(world, joint, point));
+}
+
+export const hasPins = (character: Character) => (character.ik?.pins.length ?? 0) > 0;
+
+/** Every pin in the picture, and where it is: client coordinates, in the same order. */
+export function pinsInPicture(wb: Workbench): {
+  readonly pins: readonly SeenPin[];
+  readonly places: readonly PlaceOnScreen[];
+} {
+  const pins: SeenPin[] = [];
+  const places: PlaceOnScreen[] = [];
+  for (const seen of seenSkeletons(wb, hasPins)) {
+    for (const pin of ikOf(seen.character).pins) {
+      const place = wb.viewport.eye.toScreen(inWorld(seen, pin.joint, pin.point));
+      if (place.depth <= 0) continue;
+      pins.push({ character: seen.character, placement: seen.placement, pin });
+      places.push(place);
+    }
+  }
+  return { pins, places };
+}
+
+/** The pin under the pointer; the nearest of several. */
+export function pinUnder(wb: Workbench, at: CanvasPointer): SeenPin | undefined {
+  const { pins, places } = pinsInPicture(wb);
+  const reach = at.pointerType === 'touch' ? PIN_PIXELS_TOUCH : PIN_PIXELS;
+  return pins[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, reach)];
+}
+
+/** The point of a character under the pointer. */
+export function pointUnder(wb: Workbench, at: CanvasPointer): SeenPoint | undefined {
+  const hit = wb.viewport.pick(at.clientX, at.clientY);
+  const character = findCharacter(wb.store.document, hit?.characterId);
+  if (!hit || hit.joint === undefined || !character?.skeleton) return undefined;
+  const { placement } = hit;
+  let seen: SeenSkeleton | undefined;
+  for (const one of seenSkeletons(wb, ({ id }) => id === character.id)) if (one.placement === placement) seen = one;
+  if (!seen || isSingular(seen.toWorld)) return undefined;
+  const picked = pickedPoint(wb, seen, hit.joint, hit.vertex, at);
+  if (!picked) return undefined;
+  const natural = naturalPoint(wb, seen, picked.joint, at);
+  return {
+    characterId: character.id,
+    placement,
+    ...picked,
+    ...(natural && { natural }),
+    ...(hit.vertex !== undefined && { vertex: hit.vertex }),
+  };
+}
+
+/** Of a skin the vertex, as a point of the joint that moves it most; else what is seen of the joint. */
+function pickedPoint(
+  wb: Workbench,
+  { character, skeleton, placement, world, toWorld }: SeenSkeleton,
+  joint: number,
+  vertex: number | undefined,
+  { clientX, clientY }: CanvasPointer,
+): { readonly joint: number; readonly point: Vec3 } | undefined {
+  const toOwn = new Float64Array(16);
+  invertAffine(toWorld, 0, toOwn, 0);
+  if (vertex !== undefined) {
+    const drawn = wb.viewport.vertexAt(character.id, vertex, placement);
+    return drawn && skinPinPoint(character, vertex, world, pointAt(toOwn, 0, drawn));
+  }
+  const { eye } = wb.viewport;
+  const ray = eye.rayAt(clientX, clientY);
+  const origin = pointAt(toOwn, 0, ray.origin);
+  const ahead = pointAt(toOwn, 0, [
+    ray.origin[0] + ray.direction[0],
+    ray.origin[1] + ray.direction[1],
+    ray.origin[2] + ray.direction[2],
+  ]);
+  const direction: Vec3 = [ahead[0] - origin[0], ahead[1] - origin[1], ahead[2] - origin[2]];
+  const pivot = pointAt(toWorld, 0, pointAt(world, joint, [0, 0, 0]));
+  // The direction is as long as 1 in the world is in the character's own unit.
+  const near = BONE_PIXELS * eye.unitsPerPixel(pivot) * Math.hypot(...direction);
+  const boxesAreSeen = showsBoxes(wb, character);
+  return { joint, point: seenPoint(skeleton, joint, world, { origin, direction }, near, boxesAreSeen) };
+}
+
+function naturalPoint(wb: Workbench, seen: SeenSkeleton, joint: number, at: CanvasPointer): PinPoint | undefined {
+  const points = offeredPoints(wb, seen.character, seen.skeleton, joint);
+  const places = points.map(({ point }) => wb.viewport.eye.toScreen(inWorld(seen, joint, point)));
+  return points[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, SNAP_PIXELS)];
+}
+
+/** Whether the boxes of a character are drawn. */
+function showsBoxes(wb: Workbench, character: Character): boolean {
+  const { boxes, skin } = wb.settings.get().display;
+  const isSkinned = shownSkin(character) !== undefined && skin !== 'hidden';
+  return boxes === 'bare' ? !isSkinned : boxes !== 'hidden';
+}
+
+/** The natural points that one can make out in the picture: the ends of boxes only where there are boxes. */
+export function offeredPoints(
+  wb: Workbench,
+  character: Character,
+  skeleton: Skeleton,
+  joint: number,
+): readonly PinPoint[] {
+  const points = naturalPoints(skeleton, joint, shownSkin(character));
+  return showsBoxes(wb, character) ? points : points.filter(({ kind }) => kind !== 'boxEnd');
+}
+
+/** The same list for the same joint: the end of a skin is looked for among all its vertices. */
+export function naturalPoints(skeleton: Skeleton, joint: number, skin: Skin | undefined): readonly PinPoint[] {
+  let known = lists.get(skeleton);
+  if (!known || known.skin !== skin) {
+    known = { skin, byJoint: new Map() };
+    lists.set(skeleton, known);
+  }
+  let points = known.byJoint.get(joint);
+  if (!points) {
+    points = pinPoints(skeleton, joint, skin);
+    known.byJoint.set(joint, points);
+  }
+  return points;
+}
+
+interface KnownPoints {
+  readonly skin: Skin | undefined;
+  readonly byJoint: Map<number, readonly PinPoint[]>;
+}
+const lists = new WeakMap<Skeleton, KnownPoints>();

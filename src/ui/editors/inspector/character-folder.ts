@@ -1,0 +1,266 @@
+/** The character as a whole: its name, its take, its limits, its place in space and time. */
+import type { GUI } from 'lil-gui';
+import { placeCharacter, removeCopy, renameCharacter, setTimeOffset } from '../../../edit/commands/characters.ts';
+import { setClamping } from '../../../edit/commands/pose.ts';
+import {
+  type Character,
+  DEFAULT_PLACEMENT,
+  findCharacter,
+  type Placement,
+  shownClip,
+  startSeconds,
+} from '../../../model/document.ts';
+import { lengthStep } from '../../../model/reach.ts';
+import type { Units } from '../../kit/arithmetic.ts';
+import { button, element, setText } from '../../kit/dom.ts';
+import { exact } from '../../kit/number-text.ts';
+import { emptyFolder, Slider } from '../../kit/slider.ts';
+import { runAction } from '../../shell/actions.ts';
+import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { movedButtons } from '../retarget/moved.ts';
+import { followsText } from '../retarget/moved-text.ts';
+import { addSpaceRows } from './space-rows.ts';
+import { addTakeRows, askForTakeName } from './take-rows.ts';
+
+type Axis = 0 | 1 | 2;
+const AXES: readonly Axis[] = [0, 1, 2];
+
+export class CharacterFolder {
+  private character: Character | undefined;
+  private copy = 0;
+  private rows: (() => void)[] = [];
+  /** Rows that hold several of lil-gui's. */
+  private lines: HTMLElement[] = [];
+  private readonly buttons = element('div', { class: 'row-buttons' });
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly edit: HandEdit,
+    private readonly folder: GUI,
+  ) {
+    this.buttons.append(
+      button('Show once more beside it', { class: 'plain' }, 'Add copy', () => runAction(wb, 'character.copy')),
+      button('Remove this copy', { class: 'plain remove-copy' }, 'Remove copy', () => this.removeShownCopy()),
+    );
+    wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, folder));
+  }
+
+  /** Rows anew. */
+  rebuild(character: Character | undefined): void {
+    emptyFolder(this.folder);
+    this.buttons.remove();
+    for (const line of this.lines) line.remove();
+    this.lines = [];
+    this.rows = [];
+    this.folder.show(character !== undefined);
+    if (this.character?.id !== character?.id) this.copy = 0;
+    this.character = character;
+    if (!character) return;
+    this.copy = Math.min(this.copy, character.placements.length - 1);
+    this.addName(character);
+    this.addTake(character);
+    this.addLimits(character);
+    this.addStart(character);
+    this.addPlacement(character);
+    this.rows.push(addSpaceRows(this.wb, this.edit, this.folder, character));
+    this.folder.$children.append(this.buttons);
+    this.buttons.classList.toggle('single', character.placements.length === 1);
+  }
+
+  /** The same rows with the values of now. */
+  update(character: Character | undefined): void {
+    this.character = character;
+    if (character) for (const row of this.rows) row();
+  }
+
+  private readonly refuse = (reason: string) => {
+    // Escape gives up what was typed: nobody asks for it any more.
+    if (!this.edit.cancelled) this.wb.messages.note(reason, 'warning');
+  };
+
+  private get id(): string {
+    return this.character?.id ?? '';
+  }
+
+  private get placement(): Placement {
+    return this.character?.placements[this.copy] ?? DEFAULT_PLACEMENT;
+  }
+
+  private addName(character: Character): void {
+    const binding = { name: character.name };
+    const row = this.folder.add(binding, 'name').name('Name');
+    row.onFinishChange((name: string) => {
+      const trimmed = name.trim();
+      if (!trimmed) this.refuse('A character needs a name.');
+      else if (findCharacter(this.wb.store.document, this.id)) {
+        this.wb.store.apply(renameCharacter, { characterId: this.id, name: trimmed });
+      }
+    });
+    this.rows.push(() => {
+      if (binding.name === this.character?.name || row.domElement.contains(document.activeElement)) return;
+      binding.name = this.character?.name ?? '';
+      row.updateDisplay();
+    });
+  }
+
+  private addTake(character: Character): void {
+    if (character.driver) {
+      this.addMoved();
+      return;
+    }
+    const take = shownClip(character);
+    if (!take) return;
+    const { line, update } = addTakeRows(this.wb, this.folder, character, take);
+    this.lines.push(line);
+    this.rows.push(update);
+  }
+
+  /** Who moves it, in place of its own take. */
+  private addMoved(): void {
+    const text = element('span', { class: 'moved-by' });
+    const line = element(
+      'div',
+      { class: 'moved-row' },
+      text,
+      movedButtons(this.wb, () => this.character?.id),
+    );
+    this.folder.$children.append(line);
+    this.lines.push(line);
+    this.rows.push(() => {
+      const follows = this.character ? followsText(this.character) : '';
+      setText(text, `${follows.slice(0, 1).toUpperCase()}${follows.slice(1)}`);
+    });
+  }
+
+  private addLimits(character: Character): void {
+    const binding = { clamps: character.clampsToLimits };
+    const row = this.folder.add(binding, 'clamps').name('Hold limits');
+    row.onChange((clamps: boolean) => this.wb.store.apply(setClamping, { characterId: this.id, clamps }));
+    this.rows.push(() => {
+      binding.clamps = this.character?.clampsToLimits ?? true;
+      row.updateDisplay();
+    });
+  }
+
+  /** Rather than the offset that is kept: that is added to the transport's time, and 1.5 of it begins 1.5 s earlier. */
+  private addStart(character: Character): void {
+    const options = { step: 0.01, decimals: 4, suffix: ' s' };
+    const row = new Slider(this.folder, 'Starts at', startSeconds(character), options, this.refuse);
+    row.domElement.title = 'When its take begins, in seconds of the transport';
+    row.onChange((atSeconds: number) => {
+      const { character: now } = this;
+      if (!now) return;
+      // Plus 0: no offset is −0.
+      const seconds = withoutNoise(startSeconds(now) + now.timeOffsetSeconds - atSeconds) + 0;
+      this.edit.preview(setTimeOffset, { characterId: this.id, seconds });
+    });
+    row.onTakenBack(() => this.edit.cancel()).onFinishChange(() => this.finish());
+    this.rows.push(() => row.showValue(withoutNoise(this.character ? startSeconds(this.character) : 0)));
+  }
+
+  private addPlacement(character: Character): void {
+    if (character.placements.length > 1) {
+      const binding = { copy: this.copy };
+      const names = Object.fromEntries(
+        character.placements.map((_, i) => [`${i + 1} of ${character.placements.length}`, i]),
+      );
+      const row = this.folder.add(binding, 'copy', names).name('Copy');
+      row.onChange((copy: number) => {
+        this.copy = copy;
+        this.update(this.character);
+      });
+    }
+    const { angles } = this.wb.settings.get();
+    const degrees = shownPerUnit('angle', angles);
+    const step = lengthStep(character.skeleton);
+    this.addVector(
+      'Position',
+      1,
+      step,
+      '',
+      (p) => p.position,
+      (p, position) => ({ ...p, position }),
+    );
+    const turnStep = angles === 'degrees' ? 0.1 : 0.001;
+    this.addVector(
+      'Turn',
+      degrees,
+      turnStep,
+      angles === 'degrees' ? '°' : '',
+      (p) => p.turn,
+      (p, turn) => ({ ...p, turn }),
+      typedUnits('angle', angles),
+    );
+    const scale = new Slider(
+      this.folder,
+      'Scale',
+      this.placement.scale,
+      { step: 0.01, decimals: 4, suffix: '×' },
+      this.refuse,
+    );
+    let typed = this.placement.scale;
+    scale.onChange((value: number) => {
+      typed = value;
+      // Typing passes through 0 on its way to 0.5.
+      if (value > 0) this.place({ ...this.placement, scale: value });
+    });
+    scale.onTakenBack(() => this.edit.cancel());
+    scale.onFinishChange(() => {
+      if (typed <= 0) this.refuse(`A scale is above 0; ${exact(typed)} was typed.`);
+      this.finish();
+      typed = this.placement.scale;
+    });
+    this.rows.push(() => scale.showValue(this.placement.scale));
+  }
+
+  private addVector(
+    label: string,
+    factor: number,
+    step: number,
+    suffix: string,
+    read: (p: Placement) => Placement['position'],
+    write: (p: Placement, value: Placement['position']) => Placement,
+    units?: Units,
+  ): void {
+    const decimals = Math.max(2, -Math.floor(Math.log10(step)));
+    const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));
+    for (const axis of AXES) {
+      const letter = 'xyz'[axis];
+      const start = read(this.placement)[axis] * factor;
+      const options = { step, decimals, suffix, ...(units && { units }) };
+      const row = new Slider(this.folder, `${label} ${letter}`, start, options, this.refuse);
+      row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
+      // By its letter alone it would not be told from the other rows.
+      row.$input.removeAttribute('aria-labelledby');
+      row.$input.setAttribute('aria-label', `${label} ${letter}`);
+      line.append(row.domElement);
+      row.onChange((value: number) => {
+        const now = read(this.placement);
+        const next = AXES.map((a) => (a === axis ? value / factor : now[a]));
+        this.place(write(this.placement, [next[0], next[1], next[2]]));
+      });
+      row.onTakenBack(() => this.edit.cancel()).onFinishChange(() => this.finish());
+      this.rows.push(() => row.showValue(withoutNoise(read(this.placement)[axis] * factor)));
+    }
+    this.folder.$children.append(line);
+    this.lines.push(line);
+  }
+
+  /** A drag that was cancelled leaves the controls where the mouse was. */
+  private finish(): void {
+    this.edit.commit();
+    this.update(this.character && findCharacter(this.wb.store.document, this.character.id));
+  }
+
+  private place(placement: Placement): void {
+    this.edit.preview(placeCharacter, { characterId: this.id, index: this.copy, placement });
+  }
+
+  private removeShownCopy(): void {
+    if (this.character && this.character.placements.length > 1) {
+      this.wb.store.apply(removeCopy, { characterId: this.id, index: this.copy });
+    }
+  }
+}

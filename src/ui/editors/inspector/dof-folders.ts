@@ -1,0 +1,129 @@
+/** The folders of DOFs: the selected joint's, the root translation, the morphs, and the long list of all. */
+import type { GUI } from 'lil-gui';
+import type { Character } from '../../../model/document.ts';
+import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { dofsOf } from '../../../model/skeleton.ts';
+import { element, setText } from '../../kit/dom.ts';
+import { emptyFolder } from '../../kit/slider.ts';
+import { keyNameOf } from '../posing/unkeyed-values.ts';
+import { addDofRow, type DofRowContext } from './dof-rows.ts';
+import { briefMotion, motionText } from './motion-text.ts';
+
+/** Rows of the long list are made as it is scrolled, so many at a time. */
+const CHUNK = 48;
+
+export class DofFolders {
+  private readonly joint: GUI;
+  private readonly root: GUI;
+  private readonly morphs: GUI;
+  private readonly all: GUI;
+  private readonly note = element('p', { class: 'note unkeyed-note', hidden: true });
+  /** Shown at the end of the long list; when it comes into view there is more. */
+  private readonly end = element('div', { class: 'list-end' });
+  private readonly endObserver: IntersectionObserver;
+  private listed: { readonly character: Character; readonly dofs: readonly CharacterDof[]; next: number } | undefined;
+
+  constructor(
+    private readonly context: DofRowContext,
+    gui: GUI,
+    makeFolder: (id: string, title: string, open: boolean) => GUI,
+  ) {
+    this.joint = makeFolder('joint', 'Joint', true);
+    this.root = makeFolder('root', 'Root translation', true);
+    this.morphs = makeFolder('morphs', 'Morphs', true);
+    this.all = makeFolder('all', 'All DOFs', false);
+    this.all.domElement.classList.add('long-names');
+    // At the foot: a line that came above would push the slider away from under the hand.
+    gui.domElement.append(this.note);
+    this.endObserver = new IntersectionObserver(
+      (entries) => {
+        if (entries.some((e) => e.isIntersecting)) this.listMore();
+      },
+      { root: gui.$children, rootMargin: '200px 0px' },
+    );
+    this.endObserver.observe(this.end);
+  }
+
+  /** Rows anew: another character, joint, unit, or other limits. */
+  rebuild(character: Character | undefined, joint: number | undefined): void {
+    for (const folder of [this.joint, this.root, this.morphs, this.all]) {
+      for (const controller of folder.controllers) this.context.live.remove(controller.domElement);
+      emptyFolder(folder);
+      folder.show(character !== undefined);
+    }
+    const { listed } = this;
+    this.listed = undefined;
+    this.end.remove();
+    if (!character) return;
+    const dofs = characterDofs(character.skeleton, character.morphs);
+    this.fillJoint(character, dofs, joint);
+    const rootCount = character.skeleton ? rootDofCount(character.skeleton) : 0;
+    this.fill(this.root, character, dofs, 0, rootCount);
+    this.root.show(rootCount > 0);
+    this.fillMorphs(character, dofs);
+    this.all.show(character.skeleton !== undefined);
+    this.all.title(`All DOFs (${dofs.length})`);
+    this.listed = { character, dofs, next: 0 };
+    this.all.$children.append(this.end);
+    // As far as it had been looked through, so that it can be scrolled to where it was.
+    const until = listed?.character.id === character.id ? Math.min(listed.next, dofs.length) : 0;
+    while (this.listed.next < until && !this.all._closed) this.listMore();
+  }
+
+  /** Says at the foot what will go when time moves. */
+  showUnkeyed(character: Character | undefined): void {
+    const { unkeyed } = character ?? {};
+    const { timeSeconds } = this.context.wb.transport.get();
+    const count = unkeyed?.timeSeconds === timeSeconds ? unkeyed.dofs.length : 0;
+    this.note.hidden = count === 0;
+    if (!count) return;
+    const key = keyNameOf(this.context.wb.settings.get(), 'key.pose');
+    const [what, goes] = count === 1 ? ['One value is', 'It goes'] : [`${count} values are`, 'They go'];
+    const text = `${what} set by hand and not keyed. ${goes} when time moves${key ? `; ${key} keys the pose` : ''}.`;
+    setText(this.note, text);
+  }
+
+  private fillJoint(character: Character, dofs: readonly CharacterDof[], index: number | undefined): void {
+    const joint = index === undefined ? undefined : character.skeleton?.joints[index];
+    this.joint.show(character.skeleton !== undefined);
+    this.joint.$children.dataset.empty = joint
+      ? `${motionText(joint.motion)}: no degrees of freedom.`
+      : 'Pick a joint in the viewport or the tree to see its DOFs.';
+    this.joint.title(joint && index !== undefined ? jointName(character.skeleton, index) : 'Joint');
+    // Also where a vertex was picked, whose numbers stand below in place of the joint's.
+    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, briefMotion(joint.motion)));
+    this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
+    if (!joint || !character.skeleton || index === undefined) return;
+    const first = firstDofs(character.skeleton)[index];
+    this.fill(this.joint, character, dofs, first, dofsOf(joint.motion).length);
+  }
+
+  private fillMorphs(character: Character, dofs: readonly CharacterDof[]): void {
+    const count = character.morphs.length;
+    this.morphs.show(count > 0);
+    this.fill(this.morphs, character, dofs, dofs.length - count, Math.min(count, 2 * CHUNK));
+  }
+
+  private fill(folder: GUI, character: Character, dofs: readonly CharacterDof[], first: number, count: number): void {
+    for (let i = first; i < first + count; i++) addDofRow(this.context, folder, character, i, dofs[i]);
+  }
+
+  private listMore(): void {
+    const { listed } = this;
+    if (!listed || this.all._closed) return;
+    const { character, dofs } = listed;
+    const joints = character.skeleton?.joints ?? [];
+    const until = Math.min(dofs.length, listed.next + CHUNK);
+    for (; listed.next < until; listed.next++) {
+      const dof = dofs[listed.next];
+      const joint = joints[dof.joint];
+      const isRoot = listed.next < rootDofCount(character.skeleton);
+      const prefix = isRoot ? 'root' : joint ? jointName(character.skeleton, dof.joint) : 'morph';
+      addDofRow(this.context, this.all, character, listed.next, dof, prefix);
+    }
+    // The end mark stays the last; moving it makes the observer look again.
+    this.end.remove();
+    if (listed.next < dofs.length) this.all.$children.append(this.end);
+  }
+}

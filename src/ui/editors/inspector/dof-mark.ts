@@ -1,0 +1,80 @@
+/**
+ * The mark before a DOF's name, as it stands at the moment shown; a click keys the DOF there, or takes its key away.
+ *
+ *     ◆ keyed        it has a key at this moment
+ *     ◇ driven       its keys are at other moments
+ *     ● unkeyed      set by hand over its keys; goes when time moves
+ *     ▸ moved        another character's take moves it; no key can be made
+ *       free         no keys: it stays where it is put. A faint ◇ under the pointer says that a click keys it
+ */
+import { channelOf, isDriven } from '../../../evaluate/pose.ts';
+import { type Character, findCharacter } from '../../../model/document.ts';
+import { button, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { deleteKeysNow, isKeyedNow, keyNow } from '../posing/pose-edits.ts';
+
+export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
+
+export class DofMark {
+  readonly element: HTMLButtonElement;
+
+  /**
+   * @param row carries the state as `data-driver`
+   * @param name of the DOF, as it is spoken: `rx of leg_fl`
+   */
+  constructor(
+    private readonly wb: Workbench,
+    private readonly row: HTMLElement,
+    private readonly characterId: string,
+    private readonly dof: number,
+    private readonly name: string,
+  ) {
+    // Out of the order of Tab, which goes from number to number; the keyboard has the row's menu for the same.
+    const mark = button(`Key ${name}`, { class: 'mark', tabindex: -1 }, undefined, () =>
+      toggleKey(wb, characterId, dof),
+    );
+    this.element = keepsFocusElsewhere(mark);
+  }
+
+  show(character: Character): void {
+    const state = dofState(this.wb, character, this.dof);
+    if (this.row.dataset.driver === state) return;
+    this.row.dataset.driver = state;
+    this.element.title = TITLES[state];
+    this.element.disabled =
+      !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
+    setAttribute(this.element, 'aria-label', markLabel(state, this.name));
+  }
+}
+
+const TITLES: Readonly<Record<DofState, string>> = {
+  keyed: 'Keyed at this moment. Click to delete the key',
+  driven: 'Driven by keys at other moments. Click to key it here',
+  unkeyed: 'Set by hand, not keyed: goes when time moves. Click to key it',
+  moved: 'Driven by the take of another character. Bake it to key it',
+  free: 'Not animated. Click to key it here',
+};
+
+/** What a screen reader says of a click: among hundreds of marks it tells which one is meant. */
+export function markLabel(state: DofState, name: string): string {
+  if (state === 'moved') return `${name} is driven by another character’s take`;
+  return state === 'keyed' ? `Delete this moment’s key of ${name}` : `Key ${name}`;
+}
+
+export function dofState(wb: Workbench, character: Character, dof: number): DofState {
+  const { unkeyed } = character;
+  if (unkeyed?.timeSeconds === wb.transport.get().timeSeconds && unkeyed.dofs.includes(dof)) return 'unkeyed';
+  if (!isDriven(character, dof)) return 'free';
+  if (!channelOf(character, dof)) return 'moved';
+  return isKeyedNow(wb, character, dof) ? 'keyed' : 'driven';
+}
+
+/** Keys the DOF as it is shown; where it is keyed so already, takes the key away. */
+export function toggleKey(wb: Workbench, characterId: string, dof: number): void {
+  const character = findCharacter(wb.store.document, characterId);
+  if (!character?.skeleton) return;
+  if (dofState(wb, character, dof) === 'keyed') deleteKeysNow(wb, character, [dof]);
+  // Refused where another character's take moves the joint.
+  else attempt(wb.messages, () => keyNow(wb, characterId, [dof]));
+}

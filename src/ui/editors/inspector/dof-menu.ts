@@ -1,0 +1,104 @@
+/** The context menu of a DOF's row: its keys, its curve, its limits. */
+import { clearLimit, setLimit } from '../../../edit/commands/limits.ts';
+import { channelOf, dofCountOf, isDriven, poseAt } from '../../../evaluate/pose.ts';
+import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
+import { coupleOf } from '../../../model/couples.ts';
+import { type Character, findCharacter } from '../../../model/document.ts';
+import { type CharacterDof, characterDofs, filePose } from '../../../model/dofs.ts';
+import { isUnlimited, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
+import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import type { Slider } from '../../kit/slider.ts';
+import { openPanel } from '../../state/panels.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOne } from '../posing/pose-edits.ts';
+import { editLimits } from '../rig/limit-editor.ts';
+
+/** @param at where the mouse asked for it; without one the keyboard did, in the row's number */
+export function openDofMenu(
+  wb: Workbench,
+  slider: Slider,
+  characterId: string,
+  index: number,
+  at: { readonly x: number; readonly y: number } | undefined,
+): void {
+  const character = findCharacter(wb.store.document, characterId);
+  const dof = character && characterDofs(character.skeleton, character.morphs)[index];
+  if (!dof) return;
+  const list = entries(wb, slider, character, index, dof);
+  if (at) openMenu(at, list, { label: dof.name });
+  else {
+    openMenu(slider.$name.getBoundingClientRect(), list, {
+      label: dof.name,
+      opener: slider.$input,
+      focusFirst: true,
+    });
+  }
+}
+
+function entries(
+  wb: Workbench,
+  slider: Slider,
+  character: Character,
+  index: number,
+  dof: CharacterDof,
+): readonly MenuEntry[] {
+  const { id } = character;
+  const item = (label: string, enabled: boolean, run: () => void): MenuEntry => ({ kind: 'item', label, enabled, run });
+  const hasKeys = isDriven(character, index) && channelOf(character, index) !== undefined;
+  const value = shownValue(wb, character, index);
+  const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
+  // A coupled one is what it follows makes of it.
+  const isOwn = coupleOf(character.skeleton, index) === undefined;
+  const set = (value: number) => {
+    const own = { index, value };
+    const beside = wb.posing.beside?.(id, index);
+    const { timeSeconds } = wb.transport.get();
+    const dofs = beside?.at(value) ?? [own];
+    wb.store.apply(setOne(own), { characterId: id, dofs, timeSeconds, key: autoKey(wb) });
+    beside?.shown();
+  };
+  const list: MenuEntry[] = [
+    // Another character's take moves it: no key of its own would be seen.
+    item('Key here', character.skeleton !== undefined && index >= silentChannels(character), () =>
+      keyNow(wb, id, [index]),
+    ),
+    item('Delete the key here', isKeyedNow(wb, character, index), () => deleteKeysNow(wb, character, [index])),
+    item('Delete all its keys', hasKeys, () => deleteAllKeys(wb, character, index)),
+    { kind: 'line' },
+    item('Show its curve', hasKeys, () => showCurve(wb, character, index)),
+    { kind: 'line' },
+    item('Reset to the file’s pose', isOwn && value !== inFile, () => set(inFile)),
+    item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isOwn && value !== dof.rest, () => set(dof.rest)),
+  ];
+  if (!dof.takesLimits) return list;
+  const { min, max } = holds(dof.limit) ? dof.limit : UNLIMITED;
+  const limit = (next: Limit) => wb.store.apply(setLimit, { characterId: id, dof: index, ...next });
+  return [
+    ...list,
+    { kind: 'line' },
+    item('Limit from here', value <= max, () => limit({ min: value, max })),
+    item('Limit to here', value >= min, () => limit({ min, max: value })),
+    item('Type limits…', true, () => editLimits(wb, slider, id, index)),
+    item('No limits', !isUnlimited(dof.limit), () => wb.store.apply(clearLimit, { characterId: id, dof: index })),
+  ];
+}
+
+/** Crossed limits are none. */
+function holds({ min, max }: Limit): boolean {
+  return min <= max;
+}
+
+function shownValue(wb: Workbench, character: Character, index: number): number {
+  const pose = new Float64Array(dofCountOf(character));
+  poseAt(character, wb.transport.get().timeSeconds, pose);
+  return pose[index];
+}
+
+/** Alone in the curve editor, which opens for it. */
+function showCurve(wb: Workbench, character: Character, index: number): void {
+  wb.store.select({ ...wb.store.selection, characterId: character.id });
+  wb.timeline.isolate(undefined);
+  const hidden = wb.timeline.view.get().hidden.filter((c) => c !== index);
+  wb.timeline.change({ tab: 'curves', list: 'pinned', pinned: [index], hidden, filter: '' });
+  openPanel(wb, 'timeline', true);
+}

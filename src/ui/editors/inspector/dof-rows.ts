@@ -1,0 +1,213 @@
+/** A slider for a DOF: its span, its unit, its limits, and whether keys or a hand drive it just now. */
+import type { GUI } from 'lil-gui';
+import { isDriven } from '../../../evaluate/pose.ts';
+import { coupleOf, type DofCouple } from '../../../model/couples.ts';
+import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
+import { axisOfDof } from '../../../model/dof-axis.ts';
+import type { CharacterDof } from '../../../model/dofs.ts';
+import { reachOf } from '../../../model/reach.ts';
+import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton.ts';
+import { element, uniqueId } from '../../kit/dom.ts';
+import { shown } from '../../kit/number-text.ts';
+import { Slider, type SliderOptions } from '../../kit/slider.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
+import type { BesideDof } from '../../state/posing.ts';
+import type { Settings } from '../../state/settings.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { autoKey, setOne } from '../posing/pose-edits.ts';
+import { channelName, namedChannel, spokenName } from '../timeline/channels.ts';
+import { DofMark } from './dof-mark.ts';
+import { openDofMenu } from './dof-menu.ts';
+import type { LiveRows } from './live-rows.ts';
+
+export interface DofRowContext {
+  readonly wb: Workbench;
+  readonly edit: HandEdit;
+  readonly live: LiveRows;
+}
+
+/** @param prefix in front of the DOF's name where rows of several joints stand together */
+export function addDofRow(
+  { wb, edit, live }: DofRowContext,
+  folder: GUI,
+  character: Character,
+  index: number,
+  dof: CharacterDof,
+  prefix?: string,
+): Slider {
+  const { angles } = wb.settings.get();
+  const factor = shownPerUnit(dof.unit, angles);
+  const spoken = spokenName(namedChannel(character, index));
+  const refuse = (reason: string) => {
+    // Escape gives up what was typed: nobody asks for it any more.
+    if (!edit.cancelled) wb.messages.note(reason, 'warning');
+  };
+  const slider = new Slider(folder, spoken, 0, sliderOptions(dof, character, angles), refuse);
+  const { id } = character;
+  const mark = new DofMark(wb, slider.domElement, id, index, spoken);
+  const name = element(
+    'span',
+    { class: `dof-name ${axisClass(dof, character)}`, id: uniqueId('dof') },
+    shortName(dof, character),
+  );
+  const names = [...(prefix ? [element('span', { class: 'dof-joint', id: uniqueId('dof') }, prefix)] : []), name];
+  slider.$name.replaceChildren(mark.element, ...names);
+  // Without the mark's own words.
+  slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
+  const couple = coupleOf(character.skeleton, index);
+  const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
+  slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;
+  if (couple) {
+    slider.disable();
+    slider.domElement.title = slider.$name.title;
+    slider.$input.setAttribute('aria-description', held);
+    const followed = channelName(namedChannel(character, couple.follows));
+    slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));
+  }
+  slider.domElement.classList.add('dof');
+  slider.domElement.dataset.dof = String(index);
+
+  const update = () => {
+    const now = findCharacter(wb.store.document, id);
+    if (!now) return;
+    const dofs = wb.viewport.character(id)?.dofs ?? now.pose;
+    slider.showValue(withoutNoise((dofs[index] ?? 0) * factor));
+    mark.show(now);
+  };
+  // From the first change to the release, while pins hold.
+  let beside: BesideDof | undefined;
+  slider.onChange((value: number) => {
+    const now = findCharacter(wb.store.document, id);
+    // A playing clip would take the value back at the next frame.
+    const key = autoKey(wb);
+    if (now && (key || isDriven(now, index))) standStill(wb);
+    beside ??= wb.posing.beside?.(id, index);
+    const own = { index, value: value / factor };
+    const { timeSeconds } = wb.transport.get();
+    const dofs = beside?.at(own.value) ?? [own];
+    edit.preview(setOne(own), { characterId: id, dofs, timeSeconds, key });
+    beside?.shown();
+    if (edit.cancelled) update();
+  });
+  slider.onTakenBack(() => {
+    edit.cancel();
+    beside = undefined;
+  });
+  slider.onFinishChange(() => {
+    edit.commit();
+    beside = undefined;
+    update();
+  });
+  slider.domElement.addEventListener('contextmenu', (event) => {
+    // While a number is typed, the browser's own menu has Paste.
+    const byMouse = event.button === 2;
+    if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
+    event.preventDefault();
+    openDofMenu(wb, slider, id, index, byMouse ? { x: event.clientX, y: event.clientY } : undefined);
+  });
+  live.add(slider.domElement, update);
+  return slider;
+}
+
+/**
+ * The slider spans the limits where there are any and they hold; with the limits switched off, it spans the full turn
+ * and hatches what lies beyond them.
+ */
+export function sliderOptions(
+  dof: CharacterDof,
+  character: Pick<Character, 'skeleton' | 'clampsToLimits'>,
+  angles: Settings['angles'],
+): SliderOptions {
+  const factor = shownPerUnit(dof.unit, angles);
+  const full = fullSpan(dof, character.skeleton);
+  const { limit } = dof;
+  const suffix = unitText(dof.unit, angles).trim() === '°' ? '°' : '';
+  const resolution = { units: typedUnits(dof.unit, angles), ...resolutionOf(dof, full, angles) };
+  if (dof.unit === 'weight') return { span: [0, 1], step: 0.001, decimals: 3 };
+  if (!dof.takesLimits || isUnlimited(limit) || limit.min > limit.max) {
+    return { span: scale(full, factor), suffix, ...resolution };
+  }
+  const limits = scale([limit.min, limit.max], factor);
+  if (character.clampsToLimits && limit.max > limit.min) {
+    return { span: scale(withOpenEnds(limit, full), factor), ...held(limits), limits, suffix, ...resolution };
+  }
+  const [low, high] = withOpenEnds(limit, full);
+  const wide = [Math.min(full[0], low), Math.max(full[1], high)] as const;
+  const bounds = character.clampsToLimits ? held(limits) : {};
+  return { span: scale(wide, factor), limits, suffix, ...bounds, ...resolution };
+}
+
+function held(limits: readonly [number, number]) {
+  return { bounds: limits, remedy: 'Hold limits, in the Edit menu, keeps it there.' };
+}
+
+/** From limit to limit; where there is none on one side, as far as a slider without any goes. */
+function withOpenEnds({ min, max }: Limit, [low, high]: readonly [number, number]): readonly [number, number] {
+  return [min > UNLIMITED.min ? min : Math.min(low, max + low), max < UNLIMITED.max ? max : Math.max(high, min + high)];
+}
+
+/** Without limits: ±π, or ± the character's reach; scales up to twice the size, other factors ±1. */
+function fullSpan(dof: CharacterDof, skeleton: Skeleton | undefined): readonly [number, number] {
+  if (dof.unit === 'factor') return dof.name.startsWith('s') ? [0, 2] : [-1, 1];
+  const size = dof.unit === 'length' ? reachOf(skeleton) : Math.PI;
+  return [-size, size];
+}
+
+function resolutionOf(dof: CharacterDof, span: readonly [number, number], angles: Settings['angles']) {
+  if (dof.unit === 'angle') return angles === 'degrees' ? { step: 0.1, decimals: 2 } : { step: 0.001, decimals: 4 };
+  // About a thousandth of the span, as a power of ten.
+  const power = Math.floor(Math.log10((span[1] - span[0]) / 1000));
+  return { step: 10 ** power, decimals: Math.max(0, Math.min(8, 1 - power)) };
+}
+
+function scale([low, high]: readonly [number, number], factor: number): readonly [number, number] {
+  return [withoutNoise(low * factor), withoutNoise(high * factor)];
+}
+
+/** `limits −30° to 45°`, `limits from −30°`, `no limits`. */
+export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsToLimits'>, angles: Settings['angles']) {
+  if (dof.unit === 'weight') return '0 to 1, and beyond if typed';
+  if (!dof.takesLimits || isUnlimited(dof.limit)) return 'no limits';
+  const factor = shownPerUnit(dof.unit, angles);
+  const unit = unitText(dof.unit, angles);
+  const [low, high] = [dof.limit.min, dof.limit.max].map((value) => `${shown(value * factor, 4)}${unit}`);
+  let range = `${low} to ${high}`;
+  if (dof.limit.min <= UNLIMITED.min) range = `up to ${high}`;
+  else if (dof.limit.max >= UNLIMITED.max) range = `from ${low}`;
+  if (dof.limit.min > dof.limit.max) return `limits ${range} are crossed, and ignored`;
+  return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not held`;
+}
+
+/** `follows 0.5 · rx of elbow + 10°`: why a row can't be moved. */
+export function coupleText(
+  { follows, gain, offset }: DofCouple,
+  dof: CharacterDof,
+  character: Character,
+  angles: Settings['angles'],
+): string {
+  const { unit } = namedChannel(character, follows);
+  const from = shownPerUnit(unit, angles);
+  const to = shownPerUnit(dof.unit, angles);
+  const factor = shown((gain / from) * to, 4);
+  const added = offset === 0 ? '' : ` + ${shown(offset * to, 4)}${unitText(dof.unit, angles)}`;
+  return `follows ${factor} · ${spokenName(namedChannel(character, follows))}${added}`;
+}
+
+/** `walker_blink` of the walker is its `blink`; the whole name is in the tooltip. */
+function shortName({ name, unit }: CharacterDof, character: Character): string {
+  if (unit !== 'weight') return name;
+  for (const owner of [character.name, shownSkin(character)?.name, character.skeleton?.name]) {
+    if (owner && name.startsWith(owner) && /^[_ .-]./.test(name.slice(owner.length)))
+      return name.slice(owner.length + 1);
+  }
+  return name;
+}
+
+/** Red, green or blue by the DOF's axis, the accent where it has one of its own; weights have none. */
+function axisClass(dof: CharacterDof, { skeleton }: Character): string {
+  const axis = axisOfDof(skeleton, dof);
+  if (axis) return `axis-${axis}`;
+  return dof.unit === 'weight' ? 'plain-name' : 'axis-other';
+}

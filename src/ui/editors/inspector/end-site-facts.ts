@@ -1,0 +1,26 @@
+/** Where the End Sites of a joint are, among its facts: in the joint's space as in the file, and as posed. */
+import { endSitePosition } from '../../../evaluate/end-sites.ts';
+import type { Joint } from '../../../model/skeleton.ts';
+import type { FactList } from './fact-list.ts';
+
+/** Adds the tables, where there are End Sites. Gives what fills in those as posed, from all joints' matrices. */
+export function endSiteTables({ endSites = [] }: Joint, index: number, list: FactList): (world: Float64Array) => void {
+  if (endSites.length === 0) return () => {};
+  const several = endSites.length > 1;
+  const shape = {
+    rows: endSites.length,
+    columns: 3,
+    columnLabels: ['x', 'y', 'z'],
+    ...(several && { rowLabels: endSites.map((_, e) => `${e + 1}`) }),
+  };
+  const own = list.grid({ ...shape, label: several ? 'End Sites at' : 'End Site at' }).grid;
+  const posed = list.grid({ ...shape, label: several ? 'End Sites in world' : 'End Site in world' }).grid;
+  endSites.forEach((end, e) => {
+    own.setRow(e, end);
+  });
+  return (world) => {
+    endSites.forEach((end, e) => {
+      posed.setRow(e, endSitePosition(end, world, index));
+    });
+  };
+}

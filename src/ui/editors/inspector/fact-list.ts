@@ -1,0 +1,52 @@
+/** Facts in two columns, with tables of numbers between them; what `joint-facts` and `vertex-facts` are made of. */
+import { copyText } from '../../kit/clipboard.ts';
+import { button, element, setText } from '../../kit/dom.ts';
+import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
+
+/** What is shown, and how it is brought up to date. */
+export interface FactView {
+  readonly element: HTMLElement;
+  fill(): void;
+}
+
+export class FactList {
+  readonly element = element('div', { class: 'facts' });
+  private readonly parts: (() => string)[] = [];
+
+  constructor(title: string) {
+    const copyAll = button('Copy all of it', { class: 'link copy-all' }, 'Copy all', () => {
+      void copyText(this.text()).then((done) => {
+        copyAll.textContent = done ? 'Copied' : 'Not allowed';
+        setTimeout(() => {
+          copyAll.textContent = 'Copy all';
+        }, 1200);
+      });
+    });
+    this.element.append(element('div', { class: 'facts-head' }, element('span', { class: 'label' }, title), copyAll));
+    this.parts.push(() => title);
+  }
+
+  /** A line; gives what sets its text. */
+  fact(label: string, value: string | HTMLElement): (text: string) => void {
+    const cell = element('span', { class: 'fact-value' }, value);
+    this.element.append(element('div', { class: 'fact' }, element('span', { class: 'faint' }, label), cell));
+    this.parts.push(() => `${label}: ${cell.textContent}`);
+    return (text) => setText(cell, text);
+  }
+
+  /** A table under a heading; the note beside the heading can be set later. */
+  grid(options: GridOptions): { readonly grid: NumberGrid; note(text: string): void } {
+    const grid = new NumberGrid(options);
+    const note = element('span', { class: 'grid-note' });
+    this.element.append(
+      element('div', { class: 'grid-head' }, element('span', { class: 'faint' }, options.label), note),
+    );
+    this.element.append(grid.element);
+    this.parts.push(() => `${options.label}${note.textContent ? ` (${note.textContent})` : ''}\n${grid.text()}`);
+    return { grid, note: (text) => setText(note, text) };
+  }
+
+  text(): string {
+    return this.parts.map((part) => part()).join('\n');
+  }
+}

@@ -1,0 +1,45 @@
+/** Ghosts in the display folder: how many before and after, and how far apart they are. */
+import type { GUI } from 'lil-gui';
+import { type Display, GHOST_UNITS, type GhostUnit, MOST_GHOSTS } from '../../../model/session.ts';
+import { Slider } from '../../kit/slider.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { setDisplay } from '../viewport/actions.ts';
+
+/** Frames between two ghosts, or seconds: what a step becomes when its unit changes. */
+const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.2 };
+
+/** Adds the rows to the display folder. Gives what fills them with the settings of now. */
+export function addGhostRows(wb: Workbench, folder: GUI): (display: Display) => void {
+  const { display } = wb.settings.get();
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+  const counts = { span: [0, 10], bounds: [0, MOST_GHOSTS], step: 1, decimals: 0 } as const;
+  const before = new Slider(folder, 'Ghosts before', display.ghostsBefore, counts, refuse);
+  const after = new Slider(folder, 'Ghosts after', display.ghostsAfter, counts, refuse);
+  before.onChange((count: number) => setDisplay(wb, { ghostsBefore: Math.round(count) }));
+  after.onChange((count: number) => setDisplay(wb, { ghostsAfter: Math.round(count) }));
+  const step = new Slider(
+    folder,
+    'Ghosts every',
+    display.ghostStep,
+    { bounds: [0.001, 1000], step: 0.01, decimals: 3 },
+    refuse,
+  );
+  step.onChange((ghostStep: number) => {
+    if (ghostStep > 0) setDisplay(wb, { ghostStep });
+  });
+  const binding = { unit: display.ghostStepIn };
+  const unit = folder.add(binding, 'unit', [...GHOST_UNITS]).name('Ghosts in');
+  unit.onChange((ghostStepIn: GhostUnit) => setDisplay(wb, { ghostStepIn, ghostStep: USUAL_STEP[ghostStepIn] }));
+  const rows = [before, after, step, unit];
+  const show = (now: Display) => {
+    before.showValue(now.ghostsBefore);
+    after.showValue(now.ghostsAfter);
+    step.showValue(now.ghostStep);
+    binding.unit = now.ghostStepIn;
+    unit.updateDisplay();
+    // Numbers of what is not there would only be in the way.
+    for (const row of rows) row.show(now.ghosts);
+  };
+  show(display);
+  return show;
+}

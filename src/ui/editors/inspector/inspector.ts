@@ -1,0 +1,191 @@
+/**
+ * The right panel: lil-gui, dressed as the rest of the page. What it shows is decided by identities: rows are made anew
+ * for another character, joint, unit or other limits, and only filled while a character plays or a slider is dragged.
+ */
+import { GUI } from 'lil-gui';
+import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { element } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { handleKey } from '../../shell/keys.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { HandEdit } from '../../state/hand-edit.ts';
+import { onDemand } from '../../state/on-demand.ts';
+import type { PosingMode } from '../../state/posing.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { IkFolder } from '../ik/ik-folder.ts';
+import type { RigFolder } from '../rig/rig-folder.ts';
+import { CharacterFolder } from './character-folder.ts';
+import { DofFolders } from './dof-folders.ts';
+import { flashDropped } from './dropped-rows.ts';
+import { jointFacts } from './joint-facts.ts';
+import { LiveRows } from './live-rows.ts';
+import { displayFolder, playbackFolder } from './page-folders.ts';
+
+/** @param panel empty, in its place (`inspector-panel.ts`) */
+export function fillInspector(wb: Workbench, panel: HTMLElement): void {
+  const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
+  const empty = element('p', { class: 'empty' }, 'The DOFs, morphs and numbers of a character will stand here.');
+  gui.$children.prepend(empty);
+
+  const folder = (id: string, title: string, open: boolean): GUI => rememberedFolder(wb, gui, id, title, open);
+  const edit = new HandEdit(wb.store, wb.messages);
+  const live = new LiveRows(gui.$children);
+  const rig = rigFolder(wb, edit, folder('rig', 'Rig', true));
+  const dofs = new DofFolders({ wb, edit, live }, gui, folder);
+  const ik = new IkFolder(wb, folder('ik', 'IK', true));
+  const facts = jointFacts(wb);
+  const factsFolder = folder('facts', 'Numbers', true);
+  factsFolder.$children.append(facts.element);
+  const character = new CharacterFolder(wb, edit, folder('character', 'Character', false));
+  const display = folder('display', 'Display', false);
+  const playback = folder('playback', 'Playback and units', false);
+  for (const wide of [display, playback]) wide.domElement.classList.add('wide-names');
+  displayFolder(wb, display);
+  playbackFolder(wb, playback);
+
+  let shown: Shown | undefined;
+  const show = () => {
+    const next = whatIsShown(wb);
+    const target = findCharacter(wb.store.document, next.id);
+    const isSame = shown?.id === next.id && shown?.joint === next.joint;
+    const goBack = isSame ? placeIn(gui.$children) : undefined;
+    if (!shown || !sameDofs(shown, next)) dofs.rebuild(target, next.joint);
+    if (!shown || !sameCharacterRows(shown, next)) character.rebuild(target);
+    empty.hidden = target !== undefined;
+    factsFolder.show(target !== undefined);
+    shown = next;
+    character.update(target);
+    dofs.showUnkeyed(target);
+    ik.update();
+    rig(target, next.joint);
+    facts.show();
+    goBack?.();
+    live.update();
+  };
+  const showSoon = oncePerFrame(show);
+  const followSoon = oncePerFrame(() => {
+    live.update();
+    facts.follow();
+  });
+  wb.store.subscribe((now, before) => {
+    flashDropped(wb, panel, now.document, before.document);
+    showSoon();
+  });
+  wb.settings.subscribe((now, before) => {
+    if (now.angles !== before.angles || now.timeDisplay !== before.timeDisplay) showSoon();
+  });
+  wb.transport.subscribe((now, before) => {
+    if (now.timeSeconds !== before.timeSeconds) followSoon();
+    if (now.framesPerSecond !== before.framesPerSecond) showSoon();
+  });
+  show();
+
+  // lil-gui keeps keys to itself; commands that a control has no use for are handed on before it does.
+  const handOn = (event: KeyboardEvent) => {
+    if (event.target instanceof Element && event.target.closest('.lil-controller')) handleKey(wb, event);
+  };
+  panel.addEventListener('keydown', handOn, { capture: true });
+}
+
+/** Shown in rig mode, and fetched with it. */
+function rigFolder(wb: Workbench, edit: HandEdit, folder: GUI) {
+  let rows: RigFolder | undefined;
+  let shown: readonly [Character | undefined, number | undefined] = [undefined, undefined];
+  const show = async (mode: PosingMode) => {
+    folder.show(mode === 'rig');
+    if (mode !== 'rig') return;
+    if (rows) return rows.show(...shown);
+    const module = await onDemand(wb.messages, 'The folder of rigging', () => import('../rig/rig-folder.ts'));
+    rows ??= module && new module.RigFolder(wb, edit, folder);
+    rows?.show(...shown);
+  };
+  wb.posing.mode.subscribe((mode) => void show(mode));
+  void show(wb.posing.mode.get());
+  return (character: Character | undefined, joint: number | undefined) => {
+    shown = [character, joint];
+    if (wb.posing.mode.get() === 'rig') rows?.show(character, joint);
+  };
+}
+
+/** What the rows depend on, by identity. */
+interface Shown {
+  readonly id: string | undefined;
+  readonly joint: number | undefined;
+  readonly skeleton: Character['skeleton'];
+  readonly morphs: Character['morphs'] | undefined;
+  readonly clamps: boolean;
+  readonly copies: number;
+  readonly hasTake: boolean;
+  readonly hasSamples: boolean;
+  readonly isMoved: boolean;
+  readonly angles: string;
+}
+
+function whatIsShown(wb: Workbench): Shown {
+  const character = currentCharacter(wb);
+  const { selection } = wb.store;
+  return {
+    id: character?.id,
+    joint: selection.characterId === character?.id ? selection.joint : undefined,
+    skeleton: character?.skeleton,
+    morphs: character?.morphs,
+    clamps: character?.clampsToLimits ?? true,
+    copies: character?.placements.length ?? 0,
+    hasTake: character !== undefined && shownClip(character) !== undefined,
+    hasSamples: character !== undefined && shownClip(character)?.samples !== undefined,
+    isMoved: character?.driver !== undefined,
+    angles: wb.settings.get().angles,
+  };
+}
+
+/** A take changes nothing about the sliders: the one that is being dragged while the first key is made goes on. */
+function sameDofs(a: Shown, b: Shown): boolean {
+  return (
+    a.id === b.id &&
+    a.joint === b.joint &&
+    a.skeleton === b.skeleton &&
+    a.morphs === b.morphs &&
+    a.clamps === b.clamps &&
+    a.angles === b.angles
+  );
+}
+
+function sameCharacterRows(a: Shown, b: Shown): boolean {
+  return (
+    a.id === b.id &&
+    a.skeleton === b.skeleton &&
+    a.morphs === b.morphs &&
+    a.copies === b.copies &&
+    a.hasTake === b.hasTake &&
+    a.hasSamples === b.hasSamples &&
+    a.isMoved === b.isMoved &&
+    a.angles === b.angles
+  );
+}
+
+/** Where one is in the rows, so that one can be there again when they were made anew: what is in view, and the focus. */
+function placeIn(scroller: HTMLElement): () => void {
+  const { scrollTop } = scroller;
+  const focused = document.activeElement;
+  const row = focused?.closest<HTMLElement>('[data-dof]');
+  const folder = row?.closest('.lil-gui');
+  return () => {
+    if (row && !row.isConnected && document.activeElement === document.body) {
+      const again = folder?.querySelector<HTMLElement>(`[data-dof="${row.dataset.dof}"]`);
+      again?.querySelector<HTMLElement>('input')?.focus({ preventScroll: true });
+    }
+    if (scroller.scrollTop !== scrollTop) scroller.scrollTop = scrollTop;
+  };
+}
+
+/** A folder that is next time as it was left. */
+function rememberedFolder(wb: Workbench, gui: GUI, id: string, title: string, open: boolean): GUI {
+  const key = `inspector/${id}`;
+  const folder = gui.addFolder(title);
+  folder.open(wb.settings.get().folds[key] ?? open);
+  folder.onOpenClose((changed) => {
+    if (changed !== folder) return;
+    wb.settings.update((s) => ({ ...s, folds: { ...s.folds, [key]: !folder._closed } }));
+  });
+  return folder;
+}

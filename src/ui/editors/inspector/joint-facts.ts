@@ -1,0 +1,181 @@
+/**
+ * Every number behind what is picked. Built anew for another joint or vertex, filled while the character moves: ten
+ * times a second at most, and only while it can be seen.
+ */
+import { tipPosition } from '../../../evaluate/end-sites.ts';
+import { compileSkeleton, localMatrices } from '../../../evaluate/kinematics.ts';
+import { determinant3 } from '../../../math/mat4.ts';
+import { type Character, shownSkin } from '../../../model/document.ts';
+import { firstDofs, rootDofs } from '../../../model/dofs.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { movedVertices } from '../../../model/moved-vertices.ts';
+import { dofsOf, UNLIMITED } from '../../../model/skeleton.ts';
+import { element } from '../../kit/dom.ts';
+import { atMostEvery } from '../../kit/frame.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { shownPerUnit, withoutNoise } from '../../state/angles.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { endSiteTables } from './end-site-facts.ts';
+import { FactList, type FactView } from './fact-list.ts';
+import { motionText } from './motion-text.ts';
+import { vertexFacts } from './vertex-facts.ts';
+
+const FOLLOW_EVERY_MS = 100;
+
+export interface Facts {
+  readonly element: HTMLElement;
+  /** After an edit, or another selection. */
+  show(): void;
+  /** While time moves. */
+  follow(): void;
+}
+
+export function jointFacts(wb: Workbench): Facts {
+  const holder = element('div', { class: 'facts-holder' });
+  let view: FactView | undefined;
+  let key: readonly unknown[] = [];
+  let inView = false;
+  const fillSoon = atMostEvery(FOLLOW_EVERY_MS, () => {
+    if (inView) view?.fill();
+  });
+  new IntersectionObserver((entries) => {
+    inView = entries.at(-1)?.isIntersecting ?? false;
+    if (inView) fillSoon();
+  }).observe(holder);
+
+  const show = () => {
+    const character = currentCharacter(wb);
+    const { joint, vertex, characterId } = wb.store.selection;
+    const own = character && characterId === character.id;
+    const skin = character && shownSkin(character);
+    const nextKey = [
+      character?.id,
+      own ? joint : undefined,
+      own ? vertex : undefined,
+      character?.skeleton,
+      skin,
+      wb.settings.get().angles,
+      character?.clampsToLimits,
+    ];
+    if (nextKey.some((part, i) => part !== key[i]) || !view) {
+      key = nextKey;
+      view = makeView(wb, character, own ? joint : undefined, own ? vertex : undefined);
+      holder.replaceChildren(view.element);
+    }
+    fillSoon();
+  };
+  return { element: holder, show, follow: fillSoon };
+}
+
+function makeView(
+  wb: Workbench,
+  character: Character | undefined,
+  joint: number | undefined,
+  vertex: number | undefined,
+): FactView {
+  const skin = character && shownSkin(character);
+  if (character && skin && vertex !== undefined) return vertexFacts(wb, character, skin, vertex);
+  if (character?.skeleton && joint !== undefined && character.skeleton.joints[joint]) {
+    return factsOfJoint(wb, character, joint);
+  }
+  const text = 'Pick a joint or a skin vertex: its matrices, limits and weights stand here, each to be copied.';
+  return { element: element('p', { class: 'empty' }, text), fill: () => {} };
+}
+
+function factsOfJoint(wb: Workbench, character: Character, index: number): FactView {
+  const { skeleton, id } = character;
+  if (!skeleton) throw new Error('A joint without a skeleton.');
+  const joint = skeleton.joints[index];
+  const list = new FactList(jointName(skeleton, index));
+  list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
+  list.fact('Type', motionText(joint.motion));
+  list.fact('Parent', joint.parent < 0 ? 'none, it is the root' : parentLink(wb, character, joint.parent));
+  if (joint.length !== undefined) list.fact('Bone', shown(joint.length, 6));
+  list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
+
+  const fillEnds = endSiteTables(joint, index, list);
+  const dofs = dofTable(wb, character, index, list);
+  const local = list.grid({ label: 'Local matrix', rows: 4, columns: 4 });
+  const world = list.grid({ label: 'World matrix', rows: 4, columns: 4 });
+  const { length } = joint;
+  const columnLabels = ['x', 'y', 'z'];
+  const tip =
+    length === undefined ? undefined : list.grid({ label: 'Tip in world', rows: 1, columns: 3, columnLabels });
+  const skin = shownSkin(character);
+  if (skin && index < skin.bindings.length / 16) {
+    const binding = list.grid({ label: 'Binding matrix', rows: 4, columns: 4 });
+    binding.grid.setMatrix(skin.bindings, 16 * index);
+    binding.note(mirrorText(skin.bindings, 16 * index));
+  }
+  if (skin) list.fact('Moves', plural(movedVertices(skin, index), 'vertex', 'vertices'));
+
+  const locals = new Float64Array(16 * skeleton.joints.length);
+  const fill = () => {
+    const facts = wb.viewport.character(id);
+    if (!facts) return;
+    dofs(facts.dofs);
+    localMatrices(compileSkeleton(skeleton), facts.dofs, locals);
+    local.grid.setMatrix(locals, 16 * index);
+    const worlds = facts.worldMatrices();
+    world.grid.setMatrix(worlds, 16 * index);
+    world.note(mirrorText(worlds, 16 * index));
+    if (length !== undefined) tip?.grid.setRow(0, tipPosition(length, worlds, index));
+    fillEnds(worlds);
+  };
+  return { element: list.element, fill };
+}
+
+/** Value and limits of each DOF. Gives what fills in the values. */
+function dofTable(wb: Workbench, character: Character, index: number, list: FactList) {
+  const { skeleton } = character;
+  const joint = skeleton?.joints[index];
+  if (!skeleton || !joint) return () => {};
+  const own = dofsOf(joint.motion);
+  if (!own.length) return () => {};
+  const { angles } = wb.settings.get();
+  const first = firstDofs(skeleton)[index];
+  const root = index === 0 ? rootDofs(skeleton) : [];
+  const rootRows = root.length;
+  const rows = [...root, ...own];
+  const { grid, note } = list.grid({
+    label: 'DOFs',
+    rows: rows.length,
+    columns: 3,
+    rowLabels: rows.map((dof) => dof.name),
+    columnLabels: ['value', 'min', 'max'],
+    decimals: angles === 'degrees' ? 3 : 4,
+  });
+  note(rows.some((dof) => dof.unit === 'angle') ? angles : '');
+  own.forEach((dof, i) => {
+    const limit = joint.limits[i];
+    const factor = shownPerUnit(dof.unit, angles);
+    grid.set(rootRows + i, 1, limit.min <= UNLIMITED.min ? -Infinity : withoutNoise(limit.min * factor));
+    grid.set(rootRows + i, 2, limit.max >= UNLIMITED.max ? Infinity : withoutNoise(limit.max * factor));
+  });
+  for (let i = 0; i < rootRows; i++) {
+    grid.set(i, 1, -Infinity);
+    grid.set(i, 2, Infinity);
+  }
+  return (dofs: Float64Array) => {
+    rows.forEach((dof, i) => {
+      const at = i < rootRows ? i : first + i - rootRows;
+      grid.set(i, 0, withoutNoise(dofs[at] * shownPerUnit(dof.unit, angles)));
+    });
+  };
+}
+
+function parentLink(wb: Workbench, character: Character, parent: number): HTMLElement {
+  const { skeleton } = character;
+  const name = jointName(skeleton, parent);
+  const text = skeleton?.joints[parent]?.name ? `${name} (${parent})` : name;
+  const made = element('button', { type: 'button', class: 'link' }, text);
+  made.addEventListener('click', () => wb.store.select({ characterId: character.id, joint: parent }));
+  return made;
+}
+
+/** Says so where a matrix mirrors: normals and winding turn over there. */
+function mirrorText(matrix: Float64Array, offset: number): string {
+  const determinant = determinant3(matrix, offset);
+  return determinant < 0 ? `mirrors: determinant ${determinant.toPrecision(4)}` : '';
+}

@@ -1,0 +1,105 @@
+/** Folders that belong to the page rather than to a character: what is drawn, and how time runs. */
+import type { GUI } from 'lil-gui';
+import { LOOP_MODES } from '../../../edit/playback.ts';
+import { DEFAULT_DISPLAY, type Display } from '../../../model/session.ts';
+import { Slider, type SliderOptions } from '../../kit/slider.ts';
+import { ANGLES, TIME_DISPLAYS } from '../../state/settings.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { LOOP_LABELS } from '../transport/actions.ts';
+import { BOX_STYLES, isSkinVisible, NO_SKIN, SKIN_STYLES, setDisplay } from '../viewport/actions.ts';
+import { addGhostRows } from './ghost-rows.ts';
+
+type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
+
+const SWITCHES: readonly (readonly [Switch, string])[] = [
+  ['bones', 'Bones'],
+  ['axes', 'Joint axes'],
+  ['names', 'Names'],
+  ['characterNames', 'Character names'],
+  ['normals', 'Normals'],
+  ['trail', 'Trail of the joint'],
+  ['ghosts', 'Ghosts'],
+  ['grid', 'Grid'],
+  ['shadow', 'Shadow'],
+  ['orthographic', 'Orthographic'],
+  ['follow', 'Follow the joint'],
+  ['inPlace', 'In place'],
+];
+
+export function displayFolder(wb: Workbench, folder: GUI): void {
+  const binding = { ...wb.settings.get().display };
+  const option = <K extends 'skin' | 'boxes'>(
+    key: K,
+    label: string,
+    styles: readonly (readonly [Display[K], string])[],
+  ) =>
+    folder
+      .add(binding, key, Object.fromEntries(styles.map(([value, name]) => [name, value])))
+      .name(label)
+      .onChange((value: Display[K]) => setDisplay(wb, { [key]: value }));
+  const skin = option('skin', 'Skin', SKIN_STYLES);
+  const showSkin = () => {
+    const hasSkin = isSkinVisible(wb);
+    skin.enable(hasSkin);
+    skin.domElement.title = hasSkin ? '' : NO_SKIN;
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters) showSkin();
+  });
+  showSkin();
+  option('boxes', 'Boxes', BOX_STYLES);
+  let showGhosts: ((display: Display) => void) | undefined;
+  for (const [key, label] of SWITCHES) {
+    folder
+      .add(binding, key)
+      .name(label)
+      .onChange((value: boolean) => setDisplay(wb, { [key]: value }));
+    if (key === 'ghosts') showGhosts = addGhostRows(wb, folder);
+  }
+  folder.add({ reset: () => setDisplay(wb, DEFAULT_DISPLAY) }, 'reset').name('Reset to default');
+  wb.settings.subscribe((now, before) => {
+    if (now.display === before.display) return;
+    Object.assign(binding, now.display);
+    for (const controller of folder.controllers) controller.updateDisplay();
+    showGhosts?.(now.display);
+  });
+}
+
+export function playbackFolder(wb: Workbench, folder: GUI): void {
+  const { transport, settings } = wb;
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+  const rates: SliderOptions = { span: [-4, 4], bounds: [-4, 4], step: 0.05, decimals: 3, suffix: '×' };
+  const rate = new Slider(folder, 'Rate', transport.get().rate, rates, refuse);
+  rate.onChange((value: number) => transport.update((p) => ({ ...p, rate: value })));
+  const binding = {
+    loop: transport.get().loop,
+    angles: settings.get().angles,
+    time: settings.get().timeDisplay,
+  };
+  const loops = Object.fromEntries(LOOP_MODES.map((mode) => [LOOP_LABELS[mode], mode]));
+  const loop = folder.add(binding, 'loop', loops).name('Loop');
+  loop.onChange((mode: (typeof LOOP_MODES)[number]) => transport.update((p) => ({ ...p, loop: mode })));
+  const frameRates: SliderOptions = { bounds: [1, 1000], step: 1, decimals: 3 };
+  const fps = new Slider(folder, 'Frames per second', transport.get().framesPerSecond, frameRates, refuse);
+  fps.onChange((framesPerSecond: number) => {
+    if (framesPerSecond >= 1) transport.update((p) => ({ ...p, framesPerSecond }));
+  });
+  const time = folder.add(binding, 'time', [...TIME_DISPLAYS]).name('Time in');
+  time.onChange((timeDisplay: (typeof TIME_DISPLAYS)[number]) => settings.update((s) => ({ ...s, timeDisplay })));
+  const angles = folder.add(binding, 'angles', [...ANGLES]).name('Angles in');
+  angles.onChange((unit: (typeof ANGLES)[number]) => settings.update((s) => ({ ...s, angles: unit })));
+
+  transport.subscribe((now, before) => {
+    if (now.rate !== before.rate) rate.showValue(now.rate);
+    if (now.framesPerSecond !== before.framesPerSecond) fps.showValue(now.framesPerSecond);
+    if (now.loop === before.loop) return;
+    binding.loop = now.loop;
+    loop.updateDisplay();
+  });
+  settings.subscribe((now) => {
+    binding.angles = now.angles;
+    binding.time = now.timeDisplay;
+    angles.updateDisplay();
+    time.updateDisplay();
+  });
+}

@@ -1,0 +1,115 @@
+/**
+ * How a character's own space lies in the scene, in the character's folder: up axis, unit, ground, and what the position
+ * channels of BVH mean.
+ *
+ * Another unit or up axis puts the figure on the ground anew: who corrects a guess wants to see it standing.
+ */
+import type { GUI } from 'lil-gui';
+import { setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';
+import { guessSpace, liftOntoGround, metresForPerson } from '../../../evaluate/space.ts';
+import {
+  type Character,
+  DEFAULT_SPACE,
+  findCharacter,
+  type LengthUnit,
+  type Space,
+  shownClip,
+} from '../../../model/document.ts';
+import { type Positions, positionsTaken } from '../../../model/position-channels.ts';
+import { Slider } from '../../kit/slider.ts';
+import { withoutNoise } from '../../state/angles.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
+  ['Automatic', 'automatic'],
+  ['As is', 'asIs'],
+  ['Metres', 'metres'],
+  ['Decimetres', 'decimetres'],
+  ['Centimetres', 'centimetres'],
+  ['Millimetres', 'millimetres'],
+  ['Inches', 'inches'],
+  ['CMU (1/0.45 in)', 'cmu'],
+  ['A person’s height', 'own'],
+];
+const UPS = { 'y up': 'y', 'z up': 'z' } as const;
+const POSITIONS: Readonly<Record<string, Positions>> = { 'Replace the offset': 'replace', 'Add to it': 'add' };
+
+/** Adds the rows to a folder that was emptied. Gives what fills them with the values of now. */
+export function addSpaceRows(wb: Workbench, edit: HandEdit, folder: GUI, { id }: Character): () => void {
+  const now = () => findCharacter(wb.store.document, id);
+  const spaceNow = () => now()?.space ?? DEFAULT_SPACE;
+  const put = (space: Space) => {
+    if (now()) attempt(wb.messages, () => wb.store.apply(setSpace, { characterId: id, space }));
+    update();
+    // Of a hundred times the size it is out of the picture, of a hundredth a speck in it.
+    wb.viewport.reveal(id);
+  };
+  const binding: { up: Space['up']; unit: LengthUnit | 'automatic'; positions: Positions } = {
+    up: spaceNow().up,
+    unit: spaceNow().unit,
+    positions: 'replace',
+  };
+  const up = folder.add(binding, 'up', UPS).name('Up axis');
+  up.onChange((axis: Space['up']) => put(grounded(now(), { ...spaceNow(), up: axis })));
+
+  const unit = folder.add(binding, 'unit', Object.fromEntries(UNITS)).name('Unit');
+  unit.onChange((chosen: LengthUnit | 'automatic') => {
+    const character = now();
+    const { up } = spaceNow();
+    if (chosen === 'automatic') {
+      put(character?.skeleton ? guessSpace(character.skeleton, shownClip(character)) : DEFAULT_SPACE);
+    } else if (chosen === 'own') {
+      const metres = character?.skeleton ? metresForPerson(character.skeleton, shownClip(character), up) : 1;
+      put(grounded(character, { up, unit: 'own', metres, lift: 0 }));
+    } else put(grounded(character, { up, unit: chosen, lift: 0 }));
+  });
+
+  const refuse = (reason: string) => {
+    if (!edit.cancelled) wb.messages.note(reason, 'warning');
+  };
+  const lift = new Slider(folder, 'Lift', spaceNow().lift, { step: 0.001, decimals: 3, suffix: ' m' }, refuse);
+  lift.onChange((value: number) => edit.preview(setSpace, { characterId: id, space: { ...spaceNow(), lift: value } }));
+  lift.onTakenBack(() => edit.cancel());
+  lift.onFinishChange(() => {
+    edit.commit();
+    update();
+    wb.viewport.reveal(id);
+  });
+  const character = now();
+  if (character?.skeleton) {
+    const ground = () => put(onGround(now(), spaceNow()));
+    folder.add({ ground }, 'ground').name('Feet on the ground');
+  }
+  const taken = character?.skeleton && positionsTaken(character.skeleton);
+  const positions = taken && folder.add(binding, 'positions', POSITIONS).name('Positions');
+  positions?.onChange((meaning: Positions) => {
+    attempt(wb.messages, () => wb.store.apply(setPositionChannels, { characterId: id, positions: meaning }));
+  });
+
+  const update = () => {
+    const character = now();
+    if (!character) return;
+    const space = spaceNow();
+    binding.up = space.up;
+    binding.unit = space.unit;
+    binding.positions = (character.skeleton && positionsTaken(character.skeleton)) ?? 'replace';
+    up.updateDisplay();
+    unit.updateDisplay();
+    lift.showValue(withoutNoise(space.lift));
+    positions?.updateDisplay();
+  };
+  update();
+  return update;
+}
+
+/** As is means as it is: what stands on no ground in its file stands on none here. */
+function grounded(character: Character | undefined, space: Space): Space {
+  return space.unit === 'asIs' ? { ...space, lift: 0 } : onGround(character, space);
+}
+
+function onGround(character: Character | undefined, space: Space): Space {
+  if (!character?.skeleton) return { ...space, lift: 0 };
+  return { ...space, lift: liftOntoGround(character.skeleton, shownClip(character), space) };
+}

@@ -1,0 +1,103 @@
+/** The take that a character shows, in the character's folder: its name, and what of it is played. */
+import type { GUI } from 'lil-gui';
+import { renameClip, setClipRange, setInterpolation } from '../../../edit/commands/clips.ts';
+import type { ChannelClip } from '../../../model/clip.ts';
+import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import type { Interpolation } from '../../../model/samples.ts';
+import { element } from '../../kit/dom.ts';
+import { NumberField } from '../../kit/number-field.ts';
+import { inField } from '../../kit/number-text.ts';
+import { withoutNoise } from '../../state/angles.ts';
+import { attempt } from '../../state/attempt.ts';
+import { openPanel } from '../../state/panels.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
+  'Nearest frame': 'nearest',
+  Linear: 'linear',
+  Cubic: 'cubic',
+};
+
+/** Adds the rows to a folder that was emptied. Gives what fills them with the values of now, and what else to remove. */
+export function addTakeRows(
+  wb: Workbench,
+  folder: GUI,
+  character: Character,
+  take: ChannelClip,
+): { readonly update: () => void; readonly line: HTMLElement } {
+  const { id } = character;
+  const now = () => {
+    const found = findCharacter(wb.store.document, id);
+    return found && shownClip(found);
+  };
+  const binding = { name: take.name };
+  const name = folder.add(binding, 'name').name('Take');
+  name.domElement.classList.add('take-name');
+  name.onFinishChange((typed: string) => {
+    if (!typed.trim()) wb.messages.note('A take needs a name: its file is called so.', 'warning');
+    else if (now()) attempt(wb.messages, () => wb.store.apply(renameClip, { characterId: id, name: typed }));
+    update();
+  });
+
+  const perUnit = () => (wb.settings.get().timeDisplay === 'frames' ? wb.transport.get().framesPerSecond : 1);
+  const end = (label: string, make: (value: number, range: readonly [number, number]) => readonly [number, number]) =>
+    new NumberField({
+      label,
+      text: (value) => inField(value, 4),
+      commit(value) {
+        const clip = now();
+        if (clip) wb.store.apply(setClipRange, { characterId: id, range: make(value / perUnit(), clip.range) });
+        // The field shows what became of it at once.
+        update();
+      },
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
+    });
+  const from = end('Take begins', (value, [, to]) => [value, Math.max(value, to)]);
+  const to = end('Take ends', (value, [first]) => [Math.min(value, first), value]);
+  const unit = element('span', { class: 'faint unit' });
+  const line = element(
+    'div',
+    { class: 'range-row' },
+    element('span', { class: 'vector-name' }, 'Range'),
+    from.element,
+    element('span', { class: 'faint' }, '–'),
+    to.element,
+    unit,
+  );
+  folder.$children.append(line);
+
+  const between = { interpolation: take.samples?.interpolation ?? 'linear' };
+  const interpolation = take.samples && folder.add(between, 'interpolation', INTERPOLATION_NAMES).name('Interpolation');
+  interpolation?.onChange((chosen: Interpolation) => {
+    if (now()) attempt(wb.messages, () => wb.store.apply(setInterpolation, { characterId: id, interpolation: chosen }));
+  });
+
+  const update = () => {
+    const clip = now();
+    if (!clip) return;
+    if (interpolation && clip.samples) {
+      between.interpolation = clip.samples.interpolation;
+      interpolation.updateDisplay();
+    }
+    if (binding.name !== clip.name && !name.domElement.contains(document.activeElement)) {
+      binding.name = clip.name;
+      name.updateDisplay();
+    }
+    from.show(withoutNoise(clip.range[0] * perUnit()));
+    to.show(withoutNoise(clip.range[1] * perUnit()));
+    const text = wb.settings.get().timeDisplay === 'frames' ? 'fr' : 's';
+    if (unit.textContent !== text) unit.textContent = text;
+  };
+  update();
+  return { update, line };
+}
+
+/** Brings the field of the take's name before the person, wherever it is folded away. */
+export function askForTakeName(wb: Workbench, folder: GUI): void {
+  openPanel(wb, 'inspector', true);
+  folder.open();
+  const field = folder.domElement.querySelector<HTMLInputElement>('.take-name input');
+  field?.scrollIntoView({ block: 'nearest' });
+  field?.focus();
+  field?.select();
+}

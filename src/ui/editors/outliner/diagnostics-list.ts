@@ -1,0 +1,107 @@
+/**
+ * Every message that has not been dismissed, with its diagnostics: where, what, what was assumed, and the line itself
+ * with a caret under the place.
+ */
+import type { Diagnostic } from '../../../model/diagnostic.ts';
+import { button, element } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { count } from '../../kit/number-text.ts';
+import { caretPad, counts, type Message } from '../../state/messages.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+/** More are counted; Copy takes them all. */
+const MOST_SHOWN = 200;
+const EXCERPT_CHARACTERS = 200;
+
+export function diagnosticsList(wb: Workbench): HTMLElement {
+  const list = element('div', { class: 'messages-list scrolls', tabindex: 0 });
+  const carets = caretsInView();
+  const show = (messages: readonly Message[]) => {
+    if (!messages.length) {
+      list.replaceChildren(element('p', { class: 'empty' }, 'What is wrong with a file stands here, line and all.'));
+      return;
+    }
+    let room = MOST_SHOWN;
+    const shown = [...messages].reverse().map((message) => {
+      const block = messageBlock(wb, message, Math.max(0, room));
+      room -= message.diagnostics.length;
+      return block;
+    });
+    list.replaceChildren(...shown);
+    carets.watch(list.querySelectorAll<HTMLElement>('.excerpt'));
+  };
+  wb.messages.list.subscribe(show);
+  show(wb.messages.list.get());
+  return list;
+}
+
+function messageBlock(wb: Workbench, message: Message, room: number): HTMLElement {
+  const { diagnostics, severity, text, fate } = message;
+  const file = diagnostics[0]?.file;
+  const shown = diagnostics.slice(0, room);
+  // Of a single one there is nothing to count: the icon says what it is.
+  const counted = diagnostics.length > 1 && counts(diagnostics);
+  const mixed = diagnostics.some((d) => d.severity !== severity);
+  return element(
+    'article',
+    { class: 'message' },
+    element(
+      'div',
+      { class: `message-head severity-${severity}` },
+      icon(severity),
+      element(
+        'span',
+        { class: `message-title ${file ? 'is-file' : ''}`, title: text },
+        diagnostics.length ? file || 'Opening' : text,
+      ),
+      counted && element('span', { class: 'message-count' }, counted),
+      button('Dismiss', { class: 'tool small' }, icon('close'), () => wb.messages.dismiss(message.id)),
+    ),
+    fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),
+    ...shown.map((d) => diagnosticBlock(d, mixed)),
+    diagnostics.length > shown.length &&
+      element('p', { class: 'faint' }, `… and ${count(diagnostics.length - shown.length)} more; Copy takes them all.`),
+  );
+}
+
+function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
+  const place = d.line > 0 ? `${d.line}:${d.column}` : '';
+  return element(
+    'div',
+    { class: 'diagnostic', title: d.code },
+    element(
+      'p',
+      { class: `severity-${d.severity}` },
+      withIcon && icon(d.severity),
+      place && element('span', { class: 'place' }, place),
+      element('span', { class: 'sentence' }, d.message, d.assumed && element('i', {}, ` (${d.assumed})`)),
+    ),
+    d.excerpt && excerpt(d.excerpt.text, d.excerpt.caret),
+  );
+}
+
+/** A long line begins where its caret can be seen: about the middle. From when it is first shown, for it has no width before. */
+function caretsInView(): { watch(excerpts: Iterable<HTMLElement>): void } {
+  const observer = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      observer.unobserve(target);
+      const caret = target.querySelector<HTMLElement>('.caret');
+      if (caret) target.scrollLeft = caret.offsetLeft + caret.offsetWidth - target.clientWidth / 2;
+    }
+  });
+  return {
+    watch(excerpts) {
+      observer.disconnect();
+      for (const excerpt of excerpts) observer.observe(excerpt);
+    },
+  };
+}
+
+/** The line and its caret, as text: nothing in a file is ever markup. */
+function excerpt(text: string, caret: number): HTMLElement {
+  const line = text.slice(0, EXCERPT_CHARACTERS);
+  const block = element('pre', { class: 'excerpt' });
+  block.append(`${line}\n${caretPad(line, Math.min(caret, line.length))}`, element('span', { class: 'caret' }, '^'));
+  return block;
+}

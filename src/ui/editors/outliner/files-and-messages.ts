@@ -1,0 +1,141 @@
+/** Below the tree: the files that are open, those that belong to nothing, and what is wrong with any of them. */
+import type { Document } from '../../../model/document.ts';
+import type { SourceFile } from '../../../model/files.ts';
+import { copyText } from '../../kit/clipboard.ts';
+import { button, element, setText, uniqueId } from '../../kit/dom.ts';
+import { type IconName, icon } from '../../kit/icons.ts';
+import { bytes } from '../../kit/number-text.ts';
+import { messagesText } from '../../state/messages.ts';
+import { openPanel } from '../../state/panels.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { diagnosticsList } from './diagnostics-list.ts';
+
+type TabName = 'files' | 'messages';
+
+export function filesAndMessages(wb: Workbench): HTMLElement {
+  const files = filesList(wb);
+  const messages = diagnosticsList(wb);
+  const tools = messageTools(wb);
+  const tabs = { files: tab('Files', files), messages: tab('Messages', messages) };
+  const choose = (name: TabName, focus = false) => {
+    for (const [key, { button, panel }] of Object.entries(tabs)) {
+      const chosen = key === name;
+      button.setAttribute('aria-selected', String(chosen));
+      button.tabIndex = chosen ? 0 : -1;
+      panel.hidden = !chosen;
+      tools.hidden = name !== 'messages' || !wb.messages.list.get().length;
+      if (chosen && focus) button.focus();
+    }
+  };
+  for (const name of ['files', 'messages'] as const) {
+    const other = name === 'files' ? 'messages' : 'files';
+    tabs[name].button.addEventListener('click', () => {
+      choose(name);
+      // There they stand: read.
+      if (name === 'messages') wb.messages.markAllRead();
+    });
+    tabs[name].button.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+      event.preventDefault();
+      choose(other, true);
+    });
+  }
+
+  let seen = 0;
+  const showCounts = () => {
+    const { characters, unused } = wb.store.document;
+    const open = characters.reduce((sum, c) => sum + c.sources.length, 0);
+    setText(tabs.files.count, String(open + unused.length || ''));
+    const list = wb.messages.list.get();
+    setText(tabs.messages.count, String(list.length || ''));
+    tabs.messages.button.dataset.severity = list.some((m) => m.severity === 'error') ? 'error' : '';
+    // A file that failed is what one looks for here next.
+    const newest = list.at(-1);
+    if (newest && newest.id > seen) {
+      seen = newest.id;
+      if (newest.diagnostics.length && newest.severity !== 'info') choose('messages');
+    }
+    if (!list.length) choose('files');
+    tools.hidden = !list.length || messages.hidden;
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document) showCounts();
+  });
+  wb.messages.list.subscribe(showCounts);
+  wb.messages.listAsked.subscribe(() => {
+    openPanel(wb, 'outliner', true);
+    choose('messages');
+  });
+  choose('files');
+  showCounts();
+
+  const bar = element(
+    'div',
+    { role: 'tablist', class: 'tabs', 'aria-label': 'Files and messages' },
+    tabs.files.button,
+    tabs.messages.button,
+  );
+  return element('div', { class: 'lower' }, element('div', { class: 'lower-head' }, bar, tools), files, messages);
+}
+
+function messageTools(wb: Workbench): HTMLElement {
+  const copy = async () => {
+    const text = messagesText(wb.messages.list.get());
+    if (!(await copyText(text))) wb.messages.note('The browser did not allow copying.', 'warning');
+  };
+  return element(
+    'div',
+    { class: 'tools', hidden: true },
+    button('Copy all messages', { class: 'tool small' }, icon('copy'), () => void copy()),
+    button('Dismiss all messages', { class: 'tool small' }, icon('close'), () => wb.messages.dismissAll()),
+  );
+}
+
+function tab(label: string, panel: HTMLElement) {
+  const count = element('span', { class: 'count' });
+  const id = uniqueId('tab');
+  panel.id = uniqueId('tab-panel');
+  panel.setAttribute('role', 'tabpanel');
+  panel.setAttribute('aria-labelledby', id);
+  const button = element('button', { type: 'button', role: 'tab', id, 'aria-controls': panel.id }, label, count);
+  return { button, count, panel };
+}
+
+function filesList(wb: Workbench): HTMLElement {
+  const list = element('div', { class: 'file-list scrolls' });
+  const show = (document: Document) => {
+    const rows = document.characters.flatMap((c) => c.sources.map((source) => fileRow('file', source, '')));
+    const unused = document.unused.map(({ file, why }) => fileRow('unused', file.source, why));
+    const nothing = document.isOpeningSample
+      ? 'A sample is open. It leaves when you open files of your own.'
+      : 'The files you open are listed here, and those that fit nothing, with the reason.';
+    list.replaceChildren(...rows, ...unused);
+    if (!list.children.length) list.append(element('p', { class: 'empty' }, nothing));
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document.unused !== before.document.unused || !sameSources(now.document, before.document)) {
+      show(now.document);
+    }
+  });
+  show(wb.store.document);
+  return list;
+}
+
+function sameSources(a: Document, b: Document): boolean {
+  return (
+    a.isOpeningSample === b.isOpeningSample &&
+    a.characters.length === b.characters.length &&
+    a.characters.every((c, i) => c.sources === b.characters[i].sources)
+  );
+}
+
+function fileRow(name: IconName, source: SourceFile, why: string): HTMLElement {
+  return element(
+    'div',
+    { class: `file-row ${why ? 'is-unused' : ''}`, title: source.path },
+    icon(name),
+    element('span', { class: 'label' }, source.name),
+    element('span', { class: 'detail' }, bytes(source.bytes)),
+    why && element('span', { class: 'why' }, `Unused: ${why}`),
+  );
+}

@@ -1,0 +1,352 @@
+/** The left panel: characters and what they are made of, and below it files and messages. */
+import { removeCopy, renameCharacter, showClip, showSkin } from '../../../edit/commands/characters.ts';
+import { duplicateClip, removeClip, renameClip } from '../../../edit/commands/clips.ts';
+import { setHidden } from '../../../edit/commands/spaces.ts';
+import { type Character, type Document, findCharacter } from '../../../model/document.ts';
+import type { Selection } from '../../../model/session.ts';
+import { element } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { actionsOf, runAction } from '../../shell/actions.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { attempt } from '../../state/attempt.ts';
+import { itemOf } from '../../state/menu-entries.ts';
+import { onDemand } from '../../state/on-demand.ts';
+import { splitter } from '../../state/splitter.ts';
+import type { PartKind, Workbench } from '../../state/workbench.ts';
+import { movedEntries } from '../retarget/moved.ts';
+import { rigState } from '../rig/rig-state.ts';
+import { filesAndMessages } from './files-and-messages.ts';
+import {
+  characterKey,
+  groupKey,
+  isFew,
+  jointKey,
+  keysAbove,
+  type OutlineRow,
+  outlineRows,
+  sameOutline,
+} from './outline-rows.ts';
+import { Tree } from './tree.ts';
+
+const ICONS = {
+  character: 'character',
+  joint: 'joint',
+  skin: 'skin',
+  clip: 'clip',
+  morph: 'morph',
+} as const;
+
+export function outliner(wb: Workbench): HTMLElement {
+  const folds = new Map<string, boolean>();
+  const search = searchBox();
+  const empty = element('p', { class: 'empty' });
+  let renaming: string | undefined;
+  let firstMatch: OutlineRow | undefined;
+
+  const tree = new Tree('Characters and joints', {
+    toggle(row, open) {
+      unfolded.keys.delete(row.key);
+      folds.set(row.key, open);
+      show();
+    },
+    select: (row) => select(wb, row),
+    activate: (row) => activate(wb, row),
+    doubleClick: (row) => (row.kind === 'character' ? startRename(row) : activate(wb, row)),
+    menu: (row, at) => rowMenu(wb, row, at, startRename),
+    draw: (row) => (row.key === renaming ? [renameField(row)] : drawRow(wb, row)),
+  });
+  tree.element.dataset.panel = 'outliner';
+  tree.element.addEventListener('keydown', (event) => {
+    const row = tree.focused;
+    // With a joint in hand, Delete must not take the whole character; in rig mode it is the joint's.
+    const isJoint = row?.kind === 'joint' && wb.posing.mode.get() === 'rig';
+    if (event.key === 'Delete' && row?.kind !== 'character') {
+      event.preventDefault();
+      if (isJoint) {
+        select(wb, row);
+        void runAction(wb, event.shiftKey ? 'rigging.deleteBranch' : 'rigging.delete');
+      }
+    }
+    if (event.key !== 'F2' || !row || !canRename(row)) return;
+    event.preventDefault();
+    startRename(row);
+  });
+
+  const show = () => {
+    const { document } = wb.store;
+    const query = search.input.value;
+    const rows = outlineRows(document, (key, otherwise) => folds.get(key) ?? otherwise, query);
+    firstMatch = query.trim() ? rows.find((row) => !row.onTheWay) : undefined;
+    empty.hidden = rows.length > 0;
+    tree.element.hidden = rows.length === 0;
+    empty.textContent = document.characters.length && query ? `Nothing here is called “${query}”.` : EMPTY;
+    tree.show(rows);
+  };
+  /** What selecting has unfolded of one of many characters: folded again when another is selected. */
+  const unfolded = { of: '', keys: new Set<string>() };
+  const foldOthers = ({ characters }: Document, character: Character | undefined) => {
+    if (!character || unfolded.of === character.id) return false;
+    const isAny = unfolded.keys.size > 0 && !isFew(characters);
+    if (isAny) for (const key of unfolded.keys) folds.delete(key);
+    unfolded.of = character.id;
+    unfolded.keys.clear();
+    return isAny;
+  };
+  const showSelection = ({ document, selection }: { document: Document; selection: Selection }) => {
+    const character = findCharacter(document, selection.characterId);
+    const meant = character ? undefined : currentCharacter(wb);
+    tree.mean(meant && characterKey(meant.id));
+    let opened = foldOthers(document, character);
+    if (!character || selection.joint === undefined) {
+      if (opened) show();
+      return tree.select(character && characterKey(character.id));
+    }
+    for (const key of keysAbove(character, selection.joint)) {
+      if (folds.get(key) === true) continue;
+      folds.set(key, true);
+      unfolded.keys.add(key);
+      opened = true;
+    }
+    if (opened) show();
+    tree.select(jointKey(character.id, selection.joint));
+  };
+
+  function startRename(row: OutlineRow): void {
+    renaming = row.key;
+    tree.drawAnew();
+    const field = tree.element.querySelector('input');
+    field?.focus();
+    field?.select();
+  }
+  function renameField(row: OutlineRow): HTMLElement {
+    const field = element('input', { type: 'text', class: 'rename', 'aria-label': 'Name', value: row.label });
+    const finish = (keep: boolean) => {
+      if (renaming === undefined) return;
+      renaming = undefined;
+      const name = field.value.trim();
+      if (keep && name) attempt(wb.messages, () => rename(wb, row, name));
+      tree.drawAnew();
+      tree.element.focus();
+    };
+    field.addEventListener('blur', () => finish(true));
+    field.addEventListener('keydown', (event) => {
+      event.stopPropagation();
+      if (event.key === 'Enter') finish(true);
+      if (event.key === 'Escape') finish(false);
+    });
+    return field;
+  }
+
+  search.input.addEventListener('input', show);
+  search.input.addEventListener('keydown', (event) => {
+    if (event.isComposing) return;
+    if (event.key === 'ArrowDown' || (event.key === 'Enter' && firstMatch)) tree.goTo(firstMatch);
+    else if (event.key === 'Escape' && search.input.value) {
+      search.input.value = '';
+      show();
+    } else return;
+    event.preventDefault();
+  });
+  wb.store.subscribe((now, before) => {
+    if (!sameOutline(now.document, before.document)) show();
+    const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
+    if (now.selection !== before.selection || others) showSelection(now);
+  });
+  rigState(wb).renameAsked.subscribe(() => {
+    const { focused } = tree;
+    if (focused?.kind === 'joint') startRename(focused);
+  });
+  const stopWaiting = wb.posing.mode.subscribe(async (mode) => {
+    if (mode !== 'rig') return;
+    stopWaiting();
+    (await import('./tree-drag.ts')).letJointsBeDragged(wb, tree);
+  });
+  wb.files.unsaved.subscribe(() => {
+    // A name that is being typed stays.
+    if (renaming === undefined) tree.drawAnew();
+  });
+  show();
+  showSelection(wb.store);
+
+  const lower = filesAndMessages(wb);
+  const panel = element(
+    'section',
+    { class: 'panel outliner', 'aria-label': 'Outliner' },
+    search.element,
+    element('div', { class: 'outliner-tree' }, empty, tree.element),
+    splitter(wb, 'filesHeight', 'Height of files and messages'),
+    lower,
+  );
+  return panel;
+}
+
+const EMPTY =
+  'Characters will stand here. Drop .bvh, .skel, .skin, .morph, .anim or .rig files anywhere on the page, or choose Open.';
+
+function searchBox() {
+  const input = element('input', {
+    type: 'search',
+    'aria-label': 'Search joints, skins, takes and morphs',
+    placeholder: 'Search',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  return { input, element: element('div', { class: 'search' }, icon('search'), input) };
+}
+
+function drawRow(wb: Workbench, row: OutlineRow): Node[] {
+  const unsaved = isUnsaved(wb, row);
+  const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'no name';
+  const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
+  if (row.label) {
+    label.textContent = row.label;
+    label.title = row.label;
+  }
+  const isTold = row.kind === 'joint' && row.label === '';
+  const detail = isTold ? '' : row.detail;
+  const nodes: Node[] = [label, element('span', { class: 'detail', title: detail }, detail)];
+  if (unsaved) nodes.splice(1, 0, element('span', { class: 'unsaved-dot', title: 'Not saved', role: 'img' }));
+  if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
+  else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
+  if (row.kind === 'character') nodes.push(eyeOf(wb, row));
+  return nodes;
+}
+
+/** For the mouse; the keyboard has the row's menu. A row's children are no stops of Tab. */
+function eyeOf(wb: Workbench, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
+  const eye = element(
+    'button',
+    { type: 'button', class: 'eye', tabindex: '-1', 'aria-pressed': String(hidden) },
+    icon(hidden ? 'eyeOff' : 'eye'),
+  );
+  eye.title = `${hidden ? 'Show' : 'Hide'} ${label}`;
+  eye.setAttribute('aria-label', eye.title);
+  eye.addEventListener('click', (event) => {
+    event.stopPropagation();
+    wb.store.apply(setHidden, { ids: [characterId], hidden: !hidden });
+  });
+  eye.addEventListener('dblclick', (event) => event.stopPropagation());
+  return eye;
+}
+
+/** Whether what the row stands for is not saved; the joints stand for the skeleton's file. */
+function isUnsaved(wb: Workbench, { kind, key, characterId, index }: OutlineRow): boolean {
+  const isSkeleton = key === groupKey(characterId, 'joint');
+  if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'clip') return false;
+  return wb.files.unsaved.get().some((part) => {
+    if (part.characterId !== characterId) return false;
+    // A take of motion capture is skeleton and clip in one file.
+    if (part.kind === 'bvh') return kind === 'clip' && part.index === index;
+    return isSkeleton ? part.kind === 'skel' : part.kind === PART_KINDS[kind] && part.index === index;
+  });
+}
+
+const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin', morph: 'morph', clip: 'anim' };
+
+function select(wb: Workbench, { kind, characterId, index }: OutlineRow): void {
+  if (kind === 'joint') wb.store.select({ characterId, joint: index });
+  else if (kind === 'character' || wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
+}
+
+function activate(wb: Workbench, row: OutlineRow): void {
+  const { kind, characterId, index } = row;
+  if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
+  else if (kind === 'clip') wb.store.apply(showClip, { characterId, clip: index });
+  else if (kind === 'character') wb.viewport.frameSelection({ characterId });
+  else if (kind === 'joint') wb.viewport.frameSelection({ characterId, joint: index });
+}
+
+function canRename({ kind }: OutlineRow): boolean {
+  return kind === 'character' || kind === 'clip' || kind === 'joint';
+}
+
+function rename(wb: Workbench, { kind, characterId, index }: OutlineRow, name: string): void {
+  if (kind === 'joint') void import('../rig/rig-edits.ts').then((m) => m.renameIt(wb, characterId, index, name));
+  else if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
+  else wb.store.apply(renameCharacter, { characterId, name });
+}
+
+const CHARACTER_ACTIONS = [
+  'character.hide',
+  'character.copy',
+  'pose.resetToFile',
+  'pose.resetToZero',
+  'pose.holdLimits',
+];
+const JOINT_ACTIONS = ['view.frameSelection', 'draw.follow', 'draw.skin.heat'];
+
+function rowMenu(
+  wb: Workbench,
+  row: OutlineRow,
+  at: { readonly x: number; readonly y: number },
+  rename: (row: OutlineRow) => void,
+): void {
+  const character = findCharacter(wb.store.document, row.characterId);
+  if (character && row.kind === 'clip') return void openMenu(at, takeEntries(wb, row, rename), { label: row.label });
+  if (character && row.kind === 'skin') return void openMenu(at, skinEntries(wb, row), { label: row.label });
+  if (!character || (row.kind !== 'character' && row.kind !== 'joint')) return;
+  const ids = row.kind === 'joint' ? JOINT_ACTIONS : CHARACTER_ACTIONS;
+  const actions = actionsOf(wb);
+  const pick = (id: string) => actions.filter((a) => a.id === id).map((a) => itemOf(wb, a));
+  const entries = ids.flatMap(pick);
+  if (row.kind === 'joint') {
+    void onDemand(wb.messages, 'The menu of a joint', () => import('./tree-menu.ts')).then((module) => {
+      // Where it can't be fetched there is still the rest.
+      const rigging = module?.jointEntries(wb, character, row.index, () => rename(row)) ?? [];
+      openMenu(at, [...rigging, ...entries], { label: row.label || 'Joint' });
+    });
+    return;
+  }
+  const last = character.placements.length - 1;
+  const removeLast = () => wb.store.apply(removeCopy, { characterId: character.id, index: last });
+  openMenu(
+    at,
+    [
+      ...movedEntries(wb, character),
+      { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
+      ...entries,
+      { kind: 'item', label: 'Remove last copy', enabled: last > 0, run: removeLast },
+      { kind: 'line' },
+      ...pick('character.remove'),
+    ],
+    { label: character.name },
+  );
+}
+
+function skinEntries(wb: Workbench, row: OutlineRow): MenuEntry[] {
+  const { characterId, index } = row;
+  /** What it is about is what is shown, of the character that is selected. */
+  const showIt = () => {
+    if (currentCharacter(wb)?.id !== characterId) wb.store.select({ characterId });
+    if (findCharacter(wb.store.document, characterId)?.shownSkin === index) return;
+    wb.store.apply(showSkin, { characterId, skin: index });
+  };
+  const weights = actionsOf(wb).filter((a) => a.id === 'skin.weights');
+  return [
+    { kind: 'item', label: 'Show', enabled: !row.shown, run: showIt },
+    ...weights.map((action): MenuEntry => {
+      const hasSkeleton = findCharacter(wb.store.document, characterId)?.skeleton !== undefined;
+      const run = () => {
+        showIt();
+        void runAction(wb, action.id);
+      };
+      return { ...itemOf(wb, action), enabled: hasSkeleton, run };
+    }),
+  ];
+}
+
+function takeEntries(wb: Workbench, row: OutlineRow, rename: (row: OutlineRow) => void): MenuEntry[] {
+  const { characterId, index } = row;
+  const take = { characterId, clip: index };
+  const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });
+  return [
+    row.shown
+      ? item('Show no take', () => wb.store.apply(showClip, { characterId, clip: -1 }))
+      : item('Show', () => wb.store.apply(showClip, take)),
+    { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
+    item('Duplicate', () => wb.store.apply(duplicateClip, take)),
+    { kind: 'line' },
+    item(`Remove ${row.label}`, () => wb.store.apply(removeClip, take)),
+  ];
+}

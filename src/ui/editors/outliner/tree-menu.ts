@@ -1,0 +1,95 @@
+/** A joint's context menu, as far as it changes the skeleton. */
+
+import type { Character } from '../../../model/document.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { MenuEntry } from '../../kit/menu.ts';
+import { actionsOf, runAction } from '../../shell/actions.ts';
+import { isMac } from '../../shell/keys.ts';
+import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { possibleParents } from '../rig/parents.ts';
+import { rigState } from '../rig/rig-state.ts';
+
+const edits = () => import('../rig/rig-edits.ts');
+
+/**
+ * In rig mode all of it; else only what is no more than a name, and the way there.
+ * @param joint index; the row's, which need not be selected yet
+ */
+export function jointEntries(
+  wb: Workbench,
+  character: Character,
+  joint: number,
+  rename: () => void,
+): readonly MenuEntry[] {
+  const item = (label: string, run: () => void, shortcut?: string): MenuEntry => ({
+    kind: 'item',
+    label,
+    enabled: true,
+    shortcut: shortcut && shortcutText(shortcut, isMac),
+    ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
+    run,
+  });
+  /** Of an action that does the same with the selected joint. */
+  const keyOf = (id: string): string | undefined => {
+    const action = actionsOf(wb).find((one) => one.id === id);
+    return action && shortcutsFor(action, wb.settings.get())[0];
+  };
+  const select = () => wb.store.select({ characterId: character.id, joint });
+  if (wb.posing.mode.get() !== 'rig') {
+    const rig = () => {
+      select();
+      runAction(wb, 'posing.rig');
+    };
+    const ofSelected = (id: string) => () => {
+      select();
+      runAction(wb, id);
+    };
+    const { pins = [], stiff = [] } = character.ik ?? {};
+    const isPinned = pins.some((pin) => pin.joint === joint);
+    const isLocked = stiff.some((one) => one.joint === joint && one.stiffness === undefined);
+    return [
+      // The tree's own key.
+      item('Rename', rename, 'F2'),
+      item(isPinned ? 'Let its pin go (IK)' : 'Pin (IK)', ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
+      item(isLocked ? 'Unlock (IK)' : 'Lock (IK)', ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
+      item('Change the skeleton here (rig mode)', rig),
+    ];
+  }
+  const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
+    item(label, () => void edits().then(run), shortcut);
+  const joints = character.skeleton?.joints ?? [];
+  const nameOf = (j: number) => jointName(character.skeleton, j);
+  const parents: MenuEntry = {
+    kind: 'menu',
+    label: 'Move under',
+    entries: () => [
+      ...possibleParents(joints, joint).map(
+        (parent): MenuEntry => ({
+          kind: 'item',
+          label: nameOf(parent),
+          detail: undefined,
+          enabled: true,
+          radio: true,
+          checked: parent === joints[joint].parent,
+          run: () => void edits().then((m) => m.moveUnder(wb, character.id, { joint, parent })),
+        }),
+      ),
+    ],
+  };
+  const isRoot = joint === 0;
+  return [
+    item('Rename', rename, keyOf('rigging.rename')),
+    doing('Add a child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild')),
+    item('Add joints by clicking', () => {
+      select();
+      rigState(wb).adding.set(true);
+    }),
+    doing('Mirror the branch across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x')),
+    ...(isRoot ? [] : [parents]),
+    { kind: 'line' },
+    doing('Delete; its children stay', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete')),
+    doing('Delete with all below it', (m) => m.removeIt(wb, 'too', joint), keyOf('rigging.deleteBranch')),
+    { kind: 'line' },
+  ];
+}

@@ -1,0 +1,98 @@
+/** Whole poses: copied, pasted, mirrored, kept. What they do is fetched with the first of them. */
+import { jointName } from '../../../model/joint-name.ts';
+import { type Action, currentCharacter } from '../../state/action.ts';
+import { selectedJoint } from '../../state/selected-joint.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { copiedPose } from './copied.ts';
+
+const MENU = 'Edit/Pose';
+const edits = () => import('./pose-edits.ts');
+const hasCharacter = (wb: Workbench) => currentCharacter(wb) !== undefined;
+const hasSkeleton = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
+
+function selectedName(wb: Workbench): string | undefined {
+  const selected = selectedJoint(wb);
+  return selected && jointName(selected.skeleton, selected.joint);
+}
+
+export const POSE_ACTIONS: readonly Action[] = [
+  {
+    id: 'pose.copy',
+    label: 'Copy pose',
+    group: 'Edit',
+    menu: MENU,
+    section: 1,
+    shortcuts: ['Ctrl+Shift+C'],
+    enabled: hasCharacter,
+    run: async (wb) => (await edits()).copyPose(wb),
+  },
+  {
+    id: 'pose.paste',
+    name: 'Paste pose',
+    label(wb) {
+      const from = copiedPose(wb).get()?.from;
+      return from === undefined || from === currentCharacter(wb)?.name ? 'Paste pose' : `Paste pose of ${from}`;
+    },
+    group: 'Edit',
+    menu: MENU,
+    section: 1,
+    shortcuts: ['Ctrl+Shift+V'],
+    enabled: (wb) => hasCharacter(wb) && copiedPose(wb).get() !== undefined,
+    run: async (wb) => (await edits()).pasteCopied(wb),
+  },
+  {
+    id: 'pose.mirror',
+    label: 'Mirror pose',
+    detail: 'Left and right change places',
+    group: 'Edit',
+    menu: MENU,
+    section: 2,
+    shortcuts: ['Alt+M'],
+    enabled: hasSkeleton,
+    run: async (wb) => (await edits()).mirror(wb, 'swap', false),
+  },
+  {
+    id: 'pose.mirrorBranch',
+    name: 'Mirror pose of the selected joint',
+    label: (wb) => `Mirror pose of ${selectedName(wb) ?? 'the selected joint'}`,
+    detail: 'And all below it, with their other side',
+    group: 'Edit',
+    menu: MENU,
+    section: 2,
+    enabled: (wb) => selectedName(wb) !== undefined,
+    run: async (wb) => (await edits()).mirror(wb, 'swap', true),
+  },
+  {
+    id: 'pose.copyToOther',
+    name: 'Copy pose of the selected joint to the other side',
+    label: (wb) => `Copy ${selectedName(wb) ?? 'the selected joint'} to the other side`,
+    group: 'Edit',
+    menu: MENU,
+    section: 2,
+    shortcuts: ['Alt+Shift+M'],
+    enabled: (wb) => selectedName(wb) !== undefined,
+    run: async (wb) => (await edits()).mirror(wb, 'toOther', true),
+  },
+  {
+    id: 'pose.keep',
+    label: 'Keep pose',
+    detail: 'In the character’s library',
+    group: 'Edit',
+    menu: MENU,
+    section: 3,
+    shortcuts: ['Alt+P'],
+    enabled: hasCharacter,
+    run: async (wb) => (await edits()).keep(wb),
+  },
+  {
+    id: 'pose.library',
+    label: 'Library of poses',
+    group: 'Edit',
+    menu: MENU,
+    section: 3,
+    run(wb) {
+      wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: true } }));
+      wb.timeline.change({ tab: 'poses' });
+    },
+  },
+];

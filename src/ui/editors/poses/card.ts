@@ -1,0 +1,77 @@
+/** One pose of the library: its picture, and its name, which is typed in place. */
+import { element, setAttribute, setText } from '../../kit/dom.ts';
+
+/** CSS pixels. */
+const PICTURE = { width: 112, height: 112 };
+
+export interface CardEvents {
+  rename(name: string): void;
+  /** Typing is over, either way. */
+  renamed(): void;
+}
+
+export class PoseCard {
+  readonly element: HTMLElement;
+  readonly canvas = element('canvas', { class: 'pose-picture', 'aria-hidden': 'true' });
+  private readonly name = element('span', { class: 'pose-name' });
+  private readonly share = element('span', { class: 'pose-share', hidden: true });
+  private field: HTMLInputElement | undefined;
+
+  constructor(id: string) {
+    const density = Math.min(2, window.devicePixelRatio || 1);
+    this.canvas.width = Math.round(density * PICTURE.width);
+    this.canvas.height = Math.round(density * PICTURE.height);
+    this.element = element('div', { class: 'pose-card', role: 'option', id }, this.canvas, this.share, this.name);
+  }
+
+  show(name: string, isChosen: boolean): void {
+    setText(this.name, name);
+    setAttribute(this.name, 'title', `${name}. A double click renames it.`);
+    setAttribute(this.element, 'title', `${name}. A click takes it on; Alt and a drag to the side blends to it.`);
+    setAttribute(this.element, 'aria-selected', String(isChosen));
+    setAttribute(this.element, 'aria-label', name);
+  }
+
+  /** How much of the pose is taken on while it is dragged; none while it is not. */
+  showShare(share: number | undefined): void {
+    this.share.hidden = share === undefined;
+    if (share !== undefined) {
+      setText(this.share, `${Math.round(100 * share)} %`);
+      this.share.style.setProperty('--share', String(share));
+    }
+  }
+
+  get isRenaming(): boolean {
+    return this.field !== undefined;
+  }
+
+  startRename(events: CardEvents): void {
+    if (this.field) return;
+    const before = this.name.textContent ?? '';
+    const field = element('input', { type: 'text', class: 'rename', 'aria-label': 'Name of the pose', value: before });
+    const end = (keep: boolean) => {
+      if (this.field !== field) return;
+      this.field = undefined;
+      const name = field.value.trim();
+      field.replaceWith(this.name);
+      if (keep && name && name !== before) events.rename(name);
+      events.renamed();
+    };
+    field.addEventListener('keydown', (event) => {
+      event.stopPropagation();
+      if (event.isComposing) return;
+      if (event.key === 'Enter' || event.key === 'Escape') {
+        event.preventDefault();
+        end(event.key === 'Enter');
+      }
+    });
+    field.addEventListener('blur', () => end(true));
+    for (const kind of ['pointerdown', 'click', 'dblclick'] as const) {
+      field.addEventListener(kind, (event) => event.stopPropagation());
+    }
+    this.field = field;
+    this.name.replaceWith(field);
+    field.focus();
+    field.select();
+  }
+}

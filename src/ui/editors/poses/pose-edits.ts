@@ -1,0 +1,87 @@
+/** What menus, keys and the library do with whole poses. Fetched with the first of them that is asked for. */
+import {
+  type ApplyPose,
+  applyPose,
+  keepPose,
+  mirrorPose,
+  pastePose,
+  removePoses,
+  renamePose,
+} from '../../../edit/commands/poses.ts';
+import { poseByNames, takePose } from '../../../edit/pose/by-names.ts';
+import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
+import { plural } from '../../kit/number-text.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { attempt } from '../../state/attempt.ts';
+import { selectedJointOf } from '../../state/selected-joint.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { autoKey } from '../posing/pose-edits.ts';
+import { copiedPose } from './copied.ts';
+
+/** Of the pose shown. */
+export function copyPose(wb: Workbench): void {
+  const character = currentCharacter(wb);
+  if (!character) return;
+  const values = new Float64Array(dofCountOf(character));
+  poseAt(character, wb.transport.get().timeSeconds, values);
+  const pose = poseByNames(character, { name: character.name, values: Array.from(values) });
+  copiedPose(wb).set({ pose, from: character.name });
+  wb.messages.note(`Copied the pose of ${character.name}.`);
+}
+
+/** Says what did not fit. */
+export function pasteCopied(wb: Workbench): void {
+  const character = currentCharacter(wb);
+  const copied = copiedPose(wb).get();
+  if (!character || !copied) return;
+  attempt(wb.messages, () => {
+    wb.store.apply(pastePose, { characterId: character.id, pose: copied.pose, ...moment(wb) });
+    const { missing, found } = takePose(character, copied.pose);
+    if (missing.length === 0) return;
+    const joints = plural(found, 'joint');
+    wb.messages.note(
+      `Pasted ${joints}; ${character.name} has no ${someNames(missing)}, which stayed behind.`,
+      'warning',
+    );
+  });
+}
+
+/** @param branch of the selected joint only */
+export function mirror(wb: Workbench, way: 'swap' | 'toOther', branch: boolean): void {
+  const character = currentCharacter(wb);
+  if (!character) return;
+  const joint = branch ? selectedJointOf(wb, character.id) : undefined;
+  attempt(wb.messages, () => wb.store.apply(mirrorPose, { characterId: character.id, joint, way, ...moment(wb) }));
+}
+
+export function keep(wb: Workbench): void {
+  const character = currentCharacter(wb);
+  if (!character) return;
+  const { timeSeconds } = moment(wb);
+  attempt(wb.messages, () => wb.store.apply(keepPose, { characterId: character.id, timeSeconds }));
+}
+
+export function rename(wb: Workbench, characterId: string, pose: number, name: string): void {
+  attempt(wb.messages, () => wb.store.apply(renamePose, { characterId, pose, name }));
+}
+
+export function remove(wb: Workbench, characterId: string, pose: number): void {
+  attempt(wb.messages, () => wb.store.apply(removePoses, { characterId, poses: [pose] }));
+}
+
+export function take(wb: Workbench, change: Omit<ApplyPose, 'timeSeconds' | 'key'>): void {
+  attempt(wb.messages, () => wb.store.apply(applyPose, { ...change, ...moment(wb) }));
+}
+
+/** When poses are set by hand, and whether they are keyed. What plays stops. */
+export function moment(wb: Workbench) {
+  standStill(wb);
+  return { timeSeconds: wb.transport.get().timeSeconds, key: autoKey(wb) };
+}
+
+function someNames(names: readonly string[]): string {
+  const [first] = names;
+  const quoted = `“${first || 'joint without a name'}”`;
+  return names.length > 1 ? `${quoted} and ${names.length - 1} more` : quoted;
+}

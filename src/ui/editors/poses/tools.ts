@@ -1,0 +1,95 @@
+/** What stands beside the tabs while the poses are looked at: keeping one, and how poses are taken on. */
+
+import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import type { Observable } from '../../kit/observable.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { tryAction } from '../../shell/keys.ts';
+import { isEnabled } from '../../state/action.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { copiedPose } from './copied.ts';
+
+/** How a click takes a pose on. */
+export interface PoseOptions {
+  /** 1: the whole of it. */
+  readonly share: number;
+  /** Only the selected joint and what is below it. */
+  readonly branch: boolean;
+}
+
+const BUTTONS: readonly (readonly [id: string, text: string, label: string])[] = [
+  ['pose.keep', 'Keep pose', 'Keep the pose shown'],
+  ['pose.copy', 'Copy', 'Copy the pose shown'],
+  ['pose.paste', 'Paste', 'Paste the pose that was copied'],
+  ['pose.mirror', 'Mirror', 'Mirror the pose shown'],
+];
+
+export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTMLElement {
+  const actions = actionsOf(wb);
+  const refreshing: (() => void)[] = [];
+  const buttons = BUTTONS.map(([id, text, label]) => {
+    const action = actions.find((a) => a.id === id);
+    const made = keepsFocusElsewhere(
+      button(label, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
+    );
+    keepTooltip(wb, made, id, () => label);
+    refreshing.push(() => {
+      made.disabled = !(action && isEnabled(wb, action));
+    });
+    return made;
+  });
+  const slider = element('input', {
+    type: 'range',
+    min: 0,
+    max: 100,
+    step: 1,
+    'aria-label': 'How much of a pose is taken on',
+  });
+  const percent = element('span', { class: 'pose-percent number' });
+  slider.addEventListener('input', () => options.update((now) => ({ ...now, share: Number(slider.value) / 100 })));
+  slider.addEventListener('dblclick', () => options.update((now) => ({ ...now, share: 1 })));
+  const share = element(
+    'label',
+    { class: 'pose-blend', title: 'How much of a pose a click takes on' },
+    'Blend',
+    slider,
+    percent,
+  );
+  const branch = keepsFocusElsewhere(
+    button(
+      'Only the selected joint and what is below it',
+      {
+        class: 'tool text-tool',
+        'aria-pressed': 'false',
+        title: 'Of a card: only the selected joint and what is below it',
+      },
+      'Branch only',
+      () => options.update((now) => ({ ...now, branch: !now.branch })),
+    ),
+  );
+  const show = () => {
+    const { share: part, branch: isBranch } = options.get();
+    slider.value = String(Math.round(100 * part));
+    slider.setAttribute('aria-valuetext', `${slider.value} percent`);
+    setText(percent, `${slider.value} %`);
+    branch.setAttribute('aria-pressed', String(isBranch));
+    for (const refresh of refreshing) refresh();
+  };
+  wb.store.subscribe(oncePerFrame(show));
+  copiedPose(wb).subscribe(show);
+  options.subscribe(show);
+  show();
+  return element(
+    'div',
+    { class: 'pose-tools' },
+    element('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Poses' }, ...buttons),
+    element(
+      'div',
+      { class: 'pose-cards', role: 'group', 'aria-label': 'What a click on a card takes on' },
+      element('span', { class: 'faint', 'aria-hidden': 'true' }, 'Cards'),
+      branch,
+      share,
+    ),
+  );
+}

@@ -1,0 +1,83 @@
+/** How the viewport takes the hand, and what only it has keys for. */
+import { stepFrames } from '../../../edit/playback.ts';
+import { NOTHING_SELECTED } from '../../../model/session.ts';
+import type { Action } from '../../state/action.ts';
+import type { PosingMode } from '../../state/posing.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
+
+/** Radians that a press of an arrow turns the view. */
+const TURN = Math.PI / 36;
+
+export const POSING_ACTIONS: readonly Action[] = [
+  mode('fk', 'Forward kinematics (FK)'),
+  mode('ik', 'Inverse kinematics (IK)'),
+  mode('rig', 'Rig', ['Shift+E']),
+  {
+    id: 'posing.toggle',
+    name: 'Switch between FK and IK',
+    label: (wb) => (wb.posing.mode.get() === 'fk' ? 'Switch to IK' : 'Switch to FK'),
+    group: 'Pose',
+    menu: 'Edit/Mode',
+    section: 1,
+    shortcuts: ['E'],
+    run: switchKinematics,
+  },
+  {
+    id: 'posing.leave',
+    label: 'Back to FK, then select nothing',
+    group: 'Pose',
+    shortcuts: ['Escape'],
+    // A drag has the keyboard to itself (`tools/canvas-tools.ts`): this comes to what is left.
+    run(wb) {
+      if (wb.posing.mode.get() !== 'fk') wb.posing.mode.set('fk');
+      else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);
+    },
+  },
+  dofKey('posing.nextDof', 'Next DOF of the joint', ['V'], (wb) => chooseNextDof(wb, 1)),
+  dofKey('posing.previousDof', 'Previous DOF of the joint', ['Shift+V'], (wb) => chooseNextDof(wb, -1)),
+  dofKey('posing.more', 'Turn the active DOF up by a degree', ['+', '='], (wb) => nudgeDof(wb, 1)),
+  dofKey('posing.less', 'Turn the active DOF down by a degree', ['-'], (wb) => nudgeDof(wb, -1)),
+  turn('posing.turnLeft', 'Turn the view left, or step back while playing', 'Left', -1),
+  turn('posing.turnRight', 'Turn the view right, or step forward while playing', 'Right', 1),
+];
+
+/** From FK to IK; back to FK from anything else. */
+export function switchKinematics(wb: Workbench): void {
+  wb.posing.mode.update((now) => (now === 'fk' ? 'ik' : 'fk'));
+}
+
+function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Action {
+  return {
+    id: `posing.${to}`,
+    label,
+    group: 'Pose',
+    menu: 'Edit/Mode',
+    section: 1,
+    radio: true,
+    ...(shortcuts && { shortcuts }),
+    checked: (wb) => wb.posing.mode.get() === to,
+    run: (wb) => wb.posing.mode.set(to),
+  };
+}
+
+function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
+  const enabled = (wb: Workbench) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined;
+  return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
+}
+
+/** As long as something plays the arrows go from frame to frame, wherever the focus is. */
+function turn(id: string, label: string, key: string, way: 1 | -1): Action {
+  return {
+    id,
+    label,
+    group: 'Camera',
+    shortcuts: [key],
+    panel: 'viewport',
+    repeats: true,
+    run(wb) {
+      if (wb.transport.get().playing) wb.transport.update((now) => stepFrames(now, way));
+      else wb.viewport.turnView(way * TURN);
+    },
+  };
+}

@@ -1,0 +1,94 @@
+/**
+ * The active DOF of the selected joint: the one that its bone turns when it is dragged, and that keys turn. It is chosen
+ * by its handle, its button or its slider; the next joint then has that of the same name.
+ */
+import { setDofs } from '../../../edit/commands/pose.ts';
+import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
+import { coupleOf } from '../../../model/couples.ts';
+import type { Character } from '../../../model/document.ts';
+import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
+import { lengthStep } from '../../../model/reach.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { type SelectedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { autoKey, jointDofs } from './pose-edits.ts';
+
+/** Radians: what keys turn, and what Ctrl snaps to. */
+const KEY_ANGLE = Math.PI / 180;
+export const SNAP_ANGLE = Math.PI / 36;
+
+/** Every DOF of a joint, as indices into the character's; of the root its translation too. */
+export function dofsOfJoint({ character, joint }: SelectedJoint): readonly number[] {
+  return jointDofs(character, joint);
+}
+
+/** Those that can be turned one by one: not what follows another, nor the parts of a quaternion. */
+export function dofsByHand(selected: SelectedJoint): readonly number[] {
+  const { skeleton, joint } = selected;
+  const isQuaternion = skeleton.joints[joint].motion.kind === 'quaternion';
+  const own = characterDofs(skeleton, []);
+  return dofsOfJoint(selected).filter(
+    (dof) => !coupleOf(skeleton, dof) && !(isQuaternion && own[dof].name.startsWith('q')),
+  );
+}
+
+/** Undefined where the selected joint has none. */
+export function activeDof(wb: Pick<Workbench, 'store' | 'posing'>): number | undefined {
+  const selected = selectedJoint(wb);
+  if (!selected) return undefined;
+  const dofs = dofsByHand(selected);
+  const own = characterDofs(selected.skeleton, []);
+  const chosen = wb.posing.chosenDof.get();
+  if (chosen?.characterId === selected.character.id && dofs.includes(chosen.dof)) return chosen.dof;
+  const sameName = dofs.find((dof) => own[dof].name === chosen?.name);
+  // Of a root that turns too, turning is what one means.
+  return sameName ?? dofs.find((dof) => own[dof].unit === 'angle') ?? dofs[0];
+}
+
+export function chooseDof(wb: Workbench, dof: number): void {
+  const selected = selectedJoint(wb);
+  if (!selected || !dofsByHand(selected).includes(dof)) return;
+  const { name } = characterDofs(selected.skeleton, [])[dof];
+  wb.posing.chosenDof.set({ characterId: selected.character.id, dof, name });
+}
+
+/** The next one or the one before, round the corner. */
+export function chooseNextDof(wb: Workbench, way: 1 | -1): void {
+  const selected = selectedJoint(wb);
+  const now = activeDof(wb);
+  if (!selected || now === undefined) return;
+  const dofs = dofsByHand(selected);
+  chooseDof(wb, dofs[(dofs.indexOf(now) + way + dofs.length) % dofs.length]);
+}
+
+/** A character's DOFs at the moment shown. */
+export function shownDofs(wb: Pick<Workbench, 'transport'>, character: Character): Float64Array {
+  const dofs = new Float64Array(dofCountOf(character));
+  poseAt(character, wb.transport.get().timeSeconds, dofs);
+  return dofs;
+}
+
+/** Turns the active DOF by a degree, or moves it by a small step. */
+export function nudgeDof(wb: Workbench, way: 1 | -1): void {
+  const index = activeDof(wb);
+  const selected = selectedJoint(wb);
+  if (!selected || index === undefined) return;
+  standStill(wb);
+  const { character, skeleton } = selected;
+  const step = nudgeOf(characterDofs(skeleton, [])[index], skeleton);
+  const value = shownDofs(wb, character)[index] + way * step;
+  const { timeSeconds } = wb.transport.get();
+  wb.store.apply(setDofs, { characterId: character.id, dofs: [{ index, value }], timeSeconds, key: autoKey(wb) });
+}
+
+function nudgeOf({ unit }: CharacterDof, skeleton: Skeleton): number {
+  if (unit === 'angle') return KEY_ANGLE;
+  return unit === 'length' ? lengthStep(skeleton) : 0.01;
+}
+
+/** What a value snaps to with Ctrl. */
+export function snapStep({ unit }: CharacterDof, skeleton: Skeleton): number {
+  if (unit === 'angle') return SNAP_ANGLE;
+  return unit === 'length' ? lengthStep(skeleton) : 0.1;
+}

@@ -1,0 +1,201 @@
+/** Making keys from the pose, and what takes are there. */
+import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
+import { dropUnkeyed } from '../../../edit/commands/pose.ts';
+import { rangeOfKeys } from '../../../edit/takes.ts';
+import { type Character, shownClip } from '../../../model/document.ts';
+import { type Action, currentCharacter } from '../../state/action.ts';
+import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
+
+const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
+  smooth: 'Smooth',
+  linear: 'Linear',
+  flat: 'Flat',
+};
+
+const canKey = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
+const shownTake = (wb: Workbench) => {
+  const character = currentCharacter(wb);
+  return character && shownClip(character);
+};
+
+export const KEYING_ACTIONS: readonly Action[] = [
+  {
+    id: 'key.pose',
+    label: 'Key the pose',
+    group: 'Keys',
+    menu: 'Keys',
+    shortcuts: ['K'],
+    icon: 'key',
+    enabled: canKey,
+    run: (wb) => withCharacter(wb, ({ id }) => keyNow(wb, id)),
+  },
+  {
+    id: 'key.joint',
+    label: 'Key the selected joint',
+    group: 'Keys',
+    menu: 'Keys',
+    shortcuts: ['Shift+K'],
+    enabled: canKey,
+    run: (wb) => withJoint(wb, ({ id }, dofs) => keyNow(wb, id, dofs)),
+  },
+  {
+    id: 'key.changed',
+    label: 'Key what was changed',
+    group: 'Keys',
+    menu: 'Keys',
+    shortcuts: ['Ctrl+Alt+K'],
+    enabled: (wb) => changedDofs(wb).length > 0,
+    run: (wb) => withCharacter(wb, ({ id }) => keyNow(wb, id, changedDofs(wb))),
+  },
+  {
+    id: 'key.deleteHere',
+    label: 'Delete the keys at this moment',
+    group: 'Keys',
+    menu: 'Keys',
+    shortcuts: ['Alt+K'],
+    enabled: (wb) => hasKeysHere(wb),
+    run: (wb) => withCharacter(wb, (character) => deleteKeysNow(wb, character)),
+  },
+  {
+    id: 'key.deleteJointHere',
+    label: 'Delete the joint’s keys at this moment',
+    group: 'Keys',
+    menu: 'Keys',
+    shortcuts: ['Alt+Shift+K'],
+    enabled: (wb) => hasKeysHere(wb),
+    run: (wb) => withJoint(wb, (character, dofs) => deleteKeysNow(wb, character, dofs)),
+  },
+  {
+    id: 'key.dropUnkeyed',
+    label: 'Drop unkeyed values',
+    group: 'Keys',
+    menu: 'Keys',
+    enabled: (wb) => wb.store.document.characters.some((c) => c.unkeyed !== undefined),
+    run: (wb) => wb.store.apply(dropUnkeyed, { exceptSeconds: null }),
+  },
+  {
+    id: 'key.auto',
+    label: 'Auto-key',
+    group: 'Keys',
+    menu: 'Keys',
+    section: 1,
+    shortcuts: ['Alt+A'],
+    icon: 'record',
+    checked: (wb) => wb.timeline.autoKey.get(),
+    run: (wb) => wb.timeline.autoKey.update((on) => !on),
+  },
+  ...(['smooth', 'linear', 'flat'] as const).map(
+    (tangents): Action => ({
+      id: `key.tangents.${tangents}`,
+      name: `Tangents of new keys: ${TANGENT_LABELS[tangents].toLowerCase()}`,
+      label: () => TANGENT_LABELS[tangents],
+      group: 'Keys',
+      menu: 'Keys/Tangents of new keys',
+      section: 1,
+      radio: true,
+      checked: (wb) => wb.settings.get().newKeyTangents === tangents,
+      run: (wb) => wb.settings.update((s) => ({ ...s, newKeyTangents: tangents })),
+    }),
+  ),
+  {
+    id: 'take.new',
+    label: 'New take',
+    group: 'Keys',
+    menu: 'Keys/Take',
+    section: 1,
+    enabled: canKey,
+    run: (wb) =>
+      withCharacter(wb, (character) =>
+        wb.store.apply(createClip, { characterId: character.id, range: playedRange(wb, character) }),
+      ),
+  },
+  {
+    id: 'take.duplicate',
+    label: 'Duplicate the take',
+    group: 'Keys',
+    menu: 'Keys/Take',
+    section: 1,
+    enabled: (wb) => shownTake(wb) !== undefined,
+    run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(duplicateClip, { characterId: id })),
+  },
+  {
+    id: 'take.rename',
+    label: 'Rename the take…',
+    group: 'Keys',
+    menu: 'Keys/Take',
+    section: 1,
+    enabled: (wb) => shownTake(wb) !== undefined,
+    run: (wb) => wb.timeline.takeRenameAsked.update((times) => times + 1),
+  },
+  {
+    id: 'take.remove',
+    name: 'Remove the take',
+    label: (wb) => `Remove ${shownTake(wb)?.name ?? 'the take'}`,
+    group: 'Keys',
+    menu: 'Keys/Take',
+    section: 1,
+    enabled: (wb) => shownTake(wb) !== undefined,
+    run: (wb) => withCharacter(wb, ({ id }) => wb.store.apply(removeClip, { characterId: id })),
+  },
+  {
+    id: 'take.rangeFromPlayed',
+    label: 'Take’s range from the played range',
+    group: 'Keys',
+    menu: 'Keys/Take',
+    section: 2,
+    enabled: (wb) => shownTake(wb) !== undefined,
+    run: (wb) =>
+      withCharacter(wb, (character) =>
+        wb.store.apply(setClipRange, { characterId: character.id, range: playedRange(wb, character) }),
+      ),
+  },
+  {
+    id: 'take.rangeFromKeys',
+    label: 'Take’s range from its keys and samples',
+    group: 'Keys',
+    menu: 'Keys/Take',
+    section: 2,
+    enabled(wb) {
+      const take = shownTake(wb);
+      return take !== undefined && rangeOfKeys(take) !== undefined;
+    },
+    run: (wb) =>
+      withCharacter(wb, (character) => {
+        const clip = shownClip(character);
+        const range = clip && rangeOfKeys(clip);
+        if (range) wb.store.apply(setClipRange, { characterId: character.id, range });
+      }),
+  },
+];
+
+function withCharacter(wb: Workbench, run: (character: Character) => void): void {
+  const character = currentCharacter(wb);
+  if (character) run(character);
+}
+
+/** A key that does nothing where no joint is selected would be a riddle. */
+function withJoint(wb: Workbench, run: (character: Character, dofs: readonly number[]) => void): void {
+  const character = currentCharacter(wb);
+  const { characterId, joint } = wb.store.selection;
+  if (!character) return;
+  if (joint === undefined || characterId !== character.id) wb.messages.note('Select a joint first.');
+  else run(character, jointDofs(character, joint));
+}
+
+/** What hands have changed over the take at this moment; the rest of the pose is what its channels say. */
+function changedDofs(wb: Workbench): readonly number[] {
+  return currentCharacter(wb)?.unkeyed?.dofs ?? [];
+}
+
+function hasKeysHere(wb: Workbench): boolean {
+  const character = currentCharacter(wb);
+  return character !== undefined && keysNow(wb, character).length > 0;
+}
+
+/** In seconds of the character's clips. */
+function playedRange(wb: Workbench, { timeOffsetSeconds }: Character): readonly [number, number] {
+  const [from, to] = wb.transport.get().range;
+  return [from + timeOffsetSeconds, to + timeOffsetSeconds];
+}

@@ -1,0 +1,88 @@
+/**
+ * Over the viewport: which mode it is in, the limits that stop the hand, and a place for what the mode's tool has to
+ * offer (`wb.posing.controls`).
+ */
+
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { runAction } from '../../shell/actions.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
+const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
+  fk: 'Forward kinematics: turn joints one by one, by their rings or by dragging the bone up and down',
+  ik: 'Inverse kinematics: click pins a point, drag moves any point while the pins hold',
+  rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click adds a child',
+};
+
+export function modeBar(wb: Workbench): HTMLElement {
+  const controls = element('div', { class: 'mode-controls' });
+  const show = () => {
+    const own = wb.posing.controls.get();
+    controls.replaceChildren(...(own ? [own] : []));
+    controls.hidden = own === undefined;
+  };
+  wb.posing.controls.subscribe(show);
+  show();
+  return element('div', { class: 'mode-bar tools' }, modeSwitch(wb), limitsSwitch(wb), controls);
+}
+
+function modeSwitch(wb: Workbench): HTMLElement {
+  const group = element('div', { class: 'mode-switch tools', role: 'radiogroup', 'aria-label': 'Mode' });
+  const made = POSING_MODES.map((mode) => {
+    const one = keepsFocusElsewhere(
+      button(TEXT[mode], { class: 'tool', role: 'radio' }, TEXT[mode], () => runAction(wb, `posing.${mode}`)),
+    );
+    // E goes from one to the other: it is told where it leads.
+    keepTooltip(wb, one, mode === 'rig' ? 'posing.rig' : 'posing.toggle', () => MODE_LABELS[mode]);
+    return { mode, one };
+  });
+  group.append(...made.map(({ one }) => one));
+  group.addEventListener('keydown', (event) => {
+    const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    if (!step) return;
+    event.preventDefault();
+    const next = (POSING_MODES.indexOf(wb.posing.mode.get()) + step + POSING_MODES.length) % POSING_MODES.length;
+    runAction(wb, `posing.${POSING_MODES[next]}`);
+    made[next].one.focus();
+  });
+  const show = () => {
+    for (const { mode, one } of made) {
+      const chosen = wb.posing.mode.get() === mode;
+      one.setAttribute('aria-checked', String(chosen));
+      one.tabIndex = chosen ? 0 : -1;
+    }
+  };
+  wb.posing.mode.subscribe(show);
+  show();
+  return group;
+}
+
+function limitsSwitch(wb: Workbench): HTMLElement {
+  const made = keepsFocusElsewhere(
+    button('Limits', { class: 'tool' }, icon('limits'), () => runAction(wb, 'pose.holdLimits')),
+  );
+  made.append(element('span', { class: 'limits-text' }, 'Limits'));
+  const title = keepTooltip(wb, made, 'pose.holdLimits', () => {
+    const character = currentCharacter(wb);
+    if (!character) return 'Limits of joints hold';
+    return character.clampsToLimits
+      ? `Limits hold: ${character.name}’s joints stop at them`
+      : `Limits don’t hold: ${character.name}’s joints go past them`;
+  });
+  const show = () => {
+    const character = currentCharacter(wb);
+    made.disabled = !character?.skeleton;
+    setAttribute(made, 'aria-pressed', String(character?.clampsToLimits ?? true));
+    title();
+  };
+  wb.store.subscribe((now, before) => {
+    const { document, selection } = now;
+    if (document.characters !== before.document.characters || selection !== before.selection) show();
+  });
+  show();
+  return element('div', { class: 'limits-switch tools' }, made);
+}

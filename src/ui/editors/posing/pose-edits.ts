@@ -1,0 +1,76 @@
+/**
+ * Posing and keying at the moment shown: what sliders, marks, menus and keys have in common. Whoever changes DOFs by
+ * hand asks `autoKey`, so that none of them forgets it.
+ */
+import { keyPose } from '../../../edit/commands/keying.ts';
+import { removeKeys } from '../../../edit/commands/keys.ts';
+import { setDofs } from '../../../edit/commands/pose.ts';
+import type { KeyOptions } from '../../../edit/key-dofs.ts';
+import { findKey } from '../../../edit/keys/same-time.ts';
+import { keysAtTime } from '../../../edit/keys/selection.ts';
+import { channelOf } from '../../../evaluate/pose.ts';
+import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
+import { type Character, shownClip } from '../../../model/document.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import type { DofValue } from '../../state/posing.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { channelsOfJoint } from '../timeline/channels.ts';
+import { clipTime } from '../timeline/in-hand.ts';
+
+/** How keys are made just now. */
+export function keyOptions(wb: Workbench): KeyOptions {
+  return { tangents: wb.settings.get().newKeyTangents, playedRange: wb.transport.get().range };
+}
+
+/** For commands that set DOFs: how to key them, while auto-key is on. */
+export function autoKey(wb: Workbench): KeyOptions | undefined {
+  return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
+}
+
+/** Sets one DOF and whatever goes with it (`Posing.beside`): named by that one. */
+export function setOne(own: DofValue): typeof setDofs {
+  return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs: [own] }) };
+}
+
+/** Keys DOFs as they are shown; all of them, where none are named. What plays stops. */
+export function keyNow(wb: Workbench, characterId: string, dofs?: readonly number[]): void {
+  standStill(wb);
+  const { timeSeconds } = wb.transport.get();
+  wb.store.apply(keyPose, { characterId, dofs, timeSeconds, ...keyOptions(wb) });
+}
+
+/** The keys of a character that stand at the moment shown; of these DOFs, or of all. */
+export function keysNow(wb: Workbench, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
+  const clip = character.skeleton && shownClip(character);
+  const silent = silentChannels(character);
+  const keys = clip ? keysAtTime(clip, dofs, clipTime(wb, character)) : [];
+  return silent ? keys.filter(({ channel }) => channel >= silent) : keys;
+}
+
+/** Deletes them. A channel that has no key left stands where it was. */
+export function deleteKeysNow(wb: Workbench, character: Character, dofs?: readonly number[]): void {
+  const keys = keysNow(wb, character, dofs);
+  if (keys.length)
+    wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
+}
+
+/** Deletes every key of a DOF, which goes on standing where it is. */
+export function deleteAllKeys(wb: Workbench, character: Character, dof: number): void {
+  const indices = [...(channelOf(character, dof)?.times.keys() ?? [])];
+  if (!indices.length) return;
+  const keys = [{ channel: dof, indices }];
+  wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
+}
+
+/** Whether a DOF has a key at the moment shown. Cheap enough for every row at every frame. */
+export function isKeyedNow(wb: Workbench, character: Character, dof: number): boolean {
+  const channel = channelOf(character, dof);
+  return channel !== undefined && findKey(channel, clipTime(wb, character)) >= 0;
+}
+
+/** The DOFs of a joint, and of the root its translation too, as inspector and timeline have it. */
+export function jointDofs(character: Character, joint: number): readonly number[] {
+  const [first, end] = channelsOfJoint(character, joint);
+  return Array.from({ length: end - first }, (_, i) => first + i);
+}

@@ -1,0 +1,55 @@
+/**
+ * What is set by hand over keys lasts for one moment, and is seen to go when time moves on. Going is an undo step, so
+ * that Ctrl+Z gives it back to be keyed, and time goes back to its moment with it. Only while there is something to be
+ * redone it stays in the document, shown at its moment and no other: undoing, looking round and redoing has to work, and
+ * a step would end it.
+ */
+import { dropUnkeyed } from '../../../edit/commands/pose.ts';
+import { countUnkeyed } from '../../../edit/unkeyed.ts';
+import { findCharacter } from '../../../model/document.ts';
+import { ACTIONS } from '../../shell/actions.ts';
+import { isMac } from '../../shell/keys.ts';
+import type { Settings } from '../../state/settings.ts';
+import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+type Parts = Pick<Workbench, 'store' | 'transport' | 'settings' | 'messages'>;
+
+/** Drops what was set at another time than this, and says so once. */
+export function dropStale({ store, settings, messages }: Parts, timeSeconds: number): void {
+  if (countUnkeyed(store.document, timeSeconds) === 0 || store.redoLabel !== undefined) return;
+  // A drag that ends with the moment may leave none.
+  store.settle();
+  const count = countUnkeyed(store.document, timeSeconds);
+  if (count === 0) return;
+  // No key can be made where another character's take moves it.
+  const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
+  store.apply(dropUnkeyed, { exceptSeconds: timeSeconds });
+  const undo = keyNameOf(settings.get(), 'edit.undo');
+  const key = canBeKeyed ? keyNameOf(settings.get(), 'key.pose') : undefined;
+  const hints = [undo && `${undo} brings ${count === 1 ? 'it' : 'them'} back`, key && `${key} keeps such values`];
+  const said = hints.filter(Boolean).join(', ');
+  const what = count === 1 ? 'A value set by hand was' : `${count} values set by hand were`;
+  messages.note(`${what} not keyed and ${count === 1 ? 'is' : 'are'} gone${said && `: ${said}`}.`);
+}
+
+/** The key of an action as a menu shows it; undefined where it has none. */
+export function keyNameOf(settings: Settings, actionId: string): string | undefined {
+  const action = ACTIONS.find((a) => a.id === actionId);
+  const [shortcut] = action ? shortcutsFor(action, settings) : [];
+  return shortcut && shortcutText(shortcut, isMac);
+}
+
+/** Goes to the moment of values that come back, by undo or from a script: elsewhere they could not be seen. */
+export function followUnkeyed({ store, transport }: Parts): () => void {
+  return store.subscribe((now, before) => {
+    if (now.document === before.document) return;
+    const { timeSeconds } = transport.get();
+    for (const { id, unkeyed } of now.document.characters) {
+      if (!unkeyed || unkeyed.timeSeconds === timeSeconds) continue;
+      if (findCharacter(before.document, id)?.unkeyed === unkeyed) continue;
+      transport.update((p) => ({ ...p, timeSeconds: unkeyed.timeSeconds, playing: false }));
+      return;
+    }
+  });
+}

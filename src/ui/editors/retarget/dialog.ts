@@ -1,0 +1,236 @@
+/**
+ * The dialog that puts a take onto another character: which character, whose take, which joint follows which, and a few
+ * choices. What comes of it is seen at once, behind the dialog; it is one step of undo when applied, and none when not.
+ */
+import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
+import { driverSource, possibleSources } from '../../../edit/drivers.ts';
+import { pause, play } from '../../../edit/playback.ts';
+import { CommandError } from '../../../edit/store.ts';
+import { Trial } from '../../../edit/trial.ts';
+import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
+import { automaticPairs, type JointMatch } from '../../../evaluate/retarget/match.ts';
+import { measureSliding } from '../../../evaluate/retarget/sliding.ts';
+import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
+import type { JointPair, RetargetOptions } from '../../../model/retarget.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { button, element, setText } from '../../kit/dom.ts';
+import { atMostEvery } from '../../kit/frame.ts';
+import { icon } from '../../kit/icons.ts';
+import { parseNumber, shown } from '../../kit/number-text.ts';
+import { stopsOnFrame } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { pairTable } from './pair-table.ts';
+import { resultText } from './result-text.ts';
+import { firstTarget, possibleTargets } from './targets.ts';
+
+const TITLE = 'Put a take onto a character';
+/** Typing is answered at most so often. */
+const PREVIEW_MS = 120;
+/** Contacts of each foot that are looked at for the words below: a long take has thousands. */
+const MEASURED = 24;
+
+export function retargetDialog(wb: Workbench, close: () => void): DialogContent {
+  const { store } = wb;
+  const kind = 'tool-dialog retarget-dialog';
+  const first = firstTarget(wb);
+  if (!first) {
+    const text = 'Open a take and a character with a skeleton first: what the one does can then be put onto the other.';
+    return { title: TITLE, kind, body: element('div', {}, element('p', {}, text)) };
+  }
+  const trial = new Trial(store, TITLE, () => {
+    wb.messages.note(`${TITLE} was not applied: something else has changed meanwhile.`, 'warning');
+    stop();
+    close();
+  });
+  const { base } = trial;
+  let target = first;
+  let matches: readonly JointMatch[] = [];
+
+  const targets = choice(possibleTargets(base).map((c) => [c.id, c.name]));
+  targets.autofocus = true;
+  const sources = choice([]);
+  const scale = element('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', class: 'number-field' });
+  const reference = choice([
+    ['automatic', 'Automatic'],
+    ['rest', 'File’s pose'],
+    ['now', 'This moment'],
+  ]);
+  const feet = element('input', { type: 'checkbox' });
+  const result = element('p', { class: 'tool-result', role: 'status' });
+  const table = pairTable(() => soon());
+  const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
+  const bake = element('button', { type: 'button', class: 'plain' }, 'Bake');
+  const takeOff = element('button', { type: 'button', class: 'plain' }, 'Let go');
+  const again = element('button', { type: 'button', class: 'plain' }, 'Match again');
+  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
+  bake.title = 'As a take of the character’s own, with a pose for every frame';
+  apply.title = 'Live: follows the other character’s take as it is edited';
+  const body = element(
+    'form',
+    { class: 'tool-form' },
+    field('Character', targets),
+    field('moves like', sources),
+    table.element,
+    field('Scale of its way', scale),
+    field('Both stand alike in', reference),
+    element('label', { class: 'tool-check' }, feet, element('span', {}, 'Plant feet where the take’s stand')),
+    result,
+    element(
+      'div',
+      { class: 'tool-buttons' },
+      button('Play or pause', { class: 'tool' }, icon('play'), () =>
+        wb.transport.update((p) => (p.playing ? pause(p, stopsOnFrame(wb)) : play(p))),
+      ),
+      again,
+      takeOff,
+      element('span', { class: 'spacer' }),
+      cancel,
+      bake,
+      apply,
+    ),
+  );
+
+  /** The moment that `This moment` means: that of the dialog's opening, however the play goes on. */
+  let moment = 0;
+  const optionsNow = (): Partial<RetargetOptions> => {
+    const typed = scale.value.trim();
+    const number = parseNumber(typed);
+    if (typed !== '' && number === undefined) throw new CommandError('The scale has to be a number, or nothing.');
+    return {
+      scale: number,
+      reference: reference.value === 'now' ? moment : reference.value === 'rest' ? 'rest' : 'automatic',
+      plantsFeet: feet.checked,
+    };
+  };
+  const made = (): Document =>
+    setRetarget.run(base, {
+      characterId: target.id,
+      sourceId: sources.value,
+      pairs: table.pairs(),
+      options: optionsNow(),
+    });
+  const sourceTake = () => {
+    const from = findCharacter(base, sources.value);
+    return (from && shownClip(from)?.name) || 'a take';
+  };
+  const attempt = (work: () => void) => {
+    if (trial.over) return;
+    try {
+      work();
+      result.classList.remove('wrong');
+      apply.disabled = bake.disabled = false;
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      trial.show(base);
+      setText(result, error.message);
+      result.classList.add('wrong');
+      apply.disabled = bake.disabled = true;
+    }
+  };
+  const preview = () =>
+    attempt(() => {
+      const after = made();
+      trial.show(after);
+      const moved = findCharacter(after, target.id);
+      if (!moved?.driver || !moved.skeleton) return;
+      const plan = retargetPlan(moved.driver, moved, moved.skeleton);
+      if (scale.value.trim() === '') scale.placeholder = `automatic: ${shown(plan.scale, 3)}`;
+      setText(result, resultText(moved.driver, moved.skeleton, measureSliding(plan, MEASURED)));
+    });
+  const soon = atMostEvery(PREVIEW_MS, preview);
+
+  const match = (pairs?: readonly JointPair[]) => {
+    const from = findCharacter(base, sources.value);
+    const source = from && driverSource(from);
+    if (!source || !target.skeleton) return;
+    matches = automaticPairs(source.skeleton, target.skeleton, source.space, target.space);
+    table.show(target.skeleton, source.skeleton, pairs ?? matches, matches);
+  };
+  const showSources = () => {
+    const possible = possibleSources(base, target);
+    const held = target.driver && possible.find((c) => c.id === target.driver?.sourceId);
+    // The one that is selected, if it could be the one; else the last that was opened.
+    const meant = held ?? possible.find((c) => c.id === store.selection.characterId) ?? possible.at(-1);
+    sources.replaceChildren(
+      ...possible.map((c) => element('option', { value: c.id, selected: c === meant }, sourceName(c))),
+    );
+    const options = held && target.driver ? target.driver.options : undefined;
+    scale.value = options?.scale === undefined ? '' : String(options.scale);
+    moment = typeof options?.reference === 'number' ? options.reference : clipSecondsNow(wb, meant);
+    reference.value = typeof options?.reference === 'number' ? 'now' : (options?.reference ?? 'automatic');
+    feet.checked = options?.plantsFeet ?? true;
+    takeOff.hidden = !target.driver;
+    match(held && target.driver?.pairs);
+  };
+
+  const stop = wb.dialog.subscribe((open) => {
+    if (open !== 'retarget') end();
+  });
+  function end(keep?: () => Document, label?: string): void {
+    if (trial.over) return;
+    if (keep) attempt(() => trial.show(keep()));
+    if (apply.disabled && keep) return;
+    stop();
+    if (keep) trial.keep(label);
+    else trial.putBack();
+    if (keep) close();
+  }
+
+  targets.addEventListener('change', () => {
+    target = findCharacter(base, targets.value) ?? target;
+    showSources();
+    soon();
+  });
+  sources.addEventListener('change', () => {
+    moment = clipSecondsNow(wb, findCharacter(base, sources.value));
+    match();
+    soon();
+  });
+  reference.addEventListener('change', () => {
+    if (reference.value === 'now') moment = clipSecondsNow(wb, findCharacter(base, sources.value));
+    soon();
+  });
+  scale.addEventListener('input', soon);
+  feet.addEventListener('change', soon);
+  again.addEventListener('click', () => {
+    match();
+    soon();
+  });
+  cancel.addEventListener('click', close);
+  takeOff.addEventListener('click', () =>
+    end(
+      () => clearRetarget.run(base, { characterId: target.id }),
+      clearRetarget.label(base, { characterId: target.id }),
+    ),
+  );
+  bake.addEventListener('click', () =>
+    end(() => bakeRetarget.run(made(), { characterId: target.id }), `Bake ${sourceTake()} into ${target.name}`),
+  );
+  body.addEventListener('submit', (event) => {
+    event.preventDefault();
+    if (!apply.disabled) end(made, `Put ${sourceTake()} onto ${target.name}`);
+  });
+  targets.value = target.id;
+  showSources();
+  preview();
+  return { title: TITLE, body, kind };
+}
+
+/** The transport's moment in seconds of a character's clip. */
+function clipSecondsNow(wb: Workbench, character: Character | undefined): number {
+  return wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
+}
+
+function choice(options: readonly (readonly [string, string])[]): HTMLSelectElement {
+  return element('select', {}, ...options.map(([value, label]) => element('option', { value }, label)));
+}
+
+function field(label: string, content: HTMLElement): HTMLElement {
+  return element('label', { class: 'tool-field' }, element('span', {}, label), content);
+}
+
+/** A take of motion capture is called as its character is: once is enough. */
+function sourceName(character: Character): string {
+  const take = shownClip(character)?.name ?? '';
+  return take === character.name ? take : `${character.name} · ${take}`;
+}

@@ -1,0 +1,99 @@
+/** What can be done about a character that another one's take moves: as entries, as buttons, as a line of its own. */
+import { type Character, findCharacter } from '../../../model/document.ts';
+import { element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import type { MenuEntry } from '../../kit/menu.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { attempt } from '../../state/attempt.ts';
+import { onDemand } from '../../state/on-demand.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+export interface MovedChoice {
+  readonly label: string;
+  readonly title: string;
+  run(): void;
+}
+
+/** What can be done about a character that another's take moves. */
+export function movedChoices(wb: Workbench, characterId: string): readonly MovedChoice[] {
+  return [
+    {
+      label: 'Bake',
+      title: 'Make what is seen a take of its own, which can be edited and saved',
+      run: () => void change(wb, ({ bakeRetarget }) => wb.store.apply(bakeRetarget, { characterId })),
+    },
+    {
+      label: 'Change…',
+      title: 'Which joint follows which, and how',
+      run() {
+        if (wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
+        wb.dialog.set('retarget');
+      },
+    },
+    {
+      label: 'Let go',
+      title: 'Its own take and pose again',
+      run: () => void change(wb, ({ clearRetarget }) => wb.store.apply(clearRetarget, { characterId })),
+    },
+  ];
+}
+
+/** The commands are fetched when they are asked for. */
+async function change(
+  wb: Workbench,
+  run: (commands: typeof import('../../../edit/commands/retarget.ts')) => void,
+): Promise<void> {
+  const commands = await onDemand(wb.messages, 'What bakes takes', () => import('../../../edit/commands/retarget.ts'));
+  if (commands) attempt(wb.messages, () => run(commands));
+}
+
+/** The same for a menu; none where its own take moves it. */
+export function movedEntries(wb: Workbench, { id, driver }: Character): MenuEntry[] {
+  if (!driver) return [];
+  return [
+    ...movedChoices(wb, id).map(({ label, run }): MenuEntry => ({ kind: 'item', label, enabled: true, run })),
+    { kind: 'line' },
+  ];
+}
+
+/** The same as buttons. */
+export function movedButtons(wb: Workbench, characterId: () => string | undefined): HTMLElement {
+  const buttons = ['Bake', 'Change…', 'Let go'].map((label, i) => {
+    const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'plain' }, label));
+    made.title = movedChoices(wb, '')[i].title;
+    made.addEventListener('click', () => {
+      const id = characterId();
+      if (id !== undefined) movedChoices(wb, id)[i].run();
+    });
+    return made;
+  });
+  return element('span', { class: 'moved-buttons' }, ...buttons);
+}
+
+/**
+ * The line above curves and keys while the character in hand is moved by another's take, and its own keys are not seen.
+ * The takes say it in their rows.
+ */
+export function movedNotice(wb: Workbench): HTMLElement {
+  const text = element('span');
+  const notice = element('div', { class: 'moved-notice', role: 'note' }, text);
+  notice.append(movedButtons(wb, () => currentCharacter(wb)?.id));
+  const show = () => {
+    const character = currentCharacter(wb);
+    const by = character?.driver;
+    notice.hidden = !by || wb.timeline.view.get().tab === 'takes';
+    if (!character || !by) return;
+    const isGone = findCharacter(wb.store.document, by.sourceId) === undefined;
+    const take = by.source.clip.name || by.source.name;
+    const how = isGone ? 'retargeted; the take itself was removed' : 'retargeted';
+    setText(text, `${character.name} is moved by ${take} (${how}). Bake to edit it here.`);
+    text.title = text.textContent ?? '';
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document || now.selection.characterId !== before.selection.characterId) show();
+  });
+  wb.timeline.view.subscribe((now, before) => {
+    if (now.tab !== before.tab) show();
+  });
+  show();
+  return notice;
+}

@@ -1,0 +1,113 @@
+/**
+ * Which joint follows which, as a table: a row for each joint of the character that is moved, with the joint that it
+ * follows and why. Lists of joints are filled when they are opened: a hundred joints with a hundred choices each would
+ * be ten thousand elements.
+ */
+
+import type { JointMatch } from '../../../evaluate/retarget/match.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { JointPair } from '../../../model/retarget.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { element, setText, uniqueId } from '../../kit/dom.ts';
+
+const AT_REST = 'stays as posed';
+/** Matches below this are guesses. */
+const UNSURE = 0.6;
+
+export interface PairTable {
+  readonly element: HTMLElement;
+  /** As it is shown now, in the order of the target's joints. */
+  pairs(): JointPair[];
+  show(target: Skeleton, source: Skeleton, pairs: readonly JointPair[], matches: readonly JointMatch[]): void;
+}
+
+/** @param changed someone has chosen another joint */
+export function pairTable(changed: () => void): PairTable {
+  const body = element('tbody');
+  const table = element(
+    'table',
+    { class: 'pairs' },
+    element('thead', {}, element('tr', {}, head('Joint'), head('follows'), head('because'))),
+    body,
+  );
+  let chosen = new Map<number, number>();
+  return {
+    element: element('div', { class: 'pairs-scroll', tabindex: '0', role: 'group', 'aria-label': 'Joints' }, table),
+    pairs: () => [...chosen].sort(([a], [b]) => a - b).map(([target, source]) => ({ target, source })),
+    show(target, source, pairs, matches) {
+      chosen = new Map(pairs.map((pair) => [pair.target, pair.source]));
+      const found = new Map(matches.map((match) => [match.target, match]));
+      const depths = depthsOf(target);
+      body.replaceChildren(
+        ...target.joints.map((_, t) => {
+          const name = jointName(target, t);
+          const why = element('td', { class: 'why', id: uniqueId('why') });
+          const select = jointSelect(`${name} follows`, source, chosen.get(t));
+          // Spoken with the choice: colour and tooltip are for those who see them.
+          select.setAttribute('aria-describedby', why.id);
+          const row = element(
+            'tr',
+            {},
+            element(
+              'th',
+              { scope: 'row', title: name },
+              element('span', { style: `padding-left: ${Math.min(depths[t], 12) * 6}px` }, name),
+            ),
+            element('td', {}, select),
+            why,
+          );
+          const explain = () => {
+            const s = chosen.get(t);
+            const match = found.get(t);
+            const isFound = match !== undefined && match.source === s;
+            row.classList.toggle('unmatched', s === undefined);
+            row.classList.toggle('unsure', isFound && match.confidence < UNSURE);
+            const reason = isFound ? match.reason : 'chosen by hand';
+            const isGuess = isFound && match.confidence < UNSURE;
+            setText(why, s === undefined ? AT_REST : isGuess ? `guess: ${reason}` : reason);
+            why.title = isFound ? `${reason}. ${sureness(match.confidence)}` : '';
+          };
+          select.addEventListener('change', () => {
+            if (select.value === '') chosen.delete(t);
+            else chosen.set(t, Number(select.value));
+            explain();
+            changed();
+          });
+          explain();
+          return row;
+        }),
+      );
+    },
+  };
+}
+
+/** How sure a match is, in words and as a number. */
+function sureness(confidence: number): string {
+  const percent = `${Math.round(100 * confidence)} %`;
+  if (confidence >= 0.85) return `Sure (${percent}).`;
+  if (confidence >= UNSURE) return `Likely (${percent}).`;
+  return `A guess (${percent}): see whether it moves as it should.`;
+}
+
+function head(text: string): HTMLElement {
+  return element('th', { scope: 'col' }, text);
+}
+
+function jointSelect(label: string, source: Skeleton, chosen: number | undefined): HTMLSelectElement {
+  const optionOf = (s: number) => element('option', { value: s, selected: s === chosen }, jointName(source, s));
+  const none = () => element('option', { value: '', selected: chosen === undefined }, '—');
+  const select = element('select', { 'aria-label': label }, chosen === undefined ? none() : optionOf(chosen));
+  const fill = () => {
+    const { value } = select;
+    select.replaceChildren(none(), ...source.joints.map((_, s) => optionOf(s)));
+    select.value = value;
+  };
+  for (const event of ['focus', 'pointerdown'] as const) select.addEventListener(event, fill, { once: true });
+  return select;
+}
+
+function depthsOf({ joints }: Skeleton): number[] {
+  const depths: number[] = [];
+  for (const { parent } of joints) depths.push(parent < 0 ? 0 : depths[parent] + 1);
+  return depths;
+}

@@ -1,0 +1,18 @@
+/** What putting a take onto a character comes to, in words. */
+import type { Sliding } from '../../../evaluate/retarget/sliding.ts';
+import type { Driver } from '../../../model/document.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+
+export function resultText({ pairs, options }: Driver, skeleton: Skeleton, sliding: Sliding): string {
+  const following = `${pairs.length} of ${plural(skeleton.joints.length, 'joint')} follow.`;
+  if (sliding.contacts === 0) return `${following} No foot is seen to stand.`;
+  const feet = options.plantsFeet ? 'Feet are planted' : 'Feet are left to the legs';
+  const slide = `slide ${centimetres(sliding.mean)} on average, ${centimetres(sliding.worst)} at most`;
+  const other = `${centimetres(sliding.sourceMean)} and ${centimetres(sliding.sourceWorst)}`;
+  return `${following} ${feet}: in ${plural(sliding.contacts, 'contact')} they ${slide} (the take’s own, at this size: ${other}).`;
+}
+
+function centimetres(metres: number): string {
+  return `${shown(100 * metres, 1)} cm`;
+}

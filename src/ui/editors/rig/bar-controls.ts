@@ -1,0 +1,126 @@
+/** What rig mode has beside the switch of modes, and the line below that says how it works. */
+
+import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { type IconName, icon } from '../../kit/icons.ts';
+import type { Observable } from '../../kit/observable.ts';
+import { runAction } from '../../shell/actions.ts';
+import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { whileShown } from '../posing/while-shown.ts';
+import { RIG_CHILDREN, type RigChildren, rigState } from './rig-state.ts';
+
+const SKIN_TEXT: Readonly<Record<RigSkin, readonly [text: string, tip: string]>> = {
+  stays: ['stays', 'The skin stays where it is, and is bound anew (bind mode)'],
+  follows: ['follows', 'The skin keeps its binding, and follows as if posed (pose mode)'],
+};
+const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: string]>> = {
+  follow: ['follow', 'Joints below one that is dragged go along'],
+  stay: ['stay', 'Joints below one that is dragged stay where they are'],
+};
+
+/** Made once; it follows the page while it is shown. */
+export function rigControls(wb: Workbench): HTMLElement {
+  const state = rigState(wb);
+  const adding = keepsFocusElsewhere(
+    button('Add joints', { class: 'tool' }, wideOrNarrow('Add joints', 'joint', '+'), () =>
+      runAction(wb, 'rigging.addJoints'),
+    ),
+  );
+  keepTooltip(wb, adding, 'rigging.addJoints', () => 'Add joints: each click hangs a new one on the selected joint');
+  const text = element('span');
+  const hint = element('p', { class: 'rig-hint', role: 'status' }, text);
+  const show = () => {
+    adding.setAttribute('aria-pressed', String(state.adding.get()));
+    const readout = state.readout.get();
+    setText(text, readout || hintText(wb));
+    hint.classList.toggle('is-readout', readout !== '');
+    // Where room is short, it is for what is under way.
+    hint.classList.toggle('is-known', !readout && !state.adding.get());
+  };
+  const skin = segments(wb.posing.rigSkin, 'Skin', 'skin', RIG_SKINS, SKIN_TEXT);
+  const children = segments(state.children, 'Children', 'bones', RIG_CHILDREN, CHILDREN_TEXT);
+  const controls = element('div', { class: 'rig-controls' }, group(adding), skin.element, children.element, hint);
+  whileShown(wb.posing, controls, () => {
+    for (const part of [{ show }, skin, children]) part.show();
+    return [
+      state.adding.subscribe(show),
+      state.readout.subscribe(show),
+      wb.store.subscribe((now, before) => {
+        if (now.selection !== before.selection || now.document.characters !== before.document.characters) show();
+      }),
+      wb.posing.rigSkin.subscribe(skin.show),
+      state.children.subscribe(children.show),
+    ];
+  });
+  return controls;
+}
+
+/** One sentence: what to do next. */
+export function hintText(wb: Pick<Workbench, 'store' | 'posing'>): string {
+  const { document, selection } = wb.store;
+  const isAny = document.characters.some((c) => c.skeleton);
+  const hasJoint = selection.joint !== undefined;
+  if (rigState(wb).adding.get()) {
+    if (!isAny) return 'Click where the first joint stands.';
+    if (!hasJoint) return 'Click the joint that the new one hangs on.';
+    return 'Click adds a joint; on a joint, it branches. Esc ends.';
+  }
+  if (!isAny) return 'Add joints, and click where the first one stands.';
+  if (!hasJoint) return 'Click a joint to change it; drag it to another place.';
+  return 'Drag the joint, an arrow, or a face of its box. Ctrl+click adds a child.';
+}
+
+function group(...children: HTMLElement[]): HTMLElement {
+  return element('div', { class: 'rig-group tools' }, ...children);
+}
+
+/** A name where there is room; else an icon, with a sign behind it. */
+function wideOrNarrow(text: string, name: IconName, sign = ''): HTMLElement {
+  return element(
+    'span',
+    { class: 'rig-text' },
+    element('span', { class: 'is-wide' }, text),
+    element('span', { class: 'is-narrow' }, icon(name), sign),
+  );
+}
+
+/** A choice of two, with its name before it. Where only the chosen one is seen, it leads to the other. */
+function segments<T extends string>(
+  value: Observable<T>,
+  name: string,
+  iconName: IconName,
+  choices: readonly T[],
+  texts: Readonly<Record<T, readonly [text: string, tip: string]>>,
+): { readonly element: HTMLElement; show(): void } {
+  const buttons: HTMLButtonElement[] = choices.map((choice) => {
+    const [text, tip] = texts[choice];
+    const made = button(`${name}: ${text}`, { class: 'tool', role: 'radio', title: tip }, text, () => {
+      const other = choices.find((one, i) => one !== choice && buttons[i].offsetParent === null);
+      value.set(other !== undefined && value.get() === choice ? other : choice);
+    });
+    return keepsFocusElsewhere(made);
+  });
+  const show = () => {
+    buttons.forEach((made, i) => {
+      const isChosen = value.get() === choices[i];
+      made.setAttribute('aria-checked', String(isChosen));
+      made.tabIndex = isChosen ? 0 : -1;
+    });
+  };
+  const whole = element(
+    'div',
+    { class: 'rig-group tools', role: 'radiogroup', 'aria-label': name },
+    element('span', { class: 'rig-name', 'aria-hidden': 'true', title: name }, wideOrNarrow(name, iconName)),
+    ...buttons,
+  );
+  whole.addEventListener('keydown', (event) => {
+    if (event.key !== 'ArrowRight' && event.key !== 'ArrowLeft') return;
+    event.preventDefault();
+    const at = choices.indexOf(value.get());
+    const next = (at + (event.key === 'ArrowRight' ? 1 : choices.length - 1)) % choices.length;
+    value.set(choices[next]);
+    buttons[next].focus();
+  });
+  return { element: whole, show };
+}

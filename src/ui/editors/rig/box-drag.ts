@@ -1,0 +1,71 @@
+/**
+ * Dragging a face of a joint's box. Shift: fine; Ctrl: onto round numbers; Alt: the face across goes the other way. One
+ * drag is one step.
+ */
+import { setBox } from '../../../edit/commands/rig-joint.ts';
+import {
+  alongLine,
+  boxWithFace,
+  parentToScene,
+  roundStep,
+  type Side,
+  withoutDust,
+} from '../../../edit/rig/dragged-places.ts';
+import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
+import type { Axis } from '../../../view/rig/rig-screen.ts';
+import { shown } from '../../kit/number-text.ts';
+import { HandEdit } from '../../state/hand-edit.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import { SNAP_PIXELS } from './joint-drags.ts';
+import { rigState } from './rig-state.ts';
+import type { Rigged } from './rigged.ts';
+import { rigging } from './rigging-args.ts';
+import { SteadyHand } from './steady-hand.ts';
+
+export function dragFace(
+  wb: Workbench,
+  { character, skeleton, world, placement }: Rigged,
+  joint: number,
+  face: { readonly axis: Axis; readonly side: Side },
+  at: CanvasPointer,
+): CanvasDrag {
+  const { axis, side } = face;
+  const { eye } = wb.viewport;
+  const { readout } = rigState(wb);
+  const { box } = skeleton.joints[joint];
+  const hand = new SteadyHand(at);
+  const edit = new HandEdit(wb.store, wb.messages);
+  const space = parentToScene(placement, world, joint);
+  const middle: [number, number, number] = [0, 0, 0];
+  for (let k = 0; k < 3; k++) middle[k] = (box.min[k] + box.max[k]) / 2;
+  middle[axis] = box[side][axis];
+  const anchor = transformPoint(space, middle);
+  // Along a whole unit of the box: what comes along it is in the box's own numbers.
+  const direction: Vec3 = [space[4 * axis], space[4 * axis + 1], space[4 * axis + 2]];
+  const unit = eye.unitsPerPixel(anchor) / (Math.hypot(...direction) || 1);
+  const from = alongLine(anchor, direction, eye.rayAt(at.clientX, at.clientY)) ?? 0;
+  const end = () => readout.set('');
+  return {
+    move(now) {
+      hand.move(now);
+      const reached = alongLine(anchor, direction, eye.rayAt(hand.x, hand.y));
+      if (reached === undefined) return;
+      const snaps = now.ctrlKey || now.metaKey;
+      const step = snaps ? roundStep(SNAP_PIXELS * unit) : undefined;
+      const by = withoutDust([reached - from, 0, 0], unit)[0];
+      const next = boxWithFace(box, axis, side, by, { both: now.altKey, step, unitsPerPixel: unit });
+      edit.preview(setBox, { ...rigging(wb, character), joint, box: next });
+      const size = next.max.map((most, k) => shown(Math.abs(most - next.min[k]), 4)).join(' × ');
+      readout.set(`Box: ${side} ${'xyz'[axis]} ${shown(next[side][axis], 4)} · ${size}`);
+    },
+    end() {
+      edit.commit();
+      end();
+    },
+    cancel() {
+      edit.cancel();
+      end();
+    },
+  };
+}

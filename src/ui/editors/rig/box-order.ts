@@ -1,0 +1,19 @@
+/** A box that is typed goes from its lower to its upper corner, as limits do. */
+import type { Vec3 } from '../../../math/vec3.ts';
+import type { Box } from '../../../model/skeleton.ts';
+import { shown } from '../../kit/number-text.ts';
+
+/**
+ * Why a corner can't stand there; undefined where it can. In files the lower corner may lie above the upper one: along
+ * such an axis anything may be typed.
+ */
+export function whyNoCorner(box: Box, side: keyof Box, corner: Vec3): string | undefined {
+  const next = { ...box, [side]: corner };
+  for (const axis of [0, 1, 2] as const) {
+    if (!(next.min[axis] > next.max[axis]) || box.min[axis] > box.max[axis]) continue;
+    const letter = 'xyz'[axis];
+    const [from, to] = [next.min[axis], next.max[axis]].map((value) => shown(value, 4));
+    return `The box would go from ${from} to ${to} along ${letter}: its lower corner lies below its upper one.`;
+  }
+  return undefined;
+}

@@ -1,0 +1,166 @@
+/** What of a joint's DOFs follow others: a line to say whom, and one for gain and offset; and the way to add one. */
+import { type SetCouple, setCouple } from '../../../edit/commands/couples.ts';
+import { findCharacter } from '../../../model/document.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { type Couple, type Dof, type DofUnit, dofsOf, type Skeleton } from '../../../model/skeleton.ts';
+import { button, element } from '../../kit/dom.ts';
+import { NumberField } from '../../kit/number-field.ts';
+import { shown } from '../../kit/number-text.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
+import { attempt } from '../../state/attempt.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { FolderRow } from './folder-rows.ts';
+import { rigging } from './rigging-args.ts';
+
+/** @param skeleton as the rows are made for; they are made anew when its joints, or who follows whom, are others */
+export function coupleRow(
+  wb: Workbench,
+  characterId: string,
+  skeleton: Skeleton,
+  joint: number,
+  dof: Dof,
+): FolderRow & { readonly line: HTMLElement } {
+  const { joints } = skeleton;
+  const now = (): Couple | undefined =>
+    findCharacter(wb.store.document, characterId)?.skeleton?.joints[joint]?.couples?.find((c) => c.dof === dof.name);
+  const put = (follows: SetCouple['follows']) => {
+    coupleIt(wb, characterId, { joint, dof: dof.name, follows });
+    update();
+  };
+  const change = (part: Partial<{ joint: number; dof: string; gain: number; offset: number }>) => {
+    const couple = now();
+    if (couple) put({ joint: couple.joint, dof: couple.follows, gain: couple.gain, offset: couple.offset, ...part });
+  };
+
+  const whom = element('select', { 'aria-label': `Joint that ${dof.name} follows` });
+  const followable = [...joints.keys()].filter((j) => dofsOf(joints[j].motion).length > (j === joint ? 1 : 0));
+  for (const j of followable) whom.append(element('option', { value: String(j) }, jointName(skeleton, j)));
+  const which = element('select', { 'aria-label': `DOF that ${dof.name} follows` });
+  whom.addEventListener('change', () => {
+    const other = Number(whom.value);
+    const couple = now();
+    const names = namesOf(skeleton, joint, dof, other);
+    change({ joint: other, dof: couple && names.includes(couple.follows) ? couple.follows : names[0] });
+  });
+  which.addEventListener('change', () => change({ dof: which.value }));
+
+  const { angles } = wb.settings.get();
+  const to = shownPerUnit(dof.unit, angles);
+  const from = () => shownPerUnit(followedUnit(skeleton, now()), angles);
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+  const gain = new NumberField({
+    label: `Gain of ${dof.name}`,
+    text: (value) => shown(value, 4),
+    commit: (value) => change({ gain: (value * from()) / to }),
+    refuse,
+    step: 0.1,
+  });
+  const offset = new NumberField({
+    label: `Offset of ${dof.name}`,
+    text: (value) => `${shown(value, 4)}${unitText(dof.unit, angles)}`,
+    commit: (value) => change({ offset: value / to }),
+    refuse,
+    step: 1,
+    units: () => typedUnits(dof.unit, angles),
+  });
+  const update = () => {
+    const couple = now();
+    if (!couple) return;
+    whom.value = String(couple.joint);
+    whom.title = whom.selectedOptions[0]?.text ?? '';
+    const names = namesOf(skeleton, joint, dof, couple.joint);
+    which.replaceChildren(...names.map((name) => element('option', { value: name }, name)));
+    which.value = couple.follows;
+    gain.show(withoutNoise((couple.gain * to) / from()));
+    offset.show(withoutNoise(couple.offset * to));
+  };
+  update();
+  const remove = button(`${dof.name} follows nothing`, { class: 'plain' }, '×', () => put(null));
+  const line = element(
+    'div',
+    { class: 'rig-couple' },
+    element('div', { class: 'rig-row' }, element('span', { class: 'rig-label' }, `${dof.name} follows`), whom, which),
+    element(
+      'div',
+      { class: 'rig-row is-second' },
+      element('span', { class: 'unit', 'aria-hidden': 'true' }, '×'),
+      gain.element,
+      element('span', { class: 'unit', 'aria-hidden': 'true' }, '+'),
+      offset.element,
+      remove,
+    ),
+  );
+  return { line, update };
+}
+
+/** Lets one more DOF follow another. Undefined where all do, or there is nothing to follow. */
+export function addCoupleRow(
+  wb: Workbench,
+  characterId: string,
+  skeleton: Skeleton,
+  joint: number,
+): HTMLElement | undefined {
+  const own = skeleton.joints[joint];
+  const free = dofsOf(own.motion).filter(({ name }) => !own.couples?.some((couple) => couple.dof === name));
+  if (!free.length) return undefined;
+  const add = element('select', { 'aria-label': 'Let a DOF follow another' });
+  add.append(element('option', { value: '' }, 'Let a DOF follow…'));
+  for (const dof of free) add.append(element('option', { value: dof.name }, dof.name));
+  add.addEventListener('change', () => {
+    const dof = free.find(({ name }) => name === add.value);
+    add.value = '';
+    if (!dof) return;
+    const found = firstToFollow(skeleton, joint, dof);
+    if (!found) return wb.messages.note('There is no other DOF to follow.');
+    coupleIt(wb, characterId, { joint, dof: dof.name, follows: { ...found, gain: 1, offset: 0 } });
+  });
+  return element('div', { class: 'rig-row is-alone' }, add);
+}
+
+/** With the skin staying or following, as everything in this folder. */
+function coupleIt(wb: Workbench, characterId: string, args: Pick<SetCouple, 'joint' | 'dof' | 'follows'>): void {
+  standStill(wb);
+  attempt(wb.messages, () => wb.store.apply(setCouple, { ...rigging(wb, { id: characterId }), ...args }));
+}
+
+/** The parent's DOF of that name or unit, else the nearest joint's above, else any that does not follow this one. */
+export function firstToFollow(
+  skeleton: Skeleton,
+  joint: number,
+  dof: Dof,
+): { readonly joint: number; readonly dof: string } | undefined {
+  const { joints } = skeleton;
+  const above: number[] = [];
+  for (let j = joints[joint].parent; j >= 0; j = joints[j].parent) above.push(j);
+  const others = [...joints.keys()].filter((j) => j !== joint && !above.includes(j));
+  for (const other of [...above, ...others, joint]) {
+    const dofs = dofsOf(joints[other].motion).filter(({ name }) => !follows(skeleton, other, name, joint, dof.name));
+    const best = dofs.find(({ name }) => name === dof.name) ?? dofs.find(({ unit }) => unit === dof.unit) ?? dofs[0];
+    if (best) return { joint: other, dof: best.name };
+  }
+  return undefined;
+}
+
+/** Whether a DOF is another, or follows it by way of however many. */
+function follows(skeleton: Skeleton, joint: number, dof: string, otherJoint: number, otherDof: string): boolean {
+  let at: { joint: number; dof: string } | undefined = { joint, dof };
+  for (let steps = 0; at && steps <= skeleton.joints.length * 9; steps++) {
+    if (at.joint === otherJoint && at.dof === otherDof) return true;
+    const { joint: j, dof: name }: { joint: number; dof: string } = at;
+    const couple: Couple | undefined = skeleton.joints[j].couples?.find((one) => one.dof === name);
+    at = couple && { joint: couple.joint, dof: couple.follows };
+  }
+  return false;
+}
+
+/** DOFs of a joint that this one can follow: not itself. */
+function namesOf(skeleton: Skeleton, joint: number, dof: Dof, other: number): string[] {
+  const names = dofsOf(skeleton.joints[other].motion).map(({ name }) => name);
+  return other === joint ? names.filter((name) => name !== dof.name) : names;
+}
+
+function followedUnit(skeleton: Skeleton, couple: Couple | undefined): DofUnit {
+  const dofs = couple && dofsOf(skeleton.joints[couple.joint].motion);
+  return dofs?.find(({ name }) => name === couple?.follows)?.unit ?? 'factor';
+}

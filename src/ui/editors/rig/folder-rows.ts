@@ -1,0 +1,190 @@
+/** Rows of the inspector's folder of rigging: three numbers side by side, and lines of small controls. */
+import type { GUI } from 'lil-gui';
+import type { Vec3 } from '../../../math/vec3.ts';
+import { element, setText } from '../../kit/dom.ts';
+import { Slider } from '../../kit/slider.ts';
+import { withoutNoise } from '../../state/angles.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+export interface FolderContext {
+  readonly wb: Workbench;
+  readonly edit: HandEdit;
+  readonly folder: GUI;
+}
+
+/** What a row gives back: how it is filled with the values of now, and what is to be taken away with it. */
+export interface FolderRow {
+  update(): void;
+  readonly line?: HTMLElement;
+}
+
+const AXES = [0, 1, 2] as const;
+
+/**
+ * @param read undefined: it stands for nothing now
+ * @param write previews; the release is one step
+ * @param whyNot why three numbers can't stand there, which is said at the release: on the way to others one may pass them
+ */
+export function vectorRow(
+  { wb, edit, folder }: FolderContext,
+  label: string,
+  step: number,
+  read: () => Vec3 | undefined,
+  write: (value: Vec3) => void,
+  whyNot: (value: Vec3) => string | undefined = () => undefined,
+): FolderRow {
+  let refusal: string | undefined;
+  const line = element('div', { class: 'vector-row' }, element('span', { class: 'vector-name' }, label));
+  const decimals = Math.max(2, -Math.floor(Math.log10(step)));
+  const refuse = (reason: string) => {
+    if (!edit.cancelled) wb.messages.note(reason, 'warning');
+  };
+  const update = () => {
+    const now = read();
+    for (const axis of AXES) if (now) sliders[axis].showValue(withoutNoise(now[axis]));
+  };
+  const sliders = AXES.map((axis) => {
+    const letter = 'xyz'[axis];
+    const slider = new Slider(folder, `${label} ${letter}`, read()?.[axis] ?? 0, { step, decimals }, refuse);
+    slider.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
+    // By its letter alone it would not be told from the other rows.
+    slider.$input.removeAttribute('aria-labelledby');
+    slider.$input.setAttribute('aria-label', `${label} ${letter}`);
+    line.append(slider.domElement);
+    slider.onChange((value: number) => {
+      const now = read();
+      if (!now) return;
+      const next: [number, number, number] = [...now];
+      next[axis] = value;
+      refusal = whyNot(next);
+      if (refusal === undefined) write(next);
+      if (edit.cancelled) update();
+    });
+    slider.onTakenBack(() => {
+      edit.cancel();
+      refusal = undefined;
+    });
+    slider.onFinishChange(() => {
+      if (refusal === undefined || edit.cancelled) edit.commit();
+      else {
+        // Not what was passed on the way there.
+        edit.cancel();
+        wb.messages.note(refusal, 'warning');
+      }
+      refusal = undefined;
+      update();
+    });
+    return slider;
+  });
+  folder.$children.append(line);
+  return { update, line };
+}
+
+/** One number. */
+export function numberRow(
+  { wb, edit, folder }: FolderContext,
+  label: string,
+  step: number,
+  read: () => number | undefined,
+  write: (value: number) => void,
+  bounds?: readonly [number, number],
+): FolderRow {
+  const refuse = (reason: string) => {
+    if (!edit.cancelled) wb.messages.note(reason, 'warning');
+  };
+  const decimals = Math.max(2, -Math.floor(Math.log10(step)));
+  const slider = new Slider(folder, label, read() ?? 0, { step, decimals, ...(bounds && { bounds }) }, refuse);
+  const update = () => {
+    const now = read();
+    if (now !== undefined) slider.showValue(withoutNoise(now));
+  };
+  slider.onChange((value: number) => {
+    write(value);
+    if (edit.cancelled) update();
+  });
+  slider.onTakenBack(() => edit.cancel());
+  slider.onFinishChange(() => {
+    edit.commit();
+    update();
+  });
+  return { update, line: slider.domElement };
+}
+
+/**
+ * A choice; the texts are the names of joints and the like, which may be twice the same.
+ * @param tipOf what the tooltip says of a value, beside its text, of which a narrow inspector may show half
+ */
+export function choiceRow<T extends string | number>(
+  label: string,
+  options: readonly (readonly [value: T, text: string])[],
+  read: () => T | undefined,
+  write: (value: T) => void,
+  tipOf: (value: T) => string = () => '',
+): FolderRow & { readonly line: HTMLElement } {
+  const select = element('select', { 'aria-label': label });
+  options.forEach(([, text], i) => {
+    select.append(element('option', { value: String(i) }, text));
+  });
+  const update = () => {
+    const now = read();
+    select.selectedIndex = options.findIndex(([value]) => value === now);
+    const chosen = options[select.selectedIndex];
+    const tip = chosen ? tipOf(chosen[0]) : '';
+    select.title = chosen ? `${chosen[1]}${tip && `: ${tip}`}` : '';
+  };
+  select.addEventListener('change', () => {
+    const chosen = options[select.selectedIndex];
+    if (chosen) write(chosen[0]);
+    update();
+  });
+  update();
+  const name = element('span', { class: 'rig-label', 'aria-hidden': 'true' }, label);
+  return { line: element('div', { class: 'rig-row' }, name, select), update };
+}
+
+/**
+ * A text, typed; Enter or leaving the field takes it.
+ * @param noteOf what there is to say of it as it is, in a line below
+ */
+export function textRow(
+  label: string,
+  read: () => string,
+  write: (text: string) => void,
+  title = '',
+  noteOf: () => string = () => '',
+): FolderRow & { readonly line: HTMLElement; readonly field: HTMLInputElement } {
+  const field = element('input', {
+    type: 'text',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    'aria-label': label,
+    title: title || undefined,
+  });
+  const note = element('p', { class: 'rig-note', role: 'status', hidden: true });
+  const update = () => {
+    if (document.activeElement !== field) field.value = read();
+    const text = noteOf();
+    note.hidden = text === '';
+    setText(note, text);
+  };
+  field.addEventListener('change', () => {
+    if (field.value !== read()) write(field.value);
+    field.value = read();
+  });
+  field.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter') field.blur();
+    if (event.key !== 'Escape') return;
+    field.value = read();
+    field.blur();
+    event.preventDefault();
+  });
+  update();
+  const name = element('span', { class: 'rig-label', 'aria-hidden': 'true' }, label);
+  const line = element('div', {}, element('div', { class: 'rig-row' }, name, field), note);
+  return { line, field, update };
+}
+
+export function heading(text: string): HTMLElement {
+  return element('h4', { class: 'rig-heading' }, text);
+}

@@ -1,0 +1,168 @@
+/**
+ * Dragging a joint to another place: freely in the plane that faces the viewer, in depth, or along an arrow. What comes
+ * of it is the joint's offset; one drag is one step.
+ *
+ *     Shift   fine
+ *     Alt     in depth (so does the right button, from the press on)
+ *     Ctrl    onto round numbers, or the place opposite another joint (across x = 0)
+ */
+import { setOffset } from '../../../edit/commands/rig-joint.ts';
+import {
+  alongLine,
+  offsetMoved,
+  opposite,
+  parentToScene,
+  roundStep,
+  snapped,
+  snappedPoint,
+  withoutDust,
+} from '../../../edit/rig/dragged-places.ts';
+import { add, scaled, transformPoint, type Vec3 } from '../../../math/vec3.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { Axis } from '../../../view/rig/rig-screen.ts';
+import { shown } from '../../kit/number-text.ts';
+import { HandEdit } from '../../state/hand-edit.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
+import { rigState } from './rig-state.ts';
+import { inSpaceOf, pivotOf, type Rigged, scaleOf, spaceOfOffset } from './rigged.ts';
+import { rigging } from './rigging-args.ts';
+import { SteadyHand } from './steady-hand.ts';
+
+/** Snapping steps are at least so many pixels. */
+export const SNAP_PIXELS = 8;
+/** How near on the screen the place opposite a joint draws a joint to it. */
+const OPPOSITE_PIXELS = 12;
+
+interface Moved {
+  readonly offset: Vec3;
+  readonly note?: string;
+}
+
+function dragJoint(
+  wb: Workbench,
+  rigged: Rigged,
+  joint: number,
+  at: CanvasPointer,
+  move: (hand: SteadyHand, at: CanvasPointer) => Moved | undefined,
+): CanvasDrag {
+  const hand = new SteadyHand(at);
+  const { character } = rigged;
+  const state = rigState(wb);
+  const { skeleton } = character;
+  const edit = new HandEdit(wb.store, wb.messages);
+  const letTravel = wb.viewport.holdTravel(character.id);
+  const end = () => {
+    letTravel();
+    state.readout.set('');
+  };
+  return {
+    move(now) {
+      hand.move(now);
+      const moved = move(hand, now);
+      if (!moved || skeleton === undefined) return;
+      const children = state.children.get();
+      edit.preview(setOffset, { ...rigging(wb, character), joint, offset: moved.offset, children });
+      const numbers = moved.offset.map((part) => shown(part, 4)).join(', ');
+      state.readout.set(`${jointName(skeleton, joint)}: offset ${numbers}${moved.note ?? ''}`);
+    },
+    end() {
+      edit.commit();
+      end();
+    },
+    cancel() {
+      edit.cancel();
+      end();
+    },
+  };
+}
+
+/** In the plane that faces the viewer, or in depth. */
+export function dragFreely(wb: Workbench, rigged: Rigged, joint: number, at: CanvasPointer): CanvasDrag {
+  const { eye } = wb.viewport;
+  const start = pivotOf(rigged, joint);
+  const space = spaceOfOffset(rigged, joint);
+  const perPixel = eye.unitsPerPixel(start);
+  const onScreen = eye.toScreen(start);
+  const { offset } = rigged.skeleton.joints[joint];
+  const byRight = at.button === 2;
+  const unit = perPixel / scaleOf(space);
+  return dragJoint(wb, rigged, joint, at, (hand, now) => {
+    const [dx, dy] = [hand.x - at.clientX, hand.y - at.clientY];
+    const isDeep = byRight || now.altKey;
+    const to = isDeep ? eye.inDepth(start, -dy * perPixel) : eye.inPlaneOf(start, onScreen.x + dx, onScreen.y + dy);
+    const moved = offsetMoved(offset, space, start, to);
+    if (!moved) return undefined;
+    if (!now.ctrlKey && !now.metaKey) return { offset: withoutDust(moved, unit) };
+    const across = isDeep ? undefined : oppositePlace(wb, rigged, joint, onScreen.x + dx, onScreen.y + dy);
+    const there = across && offsetMoved(offset, space, start, across.at);
+    // To the last digit that the other joint has, without those that reckoning adds.
+    if (there) return { offset: withoutDust(there, 1e-4 * unit), note: ` · opposite ${across.name}` };
+    return { offset: snappedPoint(moved, roundStep(SNAP_PIXELS * unit)) };
+  });
+}
+
+/** Along one of the arrows. */
+export function dragAlong(wb: Workbench, rigged: Rigged, joint: number, axis: Axis, at: CanvasPointer): CanvasDrag {
+  const { eye } = wb.viewport;
+  const start = pivotOf(rigged, joint);
+  const space = spaceOfOffset(rigged, joint);
+  const inWorld = rigState(wb).axes.get() === 'world';
+  const direction: Vec3 = inWorld
+    ? [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0]
+    : [space[4 * axis], space[4 * axis + 1], space[4 * axis + 2]];
+  const { offset } = rigged.skeleton.joints[joint];
+  const unit = eye.unitsPerPixel(start) / scaleOf(space);
+  const from = alongLine(start, direction, eye.rayAt(at.clientX, at.clientY)) ?? 0;
+  return dragJoint(wb, rigged, joint, at, (hand, now) => {
+    const reached = alongLine(start, direction, eye.rayAt(hand.x, hand.y));
+    if (reached === undefined) return undefined;
+    const by = reached - from;
+    const snaps = now.ctrlKey || now.metaKey;
+    if (inWorld) {
+      const moved = offsetMoved(offset, space, start, add(start, scaled(direction, by)));
+      if (!moved) return undefined;
+      return { offset: snaps ? snappedPoint(moved, roundStep(SNAP_PIXELS * unit)) : withoutDust(moved, unit) };
+    }
+    // In the parent's own axes it is this number alone; the others keep their last digit.
+    const next: [number, number, number] = [...offset];
+    const value = offset[axis] + by;
+    next[axis] = snaps ? snapped(value, roundStep(SNAP_PIXELS * unit)) : withoutDust([value, 0, 0], unit)[0];
+    return { offset: next };
+  });
+}
+
+/**
+ * The place across x = 0 of the character's space from another joint, if that is under the pointer: legs and arms come
+ * out alike.
+ */
+function oppositePlace(wb: Workbench, { world, placement, skeleton }: Rigged, joint: number, x: number, y: number) {
+  const { eye } = wb.viewport;
+  let best: { readonly at: Vec3; readonly name: string } | undefined;
+  let least = OPPOSITE_PIXELS;
+  for (const j of skeleton.joints.keys()) {
+    if (j === joint) continue;
+    const across = opposite([world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]]);
+    const at = transformPoint(placement, across);
+    const seen = eye.toScreen(at);
+    const distance = Math.hypot(seen.x - x, seen.y - y);
+    if (seen.depth <= 0 || distance > least) continue;
+    least = distance;
+    best = { at, name: jointName(skeleton, j) };
+  }
+  return best;
+}
+
+/** Where a click would put a child of a joint: in the plane through that joint that faces the viewer. */
+export function placeForChild(wb: Workbench, rigged: Rigged, parent: number, at: CanvasPointer) {
+  const { eye } = wb.viewport;
+  const start = pivotOf(rigged, parent);
+  const scene = eye.inPlaneOf(start, at.clientX, at.clientY);
+  const offset = inSpaceOf(rigged, parent, scene);
+  if (!offset) return undefined;
+  const space = parentToScene(rigged.placement, rigged.world, parent);
+  const unit = eye.unitsPerPixel(start) / scaleOf(space);
+  const snaps = at.ctrlKey || at.metaKey;
+  const round = snaps ? snappedPoint(offset, roundStep(SNAP_PIXELS * unit)) : withoutDust(offset, unit);
+  return { offset: round, scene: transformPoint(space, round) };
+}

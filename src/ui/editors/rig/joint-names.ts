@@ -1,0 +1,21 @@
+/** What there is to say of a joint's name, while it may still be changed. */
+import { savesAsAxisAngle } from '../../../model/axis-angle.ts';
+import { type Character, isBvh } from '../../../model/document.ts';
+import { oneToken, restOfLine } from '../../../model/written-names.ts';
+
+/** Its name in the file, where that can't hold it as it is, and whether another one is called so; else nothing. */
+export function nameNote(character: Pick<Character, 'skeleton'>, joint: number): string {
+  const { skeleton } = character;
+  const name = skeleton?.joints[joint]?.name;
+  if (!skeleton || !name) return '';
+  const notes: string[] = [];
+  if (savesAsAxisAngle(skeleton)) notes.push('The axis-angle form saves no names.');
+  else {
+    const written = isBvh(character) ? restOfLine(name) : oneToken(name);
+    if (written !== name) notes.push(`Saved as “${written}”.`);
+  }
+  if (skeleton.joints.some((other, j) => j !== joint && other.name === name)) {
+    notes.push('Another joint is called so too; they are told apart by their numbers.');
+  }
+  return notes.join(' ');
+}

@@ -1,0 +1,85 @@
+/**
+ * Two numbers over a DOF's row: its limits, typed; an empty field is no limit on that side. Both become one step when they are taken, so that typing never passes
+ * through limits that nobody meant.
+ */
+import { setLimit } from '../../../edit/commands/limits.ts';
+import { findCharacter } from '../../../model/document.ts';
+import { characterDofs } from '../../../model/dofs.ts';
+import { type Limit, UNLIMITED } from '../../../model/skeleton.ts';
+import type { Units } from '../../kit/arithmetic.ts';
+import { element } from '../../kit/dom.ts';
+import { exact, parseNumber } from '../../kit/number-text.ts';
+import type { Slider } from '../../kit/slider.ts';
+import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+export function editLimits(wb: Workbench, slider: Slider, characterId: string, index: number): void {
+  const character = findCharacter(wb.store.document, characterId);
+  const dof = character && characterDofs(character.skeleton, character.morphs)[index];
+  if (!dof) return;
+  const { angles } = wb.settings.get();
+  const factor = shownPerUnit(dof.unit, angles);
+  const shown = (value: number, none: number) => (value === none ? '' : exact(withoutNoise(value * factor)));
+  const field = (label: string, value: string) =>
+    element('input', {
+      type: 'text',
+      inputmode: 'decimal',
+      spellcheck: 'false',
+      autocomplete: 'off',
+      class: 'number-field',
+      'aria-label': label,
+      placeholder: 'none',
+      value,
+    });
+  const min = field('Lower limit', shown(dof.limit.min, UNLIMITED.min));
+  const max = field('Upper limit', shown(dof.limit.max, UNLIMITED.max));
+  const said = element('p', { class: 'limit-error', role: 'alert' });
+  const form = element(
+    'form',
+    { class: 'limit-form', method: 'dialog' },
+    element('span', { class: 'faint' }, `Limits of ${dof.name}`),
+    min,
+    element('span', { class: 'faint' }, '–'),
+    max,
+    element('span', { class: 'faint' }, unitText(dof.unit, angles).trim()),
+    element('button', { type: 'submit', class: 'plain' }, 'Set'),
+  );
+  const dialog = element('dialog', { class: 'limit-editor', 'aria-label': `Limits of ${dof.name}` }, form, said);
+  form.addEventListener('submit', (event) => {
+    event.preventDefault();
+    const limit = typedLimit(min.value, max.value, factor, typedUnits(dof.unit, angles));
+    if (typeof limit === 'string') said.textContent = limit;
+    else {
+      dialog.close();
+      wb.store.apply(setLimit, { characterId, dof: index, ...limit });
+    }
+  });
+  dialog.addEventListener('close', () => dialog.remove());
+  dialog.addEventListener('pointerdown', (event) => {
+    // Outside of it is still the dialog itself: its backdrop.
+    if (event.target === dialog) dialog.close();
+  });
+  document.body.append(dialog);
+  dialog.showModal();
+  const row = slider.domElement.getBoundingClientRect();
+  const { width, height } = dialog.getBoundingClientRect();
+  dialog.style.left = `${Math.max(4, Math.min(row.left, window.innerWidth - width - 4))}px`;
+  dialog.style.top = `${Math.max(4, Math.min(row.bottom, window.innerHeight - height - 4))}px`;
+  min.select();
+}
+
+/**
+ * The limits that two fields stand for, or what is wrong with them.
+ * @param perUnit what a model unit is shown as
+ * @param units that may be typed
+ */
+export function typedLimit(lower: string, upper: string, perUnit: number, units?: Units): Limit | string {
+  const numberIn = (text: string, none: number) => {
+    const typed = parseNumber(text, units);
+    return text.trim() === '' ? none : typed === undefined ? Number.NaN : typed / perUnit;
+  };
+  const min = numberIn(lower, UNLIMITED.min);
+  const max = numberIn(upper, UNLIMITED.max);
+  if (Number.isNaN(min) || Number.isNaN(max)) return 'A limit is a number, or empty for none.';
+  return min > max ? 'The lower limit is above the upper one.' : { min, max };
+}

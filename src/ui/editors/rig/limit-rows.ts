@@ -1,0 +1,99 @@
+/** The limits of a joint's DOFs as two fields each; an empty one is no limit on that side. */
+import { limitRigged } from '../../../edit/commands/rig-limits.ts';
+import { findCharacter } from '../../../model/document.ts';
+import { characterDofs, firstDofs } from '../../../model/dofs.ts';
+import { type Dof, UNLIMITED } from '../../../model/skeleton.ts';
+import { element } from '../../kit/dom.ts';
+import { exact, shown } from '../../kit/number-text.ts';
+import { shownPerUnit, unitText, withoutNoise } from '../../state/angles.ts';
+import { attempt } from '../../state/attempt.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { FolderRow } from './folder-rows.ts';
+import { typedLimit } from './limit-editor.ts';
+import { rigging } from './rigging-args.ts';
+
+/** @param index of the DOF among its joint's */
+export function limitRow(
+  wb: Workbench,
+  characterId: string,
+  joint: number,
+  index: number,
+  { name, unit }: Dof,
+): FolderRow & { readonly line: HTMLElement } {
+  const perUnit = () => shownPerUnit(unit, wb.settings.get().angles);
+  const dofNow = () => {
+    const character = findCharacter(wb.store.document, characterId);
+    if (!character?.skeleton) return undefined;
+    const dof = (firstDofs(character.skeleton)[joint] ?? 0) + index;
+    const found = characterDofs(character.skeleton, character.morphs)[dof];
+    return found && { dof, limit: found.limit };
+  };
+  const textOf = (side: 'min' | 'max', asExact: boolean) => {
+    const value = dofNow()?.limit[side];
+    if (value === undefined || value === UNLIMITED[side]) return '';
+    const number = withoutNoise(value * perUnit());
+    return asExact ? exact(number) : shown(number, 4);
+  };
+  const take = (side: 'min' | 'max') => {
+    const now = dofNow();
+    if (!now) return;
+    const { min, max } = fields;
+    const typed = typedLimit(min.value, max.value, perUnit());
+    if (typeof typed === 'string') {
+      wb.messages.note(typed, 'warning');
+      update();
+      return;
+    }
+    // The other field shows its number rounded.
+    const limit = side === 'min' ? { min: typed.min, max: now.limit.max } : { min: now.limit.min, max: typed.max };
+    standStill(wb);
+    const args = { ...rigging(wb, { id: characterId }), dof: now.dof, ...limit };
+    attempt(wb.messages, () => wb.store.apply(limitRigged, args));
+    update();
+  };
+  const field = (side: 'min' | 'max', label: string) => {
+    const made = element('input', {
+      type: 'text',
+      inputmode: 'decimal',
+      spellcheck: 'false',
+      autocomplete: 'off',
+      class: 'number-field',
+      placeholder: 'none',
+      'aria-label': `${label} limit of ${name}`,
+    });
+    made.addEventListener('focus', () => {
+      made.value = textOf(side, true);
+      made.select();
+    });
+    made.addEventListener('blur', () => {
+      made.value = textOf(side, false);
+    });
+    made.addEventListener('change', () => take(side));
+    made.addEventListener('keydown', (event) => {
+      if (event.key === 'Enter') made.blur();
+      if (event.key !== 'Escape') return;
+      made.value = textOf(side, true);
+      made.blur();
+      event.preventDefault();
+    });
+    return made;
+  };
+  const fields = { min: field('min', 'Lower'), max: field('max', 'Upper') };
+  const update = () => {
+    for (const side of ['min', 'max'] as const) {
+      if (document.activeElement !== fields[side]) fields[side].value = textOf(side, false);
+    }
+  };
+  update();
+  const line = element(
+    'div',
+    { class: 'rig-row' },
+    element('span', { class: 'rig-label', 'aria-hidden': 'true' }, name),
+    fields.min,
+    element('span', { class: 'unit', 'aria-hidden': 'true' }, '–'),
+    fields.max,
+    element('span', { class: 'unit', 'aria-hidden': 'true' }, unitText(unit, wb.settings.get().angles).trim()),
+  );
+  return { line, update };
+}

@@ -1,0 +1,43 @@
+/**
+ * Joints of the copies of a character that the handles are not on: pressed, they take the handles there. Only those that
+ * one sees; in a copy whose skin hides them, the camera gets the press.
+ */
+import { transformPoint } from '../../../math/vec3.ts';
+import type { Character } from '../../../model/document.ts';
+import { withoutTwin } from '../../state/takes.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+import { NEAR_JOINT } from './hits.ts';
+
+export interface JointOfCopy {
+  readonly joint: number;
+  readonly placement: number;
+}
+
+export function jointOfOtherCopy(
+  { viewport }: Pick<Workbench, 'viewport'>,
+  character: Character,
+  at: CanvasPointer,
+): JointOfCopy | undefined {
+  if (character.placements.length < 2 || character.isHidden) return undefined;
+  const hit = viewport.pick(at.clientX, at.clientY);
+  if (!hit || hit.vertex !== undefined || withoutTwin(hit.characterId) !== character.id) return undefined;
+  const { placement } = hit;
+  const toScene = viewport.placementOf(character.id, placement);
+  const world = viewport.character(character.id)?.worlds;
+  if (placement === viewport.pickedCopy(character) || toScene?.length !== 16 || !world) return undefined;
+  // A bone or a box may have been hit, far from where its joint turns.
+  let joint = -1;
+  let least = at.pointerType === 'touch' ? 2 * NEAR_JOINT : NEAR_JOINT;
+  for (let j = 0; 16 * j < world.length; j++) {
+    const seen = viewport.eye.toScreen(
+      transformPoint(toScene, [world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]]),
+    );
+    const distance = Math.hypot(seen.x - at.clientX, seen.y - at.clientY);
+    // NaN, behind the viewer, is no distance.
+    if (!(distance <= least)) continue;
+    least = distance;
+    joint = j;
+  }
+  return joint < 0 ? undefined : { joint, placement };
+}

@@ -1,0 +1,90 @@
+/** Which joints may hang on which, and where a drop between the rows of a tree puts one. */
+import type { Joint } from '../../../model/skeleton.ts';
+
+/** One past the last joint of the branch that begins with this one: pre-order keeps it in one piece. */
+export function branchEnd(joints: readonly Pick<Joint, 'parent'>[], joint: number): number {
+  let end = joint + 1;
+  while (end < joints.length && joints[end].parent >= joint) end++;
+  return end;
+}
+
+/** Whether a joint can hang on another: not on itself or what hangs on it, and the root on nothing. */
+export function canHangOn(joints: readonly Pick<Joint, 'parent'>[], joint: number, parent: number): boolean {
+  if (joint <= 0 || parent < 0 || joint >= joints.length || parent >= joints.length) return false;
+  return parent < joint || parent >= branchEnd(joints, joint);
+}
+
+/** All that it can, in their order. */
+export function possibleParents(joints: readonly Pick<Joint, 'parent'>[], joint: number): number[] {
+  return [...joints.keys()].filter((parent) => canHangOn(joints, joint, parent));
+}
+
+/** Why a joint that is dropped on a row stays where it is; undefined where there is nothing to be said. */
+export function whyNoDrop(
+  joints: readonly Pick<Joint, 'parent' | 'name'>[],
+  joint: number,
+  row: number,
+): string | undefined {
+  if (row === joint || joint <= 0 || row < joint || row >= branchEnd(joints, joint)) return undefined;
+  const called = (j: number) => joints[j].name || `joint ${j}`;
+  return `${called(joint)} can’t hang on ${called(row)}, which hangs on it.`;
+}
+
+/** Where in a row the pointer is: its upper part, its middle, its lower part. */
+export type RowPart = 'above' | 'on' | 'below';
+
+/** @param at 0 at the row's top, 1 at its foot */
+export function rowPart(at: number): RowPart {
+  return at < 0.25 ? 'above' : at > 0.75 ? 'below' : 'on';
+}
+
+export interface NewPlace {
+  readonly parent: number;
+  /** The child of that parent that it comes to stand before; absent: it is the last. */
+  readonly before?: number;
+}
+
+/**
+ * Where a joint comes to hang that is dropped on a row. Undefined where it can't, or is there already.
+ * @param isOpen whether the row's children are seen below it: then below it means before the first of them
+ */
+export function dropPlace(
+  joints: readonly Pick<Joint, 'parent'>[],
+  joint: number,
+  row: number,
+  part: RowPart,
+  isOpen: boolean,
+): NewPlace | undefined {
+  const place = placeAt(joints, row, part, isOpen);
+  if (!place || !canHangOn(joints, joint, place.parent)) return undefined;
+  const next = nextSibling(joints, joint);
+  // Before itself is where it is.
+  const before = place.before === joint ? next : place.before;
+  if (joints[joint].parent === place.parent && before === next) return undefined;
+  return before === undefined ? { parent: place.parent } : { parent: place.parent, before };
+}
+
+function placeAt(
+  joints: readonly Pick<Joint, 'parent'>[],
+  row: number,
+  part: RowPart,
+  isOpen: boolean,
+): NewPlace | undefined {
+  const { parent } = joints[row];
+  // Beside the root there is no place.
+  if (part === 'on' || parent < 0) return part === 'below' && isOpen ? firstOf(joints, row) : { parent: row };
+  if (part === 'above') return { parent, before: row };
+  if (isOpen) return firstOf(joints, row);
+  const before = nextSibling(joints, row);
+  return before === undefined ? { parent } : { parent, before };
+}
+
+/** A first child comes right after its parent. */
+function firstOf(joints: readonly Pick<Joint, 'parent'>[], parent: number): NewPlace {
+  return joints[parent + 1]?.parent === parent ? { parent, before: parent + 1 } : { parent };
+}
+
+function nextSibling(joints: readonly Pick<Joint, 'parent'>[], joint: number): number | undefined {
+  const end = branchEnd(joints, joint);
+  return joints[end]?.parent === joints[joint].parent ? end : undefined;
+}

@@ -1,0 +1,298 @@
+/**
+ * The selected joint as the skeleton has it, in rig mode: name, parent, type with all that belongs to that, offset,
+ * bone, limits, box, who follows whom, and the file's pose. Everything is one step of undo, and every number can be
+ * typed. Rows are made anew where there are others; a number that changes is only filled in, also while it is dragged.
+ */
+
+import type { GUI } from 'lil-gui';
+import { reparentJoint } from '../../../edit/commands/rig.ts';
+import {
+  keysLostBy,
+  renameJoint,
+  setBox,
+  setFilePose,
+  setLength,
+  setMotion,
+  setOffset,
+} from '../../../edit/commands/rig-joint.ts';
+import type { Command, Edit } from '../../../edit/store.ts';
+import { type Character, type Document, findCharacter } from '../../../model/document.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import { lengthStep } from '../../../model/reach.ts';
+import { dofsOf, type Joint, type Motion, type Skeleton, takesLimits } from '../../../model/skeleton.ts';
+import { button, element } from '../../kit/dom.ts';
+import { emptyFolder } from '../../kit/slider.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { HandEdit } from '../../state/hand-edit.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { whyNoCorner } from './box-order.ts';
+import { addCoupleRow, coupleRow } from './couple-rows.ts';
+import {
+  choiceRow,
+  type FolderContext,
+  type FolderRow,
+  heading,
+  numberRow,
+  textRow,
+  vectorRow,
+} from './folder-rows.ts';
+import { nameNote } from './joint-names.ts';
+import { limitRow } from './limit-rows.ts';
+import { motionRows, motionShape } from './motion-rows.ts';
+import { possibleParents } from './parents.ts';
+import { rigState } from './rig-state.ts';
+import { rigging } from './rigging-args.ts';
+
+type Joints = Skeleton['joints'];
+
+export class RigFolder {
+  private readonly context: FolderContext;
+  private rows: FolderRow[] = [];
+  private lines: HTMLElement[] = [];
+  private made = '';
+  private of: { readonly characterId: string; readonly joint: number } | undefined;
+
+  constructor(
+    private readonly wb: Workbench,
+    private readonly edit: HandEdit,
+    private readonly folder: GUI,
+  ) {
+    this.context = { wb, edit, folder };
+    folder.$children.dataset.empty = 'Pick a joint in the viewport or the tree to change it.';
+  }
+
+  /** After an edit, or another selection. */
+  show(character: Character | undefined, joint: number | undefined): void {
+    const made = character && joint !== undefined ? shapeOf(this.wb, character, joint) : '';
+    if (made !== this.made) this.rebuild(character, joint, made);
+    for (const row of this.rows) row.update();
+  }
+
+  private rebuild(character: Character | undefined, joint: number | undefined, made: string): void {
+    this.made = made;
+    emptyFolder(this.folder);
+    for (const line of this.lines) line.remove();
+    this.rows = [];
+    this.lines = [];
+    this.of = undefined;
+    const own = joint === undefined ? undefined : character?.skeleton?.joints[joint];
+    this.folder.title(own && joint !== undefined ? `Rig: ${jointName(character?.skeleton, joint)}` : 'Rig');
+    this.folder.domElement.classList.toggle('is-selected', own !== undefined);
+    if (!character?.skeleton || !own || joint === undefined) return;
+    this.of = { characterId: character.id, joint };
+    this.addPlace(character, own, joint);
+    this.addMotion(own);
+    this.addLimits(character, own, joint);
+    this.addBone(character, own);
+    this.addCouples(character, own, joint);
+    this.addPose(joint);
+  }
+
+  /** The joint as it is now. */
+  private readonly now = (): Joint | undefined => {
+    const { of } = this;
+    return of && findCharacter(this.wb.store.document, of.characterId)?.skeleton?.joints[of.joint];
+  };
+
+  private args() {
+    const { characterId = '', joint = 0 } = this.of ?? {};
+    return { ...rigging(this.wb, { id: characterId }), joint };
+  }
+
+  /** One step. */
+  private apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+    standStill(this.wb);
+    attempt(this.wb.messages, () => this.wb.store.apply(command, args));
+  }
+
+  /** Part of one step: a slider that is dragged, or a number that is typed. */
+  private preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+    standStill(this.wb);
+    this.edit.preview(command, args);
+  }
+
+  private put(row: FolderRow): void {
+    this.rows.push(row);
+    if (row.line) this.append(row.line);
+  }
+
+  private append(line: HTMLElement): void {
+    this.lines.push(line);
+    // Those of lil-gui stand there already: behind the others now.
+    this.folder.$children.append(line);
+  }
+
+  private addPlace(character: Character, own: Joint, joint: number): void {
+    const { joints = [] } = character.skeleton ?? {};
+    this.put(
+      textRow(
+        'Name',
+        () => this.now()?.name ?? '',
+        (name) => this.apply(renameJoint, { ...this.args(), name: name.trim() }),
+        '',
+        () => {
+          const now = findCharacter(this.wb.store.document, character.id);
+          return now ? nameNote(now, joint) : '';
+        },
+      ),
+    );
+    const parents = possibleParents(joints, joint).map((p) => [p, joints[p].name || jointName(undefined, p)] as const);
+    if (own.parent >= 0) {
+      this.put(
+        choiceRow(
+          'Parent',
+          parents,
+          () => this.now()?.parent,
+          (parent) => this.apply(reparentJoint, { ...this.args(), parent }),
+        ),
+      );
+    }
+    const step = lengthStep(character.skeleton);
+    this.put(
+      vectorRow(
+        this.context,
+        'Offset',
+        step,
+        () => this.now()?.offset,
+        (offset) => this.preview(setOffset, { ...this.args(), offset, children: rigState(this.wb).children.get() }),
+      ),
+    );
+  }
+
+  private addMotion(own: Joint): void {
+    const rows = motionRows(this.context, own.motion, () => this.now()?.motion, {
+      set: (motion: Motion) => {
+        const args = { ...this.args(), motion };
+        const lost = keysLostBy(this.wb.store.document, args);
+        this.apply(setMotion, args);
+        if (lost !== undefined)
+          this.wb.messages.note(`The joint moves otherwise now, without ${lost}. Undo brings them back.`);
+      },
+      preview: (motion: Motion) => this.preview(setMotion, { ...this.args(), motion }),
+    });
+    for (const row of rows) this.put(row);
+  }
+
+  private addLimits({ id }: Character, { motion }: Joint, joint: number): void {
+    const dofs = dofsOf(motion);
+    if (!dofs.length || !takesLimits(motion)) return;
+    this.append(heading('Limits'));
+    dofs.forEach((dof, i) => {
+      this.put(limitRow(this.wb, id, joint, i, dof));
+    });
+  }
+
+  private addBone(character: Character, own: Joint): void {
+    const step = lengthStep(character.skeleton);
+    this.append(heading('Bone and box'));
+    const has = { bone: own.length !== undefined };
+    const row = this.folder.add(has, 'bone').name('Bone along y');
+    row.domElement.title =
+      'A bone of the joint’s own, from its pivot along its y axis, as long as you say. Without it, bones lead to its children.';
+    row.onChange((bone: boolean) => this.apply(setLength, { ...this.args(), length: bone ? usualLength(own) : null }));
+    if (own.length !== undefined) {
+      const bounds = [0, Number.POSITIVE_INFINITY] as const;
+      const write = (length: number) => {
+        if (length >= 0) this.preview(setLength, { ...this.args(), length });
+      };
+      this.put(numberRow(this.context, 'Length', step, () => this.now()?.length, write, bounds));
+    }
+    for (const [label, side] of [
+      ['Box from', 'min'],
+      ['Box to', 'max'],
+    ] as const) {
+      this.put(
+        vectorRow(
+          this.context,
+          label,
+          step,
+          () => this.now()?.box[side],
+          (corner) => {
+            const box = this.now()?.box;
+            if (box) this.preview(setBox, { ...this.args(), box: { ...box, [side]: corner } });
+          },
+          (corner) => {
+            const box = this.now()?.box;
+            return box && whyNoCorner(box, side, corner);
+          },
+        ),
+      );
+    }
+  }
+
+  private addCouples({ id, skeleton }: Character, own: Joint, joint: number): void {
+    const dofs = dofsOf(own.motion);
+    if (!dofs.length || !skeleton) return;
+    this.append(heading('Follows'));
+    for (const { dof: name } of own.couples ?? []) {
+      const dof = dofs.find((one) => one.name === name);
+      if (dof) this.put(coupleRow(this.wb, id, skeleton, joint, dof));
+    }
+    const add = addCoupleRow(this.wb, id, skeleton, joint);
+    if (add) this.append(add);
+  }
+
+  private addPose(joint: number): void {
+    this.append(heading('Pose in the file'));
+    const take = (label: string, text: string, from: 'shown' | 'rest', of?: number) =>
+      button(label, { class: 'plain' }, text, () => {
+        const { skin, timeSeconds, characterId } = this.args();
+        this.apply(setFilePose, { characterId, skin, timeSeconds, from, joint: of });
+      });
+    this.append(
+      element(
+        'div',
+        { class: 'rig-row rig-buttons' },
+        take('The file begins with this joint posed as it is shown now', 'Take as shown', 'shown', joint),
+        take('The file begins with all DOFs of this joint at rest', 'Set to zero', 'rest', joint),
+        take('The file begins with all joints posed as they are shown now', 'Take all as shown', 'shown'),
+      ),
+    );
+  }
+}
+
+/** A bone to begin with: as long as the joint's offset. */
+function usualLength({ offset }: Joint): number {
+  return Number(Math.hypot(...offset).toPrecision(4)) || 1;
+}
+
+/** What the rows depend on, numbers apart. */
+function shapeOf(wb: Workbench, { id, skeleton }: Character, joint: number): string {
+  const own = skeleton?.joints[joint];
+  if (!skeleton || !own) return '';
+  const { motion, couples = [], length } = own;
+  return JSON.stringify([
+    id,
+    joint,
+    motionShape(motion),
+    couples.map(({ dof, joint: other, follows }) => [dof, other, follows]),
+    length !== undefined,
+    wb.settings.get().angles,
+    jointsShape(skeleton.joints),
+  ]);
+}
+
+/**
+ * What they are called and where they hang, as a text. It is asked for at each preview of a drag, which leaves all of
+ * that as it is, in a new list: the text before is given back then.
+ */
+function jointsShape(joints: Joints): string {
+  if (!known || !hangAlike(known.joints, joints)) {
+    const shape = JSON.stringify(joints.map(({ name, parent, motion: { kind } }) => [name, parent, kind]));
+    known = { joints, shape };
+  } else if (known.joints !== joints) known = { joints, shape: known.shape };
+  return known.shape;
+}
+let known: { readonly joints: Joints; readonly shape: string } | undefined;
+
+function hangAlike(a: Joints, b: Joints): boolean {
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  for (let j = 0; j < a.length; j++) {
+    const [was, is] = [a[j], b[j]];
+    if (was === is) continue;
+    if (was.name !== is.name || was.parent !== is.parent || was.motion.kind !== is.motion.kind) return false;
+  }
+  return true;
+}

@@ -1,0 +1,267 @@
+/**
+ * The viewport's tool in rig mode: joints are handles. A click picks one, a drag places it; arrows move it along axes,
+ * handles on its box's faces size that. While joints are added, a click on ground hangs a new one on the selected joint
+ * and selects it, so that the next click goes on from there; a click on a joint begins a branch.
+ */
+import { addJoint } from '../../../edit/commands/rig.ts';
+import type { Vec3 } from '../../../math/vec3.ts';
+import type { Character } from '../../../model/document.ts';
+import { RigOverlay } from '../../../view/rig/rig-overlay.ts';
+import type { RigPart } from '../../../view/rig/rig-screen.ts';
+import { isTextField } from '../../kit/focus.ts';
+import { currentCharacter } from '../../state/action.ts';
+import { attempt } from '../../state/attempt.ts';
+import { selectedJoint } from '../../state/selected-joint.ts';
+import { standStill } from '../../state/stand-still.ts';
+import { withoutTwin } from '../../state/takes.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
+import type { ModeTool } from '../viewport/mode-tool.ts';
+import { rigControls } from './bar-controls.ts';
+import { dragFace } from './box-drag.ts';
+import { partAt } from './hits.ts';
+import { dragAlong, dragFreely, placeForChild } from './joint-drags.ts';
+import { jointOfOtherCopy } from './other-copies.ts';
+import { startSkeletonAt } from './rig-edits.ts';
+import { rigState } from './rig-state.ts';
+import { type Rigged, riggedNow } from './rigged.ts';
+import { rigging } from './rigging-args.ts';
+
+export function rigTool(wb: Workbench): ModeTool {
+  const { store, viewport } = wb;
+  const state = rigState(wb);
+  let overlay: RigOverlay | undefined;
+  let stops: (() => void)[] = [];
+  let pointer: CanvasPointer | undefined;
+  let controls: HTMLElement | undefined;
+  let isDragging = false;
+
+  const show = () => {
+    const character = currentCharacter(wb);
+    const skeleton = character?.isHidden ? undefined : character?.skeleton;
+    overlay?.show(
+      skeleton &&
+        character && {
+          skeleton,
+          world: () => viewport.character(character.id)?.worlds,
+          placement: () => viewport.placementOf(character.id, viewport.pickedCopy(character)),
+          selected: selectedJoint(wb)?.joint,
+          axes: state.axes.get(),
+          withArrows: !state.adding.get(),
+        },
+    );
+    showGhost();
+    viewport.requestRender();
+  };
+
+  const partUnder = (at: CanvasPointer): RigPart | undefined => {
+    const screen = overlay?.screen;
+    if (!screen) return undefined;
+    const { left, top } = viewport.canvas.getBoundingClientRect();
+    const hand = { byTouch: at.pointerType === 'touch', isAdding: state.adding.get() };
+    return partAt(screen, at.clientX - left, at.clientY - top, hand);
+  };
+
+  /** Where a click would add a joint; nowhere over a joint, which it would pick. */
+  const showGhost = () => {
+    const parent = selectedJoint(wb)?.joint;
+    const rigged = pointer && parent !== undefined && wantsJoint(pointer) ? riggedNow(wb) : undefined;
+    const place =
+      pointer && rigged && parent !== undefined && partUnder(pointer)?.kind !== 'joint'
+        ? placeForChild(wb, rigged, parent, pointer)
+        : undefined;
+    overlay?.showGhost(place && parent !== undefined ? { from: parent, at: place.scene } : undefined);
+  };
+  const wantsJoint = (at: CanvasPointer) => state.adding.get() || at.ctrlKey || at.metaKey;
+
+  /** @param copy the one that the handles are on where absent */
+  const select = (joint: number, copy?: number) => {
+    const character = currentCharacter(wb);
+    if (!character) return;
+    const picked = viewport.pickedCopy(character);
+    const placement = copy ?? picked;
+    if (selectedJoint(wb)?.joint === joint && placement === picked) return;
+    store.select({ characterId: character.id, placement, joint });
+  };
+
+  const addAt = (at: CanvasPointer): void => {
+    const parent = selectedJoint(wb)?.joint;
+    standStill(wb);
+    const rigged = riggedNow(wb);
+    const refuse = (why: string) => wb.messages.note(why, 'warning');
+    if (!rigged && currentCharacter(wb)?.skeleton) refuse('The character is hidden: show it first.');
+    else if (!rigged) startSkeletonAt(wb, at);
+    else if (parent === undefined) wb.messages.note('Pick the joint that the new one hangs on first.');
+    else {
+      const place = placeForChild(wb, rigged, parent, at);
+      if (!place) refuse('That joint flattens its space: nothing can be placed in it.');
+      else addTo(rigged.character, parent, place.offset);
+    }
+  };
+  const addTo = (character: Character, parent: number, offset: Vec3) => {
+    attempt(wb.messages, () => store.apply(addJoint, { ...rigging(wb, character), parent, offset }));
+  };
+
+  /** Nothing has happened until the pointer goes somewhere; until then it is a click. */
+  const onceMoved = (
+    at: CanvasPointer,
+    take: () => void,
+    start: () => CanvasDrag | undefined,
+    clicked: (at: CanvasPointer) => void,
+  ): CanvasDrag => {
+    let drag: CanvasDrag | undefined;
+    let given = false;
+    isDragging = true;
+    return {
+      move(now) {
+        if (!given && Math.hypot(now.clientX - at.clientX, now.clientY - at.clientY) <= CLICK_PIXELS) return;
+        if (!given) {
+          given = true;
+          standStill(wb);
+          take();
+          drag = start();
+        }
+        drag?.move(now);
+      },
+      end(now) {
+        isDragging = false;
+        if (given) drag?.end(now);
+        else clicked(now);
+      },
+      cancel() {
+        isDragging = false;
+        drag?.cancel();
+      },
+    };
+  };
+
+  /** Escape ends the adding, and nothing else; a drag that is under way goes first, by its own Escape. */
+  const onKey = (event: KeyboardEvent) => {
+    if (event.key === 'Control' || event.key === 'Meta') followKeys(event);
+    if (event.type !== 'keydown' || event.key !== 'Escape' || !state.adding.get() || isDragging) return;
+    const target = event.target instanceof Element ? event.target : document.body;
+    if (isTextField(target) || target.closest('[role=menu],dialog') || wb.dialog.get()) return;
+    event.preventDefault();
+    event.stopPropagation();
+    state.adding.set(false);
+  };
+  /** With Ctrl a click would add: what it would do is shown before the pointer moves again. */
+  const followKeys = ({ ctrlKey, metaKey }: KeyboardEvent) => {
+    if (!pointer) return;
+    const { clientX, clientY, button, altKey, shiftKey, pointerType } = pointer;
+    pointer = { clientX, clientY, button, altKey, shiftKey, pointerType, ctrlKey, metaKey };
+    showGhost();
+    viewport.requestRender();
+  };
+
+  return {
+    press(at) {
+      if (at.button !== 0 && at.button !== 2) return undefined;
+      const part = partUnder(at);
+      const byRight = at.button === 2;
+      const selected = selectedJoint(wb)?.joint;
+      const character = currentCharacter(wb);
+      // While joints are added, a place is meant, whatever stands near it.
+      const other = part || !character || wantsJoint(at) ? undefined : jointOfOtherCopy(wb, character, at);
+      const dragNow = (start: (rigged: Rigged) => CanvasDrag) => {
+        const rigged = riggedNow(wb);
+        return rigged && start(rigged);
+      };
+      if (other) {
+        const take = () => select(other.joint, other.placement);
+        return onceMoved(at, take, () => dragNow((rigged) => dragFreely(wb, rigged, other.joint, at)), take);
+      }
+      if (!part || (byRight && part.kind !== 'joint')) return undefined;
+      const drag = (joint: number, start: (rigged: Rigged) => CanvasDrag) =>
+        onceMoved(
+          at,
+          () => select(joint),
+          () => dragNow(start),
+          // Arrows and faces are there to be dragged: a click goes through them.
+          (now) => (part.kind !== 'joint' && wantsJoint(now) ? addAt(now) : select(joint)),
+        );
+      switch (part.kind) {
+        case 'joint':
+          return drag(part.joint, (rigged) => dragFreely(wb, rigged, part.joint, at));
+        case 'arrow':
+          return selected === undefined
+            ? undefined
+            : drag(selected, (rigged) => dragAlong(wb, rigged, selected, part.axis, at));
+        case 'face':
+          return selected === undefined
+            ? undefined
+            : drag(selected, (rigged) => dragFace(wb, rigged, selected, part, at));
+        case 'bone':
+          return undefined;
+      }
+    },
+    click(at) {
+      if (wantsJoint(at)) {
+        addAt(at);
+        return true;
+      }
+      const part = partUnder(at);
+      if (part?.kind === 'bone') {
+        select(part.joint);
+        return true;
+      }
+      const hit = viewport.pick(at.clientX, at.clientY);
+      const current = currentCharacter(wb);
+      if (hit?.joint !== undefined) {
+        const { characterId, placement, joint } = hit;
+        store.select({ characterId: withoutTwin(characterId), placement, joint });
+      }
+      // The character stays the one that is worked on.
+      else if (current) store.select({ characterId: current.id });
+      return true;
+    },
+    hover(at) {
+      pointer = at;
+      const part = at && partUnder(at);
+      const isLit = overlay?.light(part) ?? false;
+      const character = currentCharacter(wb);
+      const adds = at !== undefined && wantsJoint(at);
+      if (isLit && character) {
+        const joint = part?.kind === 'joint' || part?.kind === 'bone' ? part.joint : undefined;
+        viewport.hover(
+          joint === undefined
+            ? undefined
+            : { characterId: character.id, placement: viewport.pickedCopy(character), joint },
+        );
+      }
+      showGhost();
+      if (isLit || state.adding.get() || adds) viewport.requestRender();
+      if (part) return part.kind === 'bone' ? 'pointer' : 'move';
+      return adds ? 'crosshair' : undefined;
+    },
+    enter() {
+      overlay = new RigOverlay();
+      stops = [
+        viewport.addOverlay(overlay),
+        store.subscribe((now, before) => {
+          if (now !== before) show();
+        }),
+        state.adding.subscribe(show),
+        state.axes.subscribe(show),
+      ];
+      window.addEventListener('keydown', onKey, true);
+      window.addEventListener('keyup', onKey, true);
+      controls ??= rigControls(wb);
+      wb.posing.controls.set(controls);
+      show();
+    },
+    leave() {
+      for (const stop of stops) stop();
+      stops = [];
+      overlay = undefined;
+      pointer = undefined;
+      isDragging = false;
+      window.removeEventListener('keydown', onKey, true);
+      window.removeEventListener('keyup', onKey, true);
+      // The tool may be taken up anew in its own mode, as the page starts.
+      if (wb.posing.mode.get() !== 'rig') state.adding.set(false);
+      state.readout.set('');
+      wb.posing.controls.set(undefined);
+    },
+  };
+}

@@ -1,0 +1,28 @@
+/** What can be done to the skin that a character shows. */
+import { shownSkin } from '../../../model/document.ts';
+import { type Action, currentCharacter } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+const skinOf = (wb: Workbench) => {
+  const character = currentCharacter(wb);
+  return character && shownSkin(character);
+};
+
+export const SKIN_ACTIONS: readonly Action[] = [
+  {
+    id: 'skin.weights',
+    label: 'Automatic skin weights…',
+    detail: 'Which joints move each vertex, found from the bones',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 4,
+    alsoIn: { menu: 'Rig', section: 6 },
+    enabled: (wb) => skinOf(wb) !== undefined && currentCharacter(wb)?.skeleton !== undefined,
+    whyNot(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return undefined;
+      return `${character.name} has no ${character.skeleton ? 'skin' : 'skeleton'}.`;
+    },
+    run: (wb) => wb.dialog.set('skinWeights'),
+  },
+];

@@ -1,0 +1,101 @@
+/** What finding weights for a skin asks: how many joints may share a vertex, and where mesh and skeleton meet. */
+import {
+  type AutoWeighted,
+  type AutoWeights,
+  autoWeights,
+  autoWeightsSteps,
+  type BindPlace,
+  bindPlaces,
+  meanInfluences,
+  USUAL_INFLUENCES,
+} from '../../../edit/commands/skin-weights.ts';
+import { shownSkin } from '../../../model/document.ts';
+import { jointName } from '../../../model/joint-name.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { vertexCount } from '../../../model/skin.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { element } from '../../kit/dom.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { type Asked, toolDialog } from '../timeline/tool-dialog.ts';
+
+const TITLE = 'Automatic skin weights';
+
+const PLACES: Readonly<Record<BindPlace, string>> = {
+  bound: 'Where it was bound',
+  drawn: 'As drawn now',
+  file: 'Mesh as in its file',
+};
+
+export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
+  const character = currentCharacter(wb);
+  const skin = character && shownSkin(character);
+  if (!character?.skeleton || !skin) {
+    const said = element('p', {}, 'A character with a skeleton and a skin has to be there.');
+    return { title: TITLE, body: said, kind: 'tool-dialog' };
+  }
+  const { skeleton } = character;
+  const { timeSeconds } = wb.transport.get();
+  const places = bindPlaces(character, skin, timeSeconds);
+  const replaces = skin.attachments ? ` It replaces those that ${skin.name} has.` : '';
+  const dialog = toolDialog<AutoWeights>(wb, close, {
+    name: 'skinWeights',
+    title: TITLE,
+    about:
+      'Heat that flows from the bones over the skin: each vertex follows the nearest bone that it sees through the ' +
+      `inside, blended where bones meet.${replaces}`,
+    asked: asked(places),
+    command: autoWeights,
+    args: (answers) => ({
+      characterId: character.id,
+      skin: character.shownSkin,
+      timeSeconds,
+      mostInfluences: answers.number('most'),
+      bind: places.find((place) => place === answers.choice('bind')) ?? places[0],
+    }),
+    *steps(document, args) {
+      const made = yield* autoWeightsSteps(document, args);
+      const warning = idleText(skeleton, made.idle);
+      return { change: made.document, text: resultText(made), ...(warning && { warning }) };
+    },
+    result: () => '',
+  });
+  // What it comes to is seen in the viewport.
+  return { ...dialog, kind: `${dialog.kind} is-aside` };
+}
+
+function asked(places: readonly BindPlace[]): Asked[] {
+  const most: Asked = {
+    kind: 'number',
+    name: 'most',
+    label: 'Joints per vertex, at most',
+    value: USUAL_INFLUENCES,
+  };
+  if (places.length < 2) return [most];
+  const options = places.map((place) => [place, PLACES[place]] as const);
+  return [most, { kind: 'choice', name: 'bind', label: 'Bind', value: places[0], options }];
+}
+
+/** Names beyond so many are counted. */
+const MOST_NAMED = 4;
+
+/** `8 of 23 joints move nothing: their bones lie outside the skin, or others’ lie nearer (head, …).` */
+export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
+  if (!idle.length) return '';
+  const { length } = skeleton.joints;
+  const named = idle.slice(0, MOST_NAMED).map((joint) => jointName(skeleton, joint));
+  const names = [...named, ...(idle.length > MOST_NAMED ? ['…'] : [])].join(', ');
+  const isOne = idle.length === 1;
+  const move = isOne ? 'moves nothing: its bone lies' : 'move nothing: their bones lie';
+  return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others’ lie nearer (${names}).`;
+}
+
+/** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
+export function resultText({ skin, moving, byDistance }: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
+  const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} of them each` : '';
+  const apart = byDistance
+    ? ` ${plural(byDistance, 'vertex', 'vertices')} no bone is seen from: by distance alone.`
+    : '';
+  return `${plural(vertexCount(skin), 'vertex', 'vertices')} follow ${plural(moving, 'joint')}${each}.${apart}`;
+}

@@ -1,0 +1,156 @@
+/** Takes as wholes: one after the other, alone or together, when and where they play. */
+import type { Arrangement } from '../../../edit/commands/takes.ts';
+import type { Action } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { compareTakes, endComparison } from './compare.ts';
+import {
+  align,
+  charactersMeant,
+  chosenTakes,
+  currentPlace,
+  hasTakes,
+  listOfTakes,
+  playAlone,
+  playTogether,
+  putTakes,
+  resetOffsets,
+  showAll,
+  stepTake,
+  takesAtHand,
+  toggleShown,
+} from './play.ts';
+
+const MENU = 'Play/Takes';
+const several = (wb: Workbench) => charactersMeant(wb).length > 1;
+
+export const TAKE_ACTIONS: readonly Action[] = [
+  {
+    id: 'take.next',
+    label: 'Next take',
+    group: 'Play',
+    menu: 'Play',
+    section: 4,
+    shortcuts: ['PageDown', 'J'],
+    repeats: true,
+    enabled: hasTakes,
+    run: (wb) => stepTake(wb, 1),
+  },
+  {
+    id: 'take.previous',
+    label: 'Previous take',
+    group: 'Play',
+    menu: 'Play',
+    section: 4,
+    shortcuts: ['PageUp', 'Shift+J'],
+    repeats: true,
+    enabled: hasTakes,
+    run: (wb) => stepTake(wb, -1),
+  },
+  {
+    id: 'take.list',
+    label: 'List of takes',
+    group: 'Play',
+    menu: MENU,
+    section: 4,
+    run(wb) {
+      wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: true } }));
+      wb.timeline.change({ tab: 'takes' });
+    },
+  },
+  {
+    id: 'take.alone',
+    label: 'Play this take alone',
+    group: 'Play',
+    menu: MENU,
+    section: 5,
+    icon: 'play',
+    enabled: hasTakes,
+    run(wb) {
+      const rows = listOfTakes(wb);
+      const [row = rows[Math.max(0, currentPlace(wb, rows))]] = chosenTakes(wb);
+      if (row) playAlone(wb, row);
+    },
+  },
+  {
+    id: 'take.toggleShown',
+    label: 'Show or hide the take',
+    group: 'Play',
+    // Heat has the key elsewhere, and Space plays here too.
+    panel: 'takes',
+    shortcuts: ['H'],
+    enabled: (wb) => takesAtHand(wb).length > 0,
+    run: (wb) => toggleShown(wb, ...takesAtHand(wb)),
+  },
+  {
+    id: 'take.together',
+    label: (wb) => {
+      const { length } = chosenTakes(wb);
+      return length > 1 ? `Play these ${length} together` : 'Play the chosen takes together';
+    },
+    name: 'Play the chosen takes together',
+    group: 'Play',
+    menu: MENU,
+    section: 5,
+    enabled: (wb) => chosenTakes(wb).length > 1,
+    run: (wb) => playTogether(wb, chosenTakes(wb)),
+  },
+  {
+    id: 'take.showAll',
+    label: 'Show all characters',
+    group: 'Play',
+    menu: MENU,
+    section: 5,
+    enabled: (wb) => wb.store.document.characters.some((c) => c.isHidden),
+    run: showAll,
+  },
+  {
+    id: 'take.compare',
+    label: (wb) => (wb.timeline.takes.comparison.get() ? 'Stop comparing' : 'Compare the two chosen takes'),
+    name: 'Compare two takes',
+    group: 'Play',
+    menu: MENU,
+    section: 6,
+    enabled: (wb) => wb.timeline.takes.comparison.get() !== undefined || chosenTakes(wb).length === 2,
+    run(wb) {
+      const [first, second] = chosenTakes(wb);
+      if (wb.timeline.takes.comparison.get()) endComparison(wb);
+      else if (first && second) compareTakes(wb, first, second);
+    },
+  },
+  {
+    id: 'take.alignStarts',
+    label: 'Align starts',
+    detail: 'Of the chosen takes, or of all that are seen',
+    group: 'Play',
+    menu: MENU,
+    section: 7,
+    enabled: hasTakes,
+    run: align,
+  },
+  {
+    id: 'take.resetOffsets',
+    label: 'At their own times',
+    detail: 'As the files have them, moved neither way',
+    group: 'Play',
+    menu: MENU,
+    section: 7,
+    enabled: hasTakes,
+    run: resetOffsets,
+  },
+  put('grid', 'Side by side', 'In rows, each where it begins'),
+  put('spot', 'On one spot', 'All begin where the first one does'),
+  put('space', 'In one space', 'All in the first one’s coordinates'),
+];
+
+function put(how: Arrangement, label: string, detail: string): Action {
+  return {
+    id: `take.put.${how}`,
+    label,
+    detail,
+    group: 'Play',
+    menu: MENU,
+    section: 8,
+    enabled: several,
+    run: (wb) => putTakes(wb, how),
+  };
+}

@@ -1,0 +1,273 @@
+/**
+ * Draws distances over time on two canvases: below what changes with edits and looking around, above what follows the
+ * clock and the pointer, so that playing redraws a line and nothing else.
+ *
+ * A line of more frames than pixels is drawn as the stretch between the least and the most of each column of pixels, so
+ * that no peak is lost however far out one looks.
+ */
+import type { Distances } from '../../../evaluate/distance.ts';
+import { element } from '../../kit/dom.ts';
+import { niceStep } from '../../kit/ruler.ts';
+import type { TimeWindow } from '../../kit/time-window.ts';
+import {
+  drawOutsideRange,
+  drawPlayhead,
+  drawTimeGrid,
+  drawTimeRuler,
+  readTimeColours,
+  TIME_RULER_HEIGHT,
+  type TimeColours,
+  type TimeView,
+  translucent,
+} from '../timeline/time-ruler.ts';
+import { type DistanceUnit, distanceNumber } from './distance-text.ts';
+
+export interface ChartLine {
+  /** One value a frame. */
+  readonly values: Float32Array;
+  readonly kind: 'joint' | 'mean' | 'most' | 'hovered';
+  readonly label: string;
+  /** Which of the picked joints it is, from 0. */
+  readonly ordinal: number;
+}
+
+export interface ChartScene {
+  readonly view: TimeView;
+  readonly height: number;
+  readonly distances: Distances | undefined;
+  readonly unit: DistanceUnit;
+  readonly lines: readonly ChartLine[];
+  /** Distance at the top. */
+  readonly top: number;
+}
+
+export interface ChartReadout {
+  readonly timeSeconds: number;
+  readonly distance: number;
+  readonly text: string;
+}
+
+interface Colours extends TimeColours {
+  readonly surface: string;
+  readonly text: string;
+  readonly raised: string;
+  readonly selected: string;
+  readonly palette: readonly string[];
+}
+
+const FOOT = 8;
+/** Room above the top, for its label. */
+const HEAD = TIME_RULER_HEIGHT + 18;
+const LABELS_APART = 28;
+/** Dashes tell joints apart past the colours there are. */
+const DASHES: readonly (readonly number[])[] = [[], [6, 3], [2, 3]];
+
+export class ChartPicture {
+  readonly element: HTMLElement = element('div', { class: 'distance-picture', 'aria-hidden': 'true' });
+  private readonly below = element('canvas');
+  private readonly above = element('canvas');
+  private colours: Colours | undefined;
+
+  constructor() {
+    this.element.append(this.below, this.above);
+  }
+
+  recolour(): void {
+    this.colours = undefined;
+  }
+
+  draw(scene: ChartScene): void {
+    const g = this.begin(this.below, scene);
+    if (!g) return;
+    const colours = this.ready();
+    const { view, height } = scene;
+    g.fillStyle = colours.surface;
+    g.fillRect(0, 0, view.width, height);
+    drawOutsideRange(g, view, TIME_RULER_HEIGHT, height, colours);
+    drawTimeGrid(g, view, TIME_RULER_HEIGHT, height, colours);
+    this.drawValueGrid(g, scene, colours);
+    for (const line of scene.lines) this.drawLine(g, scene, line, colours);
+    this.drawLegend(g, scene, colours);
+    drawTimeRuler(g, view, colours);
+  }
+
+  drawOverlay(scene: ChartScene, timeSeconds: number, readout: ChartReadout | undefined): void {
+    const g = this.begin(this.above, scene);
+    if (!g) return;
+    const colours = this.ready();
+    const { view, height } = scene;
+    drawPlayhead(g, view, timeSeconds, height, colours);
+    if (!readout) return;
+    const x = xAt(view, readout.timeSeconds);
+    const y = yAt(scene, readout.distance);
+    g.fillStyle = colours.text;
+    g.beginPath();
+    g.arc(x, y, 3, 0, 2 * Math.PI);
+    g.fill();
+    g.font = colours.font;
+    const width = g.measureText(readout.text).width + 12;
+    const left = Math.max(2, Math.min(view.width - width - 2, x + 8));
+    const top = Math.max(TIME_RULER_HEIGHT + 2, y - 26);
+    g.fillStyle = colours.raised;
+    g.strokeStyle = colours.line;
+    g.beginPath();
+    g.roundRect(Math.round(left) + 0.5, Math.round(top) + 0.5, Math.round(width), 20, 4);
+    g.fill();
+    g.stroke();
+    g.fillStyle = colours.text;
+    g.textAlign = 'left';
+    g.textBaseline = 'middle';
+    g.fillText(readout.text, Math.round(left) + 6, Math.round(top) + 10.5);
+  }
+
+  private drawValueGrid(g: CanvasRenderingContext2D, scene: ChartScene, colours: Colours): void {
+    const { view, height, unit, top, distances } = scene;
+    if (!distances || !(top > 0)) return;
+    const room = height - HEAD - FOOT;
+    const step = niceStep((top * unit.factor * LABELS_APART) / Math.max(LABELS_APART, room)) / unit.factor;
+    g.font = colours.font;
+    g.textAlign = 'left';
+    g.textBaseline = 'bottom';
+    for (let i = 0; i * step <= top; i++) {
+      const y = Math.round(yAt(scene, i * step));
+      g.fillStyle = i === 0 ? colours.line : colours.fineLine;
+      g.fillRect(0, y, view.width, 1);
+      if (i === 0) continue;
+      g.fillStyle = colours.faint;
+      const isLast = (i + 1) * step > top;
+      g.fillText(`${distanceNumber(i * step, unit)}${isLast && unit.symbol ? ` ${unit.symbol}` : ''}`, 4, y - 1);
+    }
+  }
+
+  /** What the lines are, from the right edge on; those that there is no room for are in the list anyway. */
+  private drawLegend(g: CanvasRenderingContext2D, { lines, view }: ChartScene, colours: Colours): void {
+    g.font = colours.font;
+    g.textAlign = 'left';
+    g.textBaseline = 'middle';
+    const y = TIME_RULER_HEIGHT + 12;
+    let right = view.width - 8;
+    for (const line of lines) {
+      const width = Math.ceil(g.measureText(line.label).width) + 22;
+      if (right - width < view.width / 3) return;
+      right -= width;
+      g.fillStyle = translucent(colours.surface, 0.8);
+      g.fillRect(right, y - 8, width, 16);
+      g.fillStyle = colourOf(line, colours);
+      g.globalAlpha = opacityOf(line);
+      g.fillRect(right + 4, y - 1, 10, 2);
+      g.globalAlpha = 1;
+      g.fillStyle = line.kind === 'most' ? colours.faint : colours.text;
+      g.fillText(line.label, right + 18, y + 0.5);
+    }
+  }
+
+  private drawLine(g: CanvasRenderingContext2D, scene: ChartScene, line: ChartLine, colours: Colours): void {
+    const { distances, view } = scene;
+    if (!distances) return;
+    g.save();
+    g.beginPath();
+    g.rect(0, TIME_RULER_HEIGHT, view.width, scene.height - TIME_RULER_HEIGHT);
+    g.clip();
+    g.lineJoin = 'round';
+    g.lineWidth = line.kind === 'joint' ? 1.75 : 1.25;
+    g.strokeStyle = colourOf(line, colours);
+    g.globalAlpha = opacityOf(line);
+    const { palette } = colours;
+    if (line.kind === 'joint') {
+      g.setLineDash([...DASHES[Math.floor(line.ordinal / palette.length) % DASHES.length]]);
+    }
+    g.beginPath();
+    trace(g, scene, line.values, distances);
+    g.stroke();
+    g.restore();
+  }
+
+  private begin(canvas: HTMLCanvasElement, { view, height }: ChartScene): CanvasRenderingContext2D | null {
+    const ratio = window.devicePixelRatio;
+    const wide = Math.max(1, Math.round(view.width * ratio));
+    const high = Math.max(1, Math.round(height * ratio));
+    if (canvas.width !== wide || canvas.height !== high) {
+      canvas.width = wide;
+      canvas.height = high;
+    }
+    const g = canvas.getContext('2d');
+    g?.setTransform(ratio, 0, 0, ratio, 0, 0);
+    g?.clearRect(0, 0, view.width, height);
+    return g;
+  }
+
+  private ready(): Colours {
+    if (this.colours) return this.colours;
+    const style = getComputedStyle(this.element);
+    const colour = (name: string) => style.getPropertyValue(name).trim();
+    this.colours = {
+      ...readTimeColours(this.element),
+      surface: colour('--surface'),
+      text: colour('--text'),
+      raised: colour('--raised'),
+      selected: colour('--selected'),
+      palette: PALETTE.map(colour),
+    };
+    return this.colours;
+  }
+}
+
+/** Of the picked joints, one after the other; the first has the colour of what is selected. */
+export const PALETTE = ['--selected', '--axis-z', '--axis-y', '--axis-x', '--accent'] as const;
+
+function colourOf({ kind, ordinal }: ChartLine, colours: Colours): string {
+  if (kind === 'joint') return colours.palette[ordinal % colours.palette.length];
+  if (kind === 'hovered') return colours.text;
+  return kind === 'mean' ? colours.text : colours.faint;
+}
+
+function opacityOf({ kind }: ChartLine): number {
+  return kind === 'most' ? 0.6 : kind === 'hovered' ? 0.75 : 1;
+}
+
+export function xAt({ window, width }: TimeView, seconds: number): number {
+  return ((seconds - window.from) / (window.to - window.from)) * width;
+}
+
+export function yAt({ height, top }: Pick<ChartScene, 'height' | 'top'>, distance: number): number {
+  return height - FOOT - (top > 0 ? distance / top : 0) * (height - HEAD - FOOT);
+}
+
+/** First and end (not included) of the frames within a window of time, and one beyond each of its ends. */
+export function framesIn({ startSeconds, frameSeconds, frameCount }: Distances, { from, to }: TimeWindow) {
+  const first = Math.max(0, Math.floor((from - startSeconds) / frameSeconds));
+  const end = Math.min(frameCount, Math.ceil((to - startSeconds) / frameSeconds) + 1);
+  return [first, Math.max(first, end)] as const;
+}
+
+function trace(g: CanvasRenderingContext2D, scene: ChartScene, values: Float32Array, distances: Distances): void {
+  const { view } = scene;
+  const { startSeconds, frameSeconds } = distances;
+  const [first, end] = framesIn(distances, view.window);
+  const perPixel = (view.window.to - view.window.from) / view.width / frameSeconds;
+  if (perPixel <= 2) {
+    for (let f = first; f < end; f++) {
+      g.lineTo(xAt(view, startSeconds + f * frameSeconds), yAt(scene, values[f]));
+    }
+    // A take of one frame is a point, which a line can't show.
+    if (end - first === 1) g.arc(xAt(view, startSeconds + first * frameSeconds), yAt(scene, values[first]), 1, 0, 7);
+    return;
+  }
+  let f = first;
+  while (f < end) {
+    const x = Math.floor(xAt(view, startSeconds + f * frameSeconds));
+    const past = Math.min(end, Math.max(f + 1, Math.floor(f + perPixel)));
+    let least = values[f];
+    let most = least;
+    for (let i = f + 1; i < past; i++) {
+      const value = values[i];
+      if (value < least) least = value;
+      else if (value > most) most = value;
+    }
+    g.lineTo(x + 0.5, yAt(scene, values[f]));
+    g.lineTo(x + 0.5, yAt(scene, least));
+    g.lineTo(x + 0.5, yAt(scene, most));
+    g.lineTo(x + 0.5, yAt(scene, values[past - 1]));
+    f = past;
+  }
+}

@@ -1,0 +1,268 @@
+/**
+ * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A press or drag scrubs, the
+ * wheel zooms in time, with Shift it moves. It looks at the timeline's window of time, as curves and dope sheet do.
+ */
+import { element, setAttribute } from '../../kit/dom.ts';
+import { HAS_KEYS } from '../../kit/focus.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { seconds, shown } from '../../kit/number-text.ts';
+import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
+import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, framesIn, yAt } from './chart-picture.ts';
+import { type DistanceUnit, distanceText } from './distance-text.ts';
+import type { Measured } from './measuring.ts';
+
+/** How near to a line the pointer has to be to read it. */
+const REACH_PIXELS = 14;
+const ZOOM_PER_NOTCH = 1.2;
+const PIXELS_PER_NOTCH = 100;
+/** The transport's time goes into its window while scrubbing past an edge, not while it plays. */
+const NO_UNIT: DistanceUnit = { factor: 1, symbol: '' };
+
+export class DistanceChart {
+  readonly element = element('div', {
+    class: 'distance-chart',
+    role: 'application',
+    'aria-roledescription': 'chart',
+    tabindex: 0,
+    [HAS_KEYS]: true,
+  });
+  private readonly picture = new ChartPicture();
+  private readonly drawSoon = oncePerFrame(() => this.draw());
+  private size = { width: 0, height: 0 };
+  private measured: Measured | undefined;
+  private unit = NO_UNIT;
+  private hovered: number | undefined;
+  private pointer: { readonly x: number; readonly y: number } | undefined;
+  private scene: ChartScene | undefined;
+  private visible = false;
+
+  constructor(private readonly wb: Workbench) {
+    this.element.append(this.picture.element);
+    new ResizeObserver(() => {
+      this.size = { width: this.element.clientWidth, height: this.element.clientHeight };
+      this.redraw();
+    }).observe(this.element);
+    wb.timeline.view.subscribe((now, before) => {
+      if (now.window !== before.window) this.redraw();
+    });
+    wb.timeline.takes.distances.subscribe(() => this.redraw());
+    wb.settings.subscribe((now, before) => {
+      if (now.timeDisplay !== before.timeDisplay) this.redraw();
+    });
+    wb.transport.subscribe((now, before) => {
+      if (now.range !== before.range || now.framesPerSecond !== before.framesPerSecond) this.redraw();
+      if (this.visible && now.timeSeconds !== before.timeSeconds && !now.playing) {
+        const { window } = wb.timeline.view.get();
+        const next = revealTime(window, now.timeSeconds);
+        if (next !== window) this.look(next);
+      }
+      this.drawSoon();
+    });
+    this.listen();
+  }
+
+  show(measured: Measured | undefined, unit: DistanceUnit): void {
+    this.measured = measured;
+    this.unit = unit;
+    this.hovered = undefined;
+    this.redraw();
+  }
+
+  setVisible(visible: boolean): void {
+    this.visible = visible;
+    if (visible) this.redraw();
+  }
+
+  /** Draws this pair's line too, while a list is pointed at. */
+  hover(pair: number | undefined): void {
+    if (pair === this.hovered) return;
+    this.hovered = pair;
+    this.redraw();
+  }
+
+  recolour(): void {
+    this.picture.recolour();
+    this.redraw();
+  }
+
+  /** All the time that was measured; false where nothing was. */
+  fitAll(): boolean {
+    const distances = this.measured?.distances;
+    if (!distances) return false;
+    const { startSeconds, frameSeconds, frameCount } = distances;
+    this.look(fitWindow([startSeconds, startSeconds + (frameCount - 1) * frameSeconds]));
+    return true;
+  }
+
+  private look(window: TimeWindow): void {
+    this.wb.timeline.change({ window });
+  }
+
+  private redraw(): void {
+    this.scene = undefined;
+    this.drawSoon();
+  }
+
+  private draw(): void {
+    if (!this.visible || !this.size.width || !this.size.height) return;
+    if (!this.scene) {
+      this.scene = this.makeScene();
+      this.picture.draw(this.scene);
+      this.describe(this.scene);
+    }
+    const { timeSeconds } = this.wb.transport.get();
+    this.picture.drawOverlay(this.scene, timeSeconds, this.readout(this.scene));
+  }
+
+  private timeView(): TimeView {
+    const { range, framesPerSecond } = this.wb.transport.get();
+    const inFrames = this.wb.settings.get().timeDisplay === 'frames';
+    return { window: this.wb.timeline.view.get().window, width: this.size.width, range, framesPerSecond, inFrames };
+  }
+
+  private makeScene(): ChartScene {
+    const view = this.timeView();
+    const lines = this.lines();
+    const distances = this.measured?.distances;
+    let top = 0;
+    if (distances) {
+      const [first, end] = framesIn(distances, view.window);
+      for (const { values } of lines) for (let f = first; f < end; f++) if (values[f] > top) top = values[f];
+      // Nothing of it in view, or two takes that are one: the scale of the whole, or of something.
+      if (top === 0) top = distances.most.reduce((most, value) => Math.max(most, value), 0) || 1 / this.unit.factor;
+    }
+    return { view, height: this.size.height, distances, unit: this.unit, lines, top };
+  }
+
+  private lines(): ChartLine[] {
+    const distances = this.measured?.distances;
+    if (!distances) return [];
+    const { picked } = this.wb.timeline.takes.distances.get();
+    const { frameCount, match, values } = distances;
+    const joints = this.measured?.first.skeleton?.joints ?? [];
+    const line = (pair: number, kind: ChartLine['kind'], ordinal: number): ChartLine => ({
+      values: values.subarray(pair * frameCount, (pair + 1) * frameCount),
+      kind,
+      label: joints[match.first[pair]]?.name || 'no name',
+      ordinal,
+    });
+    const isThere = (pair: number) => pair < match.first.length;
+    const lines: ChartLine[] = [
+      { values: distances.most, kind: 'most', label: 'Largest', ordinal: 0 },
+      { values: distances.mean, kind: 'mean', label: 'Mean', ordinal: 0 },
+    ];
+    const { hovered } = this;
+    if (hovered !== undefined && isThere(hovered) && !picked.includes(hovered)) lines.push(line(hovered, 'hovered', 0));
+    lines.push(...picked.filter(isThere).map((pair, i) => line(pair, 'joint', i)));
+    return lines;
+  }
+
+  /** Of the line under the pointer, at the frame under it. */
+  private readout(scene: ChartScene): ChartReadout | undefined {
+    const { pointer } = this;
+    const { distances, view } = scene;
+    if (!pointer || !distances || pointer.y < TIME_RULER_HEIGHT) return undefined;
+    const { startSeconds, frameSeconds, frameCount } = distances;
+    const frame = Math.round((this.timeAt(view, pointer.x) - startSeconds) / frameSeconds);
+    if (frame < 0 || frame >= frameCount) return undefined;
+    let nearest: ChartLine | undefined;
+    let reach = REACH_PIXELS;
+    for (const line of scene.lines) {
+      const away = Math.abs(yAt(scene, line.values[frame]) - pointer.y);
+      // Of lines on one another the picked one, which is drawn on top.
+      if (away <= reach) {
+        reach = away;
+        nearest = line;
+      }
+    }
+    if (!nearest) return undefined;
+    const timeSeconds = startSeconds + frame * frameSeconds;
+    const distance = nearest.values[frame];
+    const when = view.inFrames
+      ? `frame ${shown(timeSeconds * view.framesPerSecond, 1)}`
+      : `${seconds(Number(timeSeconds.toFixed(3)))} s`;
+    const who = nearest.kind === 'most' ? `Largest: ${this.farthest(frame)}` : nearest.label;
+    return { timeSeconds, distance, text: `${who}  ${distanceText(distance, this.unit)}  at ${when}` };
+  }
+
+  /** The joint that is farthest in a frame. */
+  private farthest(frame: number): string {
+    const distances = this.measured?.distances;
+    if (!distances) return '';
+    const { values, frameCount, match } = distances;
+    let found = 0;
+    for (let k = 1; k < match.first.length; k++) {
+      if (values[k * frameCount + frame] > values[found * frameCount + frame]) found = k;
+    }
+    return this.measured?.first.skeleton?.joints[match.first[found]]?.name ?? '';
+  }
+
+  private describe(scene: ChartScene): void {
+    const names = scene.lines.filter((l) => l.kind === 'joint').map((l) => l.label);
+    const lines = ['mean', 'largest', ...names].join(', ');
+    setAttribute(this.element, 'aria-label', `Distance of the joints over time: ${lines}. A press scrubs.`);
+  }
+
+  // Pointer and keys.
+
+  private timeAt({ window, width }: TimeView, x: number): number {
+    return window.from + (x / width) * (window.to - window.from);
+  }
+
+  private listen(): void {
+    const { element: target } = this;
+    target.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0) return;
+      target.setPointerCapture(event.pointerId);
+      this.scrub(event);
+    });
+    target.addEventListener('pointermove', (event) => {
+      this.pointer = this.at(event);
+      if (target.hasPointerCapture(event.pointerId)) this.scrub(event);
+      this.drawSoon();
+    });
+    target.addEventListener('pointerleave', () => {
+      this.pointer = undefined;
+      this.drawSoon();
+    });
+    target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
+    target.addEventListener('keydown', (event) => {
+      if (event.ctrlKey || event.metaKey || event.altKey) return;
+      const { window } = this.wb.timeline.view.get();
+      const { timeSeconds } = this.wb.transport.get();
+      if (event.key === 'a' || event.key === 'A' || event.key === 'f' || event.key === 'F') this.fitAll();
+      else if (event.key === '+' || event.key === '=') this.look(zoomWindow(window, timeSeconds, 1 / ZOOM_PER_NOTCH));
+      else if (event.key === '-') this.look(zoomWindow(window, timeSeconds, ZOOM_PER_NOTCH));
+      else return;
+      event.preventDefault();
+    });
+  }
+
+  private at(event: MouseEvent): { readonly x: number; readonly y: number } {
+    const box = this.element.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+
+  private scrub(event: MouseEvent): void {
+    const view = this.timeView();
+    const perPixel = (view.window.to - view.window.from) / view.width;
+    const time = this.timeAt(view, this.at(event).x);
+    const timeSeconds = snapTime(time, perPixel, view.inFrames ? view.framesPerSecond : undefined);
+    this.wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  }
+
+  private onWheel(event: WheelEvent): void {
+    event.preventDefault();
+    const view = this.timeView();
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 33 : 1;
+    const across = (event.shiftKey && !event.deltaX ? event.deltaY : event.deltaX) * lines;
+    if (Math.abs(across) > 0 && (event.shiftKey || Math.abs(across) > Math.abs(event.deltaY * lines))) {
+      this.look(panWindow(view.window, (across / view.width) * (view.window.to - view.window.from)));
+      return;
+    }
+    const factor = ZOOM_PER_NOTCH ** ((event.deltaY * lines) / PIXELS_PER_NOTCH);
+    this.look(zoomWindow(view.window, this.timeAt(view, this.at(event).x), factor));
+  }
+}

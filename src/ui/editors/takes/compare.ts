@@ -1,0 +1,125 @@
+/**
+ * Comparing two takes: one laid over the other, all others out of the picture. That is a step of the document, and the
+ * comparison lasts as long as that step stands: undo ends it, redo brings it back. Ending it puts everything back where
+ * it was: by taking the step back where it is the last one, else by a step of its own (*Stop comparing*), which leaves
+ * alone what was changed meanwhile.
+ */
+import { endOverlay, overlayTakes } from '../../../edit/commands/takes.ts';
+import { isSameSkeleton, matchJoints } from '../../../evaluate/joint-match.ts';
+import { type Document, findCharacter, rangeOfClips } from '../../../model/document.ts';
+import { fitWindow } from '../../kit/time-window.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Overlay } from '../../state/takes.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { playRange } from './played-range.ts';
+import type { TakeRow } from './rows.ts';
+
+/** One over the other, tinted, with the distance of their joints; refused with a word where they have nothing in common. */
+export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): void {
+  const { document } = wb.store;
+  const skeletons = [first, second].map((row) => findCharacter(document, row.characterId)?.skeleton);
+  const [a, b] = skeletons;
+  if (!a || !b) {
+    wb.messages.note('Takes are compared joint by joint: both need a skeleton.', 'warning');
+    return;
+  }
+  const match = matchJoints(a, b);
+  if (!match.first.length) {
+    wb.messages.note(
+      `${first.name} and ${second.name} have no joints in common: they are matched by their names and parents.`,
+      'warning',
+    );
+    return;
+  }
+  attempt(wb.messages, () => {
+    endComparison(wb);
+    const before = wb.store.document;
+    const { range: playedBefore } = wb.transport.get();
+    wb.store.apply(overlayTakes, { first, second });
+    const after = wb.store.document;
+    if (!isSameSkeleton(match)) {
+      const missing = match.onlyFirst.length + match.onlySecond.length;
+      wb.messages.note(
+        `${match.first.length} joints are compared; ${missing} have no partner and are left out.`,
+        'info',
+      );
+    }
+    wb.timeline.takes.distances.update((now) => ({ ...now, picked: [] }));
+    const comparison = {
+      first: { characterId: first.characterId, clip: first.clip },
+      second: { characterId: second.characterId, clip: second.clip },
+    };
+    wb.timeline.takes.comparison.set(comparison);
+    const ends = [first, second].map(({ range, offsetSeconds }) => range.map((t) => t - offsetSeconds));
+    const common: [number, number] = [Math.max(ends[0][0], ends[1][0]), Math.min(ends[0][1], ends[1][1])];
+    const both: [number, number] = [Math.min(ends[0][0], ends[1][0]), Math.max(ends[0][1], ends[1][1])];
+    const played = common[1] > common[0] ? common : both;
+    playRange(wb, played);
+    const overlay = { comparison, before, after, playedBefore, played, compared: [after], apart: [before] };
+    // Nothing was to be changed: nothing is to be put back, and no step of undo is the comparison's.
+    if (after !== before) followOverlay(wb, overlay);
+    wb.timeline.change({ tab: 'takes', window: fitWindow(both) });
+    wb.viewport.reveal(first.characterId, second.characterId);
+  });
+}
+
+/** Everything as it was before. Nothing happens where nothing is compared. */
+export function endComparison(wb: Workbench): void {
+  const { store, timeline } = wb;
+  const { takes } = timeline;
+  const comparison = takes.comparison.get();
+  const { overlay } = takes;
+  if (comparison && overlay?.comparison === comparison) {
+    store.settle();
+    if (store.document === overlay.after) store.undo();
+    else attempt(wb.messages, () => takeApart(wb, overlay));
+  }
+  takes.comparison.set(undefined);
+}
+
+function takeApart(wb: Workbench, overlay: Overlay): void {
+  const { store } = wb;
+  const { document: compared } = store;
+  store.apply(endOverlay, { before: overlay.before.characters, overlaid: overlay.after.characters });
+  if (store.document === compared) return;
+  overlay.compared.push(compared);
+  overlay.apart.push(store.document);
+  playAsBefore(wb, overlay, compared);
+}
+
+/** Undo and redo lead out of the comparison and into it. */
+function followOverlay(wb: Workbench, overlay: Overlay): void {
+  const { takes } = wb.timeline;
+  takes.overlay = overlay;
+  const stop = wb.store.subscribe((now, before) => {
+    if (takes.overlay !== overlay) {
+      stop();
+      return;
+    }
+    if (now.document === before.document) return;
+    const isCompared = takes.comparison.get() === overlay.comparison;
+    if (isCompared && overlay.apart.includes(now.document)) {
+      takes.comparison.set(undefined);
+      playAsBefore(wb, overlay, before.document);
+    } else if (!takes.comparison.get() && overlay.compared.includes(now.document)) {
+      takes.comparison.set(overlay.comparison);
+      playRange(wb, overlay.played);
+    }
+  });
+}
+
+/**
+ * What was played before, unless another range was set meanwhile.
+ * @param compared the document that was left: a range that is that of its clips has gone with them already
+ */
+function playAsBefore(wb: Workbench, { played, playedBefore: range }: Overlay, compared: Document): void {
+  const followed = isSame(rangeOfClips(compared), played) ? rangeOfClips(wb.store.document) : undefined;
+  wb.transport.update((p) => {
+    if (!isSame(p.range, played) && !isSame(followed, p.range)) return p;
+    return { ...p, range, timeSeconds: Math.min(range[1], Math.max(range[0], p.timeSeconds)) };
+  });
+}
+
+function isSame(a: readonly [number, number] | undefined, b: readonly [number, number]): boolean {
+  return a?.[0] === b[0] && a[1] === b[1];
+}

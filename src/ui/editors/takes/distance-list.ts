@@ -1,0 +1,133 @@
+/** The joints that are compared, farthest first: their largest and mean distance. What is picked is drawn in colour. */
+import type { Distances } from '../../../evaluate/distance.ts';
+import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
+import { isMac } from '../../shell/keys.ts';
+import type { DistanceView } from '../../state/takes.ts';
+import { PALETTE } from './chart-picture.ts';
+import { type DistanceUnit, distanceNumber } from './distance-text.ts';
+
+export interface ListEvents {
+  /** @param adds to what is picked, or takes it out of that */
+  pick(pair: number, adds: boolean): void;
+  hover(pair: number | undefined): void;
+  order(order: DistanceView['order']): void;
+}
+
+const HEADS: readonly (readonly [DistanceView['order'], string, string])[] = [
+  ['name', 'Joint', 'Sort by name'],
+  ['mean', 'Mean', 'Sort by the mean distance'],
+  ['most', 'Max', 'Sort by the largest distance'],
+];
+
+export class DistanceList {
+  readonly element = element('div', { class: 'distance-list' });
+  private readonly rows = element('div', { class: 'distance-rows', role: 'listbox', tabindex: 0 });
+  private readonly heads: readonly HTMLElement[];
+  private readonly idPrefix = uniqueId('distance');
+  /** Pairs in the order of the rows. */
+  private order: readonly number[] = [];
+  private options = new Map<number, HTMLElement>();
+  private focused = -1;
+
+  constructor(private readonly events: ListEvents) {
+    this.rows.setAttribute('aria-label', 'Joints by their distance');
+    this.rows.setAttribute('aria-multiselectable', 'true');
+    this.heads = HEADS.map(([order, label, title]) => {
+      const made = element('button', { type: 'button', tabindex: -1, title, 'data-order': order }, label);
+      made.addEventListener('mousedown', (event) => event.preventDefault());
+      made.addEventListener('click', () => events.order(order));
+      return made;
+    });
+    const head = element('div', { class: 'distance-row distance-head' }, element('span'), ...this.heads);
+    this.element.append(head, this.rows);
+    this.rows.addEventListener('click', (event) => {
+      const pair = pairAt(event);
+      if (pair === undefined) return;
+      this.focused = this.order.indexOf(pair);
+      events.pick(pair, event.shiftKey || (isMac ? event.metaKey : event.ctrlKey));
+    });
+    this.rows.addEventListener('pointerover', (event) => events.hover(pairAt(event)));
+    this.rows.addEventListener('pointerleave', () => events.hover(undefined));
+    this.rows.addEventListener('keydown', (event) => this.onKey(event));
+  }
+
+  show(
+    distances: Distances,
+    names: readonly string[],
+    unit: DistanceUnit,
+    { picked, order }: Pick<DistanceView, 'picked' | 'order'>,
+  ): void {
+    const before = this.order[this.focused];
+    this.order = inOrder(distances, names, order);
+    this.focused = before === undefined ? -1 : this.order.indexOf(before);
+    for (const head of this.heads) setAttribute(head, 'aria-pressed', String(head.dataset.order === order));
+    const options = new Map<number, HTMLElement>();
+    for (const pair of this.order) {
+      const option = this.options.get(pair) ?? this.option(pair);
+      const [mark, name, mean, most] = option.children;
+      const ordinal = picked.indexOf(pair);
+      setText(name, names[pair] || 'no name');
+      setAttribute(name, 'title', names[pair]);
+      setText(mean, distanceNumber(distances.jointMean[pair], unit));
+      setText(most, distanceNumber(distances.jointMost[pair], unit));
+      setAttribute(option, 'aria-selected', String(ordinal >= 0));
+      if (mark instanceof HTMLElement) {
+        mark.style.background = ordinal >= 0 ? `var(${PALETTE[ordinal % PALETTE.length]})` : '';
+      }
+      options.set(pair, option);
+    }
+    this.options = options;
+    this.rows.replaceChildren(...options.values());
+    this.point();
+  }
+
+  private option(pair: number): HTMLElement {
+    const made = element(
+      'div',
+      { class: 'distance-row', role: 'option', id: `${this.idPrefix}-${pair}`, 'data-pair': pair },
+      element('span', { class: 'take-mark' }),
+      element('span', { class: 'label' }),
+      element('span', { class: 'number' }),
+      element('span', { class: 'number' }),
+    );
+    return made;
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    const steps: Readonly<Record<string, number>> = { ArrowUp: -1, ArrowDown: 1 };
+    const step = steps[event.key];
+    const { order } = this;
+    if (step !== undefined) this.focused = Math.max(0, Math.min(order.length - 1, this.focused + step));
+    else if (event.key === 'Home') this.focused = 0;
+    else if (event.key === 'End') this.focused = order.length - 1;
+    else if (event.key !== 'Enter' && event.key !== ' ') return;
+    const pair = order[this.focused];
+    if (pair === undefined) return;
+    event.preventDefault();
+    const adds = event.key === ' ' || (event.shiftKey && step !== undefined);
+    this.events.pick(pair, adds);
+    this.options.get(pair)?.scrollIntoView({ block: 'nearest' });
+  }
+
+  private point(): void {
+    const pair = this.order[this.focused];
+    for (const [p, option] of this.options) option.classList.toggle('focused', p === pair);
+    setAttribute(this.rows, 'aria-activedescendant', pair === undefined ? undefined : `${this.idPrefix}-${pair}`);
+  }
+}
+
+function inOrder(
+  { jointMost, jointMean }: Distances,
+  names: readonly string[],
+  order: DistanceView['order'],
+): readonly number[] {
+  const pairs = [...jointMost.keys()];
+  if (order === 'name') return pairs.sort((a, b) => names[a].localeCompare(names[b], 'en', { numeric: true }));
+  const by = order === 'mean' ? jointMean : jointMost;
+  return pairs.sort((a, b) => by[b] - by[a]);
+}
+
+function pairAt(event: Event): number | undefined {
+  const row = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-pair]') : null;
+  return row ? Number(row.dataset.pair) : undefined;
+}

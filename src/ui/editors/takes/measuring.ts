@@ -1,0 +1,128 @@
+/**
+ * Keeps the distances of the two compared takes up to date: measured anew, a few milliseconds at a time, when either
+ * take changes or another way of looking is chosen. A change that comes while it measures waits for its turn, so that a
+ * drag always has a result that is hardly behind, and never none.
+ */
+import { type Alignment, commonFrames, type Distances, measureDistances } from '../../../evaluate/distance.ts';
+import { type JointMatch, matchJoints } from '../../../evaluate/joint-match.ts';
+import { type Character, shownClip } from '../../../model/document.ts';
+import { runInSlices } from '../../../view/slices.ts';
+import { type Observable, observable } from '../../kit/observable.ts';
+import { type Compared, comparedIn } from '../../state/takes.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+/** What was asked for; identity of its parts tells whether the answer still holds. */
+interface Asked {
+  readonly first: Character;
+  readonly second: Character;
+  readonly alignment: Alignment;
+  readonly framesPerSecond: number;
+}
+
+export interface Measured extends Asked {
+  readonly match: JointMatch;
+  /** Absent: the takes have no time in common. */
+  readonly distances?: Distances;
+}
+
+export class Measuring {
+  readonly result: Observable<Measured | undefined> = observable<Measured | undefined>(undefined);
+  private asked: Asked | undefined;
+  private running: Asked | undefined;
+  private visible = false;
+
+  constructor(private readonly wb: Workbench) {
+    const { store, timeline, transport } = wb;
+    store.subscribe((now, before) => {
+      if (now.document !== before.document) this.refresh();
+    });
+    timeline.takes.comparison.subscribe(() => this.refresh());
+    timeline.takes.distances.subscribe((now, before) => {
+      if (now.alignment !== before.alignment) this.refresh();
+    });
+    transport.subscribe((now, before) => {
+      if (now.framesPerSecond !== before.framesPerSecond) this.refresh();
+    });
+  }
+
+  /** What can't be seen is not measured. */
+  setVisible(visible: boolean): void {
+    this.visible = visible;
+    this.refresh();
+  }
+
+  private refresh(): void {
+    if (!this.visible) return;
+    const compared = comparedIn(this.wb.store.document, this.wb.timeline.takes.comparison.get());
+    this.asked = compared && this.askFor(compared);
+    if (!this.asked) this.result.set(undefined);
+    void this.run();
+  }
+
+  private askFor([{ character: first }, { character: second }]: readonly [Compared, Compared]): Asked {
+    const { alignment } = this.wb.timeline.takes.distances.get();
+    return { first, second, alignment, framesPerSecond: this.wb.transport.get().framesPerSecond };
+  }
+
+  private async run(): Promise<void> {
+    if (this.running) return;
+    for (;;) {
+      const { asked } = this;
+      if (!asked || sameMotion(asked, this.result.get())) return;
+      this.running = asked;
+      try {
+        const measured = await measure(asked);
+        // The comparison may be over, or be about others.
+        if (this.asked && isOf(this.asked, asked)) this.result.set(measured);
+      } finally {
+        this.running = undefined;
+      }
+    }
+  }
+}
+
+async function measure(asked: Asked): Promise<Measured> {
+  const { first, second, alignment, framesPerSecond } = asked;
+  const [a, b] = [first.skeleton, second.skeleton];
+  const match = a && b ? matchJoints(a, b) : NO_MATCH;
+  const times = match.first.length ? commonFrames(first, second, framesPerSecond, match.first.length) : undefined;
+  if (!times) return { ...asked, match };
+  const work = measureDistances(first, second, match, times, alignment);
+  const distances = await runInSlices(work, NEVER);
+  return { ...asked, match, ...(distances && { distances }) };
+}
+
+const NEVER = new AbortController().signal;
+const NO_MATCH: JointMatch = { first: [], second: [], onlyFirst: [], onlySecond: [] };
+
+/** Whether both are about the same two characters. */
+function isOf(a: Asked, b: Asked): boolean {
+  return a.first.id === b.first.id && a.second.id === b.second.id;
+}
+
+/** Whether nothing has changed that a distance depends on. */
+function sameMotion(a: Asked, b: Asked | undefined): boolean {
+  return (
+    b !== undefined &&
+    a.alignment === b.alignment &&
+    a.framesPerSecond === b.framesPerSecond &&
+    movesAlike(a.first, b.first) &&
+    movesAlike(a.second, b.second)
+  );
+}
+
+function movesAlike(a: Character, b: Character): boolean {
+  return (
+    a === b ||
+    (a.id === b.id &&
+      a.skeleton === b.skeleton &&
+      a.morphs === b.morphs &&
+      a.pose === b.pose &&
+      a.unkeyed === b.unkeyed &&
+      a.clampsToLimits === b.clampsToLimits &&
+      a.space === b.space &&
+      a.timeOffsetSeconds === b.timeOffsetSeconds &&
+      a.placements[0] === b.placements[0] &&
+      shownClip(a) === shownClip(b))
+  );
+}

@@ -1,0 +1,211 @@
+/**
+ * The tab of the takes: the table, and while two of them are compared, beside it how far their joints are from each
+ * other. Both follow the document and draw only while they can be seen.
+ */
+import { placeCharacter } from '../../../edit/commands/characters.ts';
+import { findCharacter } from '../../../model/document.ts';
+import { element, setText } from '../../kit/dom.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { fitWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { isMac } from '../../shell/keys.ts';
+import { attempt } from '../../state/attempt.ts';
+import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
+import { comparedIn } from '../../state/takes.ts';
+import type { TimelineTab } from '../../state/timeline.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { movedEntries } from '../retarget/moved.ts';
+import { compareTakes } from './compare.ts';
+import { DistancePane } from './distance-pane.ts';
+import {
+  chosenTakes,
+  listOfTakes,
+  playAlone,
+  playTogether,
+  remove,
+  selectCharacter,
+  startAt,
+  toggleShown,
+} from './play.ts';
+import { shownKey, type TakeRow, takeKey } from './rows.ts';
+import { TakeTable } from './table.ts';
+import { arrangeEntries, takeTools } from './tools.ts';
+
+export function takesPanel(wb: Workbench): TimelineTab {
+  return new TakesPanel(wb);
+}
+
+class TakesPanel implements TimelineTab {
+  readonly element: HTMLElement;
+  readonly tools: HTMLElement;
+  private readonly table: TakeTable;
+  private readonly distances: DistancePane;
+  private readonly empty = element('p', { class: 'empty take-empty', hidden: true });
+  private visible = false;
+  private readonly showSoon = oncePerFrame(() => this.show());
+
+  constructor(private readonly wb: Workbench) {
+    const { takes } = wb.timeline;
+    this.table = new TakeTable({
+      toggle: (row) => toggleShown(wb, row),
+      play: (row) => playAlone(wb, row),
+      startAt: (row, seconds) => startAt(wb, row, seconds),
+      place: (row, to) => this.place(row, to),
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
+      sort(order) {
+        const { order: _before, ...view } = takes.view.get();
+        takes.view.set({ ...view, ...(order && { order }) });
+      },
+      choose(chosen, row) {
+        takes.change({ chosen, focused: row.key });
+        selectCharacter(wb, row.characterId);
+      },
+      remove: (rows) => remove(wb, rows),
+      menu: (row, at) => this.menu(row, at),
+    });
+    this.distances = new DistancePane(wb);
+    this.tools = takeTools(wb);
+    this.element = element(
+      'div',
+      { class: 'takes', 'data-panel': 'takes' },
+      this.empty,
+      this.table.element,
+      this.distances.element,
+    );
+    this.follow();
+  }
+
+  private follow(): void {
+    const { wb } = this;
+    const { takes } = wb.timeline;
+    wb.store.subscribe((now, before) => {
+      if (now.selection.characterId !== before.selection.characterId) this.goToSelected();
+      if (now.document !== before.document) this.showSoon();
+    });
+    // At once: the next key goes on from the row that this one went to.
+    takes.view.subscribe(() => this.show());
+    takes.comparison.subscribe(() => {
+      this.show();
+      this.distances.setVisible(this.visible);
+    });
+    wb.transport.subscribe((now, before) => {
+      if (now.framesPerSecond !== before.framesPerSecond) this.showSoon();
+    });
+  }
+
+  setVisible(visible: boolean): void {
+    if (visible === this.visible) return;
+    this.visible = visible;
+    if (visible) this.goToSelected();
+    this.show();
+    this.distances.setVisible(visible);
+  }
+
+  fitAll(): void {
+    if (!this.distances.fitAll()) this.look(fitWindow(this.wb.transport.get().range));
+  }
+
+  fitSelected(): void {
+    this.fitAll();
+  }
+
+  zoom(timeFactor: number): void {
+    const { timeSeconds } = this.wb.transport.get();
+    this.look(zoomWindow(this.wb.timeline.view.get().window, timeSeconds, timeFactor));
+  }
+
+  recolour(): void {
+    this.distances.recolour();
+  }
+
+  private look(window: TimeWindow): void {
+    this.wb.timeline.change({ window });
+  }
+
+  private show(): void {
+    if (!this.visible) return;
+    const { wb } = this;
+    const { takes } = wb.timeline;
+    const { order, chosen, focused, filter } = takes.view.get();
+    const comparison = takes.comparison.get();
+    const isComparing = comparedIn(wb.store.document, comparison) !== undefined;
+    const [first, second] = comparison ? [takeKey(comparison.first), takeKey(comparison.second)] : [];
+    const rows = listOfTakes(wb);
+    this.element.classList.toggle('comparing', isComparing);
+    this.distances.element.hidden = !isComparing;
+    this.empty.hidden = rows.length > 0;
+    this.table.element.hidden = rows.length === 0;
+    this.table.element.classList.toggle(
+      'same-names',
+      rows.every((row) => !row.character),
+    );
+    setText(
+      this.empty,
+      filter
+        ? `No take here is called “${filter}”.`
+        : 'Takes will be listed here: drop BVH files, a whole folder of them, or a character with its .anim files.',
+    );
+    this.table.show(rows, {
+      order,
+      chosen,
+      focused,
+      framesPerSecond: wb.transport.get().framesPerSecond,
+      compared: ({ key }) => {
+        if (!isComparing) return undefined;
+        return key === first ? 'first' : key === second ? 'second' : undefined;
+      },
+    });
+  }
+
+  /** Another character was picked elsewhere: the list goes to its take. */
+  private goToSelected(): void {
+    const { store, timeline } = this.wb;
+    const character = findCharacter(store.document, store.selection.characterId);
+    const key = character && shownKey(character);
+    const { focused } = timeline.takes.view.get();
+    // Any of its takes is as good where the list is at one.
+    if (!key || focused?.startsWith(`${character.id}/`)) return;
+    timeline.takes.change({ focused: key, chosen: new Set([key]) });
+  }
+
+  private place(row: TakeRow, { x = row.x, z = row.z }: { readonly x?: number; readonly z?: number }): void {
+    const { store, messages } = this.wb;
+    const placement = findCharacter(store.document, row.characterId)?.placements[0];
+    if (!placement) return;
+    const position = [x, placement.position[1], z] as const;
+    attempt(messages, () =>
+      store.apply(placeCharacter, { characterId: row.characterId, index: 0, placement: { ...placement, position } }),
+    );
+  }
+
+  private menu(row: TakeRow, at: { readonly x: number; readonly y: number }): void {
+    const { wb } = this;
+    const chosen = chosenTakes(wb);
+    const [first, second] = chosen;
+    const item = (label: string, run: () => void, shortcut?: string, enabled = true): MenuEntry => ({
+      kind: 'item',
+      label,
+      enabled,
+      run,
+      ...(shortcut && { shortcut }),
+    });
+    const keyOf = (id: string) => {
+      const action = actionsOf(wb).find((a) => a.id === id);
+      const [key] = action ? shortcutsFor(action, wb.settings.get()) : [];
+      return key && shortcutText(key, isMac);
+    };
+    const character = findCharacter(wb.store.document, row.characterId);
+    const entries: MenuEntry[] = [
+      ...(character ? movedEntries(wb, character) : []),
+      item('Play alone', () => playAlone(wb, row), 'Enter'),
+      ...(chosen.length > 1 ? [item(`Play these ${chosen.length} together`, () => playTogether(wb, chosen))] : []),
+      item(row.isShown ? 'Hide' : 'Show', () => toggleShown(wb, row), keyOf('take.toggleShown')),
+      ...(first && second && chosen.length === 2 ? [item('Compare', () => compareTakes(wb, first, second))] : []),
+      { kind: 'menu', label: 'Arrange', entries: () => arrangeEntries(wb) },
+      { kind: 'line' },
+      item(chosen.length > 1 ? `Remove ${chosen.length} takes` : 'Remove', () => remove(wb, chosen), 'Del'),
+    ];
+    openMenu(at, entries, { label: row.name });
+  }
+}

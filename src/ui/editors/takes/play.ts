@@ -1,0 +1,175 @@
+/** What is done with takes as wholes: playing one alone or several together, the next one, when and where. */
+import { setTimeOffset } from '../../../edit/commands/characters.ts';
+import { setHidden } from '../../../edit/commands/spaces.ts';
+import {
+  type Arrangement,
+  alignStarts,
+  arrange,
+  removeTakes,
+  setTimeOffsets,
+  showTakes,
+} from '../../../edit/commands/takes.ts';
+import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
+import { findCharacter, shownClip } from '../../../model/document.ts';
+import type { Selection } from '../../../model/session.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { endComparison } from './compare.ts';
+import { followRangeOfTakes, playRange } from './played-range.ts';
+import { listedTakes, shownKey, type TakeRow, takeRows } from './rows.ts';
+
+/** As the list has them now. */
+export function listOfTakes(wb: Workbench): readonly TakeRow[] {
+  const { filter, order } = wb.timeline.takes.view.get();
+  return listedTakes(takeRows(wb.store.document), filter, order);
+}
+
+/** Those that are chosen in the list, in its order. */
+export function chosenTakes(wb: Workbench): TakeRow[] {
+  const { chosen } = wb.timeline.takes.view.get();
+  return chosen.size ? listOfTakes(wb).filter((row) => chosen.has(row.key)) : [];
+}
+
+/** Whose time and place are meant: those of the chosen takes, or of every take that is seen where one at most is chosen. */
+export function charactersMeant(wb: Workbench): string[] {
+  const chosen = chosenTakes(wb);
+  const rows = chosen.length > 1 ? chosen : takeRows(wb.store.document).filter((row) => row.isShown);
+  return [...new Set(rows.map((row) => row.characterId))];
+}
+
+/**
+ * The take that one is at, by its place in the list: the only one that plays, else the shown one of the selected
+ * character; -1 where there is none.
+ */
+export function currentPlace(wb: Workbench, rows: readonly TakeRow[]): number {
+  const shown = rows.filter((row) => row.isShown);
+  if (shown.length === 1) return rows.indexOf(shown[0]);
+  const character = findCharacter(wb.store.document, wb.store.selection.characterId);
+  const key = character && shownKey(character);
+  return rows.findIndex((row) => row.key === key);
+}
+
+/** Nothing else is seen; the transport plays its range, from its start. Plays on where something played. */
+export function playAlone(wb: Workbench, row: TakeRow): void {
+  attempt(wb.messages, () => {
+    endComparison(wb);
+    wb.store.apply(showTakes, { takes: [row], alone: true });
+    wb.timeline.takes.change({ chosen: new Set([row.key]), focused: row.key });
+    selectCharacter(wb, row.characterId);
+    playRange(wb, [row.range[0] - row.offsetSeconds, row.range[1] - row.offsetSeconds]);
+    wb.viewport.reveal(row.characterId);
+  });
+}
+
+/** These and no others, over all the time that they take. */
+export function playTogether(wb: Workbench, rows: readonly TakeRow[]): void {
+  attempt(wb.messages, () => {
+    endComparison(wb);
+    wb.store.apply(showTakes, { takes: rows, alone: true });
+    const range = clipsRange(wb.store.document);
+    if (range) playRange(wb, range);
+    wb.viewport.reveal(...rows.map((row) => row.characterId));
+  });
+}
+
+/** The next take of the list, or the one before; past the last comes the first. */
+export function stepTake(wb: Workbench, step: 1 | -1): void {
+  const rows = listOfTakes(wb);
+  if (!rows.length) return;
+  const at = currentPlace(wb, rows);
+  const from = at < 0 && step < 0 ? 0 : at;
+  playAlone(wb, rows[(from + step + rows.length) % rows.length]);
+}
+
+/**
+ * Into the picture, showing these takes, or out of it, where any of them is seen; of a character that several of them
+ * are of, the first.
+ */
+export function toggleShown(wb: Workbench, ...rows: readonly TakeRow[]): void {
+  const shown = rows.filter((row) => row.isShown);
+  const takes = rows.filter((row, i) => rows.findIndex((r) => r.characterId === row.characterId) === i);
+  attempt(wb.messages, () => {
+    if (shown.length) wb.store.apply(setHidden, { ids: shown.map((row) => row.characterId), hidden: true });
+    else if (takes.length) wb.store.apply(showTakes, { takes });
+  });
+}
+
+/** The takes that a key in the list is about: those that are chosen, or the row that one is at where it is none of them. */
+export function takesAtHand(wb: Workbench): TakeRow[] {
+  const { focused } = wb.timeline.takes.view.get();
+  const chosen = chosenTakes(wb);
+  if (focused === undefined || chosen.some((row) => row.key === focused)) return chosen;
+  return listOfTakes(wb).filter((row) => row.key === focused);
+}
+
+export function showAll(wb: Workbench): void {
+  endComparison(wb);
+  const ids = wb.store.document.characters.filter((c) => c.isHidden).map((c) => c.id);
+  if (ids.length) wb.store.apply(setHidden, { ids, hidden: false });
+  followRangeOfTakes(wb);
+}
+
+export function remove(wb: Workbench, rows: readonly TakeRow[]): void {
+  if (!rows.length) return;
+  const list = listOfTakes(wb);
+  const gone = new Set(rows.map((row) => row.key));
+  const after = list.slice(list.indexOf(rows[0])).find((row) => !gone.has(row.key));
+  const before = list.slice(0, list.indexOf(rows[0])).findLast((row) => !gone.has(row.key));
+  attempt(wb.messages, () => {
+    wb.store.apply(removeTakes, { takes: rows });
+    // Numbers of a character's later takes are others now; which is next is said by what is there.
+    const next = (after && rowLike(wb, after)) ?? (before && rowLike(wb, before));
+    const { focused: _gone, ...view } = wb.timeline.takes.view.get();
+    wb.timeline.takes.view.set({
+      ...view,
+      chosen: new Set(next ? [next.key] : []),
+      ...(next && { focused: next.key }),
+    });
+  });
+}
+
+function rowLike(wb: Workbench, { characterId, name }: TakeRow): TakeRow | undefined {
+  return listOfTakes(wb).find((row) => row.characterId === characterId && row.name === name);
+}
+
+export function align(wb: Workbench): void {
+  const characterIds = charactersMeant(wb);
+  attempt(wb.messages, () => wb.store.apply(alignStarts, { characterIds }));
+  followRangeOfTakes(wb);
+}
+
+export function resetOffsets(wb: Workbench): void {
+  const characterIds = charactersMeant(wb);
+  attempt(wb.messages, () => wb.store.apply(setTimeOffsets, { characterIds, seconds: 0 }));
+  followRangeOfTakes(wb);
+}
+
+/** @param atSeconds of the transport: when its first moment is to be played */
+export function startAt(wb: Workbench, row: TakeRow, atSeconds: number): void {
+  // Plus 0: no offset is −0.
+  const seconds = row.range[0] - atSeconds + 0;
+  attempt(wb.messages, () => wb.store.apply(setTimeOffset, { characterId: row.characterId, seconds }));
+}
+
+export function putTakes(wb: Workbench, how: Arrangement): void {
+  const characterIds = charactersMeant(wb);
+  attempt(wb.messages, () => wb.store.apply(arrange, { characterIds, how }));
+  wb.viewport.frameAll();
+}
+
+/** Another character, and of it the joint that was selected, if it has one of that name: its trail can be compared. */
+export function selectCharacter(wb: Workbench, characterId: string): void {
+  const { document, selection } = wb.store;
+  if (selection.characterId === characterId) return;
+  const before = findCharacter(document, selection.characterId);
+  const now = findCharacter(document, characterId);
+  const name = selection.joint === undefined ? undefined : before?.skeleton?.joints[selection.joint]?.name;
+  const joint = name === undefined ? -1 : (now?.skeleton?.joints.findIndex((j) => j.name === name) ?? -1);
+  const next: Selection = joint >= 0 ? { characterId, joint } : { characterId };
+  wb.store.select(next);
+}
+
+/** Whether there is any take that plays. */
+export function hasTakes(wb: Workbench): boolean {
+  return wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined);
+}

@@ -1,0 +1,19 @@
+/** What the transport plays, after takes were shown, hidden or moved in time. */
+import { sharedFrameRate } from '../../../edit/frame-rate.ts';
+import { countedAt } from '../../../edit/playback.ts';
+import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+/**
+ * The range is played from its start; whether anything plays stays as it is. Frames are counted as what plays has them,
+ * where it has one rate: frame 26 is the file's frame 26.
+ */
+export function playRange(wb: Workbench, range: readonly [number, number]): void {
+  const rate = sharedFrameRate(wb.store.document);
+  wb.transport.update((p) => countedAt({ ...p, range, timeSeconds: range[0], turned: false }, rate));
+}
+
+export function followRangeOfTakes(wb: Workbench): void {
+  const range = clipsRange(wb.store.document);
+  if (range) wb.transport.update((p) => ({ ...p, range }));
+}

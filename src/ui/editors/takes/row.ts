@@ -1,0 +1,139 @@
+/** One row of the table of takes: its cells, made once, and filled anew when the take is another. */
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { icon } from '../../kit/icons.ts';
+import { NumberField } from '../../kit/number-field.ts';
+import { count, duration, shown } from '../../kit/number-text.ts';
+import type { TakeRow } from './rows.ts';
+
+export interface RowEvents {
+  toggle(row: TakeRow): void;
+  play(row: TakeRow): void;
+  /** @param seconds of the transport */
+  startAt(row: TakeRow, seconds: number): void;
+  /** Either of the two; the other stays. */
+  place(row: TakeRow, to: { readonly x?: number; readonly z?: number }): void;
+  refuse(reason: string): void;
+}
+
+/** What a row is in the list just now. */
+export interface RowState {
+  readonly chosen: boolean;
+  readonly focused: boolean;
+  /** Which of the two that are compared it is. */
+  readonly compared: 'first' | 'second' | undefined;
+  /** Of the transport: what a take without frames of its own is counted in. */
+  readonly framesPerSecond: number;
+}
+
+export class RowView {
+  readonly element: HTMLElement;
+  private row: TakeRow;
+  private readonly mark = element('span', { class: 'take-mark', 'aria-hidden': 'true' });
+  private readonly name = element('span');
+  private readonly note = element('span', { class: 'take-note' });
+  private readonly character = cell('take-character');
+  private readonly duration = cell('number');
+  private readonly frames = cell('number take-frames');
+  private readonly rate = cell('number take-rate');
+  private readonly file = cell('take-file');
+  private readonly nameCell: HTMLElement;
+  private readonly eye: HTMLButtonElement;
+  private readonly fields: Readonly<Record<'start' | 'x' | 'z', NumberField>>;
+
+  constructor(row: TakeRow, id: string, events: RowEvents) {
+    this.row = row;
+    const field = (label: string, decimals: number, commit: (row: TakeRow, value: number) => void, step: number) =>
+      new NumberField({
+        label,
+        // Nothing finer is told apart here; the tooltip has it all.
+        text: (value) => shown(Number(value.toFixed(decimals)), decimals),
+        commit: (value) => commit(this.row, value),
+        refuse: events.refuse,
+        step,
+      });
+    this.fields = {
+      start: field('Starts at, seconds', 3, events.startAt, 0.1),
+      x: field('Place along x', 2, (r, x) => events.place(r, { x }), 0.1),
+      z: field('Place along z', 2, (r, z) => events.place(r, { z }), 0.1),
+    };
+    for (const { element: input } of Object.values(this.fields)) input.tabIndex = -1;
+    this.eye = keepsFocusElsewhere(
+      button('Show', { class: 'tool small', tabindex: -1 }, '', () => events.toggle(this.row)),
+    );
+    const play = keepsFocusElsewhere(
+      button(
+        'Play alone',
+        { class: 'tool small take-play', tabindex: -1, title: 'Play alone (Enter)' },
+        icon('play'),
+        () => events.play(this.row),
+      ),
+    );
+    this.nameCell = cell('take-name', this.mark, this.name, this.note);
+    this.element = element(
+      'div',
+      { class: 'take-row', role: 'row', id },
+      cell('take-shown', this.eye, play),
+      this.nameCell,
+      this.character,
+      this.duration,
+      this.frames,
+      this.rate,
+      element('div', { role: 'gridcell', class: 'number' }, this.fields.start.element),
+      element('div', { role: 'gridcell', class: 'number take-place' }, this.fields.x.element),
+      element('div', { role: 'gridcell', class: 'number take-place' }, this.fields.z.element),
+      this.file,
+    );
+    this.element.dataset.key = row.key;
+  }
+
+  /** Whether something in it is being typed or pressed: it may not leave the page. */
+  get hasFocus(): boolean {
+    return this.element.contains(document.activeElement);
+  }
+
+  /** To the field of its start, as a key asks for. */
+  edit(): void {
+    this.fields.start.element.focus();
+  }
+
+  show(row: TakeRow, { chosen, focused, compared, framesPerSecond }: RowState): void {
+    this.row = row;
+    const { element: target, eye, fields } = this;
+    setAttribute(target, 'aria-selected', String(chosen));
+    target.classList.toggle('focused', focused);
+    target.classList.toggle('hidden-take', !row.isShown && !compared);
+    if (eye.dataset.shown !== String(row.isShown)) {
+      eye.dataset.shown = String(row.isShown);
+      eye.replaceChildren(icon(row.isShown ? 'eye' : 'eyeOff'));
+      eye.classList.toggle('on', row.isShown);
+      setAttribute(eye, 'aria-pressed', String(row.isShown));
+      eye.title = row.isShown ? 'Shown; a click hides it' : 'Not shown; a click shows it';
+    }
+    setAttribute(eye, 'aria-label', `Show ${row.name}`);
+    this.mark.className = `take-mark ${compared ?? ''}`;
+    setText(this.name, row.name || 'no name');
+    setText(this.note, row.note);
+    setAttribute(this.nameCell, 'title', row.note ? `${row.name}, ${row.note}` : row.name);
+    setText(this.character, row.character);
+    setText(this.duration, duration(row.durationSeconds));
+    // Keys have no frames; how many the transport would count is said, and that it is the transport that counts.
+    const isKeyed = row.frameCount === undefined;
+    const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
+    setText(this.frames, count(frames));
+    this.frames.classList.toggle('faint', isKeyed);
+    setAttribute(this.frames, 'title', isKeyed ? `Keys; ${count(frames)} frames as the transport counts` : undefined);
+    setText(this.rate, isKeyed ? 'keys' : `${shown(row.framesPerSecond ?? 0, 2)}`);
+    this.rate.classList.toggle('faint', isKeyed);
+    setText(this.file, row.file);
+    setAttribute(this.file, 'title', row.file || undefined);
+    fields.start.show(row.startSeconds);
+    fields.x.show(row.x);
+    fields.z.show(row.z);
+    // Tab goes into the fields of the row that one is at, not through those of all.
+    for (const { element: input } of Object.values(fields)) input.tabIndex = focused ? 0 : -1;
+  }
+}
+
+function cell(className: string, ...children: Node[]): HTMLElement {
+  return element('div', { role: 'gridcell', class: `take-cell ${className}` }, ...children);
+}

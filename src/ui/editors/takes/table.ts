@@ -1,0 +1,314 @@
+/**
+ * The table of takes, of which only the rows in view are in the page: hundreds of files scroll like ten. The focus stays
+ * on the table and points at its row (`aria-activedescendant`), but for the fields and buttons within a row.
+ *
+ *     ↑ ↓ Home End     to a row; Shift: and all between are chosen     Ctrl+A   all
+ *     Enter            plays it alone                                  Delete   removes what is chosen
+ *     F2               when it starts                                  Ctrl+Space   chooses it too, or no more
+ */
+import { element, setAttribute, uniqueId } from '../../kit/dom.ts';
+import { HAS_KEYS } from '../../kit/focus.ts';
+import { icon } from '../../kit/icons.ts';
+import { plural } from '../../kit/number-text.ts';
+import { isMac } from '../../shell/keys.ts';
+import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
+import { type RowEvents, type RowState, RowView } from './row.ts';
+import type { TakeRow } from './rows.ts';
+
+export interface TableEvents extends RowEvents {
+  sort(order: TakeOrder | undefined): void;
+  choose(chosen: ReadonlySet<string>, focused: TakeRow): void;
+  remove(rows: readonly TakeRow[]): void;
+  menu(row: TakeRow, at: { readonly x: number; readonly y: number }): void;
+}
+
+/** Everything that is seen of the list beside its rows. */
+export interface TableState {
+  readonly order: TakeOrder | undefined;
+  readonly chosen: ReadonlySet<string>;
+  readonly focused: string | undefined;
+  compared(row: TakeRow): RowState['compared'];
+  readonly framesPerSecond: number;
+}
+
+const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string, title: string])[] = [
+  ['name', 'Take', '', 'Name of the take'],
+  ['character', 'Character', 'take-character', 'Where it is called otherwise'],
+  ['duration', 'Length', 'number', 'Seconds from first to last frame or key played'],
+  ['frames', 'Frames', 'number take-frames', 'Faint: of keys, as the transport counts'],
+  ['rate', 'Rate', 'number take-rate', 'Frames a second'],
+  ['start', 'Starts at', 'number', 'When the take begins, in seconds of the transport'],
+  ['x', 'x', 'number take-place', 'Place along x'],
+  ['z', 'z', 'number take-place', 'Place along z'],
+  ['file', 'File', 'take-file', 'Where it came from'],
+];
+
+const OVERSCAN = 4;
+const ROW_HEIGHT = 24;
+
+export class TakeTable {
+  readonly element = element('div', {
+    class: 'take-table',
+    role: 'grid',
+    tabindex: 0,
+    [HAS_KEYS]: true,
+    'aria-label': 'Takes',
+    'aria-multiselectable': 'true',
+    'aria-colcount': COLUMNS.length + 1,
+  });
+  private readonly space = element('div', { class: 'take-space', role: 'rowgroup' });
+  private readonly heads = new Map<TakeColumn, HTMLElement>();
+  private readonly idPrefix = uniqueId('take');
+  private readonly drawn = new Map<string, RowView>();
+  private rows: readonly TakeRow[] = [];
+  private places = new Map<string, number>();
+  private state: TableState | undefined;
+  private rowHeight = ROW_HEIGHT;
+  /** Where Shift extends from. */
+  private anchor: string | undefined;
+
+  constructor(private readonly events: TableEvents) {
+    this.element.append(this.head(), this.space);
+    this.element.addEventListener('scroll', () => this.draw());
+    this.element.addEventListener('keydown', (event) => this.onKey(event));
+    this.space.addEventListener('click', (event) => this.onClick(event));
+    this.space.addEventListener('dblclick', (event) => {
+      const row = this.rowAt(event);
+      if (row && !isControl(event.target)) events.play(row);
+    });
+    this.space.addEventListener('contextmenu', (event) => this.onMenu(event));
+    new ResizeObserver(() => {
+      const height = Number.parseFloat(getComputedStyle(this.element).getPropertyValue('--take-row'));
+      this.rowHeight = height || ROW_HEIGHT;
+      this.draw();
+    }).observe(this.element);
+  }
+
+  show(rows: readonly TakeRow[], state: TableState): void {
+    const focusMoved = state.focused !== this.state?.focused;
+    if (rows !== this.rows) {
+      this.rows = rows;
+      this.places = new Map(rows.map((row, i) => [row.key, i]));
+      setAttribute(this.element, 'aria-rowcount', String(rows.length + 1));
+    }
+    this.state = state;
+    for (const [column, head] of this.heads) {
+      const isOrder = state.order?.column === column;
+      setAttribute(head, 'aria-sort', isOrder ? (state.order?.descending ? 'descending' : 'ascending') : undefined);
+      if (isOrder !== (head.querySelector('.icon') !== null)) {
+        if (isOrder) head.append(icon('fold'));
+        else head.querySelector('.icon')?.remove();
+      }
+    }
+    if (focusMoved) this.reveal(state.focused);
+    this.draw();
+  }
+
+  private head(): HTMLElement {
+    const head = element('div', { class: 'take-head', role: 'row', 'aria-rowindex': 1 });
+    head.append(element('div', { role: 'columnheader', class: 'take-cell', 'aria-label': 'Shown' }));
+    for (const [column, label, className, title] of COLUMNS) {
+      const made = element(
+        'button',
+        {
+          type: 'button',
+          role: 'columnheader',
+          class: className,
+          tabindex: -1,
+          title: `${title}. A click sorts by it`,
+        },
+        element('span', {}, label),
+      );
+      made.addEventListener('mousedown', (event) => event.preventDefault());
+      made.addEventListener('click', () => this.events.sort(nextOrder(this.state?.order, column)));
+      this.heads.set(column, made);
+      head.append(made);
+    }
+    return head;
+  }
+
+  /** Rows in view, and one that something is typed in. */
+  private draw(): void {
+    const { rows, state, rowHeight, space, drawn, element: scroller } = this;
+    if (!state || !scroller.clientHeight) return;
+    space.style.height = `${rows.length * rowHeight}px`;
+    const first = Math.max(0, Math.floor(scroller.scrollTop / rowHeight) - OVERSCAN);
+    const end = Math.min(rows.length, Math.ceil((scroller.scrollTop + scroller.clientHeight) / rowHeight) + OVERSCAN);
+    for (const [key, view] of drawn) {
+      const place = this.places.get(key);
+      if (place !== undefined && ((place >= first && place < end) || view.hasFocus)) continue;
+      view.element.remove();
+      drawn.delete(key);
+    }
+    for (let i = first; i < end; i++) this.drawRow(i, state);
+    for (const key of drawn.keys()) {
+      const place = this.places.get(key);
+      if (place !== undefined && (place < first || place >= end)) this.drawRow(place, state);
+    }
+    const focused = state.focused !== undefined && drawn.has(state.focused) ? this.idOf(state.focused) : undefined;
+    setAttribute(scroller, 'aria-activedescendant', focused);
+  }
+
+  private drawRow(place: number, state: TableState): void {
+    const row = this.rows[place];
+    let view = this.drawn.get(row.key);
+    if (!view) {
+      view = new RowView(row, this.idOf(row.key), this.events);
+      this.drawn.set(row.key, view);
+      this.space.append(view.element);
+    }
+    view.element.style.top = `${place * this.rowHeight}px`;
+    setAttribute(view.element, 'aria-rowindex', String(place + 2));
+    view.show(row, {
+      chosen: state.chosen.has(row.key),
+      focused: state.focused === row.key,
+      compared: state.compared(row),
+      framesPerSecond: state.framesPerSecond,
+    });
+  }
+
+  private idOf(key: string): string {
+    return `${this.idPrefix}-${key.replace(/\s/g, '_')}`;
+  }
+
+  private reveal(key: string | undefined): void {
+    const place = key === undefined ? undefined : this.places.get(key);
+    if (place === undefined) return;
+    const { element: scroller, rowHeight } = this;
+    const room = scroller.clientHeight - (this.heads.get('name')?.offsetHeight ?? 0);
+    const top = place * rowHeight;
+    if (top < scroller.scrollTop) scroller.scrollTop = top;
+    else if (top + rowHeight > scroller.scrollTop + room) scroller.scrollTop = top + rowHeight - room;
+  }
+
+  private rowAt(event: Event): TakeRow | undefined {
+    const key = event.target instanceof Element && event.target.closest<HTMLElement>('.take-row')?.dataset.key;
+    const place = typeof key === 'string' ? this.places.get(key) : undefined;
+    return place === undefined ? undefined : this.rows[place];
+  }
+
+  // Choosing.
+
+  private onClick(event: MouseEvent): void {
+    const row = this.rowAt(event);
+    if (!row || isControl(event.target)) return;
+    const chosen = this.state?.chosen ?? new Set();
+    if (event.shiftKey) this.extendTo(row);
+    else if (isMac ? event.metaKey : event.ctrlKey) {
+      const next = new Set(chosen);
+      if (!next.delete(row.key)) next.add(row.key);
+      this.anchor = row.key;
+      this.events.choose(next, row);
+    } else this.goTo(row);
+  }
+
+  private goTo(row: TakeRow): void {
+    this.anchor = row.key;
+    this.events.choose(new Set([row.key]), row);
+  }
+
+  private extendTo(row: TakeRow): void {
+    const from = this.places.get(this.anchor ?? this.state?.focused ?? row.key) ?? 0;
+    const to = this.places.get(row.key) ?? 0;
+    const between = this.rows.slice(Math.min(from, to), Math.max(from, to) + 1);
+    this.events.choose(new Set(between.map((r) => r.key)), row);
+  }
+
+  private onMenu(event: MouseEvent): void {
+    const row = this.rowAt(event);
+    if (!row || event.target instanceof HTMLInputElement) return;
+    event.preventDefault();
+    if (!this.state?.chosen.has(row.key)) this.goTo(row);
+    this.events.menu(row, { x: event.clientX, y: event.clientY });
+  }
+
+  // The keyboard.
+
+  private onKey(event: KeyboardEvent): void {
+    // A field's keys are its own.
+    if (event.target !== this.element || event.isComposing) return;
+    const { rows, state } = this;
+    const at = state?.focused === undefined ? -1 : (this.places.get(state.focused) ?? -1);
+    const row: TakeRow | undefined = rows[at];
+    const command = isMac ? event.metaKey : event.ctrlKey;
+    const walk = (to: number) => {
+      const next = rows[Math.max(0, Math.min(rows.length - 1, to))];
+      if (!next) return;
+      if (event.shiftKey) this.extendTo(next);
+      else if (command) this.events.choose(state?.chosen ?? new Set(), next);
+      else this.goTo(next);
+    };
+    switch (event.key) {
+      case 'ArrowDown':
+        walk(at + 1);
+        break;
+      case 'ArrowUp':
+        walk(at < 0 ? rows.length - 1 : at - 1);
+        break;
+      case 'Home':
+        walk(0);
+        break;
+      case 'End':
+        walk(rows.length - 1);
+        break;
+      case 'a':
+      case 'A':
+        if (!command) return;
+        if (row ?? rows[0]) this.events.choose(new Set(rows.map((r) => r.key)), row ?? rows[0]);
+        break;
+      case 'Enter':
+        if (!row) return;
+        this.events.play(row);
+        break;
+      case ' ':
+        // By itself it plays, here as everywhere.
+        if (!row || !command) return;
+        this.toggleChosen(row);
+        break;
+      case 'F2':
+        if (!row) return;
+        this.drawn.get(row.key)?.edit();
+        break;
+      case 'Delete':
+      case 'Backspace':
+        this.events.remove(rows.filter((r) => state?.chosen.has(r.key)));
+        break;
+      case 'ContextMenu':
+      case 'F10':
+        if (!row || (event.key === 'F10' && !event.shiftKey)) return;
+        this.openMenuAtRow(row);
+        break;
+      default:
+        return;
+    }
+    event.preventDefault();
+  }
+
+  private toggleChosen(row: TakeRow): void {
+    const next = new Set(this.state?.chosen);
+    if (!next.delete(row.key)) next.add(row.key);
+    this.events.choose(next, row);
+  }
+
+  private openMenuAtRow(row: TakeRow): void {
+    const box = this.drawn.get(row.key)?.element.getBoundingClientRect();
+    if (!this.state?.chosen.has(row.key)) this.goTo(row);
+    if (box) this.events.menu(row, { x: box.left + 60, y: box.bottom });
+  }
+}
+
+/** First ascending, then descending, then as the document has them. */
+function nextOrder(now: TakeOrder | undefined, column: TakeColumn): TakeOrder | undefined {
+  if (now?.column !== column) return { column, descending: false };
+  return now.descending ? undefined : { column, descending: true };
+}
+
+function isControl(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest('input,button') !== null;
+}
+
+/** `3 of 52 takes`. */
+export function countText(shown: number, all: number, chosen: number): string {
+  const takes = shown === all ? plural(all, 'take') : `${shown} of ${plural(all, 'take')}`;
+  return chosen > 1 ? `${takes}, ${chosen} chosen` : takes;
+}

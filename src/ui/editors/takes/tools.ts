@@ -1,0 +1,113 @@
+/** What stands beside the tabs while the takes are looked at: a filter, and what is done with what is chosen. */
+
+import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
+import { focusPanel } from '../../kit/focus.ts';
+import { oncePerFrame } from '../../kit/frame.ts';
+import { icon } from '../../kit/icons.ts';
+import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { actionsOf } from '../../shell/actions.ts';
+import { tryAction } from '../../shell/keys.ts';
+import { actionLabel, isEnabled } from '../../state/action.ts';
+import { itemOf } from '../../state/menu-entries.ts';
+import { keepTooltip } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { chosenTakes, listOfTakes } from './play.ts';
+import { takeRows } from './rows.ts';
+import { countText } from './table.ts';
+
+/** Buttons with words, and what their tooltips say. */
+const BUTTONS: readonly (readonly [id: string, text: string, title: string])[] = [
+  ['take.alone', 'Alone', 'Play the chosen take alone (Enter)'],
+  ['take.together', 'Together', 'Play the chosen takes together, and nothing else'],
+  ['take.compare', 'Compare', 'Lay two chosen takes over each other, and measure the distance of their joints'],
+  ['take.showAll', 'Show all', 'Show all characters'],
+];
+const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
+
+export function takeTools(wb: Workbench): HTMLElement {
+  const actions = actionsOf(wb);
+  const refreshing: (() => void)[] = [];
+  const buttons = BUTTONS.map(([id, text, title]) => {
+    const action = actions.find((a) => a.id === id);
+    const made = keepsFocusElsewhere(
+      button(title, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
+    );
+    refreshing.push(() => {
+      made.disabled = !(action && isEnabled(wb, action));
+      if (id !== 'take.compare' || !action) return;
+      setText(made, wb.timeline.takes.comparison.get() ? 'Stop comparing' : text);
+      made.setAttribute('aria-label', actionLabel(wb, action));
+    });
+    return made;
+  });
+  const arrange = keepsFocusElsewhere(
+    element('button', { type: 'button', class: 'tool text-tool' }, 'Arrange', icon('fold')),
+  );
+  arrange.title = 'When and where the chosen takes play, or all that are seen';
+  menuButton(arrange, 'Arrange', () => arrangeEntries(wb));
+  const step = (id: string, label: string, name: 'previousTake' | 'nextTake') => {
+    const action = actions.find((a) => a.id === id);
+    const made = keepsFocusElsewhere(
+      button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
+    );
+    keepTooltip(wb, made, id, () => label);
+    return made;
+  };
+  const counted = element('span', { class: 'take-count', role: 'status' });
+  const show = () => {
+    for (const refresh of refreshing) refresh();
+    const { document } = wb.store;
+    setText(counted, countText(listOfTakes(wb).length, takeRows(document).length, chosenTakes(wb).length));
+  };
+  const showSoon = oncePerFrame(show);
+  wb.store.subscribe(showSoon);
+  wb.timeline.takes.view.subscribe(showSoon);
+  wb.timeline.takes.comparison.subscribe(showSoon);
+  show();
+  return element(
+    'div',
+    { class: 'take-tools' },
+    takeFilter(wb),
+    element(
+      'div',
+      { class: 'tools', role: 'toolbar', 'aria-label': 'Takes' },
+      step('take.previous', 'Previous take', 'previousTake'),
+      step('take.next', 'Next take', 'nextTake'),
+      ...buttons,
+      arrange,
+    ),
+    counted,
+  );
+}
+
+export function arrangeEntries(wb: Workbench): MenuEntry[] {
+  const actions = actionsOf(wb);
+  return ARRANGING.flatMap((id): MenuEntry[] => {
+    const action = actions.find((a) => a.id === id);
+    if (action) return [itemOf(wb, action)];
+    return id === 'line' ? [{ kind: 'line' }] : [];
+  });
+}
+
+function takeFilter(wb: Workbench): HTMLElement {
+  const { takes } = wb.timeline;
+  const input = element('input', {
+    type: 'search',
+    'aria-label': 'Filter the takes by name',
+    placeholder: 'Filter',
+    spellcheck: 'false',
+    autocomplete: 'off',
+  });
+  input.addEventListener('input', () => takes.change({ filter: input.value }));
+  input.addEventListener('keydown', (event) => {
+    if (event.isComposing) return;
+    if (event.key === 'Escape' && input.value) takes.change({ filter: '' });
+    else if (event.key === 'Enter' || event.key === 'ArrowDown') focusPanel(input);
+    else return;
+    event.preventDefault();
+  });
+  takes.view.subscribe(({ filter }) => {
+    if (input.value !== filter) input.value = filter;
+  });
+  return element('div', { class: 'search take-filter' }, icon('search'), input);
+}

@@ -1,0 +1,243 @@
+/** What the timeline shows and how it behaves, and the tools for whole curves. */
+
+import { isSampled } from '../../../model/clip.ts';
+import type { Action } from '../../state/action.ts';
+import type { ChannelList, HandleMode, TimelineView } from '../../state/timeline.ts';
+import type { CurveToolName, Workbench } from '../../state/workbench.ts';
+import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
+import { hasKeys, hasTake } from './key-actions.ts';
+import type { SampleTool } from './sample-tools.ts';
+
+const inView = (wb: Workbench) => channelsInView(wb).length > 0;
+const inHand = (wb: Workbench) => channelsInHand(wb).length > 0;
+const hasSamples = (wb: Workbench) => takeInHand(wb)?.clip.samples !== undefined;
+/** Tools for curves of keys have nothing to do on samples. */
+const keyedInHand = (wb: Workbench) =>
+  channelsInHand(wb).some((c) => (takeInHand(wb)?.clip.channels[c]?.times.length ?? 0) > 0);
+/** … but for those that ask nothing of what lies between frames. */
+const animatedInHand = (wb: Workbench) => {
+  const clip = takeInHand(wb)?.clip;
+  return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+};
+
+function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
+  const action: Action = { id: `timeline.${id}`, label, group: 'Curves', panel: 'timeline', ...more };
+  return shortcuts.length ? { ...action, shortcuts } : action;
+}
+
+export const LIST_LABELS: Readonly<Record<ChannelList, string>> = {
+  selected: 'Selected joint',
+  all: 'All channels',
+  pinned: 'Pinned',
+};
+
+export const HANDLE_LABELS: Readonly<Record<HandleMode, string>> = {
+  auto: 'Other side follows where slopes are equal',
+  alone: 'Other side stays',
+  together: 'Other side always follows',
+};
+
+type Switch = 'snapsToFrames' | 'snapsToValues' | 'scaleFrame' | 'normalised';
+
+/** A switch of the timeline's. */
+function toggle(
+  what: Switch,
+  label: string,
+  shortcuts: readonly string[],
+  icon: Action['icon'],
+  section: number,
+): Action {
+  return curves(what, label, shortcuts, {
+    menu: 'Keys/Editing',
+    section,
+    ...(icon && { icon }),
+    checked: (wb) => wb.timeline.view.get()[what],
+    run: (wb) => wb.timeline.change({ [what]: !wb.timeline.view.get()[what] }),
+  });
+}
+
+/** One of several of the timeline's ways. */
+function choice<K extends 'list' | 'handles' | 'onCollision'>(
+  what: K,
+  value: TimelineView[K],
+  label: string,
+  menu: NonNullable<Action['menu']>,
+  section: number,
+): Action {
+  return curves(`${what}.${value}`, label, [], {
+    menu,
+    section,
+    radio: true,
+    checked: (wb) => wb.timeline.view.get()[what] === value,
+    run(wb) {
+      const change: Partial<TimelineView> = { [what]: value };
+      wb.timeline.change(change);
+    },
+  });
+}
+
+/** Tools for samples that ask for something. */
+function sampleTools(tools: readonly (readonly [CurveToolName, string])[]): Action[] {
+  return tools.map(([name, label]) =>
+    curves(name, label, [], { menu: 'Keys/Samples', section: 15, enabled: hasSamples, run: tool(name) }),
+  );
+}
+
+/** One that asks for nothing. */
+function sampled(name: SampleTool, label: string): Action {
+  return curves(`samples.${name}`, label, [], {
+    menu: 'Keys/Samples',
+    section: 16,
+    enabled: hasSamples,
+    run: async (wb) => (await import('./sample-tools.ts')).runSampleTool(wb, name),
+  });
+}
+
+function move(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
+  return curves(id, label, shortcuts, { menu: 'Keys/Look at', section: 16, repeats: true, run });
+}
+
+export const TIMELINE_ACTIONS: readonly Action[] = [
+  curves('simplify', 'Simplify…', [], {
+    menu: 'Keys/Curve tools',
+    section: 15,
+    enabled: keyedInHand,
+    run: tool('simplify'),
+  }),
+  curves('resample', 'Resample…', [], {
+    menu: 'Keys/Curve tools',
+    section: 15,
+    enabled: keyedInHand,
+    run: tool('resample'),
+  }),
+  curves('bake', 'Bake extrapolation to keys…', [], {
+    menu: 'Keys/Curve tools',
+    section: 15,
+    enabled: keyedInHand,
+    run: tool('bake'),
+  }),
+  curves('scaleKeys', 'Scale keys…', ['Shift+T'], {
+    menu: 'Keys/Curve tools',
+    section: 15,
+    enabled: hasKeys,
+    run: tool('scaleKeys'),
+  }),
+  curves('scaleDrag', 'Scale the selected keys by dragging, while held', ['S'], {
+    enabled: (wb) => hasKeys(wb) && wb.timeline.view.get().tab === 'curves',
+    run: (wb) => wb.timeline.scaling.set(true),
+  }),
+  curves('euler', 'Euler filter', [], {
+    menu: 'Keys/Curve tools',
+    section: 16,
+    enabled: animatedInHand,
+    run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'euler'),
+  }),
+  curves('loop', 'Make loop', [], {
+    menu: 'Keys/Curve tools',
+    section: 16,
+    enabled: keyedInHand,
+    run: async (wb) => (await import('./curve-tools.ts')).runCurveTool(wb, 'loop'),
+  }),
+  ...sampleTools([
+    ['convertToKeys', 'Convert to keys…'],
+    ['smoothSamples', 'Smooth samples…'],
+    ['resampleSamples', 'Resample samples…'],
+  ]),
+  sampled('crop', 'Crop samples to the played range'),
+  sampled('trimStart', 'Trim samples before the playhead'),
+  sampled('trimEnd', 'Trim samples after the playhead'),
+  sampled('split', 'Split the take at the playhead'),
+  sampled('reverse', 'Reverse the take'),
+  toggle('snapsToFrames', 'Snap to frames', ['Shift+F'], 'snapFrames', 15),
+  toggle('snapsToValues', 'Snap to values', ['Shift+V'], 'snapValues', 15),
+  choice('onCollision', 'replace', 'A key moved onto another replaces it', 'Keys/Editing', 16),
+  choice('onCollision', 'step', 'A key moved onto another makes a step', 'Keys/Editing', 16),
+  choice('handles', 'auto', HANDLE_LABELS.auto, 'Keys/Editing', 17),
+  choice('handles', 'alone', HANDLE_LABELS.alone, 'Keys/Editing', 17),
+  choice('handles', 'together', HANDLE_LABELS.together, 'Keys/Editing', 17),
+  toggle('scaleFrame', 'Frame to scale keys with', ['T'], 'scaleFrame', 18),
+  choice('list', 'selected', LIST_LABELS.selected, 'Keys/Channels', 15),
+  choice('list', 'all', LIST_LABELS.all, 'Keys/Channels', 15),
+  choice('list', 'pinned', LIST_LABELS.pinned, 'Keys/Channels', 15),
+  curves('pin', 'Pin these channels', ['Shift+P'], {
+    menu: 'Keys/Channels',
+    section: 17,
+    enabled: inHand,
+    run: (wb) => wb.timeline.change({ pinned: union(wb.timeline.view.get().pinned, channelsInHand(wb)) }),
+  }),
+  curves('unpinAll', 'Unpin all', [], {
+    menu: 'Keys/Channels',
+    section: 17,
+    enabled: (wb) => wb.timeline.view.get().pinned.length > 0,
+    run: (wb) => wb.timeline.change({ pinned: [] }),
+  }),
+  curves('isolate', 'Isolate channels of the selected keys', ['Q'], {
+    menu: 'Keys/Channels',
+    section: 18,
+    enabled: (wb) => hasKeys(wb) || wb.timeline.view.get().isolated !== undefined,
+    checked: (wb) => wb.timeline.view.get().isolated !== undefined,
+    run(wb) {
+      const { isolated } = wb.timeline.view.get();
+      wb.timeline.isolate(isolated ? undefined : keysInHand(wb).map((k) => k.channel));
+    },
+  }),
+  curves('hide', 'Hide channels of the selected keys', ['Shift+H'], {
+    menu: 'Keys/Channels',
+    section: 18,
+    enabled: hasKeys,
+    run(wb) {
+      const gone = keysInHand(wb).map((k) => k.channel);
+      wb.timeline.change({ hidden: union(wb.timeline.view.get().hidden, gone) });
+    },
+  }),
+  curves('showAll', 'Show every channel', ['Alt+H'], {
+    menu: 'Keys/Channels',
+    section: 18,
+    enabled: hasTake,
+    run(wb) {
+      wb.timeline.isolate(undefined);
+      wb.timeline.change({ hidden: [], filter: '' });
+    },
+  }),
+  curves('fitSelected', 'Fit selected keys', ['F'], {
+    menu: 'Keys/Look at',
+    section: 15,
+    icon: 'frame',
+    enabled: inView,
+    run: (wb) => wb.timeline.tab?.fitSelected(),
+  }),
+  curves('fitAll', 'Fit all', ['A'], {
+    menu: 'Keys/Look at',
+    section: 15,
+    icon: 'fitAll',
+    enabled: hasTake,
+    run: (wb) => wb.timeline.tab?.fitAll(),
+  }),
+  {
+    ...toggle('normalised', 'Normalised', ['N'], 'normalised', 15),
+    menu: 'Keys/Look at',
+  },
+  move('zoomIn', 'Zoom in', ['+', '='], (wb) => wb.timeline.tab?.zoom?.(1 / ZOOM, 1 / ZOOM)),
+  move('zoomOut', 'Zoom out', ['-'], (wb) => wb.timeline.tab?.zoom?.(ZOOM, ZOOM)),
+  move('zoomTimeIn', 'Zoom into time', ['Ctrl+Alt+Right'], (wb) => wb.timeline.tab?.zoom?.(1 / ZOOM, 1)),
+  move('zoomTimeOut', 'Zoom out of time', ['Ctrl+Alt+Left'], (wb) => wb.timeline.tab?.zoom?.(ZOOM, 1)),
+  move('zoomValueIn', 'Zoom into values', ['Ctrl+Alt+Up'], (wb) => wb.timeline.tab?.zoom?.(1, 1 / ZOOM)),
+  move('zoomValueOut', 'Zoom out of values', ['Ctrl+Alt+Down'], (wb) => wb.timeline.tab?.zoom?.(1, ZOOM)),
+  move('panLeft', 'Look earlier', ['Shift+PageUp'], (wb) => wb.timeline.tab?.pan?.(-PAN, 0)),
+  move('panRight', 'Look later', ['Shift+PageDown'], (wb) => wb.timeline.tab?.pan?.(PAN, 0)),
+  move('panUp', 'Look higher', ['PageUp'], (wb) => wb.timeline.tab?.pan?.(0, PAN)),
+  move('panDown', 'Look lower', ['PageDown'], (wb) => wb.timeline.tab?.pan?.(0, -PAN)),
+];
+
+const ZOOM = 1.25;
+const PAN = 0.25;
+
+function tool(name: CurveToolName) {
+  return (wb: Workbench) => {
+    if (takeInHand(wb)) wb.dialog.set(name);
+  };
+}
+
+function union(a: readonly number[], b: readonly number[]): number[] {
+  return [...new Set([...a, ...b])].sort((x, y) => x - y);
+}

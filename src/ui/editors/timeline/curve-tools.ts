@@ -1,0 +1,64 @@
+/** Tools for whole curves that need nothing asked: they act on the channels in hand, and say what they did. */
+import type { OfChannels } from '../../../edit/channel-edits.ts';
+import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/channels.ts';
+import { Trial } from '../../../edit/trial.ts';
+import { isSampled } from '../../../model/clip.ts';
+import { inSlices } from '../../kit/in-slices.ts';
+import { plural } from '../../kit/number-text.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { dofsFor } from './channels.ts';
+import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
+import { period } from './period.ts';
+
+export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
+  const take = takeInHand(wb);
+  if (!take) return;
+  const { character, clip } = take;
+  const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length);
+  if (tool === 'euler') {
+    const animated = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+    // Of a root with its positions nobody has to hear that these are no angles.
+    const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
+    const channels = angles.length > 0 ? angles : animated;
+    if (channels.length > 0) filterAngles(wb, { characterId: character.id, channels });
+    return;
+  }
+  if (keyed.length === 0) return;
+  // What goes on from where it ends, as a root that travels does, shall still do so.
+  const keepOffset = keyed.filter((c) => {
+    const { extrapolateIn, extrapolateOut } = clip.channels[c];
+    return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
+  });
+  wb.store.apply(aboutKeysInHand(wb, makeLoop), { characterId: character.id, channels: keyed, keepOffset });
+  const after = takeInHand(wb)?.clip.channels ?? [];
+  const count = after.filter((channel, i) => channel !== clip.channels[i]).length;
+  const standStill = keyed.every((c) => period(clip.channels[c]) === 0);
+  const nothing = standStill ? 'A loop takes two keys, at two times.' : 'These curves loop already.';
+  wb.messages.note(count ? `${plural(count, 'curve')} now loop.` : nothing);
+}
+
+/** Long takes in slices; where anything else changes meanwhile, nothing is done. */
+function filterAngles(wb: Workbench, args: OfChannels): void {
+  const { store, messages } = wb;
+  const label = eulerFilter.label(store.document, args);
+  const trial = new Trial(store, label, () => {
+    messages.note(`${label} was stopped: something else has changed meanwhile.`, 'warning');
+  });
+  inSlices(eulerFilterSteps(trial.base, args), {
+    isOver: () => trial.over,
+    progress: () => undefined,
+    done({ edit, changed, notes }) {
+      const { length } = changed;
+      if (length > 0) {
+        trial.show(aboutKeysInHand(wb, { ...eulerFilter, run: () => edit }).run(trial.base, args));
+        trial.keep();
+      } else trial.putBack();
+      const text = length ? `${plural(length, 'curve')} filtered.` : 'Nothing to filter: no angle jumps.';
+      messages.note([text, ...notes].join(' '));
+    },
+    failed(error) {
+      trial.putBack();
+      throw error;
+    },
+  });
+}

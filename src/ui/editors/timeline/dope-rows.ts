@@ -1,0 +1,190 @@
+/**
+ * The rows of the dope sheet, from the character and what is folded out:
+ *
+ *     All keys                    summary: whole poses
+ *     ▸ Root translation          tx ty tz
+ *     ▾ hips                      joints in the skeleton's order
+ *         rx
+ *     ▸ Morphs
+ *     ▸ More channels             of a clip that has more of them than the character has DOFs
+ *
+ * A row is a list of channels; all that is drawn, hit or selected in it follows from that. Joints stand in one flat
+ * list and not in a tree: one looks for *when* here, and a hand would be ten folds away.
+ */
+import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
+import { type ChannelClip, isSampled } from '../../../model/clip.ts';
+import { type Character, shownClip } from '../../../model/document.ts';
+import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
+import { type CharacterDof, rootDofCount } from '../../../model/dofs.ts';
+import type { DofUnit } from '../../../model/skeleton.ts';
+import { dofsFor, followedName } from './channels.ts';
+
+/** What stands for a group that is no joint in `TimelineView.unfolded`. */
+export const ROOT_FOLD = -1;
+export const MORPHS_FOLD = -2;
+export const OTHERS_FOLD = -3;
+
+export type DopeRowKind = 'summary' | 'root' | 'joint' | 'morphs' | 'others' | 'channel';
+
+export interface DopeRow {
+  /** Unique among the rows, and the same for the same thing from one list to the next. */
+  readonly key: string;
+  readonly kind: DopeRowKind;
+  /** Empty where the file gives no name. */
+  readonly label: string;
+  /** 0 but for what is folded out: 1. */
+  readonly depth: 0 | 1;
+  /** Of the clip, ascending; those without keys too. */
+  readonly channels: readonly number[];
+  /** What folds it out in `TimelineView.unfolded`; absent where there is nothing within. */
+  readonly fold?: number;
+  readonly expanded: boolean;
+  /** The joint that a click on the name selects. */
+  readonly joint?: number;
+  /** Of a single channel. */
+  readonly unit?: DofUnit;
+  /** Of a single channel: the axis that it is coloured by. */
+  readonly axis?: AxisLetter;
+  /** Of a single channel, or of all that stand in a row: the first DOF that they follow, whatever their keys say. */
+  readonly follows?: string;
+}
+
+export interface RowOptions {
+  /** See `TimelineView.unfolded`. */
+  readonly unfolded: readonly number[];
+  /** Also rows without a single key or sample. */
+  readonly all: boolean;
+  /** Part of a joint's, a morph's or a channel's name ("rx", "hand rx"); all where it is empty. */
+  readonly filter: string;
+}
+
+interface Group {
+  readonly kind: 'root' | 'joint' | 'morphs' | 'others';
+  readonly fold: number;
+  readonly label: string;
+  readonly joint?: number;
+  /** Index of the first channel, and how many there are. */
+  readonly first: number;
+  readonly count: number;
+}
+
+/** The rows, the summary first; none where the clip has no channels, or none of them is to be shown. */
+export function dopeRows(character: Character, clip: ChannelClip, options: RowOptions): DopeRow[] {
+  const { channels } = clip;
+  const dofs = dofsFor(character);
+  const words = options.filter.toLowerCase().split(/\s+/).filter(Boolean);
+  const unfolded = new Set(options.unfolded);
+  const rows: DopeRow[] = [];
+  const listed: number[] = [];
+  for (const group of groupsOf(character, dofs, channels.length)) {
+    const within = channelRows(group, character, dofs, clip, options.all);
+    const matching = words.length
+      ? within.filter((row) => {
+          const name = `${group.label} ${row.label}`.toLowerCase();
+          return words.every((word) => name.includes(word));
+        })
+      : within;
+    if (!matching.length) continue;
+    // A filter that means some DOFs of a group shows which.
+    const expanded = unfolded.has(group.fold) || matching.length < within.length;
+    const { kind, fold, label, joint } = group;
+    const own = matching.map((row) => row.channels[0]);
+    // Folded in, it says so where there is nothing else in it.
+    const follows = matching.every((one) => one.follows !== undefined) ? matching[0].follows : undefined;
+    const row: DopeRow = {
+      ...{ key: `${kind}/${fold}`, kind, label, depth: 0, channels: own, fold, expanded },
+      ...(follows !== undefined && { follows }),
+    };
+    rows.push(joint === undefined ? row : { ...row, joint });
+    if (expanded) rows.push(...matching);
+    listed.push(...own);
+  }
+  if (!rows.length) return [];
+  const summary: DopeRow = { key: 'summary', kind: 'summary', label: '', depth: 0, channels: listed, expanded: false };
+  return [summary, ...rows];
+}
+
+/** The channels with keys or samples that the rows would be made of, ascending. */
+export function keyedChannels(character: Character, filter: string): number[] {
+  const clip = shownClip(character);
+  if (!clip) return [];
+  return [...(dopeRows(character, clip, { unfolded: [], all: false, filter })[0]?.channels ?? [])];
+}
+
+/** Whether two clips of one character make the same rows: moved keys are no reason to build them anew. */
+export function sameRows(a: ChannelClip, b: ChannelClip): boolean {
+  if (a === b) return true;
+  if (a.channels.length !== b.channels.length) return false;
+  const sameSamples = a.samples?.firstChannel === b.samples?.firstChannel && widthOf(a) === widthOf(b);
+  return a.channels.every((c, i) => (sameSamples && c === b.channels[i]) || isAnimated(a, i) === isAnimated(b, i));
+}
+
+/** Every fold that a character with such a clip has. */
+export function allFolds(character: Character, clip: ChannelClip): number[] {
+  const dofs = dofsFor(character);
+  return groupsOf(character, dofs, clip.channels.length).map((g) => g.fold);
+}
+
+/** In the order of channels, which is the order of DOFs; cut where the clip ends. Without those that have no say. */
+function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCount: number): Group[] {
+  const groups: Group[] = [];
+  const silent = silentChannels(character);
+  const add = (group: Group) => {
+    const count = Math.min(group.count, channelCount - group.first);
+    if (count > 0 && group.first >= silent) groups.push({ ...group, count });
+  };
+  const root = rootDofCount(character.skeleton);
+  add({ kind: 'root', fold: ROOT_FOLD, label: 'Root translation', first: 0, count: root, ...rootJoint(character) });
+  let first = root;
+  while (first < dofs.length) {
+    const { joint } = dofs[first];
+    let end = first + 1;
+    while (end < dofs.length && dofs[end].joint === joint) end++;
+    const count = end - first;
+    if (joint < 0) add({ kind: 'morphs', fold: MORPHS_FOLD, label: 'Morphs', first, count });
+    else add({ kind: 'joint', fold: joint, label: character.skeleton?.joints[joint].name ?? '', joint, first, count });
+    first = end;
+  }
+  const left = channelCount - first;
+  add({ kind: 'others', fold: OTHERS_FOLD, label: 'More channels', first, count: left });
+  return groups;
+}
+
+/** The root's translation is the root joint's, as it is in the inspector. */
+function rootJoint(character: Character): { readonly joint?: number } {
+  return character.skeleton?.joints.length ? { joint: 0 } : {};
+}
+
+function channelRows(
+  { kind, first, count, joint }: Group,
+  character: Character,
+  dofs: readonly CharacterDof[],
+  clip: ChannelClip,
+  all: boolean,
+): DopeRow[] {
+  const rows: DopeRow[] = [];
+  for (let c = first; c < first + count; c++) {
+    if (!all && !isAnimated(clip, c)) continue;
+    const dof = kind === 'others' ? undefined : dofs[c];
+    const label = dof ? dof.name : `channel ${c}`;
+    const row: DopeRow = { key: `channel/${c}`, kind: 'channel', label, depth: 1, channels: [c], expanded: false };
+    const axis = dof && axisOfDof(character.skeleton, dof);
+    const follows = followedName(character, c);
+    rows.push({
+      ...row,
+      ...(joint !== undefined && { joint }),
+      ...(dof && { unit: dof.unit }),
+      ...(axis && { axis }),
+      ...(follows !== undefined && { follows }),
+    });
+  }
+  return rows;
+}
+
+function isAnimated(clip: ChannelClip, channel: number): boolean {
+  return clip.channels[channel].times.length > 0 || isSampled(clip, channel);
+}
+
+function widthOf({ samples }: ChannelClip): number {
+  return samples?.scales.length ?? 0;
+}

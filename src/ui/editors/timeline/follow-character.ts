@@ -1,0 +1,40 @@
+/** Keeps what is picked out in the timeline with the character whose channels it is about. */
+import type { State } from '../../../edit/history.ts';
+import type { Character } from '../../../model/document.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { dofsFor } from './channels.ts';
+
+/** Follows document and selection until it is ended. To be started before what draws the timeline. */
+export function followCharacter(wb: Workbench): () => void {
+  const { store, timeline } = wb;
+  const follow = () => {
+    const character = currentCharacter(wb);
+    if (character) timeline.showChannelsOf(character.id);
+  };
+  follow();
+  return store.subscribe((now, before) => {
+    forgetOthers(wb, now, before);
+    follow();
+  });
+}
+
+/** Undo too may give a character another skeleton, the one that it had before its files were read again. */
+function forgetOthers({ timeline }: Workbench, { document }: State, { document: before }: State): void {
+  if (document === before) return;
+  for (const was of before.characters) {
+    const now = document.characters.find((c) => c.id === was.id);
+    if (now && now !== was && !hasSameDofs(was, now)) timeline.forgetChannelsOf(now.id);
+  }
+}
+
+/** Whether a channel's number means the same for both. Limits, poses and offsets may differ. */
+function hasSameDofs(a: Character, b: Character): boolean {
+  if (a.skeleton === b.skeleton && a.morphs === b.morphs) return true;
+  const [dofsOfA, dofsOfB] = [dofsFor(a), dofsFor(b)];
+  return (
+    dofsOfA.length === dofsOfB.length &&
+    dofsOfA.every((dof, i) => dof.name === dofsOfB[i].name && dof.joint === dofsOfB[i].joint) &&
+    (a.skeleton?.joints ?? []).every((joint, j) => joint.name === b.skeleton?.joints[j]?.name)
+  );
+}

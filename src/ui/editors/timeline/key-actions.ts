@@ -1,0 +1,307 @@
+/** What is done to selected keys. The keys on the keyboard are the timeline's: elsewhere on the page they mean other things. */
+import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
+import { walkChannels, walkKeys } from '../../../edit/keys/key-walk.ts';
+import { stepFrames } from '../../../edit/playback.ts';
+import {
+  type Channel,
+  EXTRAPOLATIONS,
+  type Extrapolation,
+  TANGENT_KINDS,
+  type TangentKind,
+} from '../../../model/clip.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import type { Action } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from './in-hand.ts';
+import {
+  copyToTray,
+  deleteKeys,
+  duplicate,
+  extrapolate,
+  insertAtPlayhead,
+  invertSelection,
+  joinTangents,
+  makeTangents,
+  nudge,
+  paste,
+  selectWhere,
+  snapToFrames,
+} from './key-edits.ts';
+
+export const hasKeys = (wb: Workbench) => keysInHand(wb).length > 0;
+export const hasTake = (wb: Workbench) => takeInHand(wb) !== undefined;
+const hasCopied = (wb: Workbench) => hasTake(wb) && wb.timeline.copied !== undefined;
+const inView = (wb: Workbench) => channelsInView(wb).length > 0;
+
+export const TANGENT_LABELS: Readonly<Record<TangentKind, string>> = {
+  flat: 'Flat',
+  linear: 'Linear',
+  smooth: 'Smooth',
+  fixed: 'Fixed slope',
+};
+
+/** An action of the timeline panel. */
+function key(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {
+  const action: Action = { id: `timeline.${id}`, label, group: 'Keys', panel: 'timeline', ...more };
+  return shortcuts.length ? { ...action, shortcuts } : action;
+}
+
+const edits: readonly Action[] = [
+  key('insertKey', 'Insert key at the playhead', ['I', 'Enter'], {
+    menu: 'Keys',
+    section: 10,
+    icon: 'insertKey',
+    enabled: inView,
+    run: (wb) => insertAtPlayhead(wb),
+  }),
+  key('delete', 'Delete keys', ['Delete', 'Backspace'], {
+    menu: 'Keys',
+    section: 10,
+    icon: 'deleteKey',
+    enabled: hasKeys,
+    run: deleteKeys,
+  }),
+  key('cut', 'Cut keys', ['Ctrl+X'], {
+    menu: 'Keys/Copy and paste',
+    section: 10,
+    enabled: hasKeys,
+    run(wb) {
+      if (copyToTray(wb)) deleteKeys(wb);
+    },
+  }),
+  key('copy', 'Copy keys', ['Ctrl+C'], {
+    menu: 'Keys/Copy and paste',
+    section: 10,
+    enabled: hasKeys,
+    run: (wb) => void copyToTray(wb),
+  }),
+  key('paste', 'Paste keys at the playhead', ['Ctrl+V'], {
+    menu: 'Keys/Copy and paste',
+    section: 10,
+    enabled: hasCopied,
+    run: (wb) => paste(wb, 'merge'),
+  }),
+  key('pasteInsert', 'Paste, pushing later keys on', ['Ctrl+Shift+V'], {
+    menu: 'Keys/Copy and paste',
+    section: 10,
+    enabled: hasCopied,
+    run: (wb) => paste(wb, 'insert'),
+  }),
+  key('pasteInto', 'Paste into the channels in view', ['Ctrl+Alt+V'], {
+    menu: 'Keys/Copy and paste',
+    section: 10,
+    enabled: (wb) => hasCopied(wb) && inView(wb),
+    run: (wb) => paste(wb, 'merge', channelsInView(wb)),
+  }),
+  key('duplicate', 'Duplicate to the playhead', ['Ctrl+D'], {
+    menu: 'Keys/Copy and paste',
+    section: 10,
+    enabled: hasKeys,
+    run: duplicate,
+  }),
+  key('snapToFrames', 'Snap keys to frames', ['Shift+S'], {
+    menu: 'Keys',
+    section: 10,
+    enabled: hasKeys,
+    run: snapToFrames,
+  }),
+];
+
+const selecting: readonly Action[] = [
+  key('selectAll', 'All keys in view', ['Ctrl+A'], {
+    menu: 'Keys/Select',
+    section: 12,
+    enabled: inView,
+    run: (wb) => selectWhere(wb, channelsInView(wb), () => true),
+  }),
+  key('selectNone', 'No keys', ['Escape', 'Ctrl+Shift+A'], {
+    menu: 'Keys/Select',
+    section: 12,
+    enabled: hasKeys,
+    run: (wb) => selectKeys(wb, []),
+  }),
+  key('invert', 'The other keys in view', ['Ctrl+I'], {
+    menu: 'Keys/Select',
+    section: 12,
+    enabled: inView,
+    run: invertSelection,
+  }),
+  walk('nextKey', 'Next key in the channel', ['Ctrl+Right', ']'], 1, false),
+  walk('previousKey', 'Previous key in the channel', ['Ctrl+Left', '['], -1, false),
+  walk('addNextKey', 'Next key too', ['Ctrl+Shift+Right', '}'], 1, true),
+  walk('addPreviousKey', 'Previous key too', ['Ctrl+Shift+Left', '{'], -1, true),
+  crossing('nextChannel', 'Key in the next channel', ['Ctrl+Down'], 1),
+  crossing('previousChannel', 'Key in the previous channel', ['Ctrl+Up'], -1),
+  key('selectBefore', 'Keys before the playhead', [], {
+    menu: 'Keys/Select',
+    section: 14,
+    enabled: inView,
+    run: (wb) => selectWhere(wb, channelsInView(wb), (time) => time < now(wb) - SAME_SECONDS),
+  }),
+  key('selectHere', 'Keys at the playhead', [], {
+    menu: 'Keys/Select',
+    section: 14,
+    enabled: inView,
+    run: (wb) => selectWhere(wb, channelsInView(wb), (time) => Math.abs(time - now(wb)) <= SAME_SECONDS),
+  }),
+  key('selectAfter', 'Keys after the playhead', [], {
+    menu: 'Keys/Select',
+    section: 14,
+    enabled: inView,
+    run: (wb) => selectWhere(wb, channelsInView(wb), (time) => time > now(wb) + SAME_SECONDS),
+  }),
+  key('selectChannels', 'All keys of these channels', ['Shift+L'], {
+    menu: 'Keys/Select',
+    section: 14,
+    enabled: hasKeys,
+    run: (wb) => selectWhere(wb, channelsInHand(wb), () => true),
+  }),
+];
+
+/** Times nearer than this are the same moment. */
+const SAME_SECONDS = 1e-7;
+
+function now(wb: Workbench): number {
+  return wb.transport.get().timeSeconds;
+}
+
+/** From key to key. @param next what is selected then, of the channels in view, counted from the playhead */
+function step(
+  id: string,
+  label: string,
+  shortcuts: readonly string[],
+  next: (
+    channels: readonly Channel[],
+    keys: readonly ChannelKeys[],
+    shown: readonly number[],
+    fromSeconds: number,
+  ) => readonly ChannelKeys[],
+): Action {
+  return key(id, label, shortcuts, {
+    menu: 'Keys/Select',
+    section: 13,
+    repeats: true,
+    enabled: inView,
+    run(wb) {
+      const take = takeInHand(wb);
+      if (!take) return;
+      const { character, clip } = take;
+      selectKeys(wb, next(clip.channels, keysInHand(wb), channelsInView(wb), clipTime(wb, character)));
+    },
+  });
+}
+
+function walk(id: string, label: string, shortcuts: readonly string[], by: 1 | -1, adds: boolean): Action {
+  return step(id, label, shortcuts, (channels, keys, shown, from) => walkKeys(channels, keys, shown, from, by, adds));
+}
+
+/** From channel to channel; with nothing selected, the next key in time. */
+function crossing(id: string, label: string, shortcuts: readonly string[], by: 1 | -1): Action {
+  return step(id, label, shortcuts, (channels, keys, shown, from) =>
+    keys.length ? walkChannels(channels, keys, shown, by) : walkKeys(channels, keys, shown, from, by, false),
+  );
+}
+
+/** Arrow keys move what is selected; with nothing selected, left and right step by a frame as they do elsewhere. */
+function arrow(id: string, label: string, shortcut: string, frames: number, steps: number): Action {
+  return key(id, label, [shortcut], {
+    menu: 'Keys/Move',
+    section: 12,
+    repeats: true,
+    enabled: (wb) => hasKeys(wb) || Math.abs(frames) >= 1,
+    run(wb) {
+      if (hasKeys(wb)) nudge(wb, frames, steps);
+      else wb.transport.update((p) => stepFrames(p, frames));
+    },
+  });
+}
+
+const moving: readonly Action[] = [
+  arrow('later', 'One frame later', 'Right', 1, 0),
+  arrow('earlier', 'One frame earlier', 'Left', -1, 0),
+  arrow('up', 'Up by 1° or 0.01', 'Up', 0, 1),
+  arrow('down', 'Down by 1° or 0.01', 'Down', 0, -1),
+  arrow('muchLater', 'Ten frames later', 'Shift+Right', 10, 0),
+  arrow('muchEarlier', 'Ten frames earlier', 'Shift+Left', -10, 0),
+  arrow('farUp', 'Up by ten steps', 'Shift+Up', 0, 10),
+  arrow('farDown', 'Down by ten steps', 'Shift+Down', 0, -10),
+  arrow('aBitLater', 'A tenth of a frame later', 'Alt+Right', 0.1, 0),
+  arrow('aBitEarlier', 'A tenth of a frame earlier', 'Alt+Left', -0.1, 0),
+  arrow('aBitUp', 'Up by a tenth of a step', 'Alt+Up', 0, 0.1),
+  arrow('aBitDown', 'Down by a tenth of a step', 'Alt+Down', 0, -0.1),
+];
+
+const tangents: readonly Action[] = [
+  ...TANGENT_KINDS.map((kind, i) =>
+    key(`tangents.${kind}`, TANGENT_LABELS[kind], [String(i + 1)], {
+      menu: 'Keys/Tangents',
+      section: 12,
+      icon: kind,
+      enabled: hasKeys,
+      run: (wb) => makeTangents(wb, kind, 'both'),
+    }),
+  ),
+  key('unify', 'Unify: one slope on both sides', ['U'], {
+    menu: 'Keys/Tangents',
+    section: 13,
+    icon: 'unify',
+    enabled: hasKeys,
+    run: (wb) => joinTangents(wb, 'unify'),
+  }),
+  key('break', 'Break: each side by itself', ['B'], {
+    menu: 'Keys/Tangents',
+    section: 13,
+    icon: 'break',
+    enabled: hasKeys,
+    run: (wb) => joinTangents(wb, 'break'),
+  }),
+  ...(['in', 'out'] as const).flatMap((side) =>
+    TANGENT_KINDS.map((kind) =>
+      key(`tangents.${side}.${kind}`, `${TANGENT_LABELS[kind]}, ${side === 'in' ? 'before' : 'after'} the key`, [], {
+        menu: 'Keys/Tangents',
+        section: side === 'in' ? 14 : 15,
+        enabled: hasKeys,
+        run: (wb) => makeTangents(wb, kind, side),
+      }),
+    ),
+  ),
+];
+
+/** Both sides first: it is what one mostly wants. */
+const extrapolations: readonly Action[] = (['both', 'in', 'out'] as const).flatMap((side) =>
+  EXTRAPOLATIONS.map((extrapolation) =>
+    key(`extrapolation.${side}.${extrapolation}`, extrapolationLabel(extrapolation, side), [], {
+      menu: 'Keys/Extrapolation',
+      section: { both: 12, in: 13, out: 14 }[side],
+      icon: extrapolationIcon(extrapolation),
+      radio: true,
+      enabled: inView,
+      checked: (wb) => allExtrapolate(wb, side, extrapolation),
+      run: (wb) => extrapolate(wb, side, extrapolation),
+    }),
+  ),
+);
+
+export function extrapolationIcon(extrapolation: Extrapolation) {
+  return `extrapolate_${extrapolation}` as const;
+}
+
+function extrapolationLabel(extrapolation: Extrapolation, side: 'both' | 'in' | 'out'): string {
+  const label = EXTRAPOLATION_NAMES[extrapolation];
+  return side === 'both' ? label : `${label}, ${side === 'in' ? 'before' : 'after'} the keys`;
+}
+
+function allExtrapolate(wb: Workbench, side: 'both' | 'in' | 'out', extrapolation: Extrapolation): boolean {
+  const take = takeInHand(wb);
+  const channels = take ? channelsInHand(wb) : [];
+  return (
+    channels.length > 0 &&
+    channels.every((c) => {
+      const channel = take?.clip.channels[c];
+      const before = side === 'out' || channel?.extrapolateIn === extrapolation;
+      return before && (side === 'in' || channel?.extrapolateOut === extrapolation);
+    })
+  );
+}
+
+export const KEY_ACTIONS: readonly Action[] = [...edits, ...selecting, ...moving, ...tangents, ...extrapolations];

@@ -1,0 +1,210 @@
+/** What the timeline's actions do to the keys in hand: each is one command, and one step of undo. */
+import { setExtrapolation } from '../../../edit/commands/extrapolation.ts';
+import { insertKeys, moveKeys, removeKeys, rippleKeys, snapKeys } from '../../../edit/commands/keys.ts';
+import { pasteKeys } from '../../../edit/commands/paste.ts';
+import { breakTangents, setTangents, unifyTangents } from '../../../edit/commands/tangents.ts';
+import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
+import { countKeys } from '../../../edit/keys/selection.ts';
+import type { Side } from '../../../edit/keys/tangents.ts';
+import type { Extrapolation, TangentKind } from '../../../model/clip.ts';
+import { unitOfChannel } from '../../../model/dofs.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
+import { plural } from '../../kit/number-text.ts';
+import { standStill } from '../../state/stand-still.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { channelName, dofsFor, namedChannel } from './channels.ts';
+import {
+  aboutKeysInHand,
+  channelsInHand,
+  channelsInView,
+  clipTime,
+  keysInHand,
+  selectKeys,
+  takeInHand,
+} from './in-hand.ts';
+import { framesOf, nudgeStep } from './snapping.ts';
+
+/** A key on each curve in view at the playhead; where none is in view, nothing. */
+export function insertAtPlayhead(wb: Workbench, channels: readonly number[] = channelsInView(wb)): void {
+  const take = takeInHand(wb);
+  if (!take || !channels.length) return;
+  standStill(wb);
+  wb.store.apply(insertKeys, {
+    characterId: take.character.id,
+    channels,
+    timeSeconds: clipTime(wb, take.character),
+  });
+}
+
+export function deleteKeys(wb: Workbench): void {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (!take || !keys.length) return;
+  const timeSeconds = clipTime(wb, take.character);
+  wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: take.character.id, keys, timeSeconds });
+}
+
+export function copyToTray(wb: Workbench): boolean {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (!take || !keys.length) return false;
+  wb.timeline.copied = copyKeys(take.clip, keys);
+  const count = countKeys(keys);
+  wb.messages.note(`${plural(count, 'key')} copied from ${plural(keys.length, 'channel')}.`);
+  return true;
+}
+
+/**
+ * Pastes at the playhead.
+ * @param mode `insert` pushes later keys on instead of lying among them
+ * @param into other channels than those the keys came from
+ */
+export function paste(wb: Workbench, mode: 'merge' | 'insert', into?: readonly number[], copied = wb.timeline.copied) {
+  const take = takeInHand(wb);
+  if (!take || !copied) return;
+  standStill(wb);
+  wb.store.apply(pasteKeys, {
+    characterId: take.character.id,
+    copied,
+    timeSeconds: clipTime(wb, take.character),
+    mode,
+    ...(into && { into: [...into] }),
+  });
+}
+
+/** The keys in hand once more, at the playhead; what is in the tray stays there. */
+export function duplicate(wb: Workbench): void {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (!take || !keys.length) return;
+  const copied: CopiedKeys = copyKeys(take.clip, keys);
+  paste(wb, 'merge', undefined, copied);
+}
+
+/** Moves the keys in hand by frames, and by steps of what their values are shown in. */
+export function nudge(wb: Workbench, frames: number, valueSteps: number): void {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (!take || !keys.length) return;
+  const { framesPerSecond } = wb.transport.get();
+  const { tab, ripples } = wb.timeline.view.get();
+  // What the mouse does in the dope sheet, the arrow keys do there too.
+  if (ripples && tab === 'dope' && valueSteps === 0) {
+    wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
+      characterId: take.character.id,
+      keys,
+      seconds: frames / framesPerSecond,
+    });
+    return;
+  }
+  const degrees = wb.settings.get().angles === 'degrees';
+  const { skeleton } = take.character;
+  const dofs = dofsFor(take.character);
+  wb.store.apply(aboutKeysInHand(wb, moveKeys), {
+    characterId: take.character.id,
+    keys,
+    seconds: frames / framesPerSecond,
+    values: keys.map(({ channel }) => valueSteps * nudgeStep(unitOfChannel(dofs, channel), degrees, skeleton)),
+    onCollision: wb.timeline.view.get().onCollision,
+  });
+}
+
+export function snapToFrames(wb: Workbench): void {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (!take || !keys.length) return;
+  const { framesPerSecond } = wb.transport.get();
+  const { id: characterId, timeOffsetSeconds: offsetSeconds } = take.character;
+  wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
+}
+
+export function makeTangents(wb: Workbench, kind: TangentKind, side: Side): void {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (take && keys.length)
+    wb.store.apply(aboutKeysInHand(wb, setTangents), { characterId: take.character.id, keys, side, kind });
+}
+
+/**
+ * A file has no word for a broken key: what is broken are slopes that differ. Those that are equal still would move
+ * together again, so handles move alone from then on, until someone unifies.
+ */
+export function joinTangents(wb: Workbench, how: 'unify' | 'break'): void {
+  const take = takeInHand(wb);
+  const keys = keysInHand(wb);
+  if (!take || !keys.length) return;
+  const handles = how === 'break' ? 'alone' : 'auto';
+  if (how === 'break' && wb.timeline.view.get().handles !== 'alone') {
+    wb.messages.note('Broken: each handle moves by itself now, until U unifies.');
+  }
+  wb.timeline.change({ handles });
+  const command = how === 'unify' ? unifyTangents : breakTangents;
+  wb.store.apply(aboutKeysInHand(wb, command), { characterId: take.character.id, keys });
+}
+
+/** Of the channels with selected keys, or of those in view. */
+export function extrapolate(
+  wb: Workbench,
+  side: Side,
+  extrapolation: Extrapolation,
+  channels: readonly number[] = channelsInHand(wb),
+): void {
+  const take = takeInHand(wb);
+  if (!take || !channels.length) return;
+  wb.store.apply(setExtrapolation, { characterId: take.character.id, channels: [...channels], side, extrapolation });
+}
+
+/** All keys of these channels that pass a test, which is given the transport's seconds. */
+export function selectWhere(wb: Workbench, channels: readonly number[], test: (timeSeconds: number) => boolean): void {
+  const take = takeInHand(wb);
+  if (!take) return;
+  const { timeOffsetSeconds } = take.character;
+  const keys: ChannelKeys[] = [];
+  for (const channel of [...channels].sort((a, b) => a - b)) {
+    const times = take.clip.channels[channel]?.times;
+    if (!times) continue;
+    const indices: number[] = [];
+    for (let i = 0; i < times.length; i++) if (test(times[i] - timeOffsetSeconds)) indices.push(i);
+    if (indices.length) keys.push({ channel, indices });
+  }
+  selectKeys(wb, keys);
+}
+
+/** What is in view and not selected, instead of what is. */
+export function invertSelection(wb: Workbench): void {
+  const take = takeInHand(wb);
+  if (!take) return;
+  const held = new Map(keysInHand(wb).map((k) => [k.channel, new Set(k.indices)]));
+  const keys: ChannelKeys[] = [];
+  for (const channel of [...channelsInView(wb)].sort((a, b) => a - b)) {
+    const count = take.clip.channels[channel].times.length;
+    const indices: number[] = [];
+    for (let i = 0; i < count; i++) if (!held.get(channel)?.has(i)) indices.push(i);
+    if (indices.length) keys.push({ channel, indices });
+  }
+  selectKeys(wb, keys);
+}
+
+/** `3 keys of 2 channels, 0.4 s to 1.2 s`, for whoever can't see them. */
+export function selectedText(wb: Workbench, keys: readonly ChannelKeys[] = keysInHand(wb)): string {
+  const take = takeInHand(wb);
+  if (!take || !keys.length) return 'No key is selected.';
+  const count = countKeys(keys);
+  const inFrames = wb.settings.get().timeDisplay === 'frames';
+  const { framesPerSecond } = wb.transport.get();
+  const text = (clipSeconds: number) => {
+    const at = clipSeconds - take.character.timeOffsetSeconds;
+    return inFrames ? `frame ${framesOf(at, framesPerSecond)}` : `${Number(at.toFixed(4))} s`;
+  };
+  let first = Number.POSITIVE_INFINITY;
+  let last = Number.NEGATIVE_INFINITY;
+  for (const { channel, indices } of keys) {
+    const times = take.clip.channels[channel]?.times;
+    if (!times) continue;
+    first = Math.min(first, times[indices[0]]);
+    last = Math.max(last, times[indices[indices.length - 1]]);
+  }
+  const of = keys.length === 1 ? channelName(namedChannel(take.character, keys[0].channel)) : `${keys.length} channels`;
+  const when = first === last ? `at ${text(first)}` : `from ${text(first)} to ${text(last)}`;
+  return `${plural(count, 'key')} of ${of}, ${when}`;
+}

@@ -1,0 +1,64 @@
+/**
+ * A new key past the ends lengthens what repeats. That is no mistake, but nobody should have to find it out: whatever
+ * step does it, by whichever key, drag, field or dialog, it is said once, at the end of it.
+ */
+import { sameTime } from '../../../edit/keys/same-time.ts';
+import type { Channel, ChannelClip, Extrapolation } from '../../../model/clip.ts';
+import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
+import { plural, shown } from '../../kit/number-text.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { channelName, namedChannel } from './channels.ts';
+
+const REPEATING: readonly Extrapolation[] = ['cycle', 'cycle_offset', 'bounce'];
+
+/** Watches the steps that are made until it is ended. What undo brings is what was there before: nothing is said of it. */
+export function followPeriods({ store, messages }: Pick<Workbench, 'store' | 'messages'>): () => void {
+  return store.onStep(({ document }, { document: before }) => {
+    for (const character of document.characters) {
+      const was = findCharacter(before, character.id);
+      const text = was && was !== character && changedPeriods(was, character);
+      if (!text) continue;
+      messages.note(text);
+      return;
+    }
+  });
+}
+
+/** What a step did to the take that is shown before and after it. */
+function changedPeriods(was: Character, now: Character): string | undefined {
+  // Another take than before is none that was changed.
+  if (was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return undefined;
+  // Of other DOFs the channels stand elsewhere, and move there with their keys as they are.
+  if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return undefined;
+  const [before, after] = [shownClip(was), shownClip(now)];
+  if (!before || !after || before === after) return undefined;
+  return periodNote(before, after, (c) => channelName(namedChannel(now, c)));
+}
+
+/** A sentence about the channels whose repetition takes longer or shorter than before; undefined where none does. */
+export function periodNote(before: ChannelClip, after: ChannelClip, name: (channel: number) => string) {
+  const changed: number[] = [];
+  after.channels.forEach((channel, i) => {
+    const was = before.channels[i];
+    if (was === channel || !was || !repeats(was) || !repeats(channel)) return;
+    // Dragged as a whole, a loop is as long as it was, but for rounding.
+    if (!sameTime(period(was), period(channel))) changed.push(i);
+  });
+  if (!changed.length) return undefined;
+  const [first] = changed;
+  const [from, to] = [period(before.channels[first]), period(after.channels[first])];
+  const which = changed.length === 1 ? name(first) : `${plural(changed.length, 'channel')}, ${name(first)} among them,`;
+  const verb = changed.length === 1 ? 'repeats' : 'repeat';
+  return `${which} now ${verb} every ${shown(to, 3)} s instead of every ${shown(from, 3)} s.`;
+}
+
+/** A single key stands still, whatever is done beyond it. */
+function repeats(channel: Channel): boolean {
+  const { extrapolateIn, extrapolateOut } = channel;
+  return (REPEATING.includes(extrapolateIn) || REPEATING.includes(extrapolateOut)) && period(channel) > 0;
+}
+
+/** Seconds from the first key to the last; 0 without keys. */
+export function period({ times }: Channel): number {
+  return times.length ? times[times.length - 1] - times[0] : 0;
+}

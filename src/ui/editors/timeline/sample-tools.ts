@@ -1,0 +1,82 @@
+/** Tools for the take's samples that need nothing asked: at the playhead, or to what is played. */
+import {
+  cropSamples,
+  reverseSamples,
+  reverseSteps,
+  splitSamples,
+  trimSamples,
+} from '../../../edit/commands/samples.ts';
+import { Trial } from '../../../edit/trial.ts';
+import { rangeOfSamples } from '../../../model/samples.ts';
+import { inSlices } from '../../kit/in-slices.ts';
+import { count, plural, seconds } from '../../kit/number-text.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { clipTime, type Take, takeInHand } from './in-hand.ts';
+
+export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
+
+/** What it did is said in the message line. */
+export function runSampleTool(wb: Workbench, tool: SampleTool): void {
+  const take = takeInHand(wb);
+  if (!take) return;
+  const { character } = take;
+  const characterId = character.id;
+  if (tool === 'reverse') {
+    reverse(wb, characterId);
+    return;
+  }
+  const timeSeconds = clipTime(wb, character);
+  if (tool === 'crop') {
+    const [from, to] = wb.transport.get().range;
+    const offset = character.timeOffsetSeconds;
+    wb.store.apply(cropSamples, { characterId, from: from + offset, to: to + offset });
+  } else if (tool === 'split') wb.store.apply(splitSamples, { characterId, timeSeconds });
+  else wb.store.apply(trimSamples, { characterId, side: tool === 'trimStart' ? 'start' : 'end', timeSeconds });
+  const now = takeInHand(wb);
+  if (now) wb.messages.note(tool === 'split' ? splitText(now, character.shownClip) : cutText(tool, take, now));
+}
+
+/** `Split: jump has 60 frames, jump_2 has 61.` */
+export function splitText({ character, clip }: Take, first: number): string {
+  const said = [character.clips[first], clip].map(
+    ({ name, samples }) => `${name} has ${plural(samples?.frameCount ?? 0, 'frame')}`,
+  );
+  return `Split: ${said.join(', ')}.`;
+}
+
+/** `Cropped jump to 61 of 121 frames, 0.5 – 1.5 s.` */
+export function cutText(tool: 'crop' | 'trimStart' | 'trimEnd', before: Take, { character, clip }: Take): string {
+  const { samples } = clip;
+  if (!samples) return '';
+  if (clip === before.clip) return `${clip.name} has no frames to cut there.`;
+  const had = before.clip.samples?.frameCount ?? 0;
+  const [from, to] = rangeOfSamples(samples).map((time) =>
+    seconds(Number((time - character.timeOffsetSeconds).toFixed(3))),
+  );
+  const now =
+    had === samples.frameCount ? plural(had, 'frame') : `${count(samples.frameCount)} of ${count(had)} frames`;
+  return `${tool === 'crop' ? 'Cropped' : 'Trimmed'} ${clip.name} to ${now}, ${from} – ${to} s.`;
+}
+
+/** A long take is turned around in slices; where anything else changes meanwhile, it is not. */
+function reverse(wb: Workbench, characterId: string): void {
+  const { store, messages } = wb;
+  const label = reverseSamples.label(store.document, { characterId });
+  const trial = new Trial(store, label, () => {
+    messages.note(`${label} was stopped: something else has changed meanwhile.`, 'warning');
+  });
+  inSlices(reverseSteps(trial.base, { characterId }), {
+    isOver: () => trial.over,
+    progress: () => undefined,
+    done(document) {
+      trial.show(document);
+      trial.keep();
+      const clip = takeInHand(wb)?.clip;
+      messages.note(`Reversed ${clip?.name ?? 'the take'}: ${plural(clip?.samples?.frameCount ?? 0, 'frame')}.`);
+    },
+    failed(error) {
+      trial.putBack();
+      throw error;
+    },
+  });
+}

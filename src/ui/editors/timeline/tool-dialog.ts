@@ -1,0 +1,259 @@
+/**
+ * Dialogs of the tools for whole curves: a few numbers, what they would come to, and the curves themselves as they would
+ * be, while one types: one step of undo when applied, nothing when closed.
+ */
+import { type Command, CommandError, type Edit } from '../../../edit/store.ts';
+import { Trial } from '../../../edit/trial.ts';
+import type { Document } from '../../../model/document.ts';
+import type { DialogContent } from '../../kit/dialog.ts';
+import { element, setText } from '../../kit/dom.ts';
+import { atMostEvery } from '../../kit/frame.ts';
+import { inSlices } from '../../kit/in-slices.ts';
+import { parseNumber } from '../../kit/number-text.ts';
+import { unitsBehind } from '../../state/angles.ts';
+import type { DialogName, Workbench } from '../../state/workbench.ts';
+import { aboutKeysInHand } from './in-hand.ts';
+
+export interface NumberAsked {
+  readonly kind: 'number';
+  readonly name: string;
+  readonly label: string;
+  readonly value: number;
+  /** Behind the field. */
+  readonly unit?: string;
+  readonly onlyFor?: OnlyFor;
+}
+
+export interface ChoiceAsked {
+  readonly kind: 'choice';
+  readonly name: string;
+  readonly label: string;
+  readonly value: string;
+  readonly options: readonly (readonly [string, string])[];
+  readonly onlyFor?: OnlyFor;
+}
+
+/** Asked only while the choice of this name has this value. */
+export type OnlyFor = readonly [name: string, value: string];
+
+export type Asked = NumberAsked | ChoiceAsked;
+
+/** What was typed, by the names of what was asked. */
+export interface Answers {
+  number(name: string): number;
+  choice(name: string): string;
+}
+
+export interface ToolDialog<A> {
+  readonly name: DialogName;
+  readonly title: string;
+  /** What the tool does, in a sentence. */
+  readonly about: string;
+  readonly asked: readonly Asked[];
+  readonly command: Command<A, Document | Edit>;
+  args(answers: Answers): A;
+  /**
+   * The command a little at a time, where it takes longer than a moment: pauses with the part that is done, and ends
+   * with the change and what it came to. Another answer, or closing, stops it.
+   */
+  steps?(base: Document, args: A): Generator<number, Stepped>;
+  /** Whether steps with these answers are only made when asked for: by the button, or by applying. */
+  takesLong?(args: A): boolean;
+  /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. `after` is the document as it would be. */
+  result(args: A, after: Document): string;
+}
+
+/** A change that was made step by step, and what it came to, in sentences. */
+export interface Stepped {
+  readonly change: Document | Edit;
+  readonly text: string;
+  /** What one should know before it is applied, and is told again after. */
+  readonly warning?: string;
+}
+
+/** Typing is answered at most so often. */
+const PREVIEW_MS = 120;
+
+export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog<A>): DialogContent {
+  const { store } = wb;
+  const fields = new Map<string, HTMLInputElement | HTMLSelectElement>();
+  const result = element('p', { class: 'tool-result', role: 'status' });
+  const warned = element('p', { class: 'tool-result wrong', role: 'status', hidden: true });
+  const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
+  const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
+  const body = element('form', { class: 'tool-form' }, element('p', { class: 'faint' }, tool.about));
+  const rows = tool.asked.map((asked) => ({ asked, row: fieldOf(asked, fields) }));
+  for (const { row } of rows) body.append(row);
+  const showAsked = () => {
+    for (const { asked, row } of rows) {
+      row.hidden = asked.onlyFor !== undefined && fields.get(asked.onlyFor[0])?.value !== asked.onlyFor[1];
+    }
+  };
+  showAsked();
+  const tryOut = element('button', { type: 'button', class: 'plain', hidden: true }, 'Preview');
+  body.append(result, warned, element('div', { class: 'tool-buttons' }, tryOut, cancel, apply));
+
+  const answers: Answers = {
+    number(name) {
+      const asked = tool.asked.find((one) => one.name === name);
+      const unit = asked?.kind === 'number' ? asked.unit : undefined;
+      const typed = parseNumber(fields.get(name)?.value ?? '', unit ? unitsBehind(unit) : undefined);
+      if (typed === undefined) throw new CommandError(`${labelOf(tool.asked, name)} has to be a number.`);
+      return typed;
+    },
+    choice: (name) => fields.get(name)?.value ?? '',
+  };
+  const name = tool.title.replace('…', '');
+  const command = aboutKeysInHand(wb, asEdit(tool.command));
+  const trial = new Trial(store, name, () => {
+    wb.messages.note(`${name} was not applied: something else has changed meanwhile.`, 'warning');
+    unsubscribe();
+    close();
+  });
+  // The first document is what is measured against, whatever is previewed.
+  const { base } = trial;
+  /** Counts what was asked: steps of an older question stop. */
+  let asked = 0;
+  /** Steps are to be made first; then, where they are to be kept, the dialog ends. */
+  let waits = false;
+  let keepsWhenDone = false;
+  const warn = (text = '') => {
+    warned.hidden = text === '';
+    setText(warned, text);
+  };
+  const refuse = (error: unknown) => {
+    if (!(error instanceof CommandError)) throw error;
+    warn();
+    trial.show(base);
+    setText(result, error.message);
+    result.classList.add('wrong');
+    apply.disabled = true;
+  };
+  const goOn = (steps: Generator<number, Stepped>, mine: number) =>
+    inSlices(steps, {
+      isOver: () => trial.over || mine !== asked,
+      progress: (part) => setText(result, `Working … ${Math.floor(100 * part)} %`),
+      done({ change, text, warning }) {
+        trial.show(change);
+        setText(result, text);
+        warn(warning);
+        apply.disabled = store.document === base;
+        if (keepsWhenDone && !apply.disabled) {
+          end(true);
+          close();
+        }
+        keepsWhenDone = false;
+      },
+      failed: refuse,
+    });
+  /** @param isAsked by who knows that it may take its time */
+  const preview = (isAsked = false) => {
+    if (trial.over) return;
+    try {
+      const args = tool.args(answers);
+      if (tool.steps) {
+        result.classList.remove('wrong');
+        warn();
+        waits = !isAsked && tool.takesLong?.(args) === true;
+        tryOut.hidden = !waits;
+        apply.disabled = !waits;
+        if (waits) {
+          asked++;
+          trial.show(base);
+          setText(result, 'This takes a moment: it is worked out when it is previewed or applied.');
+          return;
+        }
+        goOn(tool.steps(base, args), ++asked);
+        return;
+      }
+      const edit = command.run(base, args);
+      trial.show(edit);
+      setText(result, tool.result(args, edit.document));
+      result.classList.remove('wrong');
+      apply.disabled = store.document === base;
+    } catch (error) {
+      asked++;
+      waits = keepsWhenDone = false;
+      tryOut.hidden = true;
+      refuse(error);
+    }
+  };
+  const end = (keep: boolean) => {
+    if (trial.over) return;
+    // What took steps is there; it could not have been applied before it was.
+    if (keep && !tool.steps) preview();
+    unsubscribe();
+    if (!keep) return trial.putBack();
+    trial.keep();
+    if (warned.textContent) wb.messages.note(warned.textContent, 'warning');
+  };
+  const unsubscribe = wb.dialog.subscribe((shown) => {
+    if (shown !== tool.name) end(false);
+  });
+  const soon = atMostEvery(PREVIEW_MS, () => preview());
+  body.addEventListener('input', () => {
+    showAsked();
+    // Not what was asked before.
+    if (tool.steps) apply.disabled = true;
+    keepsWhenDone = false;
+    soon();
+  });
+  body.addEventListener('submit', (event) => {
+    event.preventDefault();
+    if (apply.disabled) return;
+    if (waits) {
+      keepsWhenDone = true;
+      preview(true);
+      return;
+    }
+    end(true);
+    close();
+  });
+  tryOut.addEventListener('click', () => {
+    // It goes, and the focus with it.
+    cancel.focus();
+    preview(true);
+  });
+  cancel.addEventListener('click', close);
+  preview();
+  return { title: tool.title, body, kind: 'tool-dialog' };
+}
+
+/** A command that says nothing of keys selects none. */
+function asEdit<A>(command: Command<A, Document | Edit>): Command<A, Edit> {
+  return {
+    ...command,
+    run(document, args) {
+      const change = command.run(document, args);
+      return 'document' in change ? change : { document: change, keys: [] };
+    },
+  };
+}
+
+function fieldOf(asked: Asked, fields: Map<string, HTMLInputElement | HTMLSelectElement>): HTMLElement {
+  const field =
+    asked.kind === 'number'
+      ? element('input', {
+          type: 'text',
+          inputmode: 'decimal',
+          autocomplete: 'off',
+          class: 'number-field',
+          value: String(asked.value),
+        })
+      : element(
+          'select',
+          {},
+          ...asked.options.map(([value, label]) =>
+            element('option', { value, selected: value === asked.value }, label),
+          ),
+        );
+  fields.set(asked.name, field);
+  const row = element('label', { class: 'tool-field' }, element('span', {}, asked.label), field);
+  // A choice has the unit's room too.
+  if (asked.kind === 'number') row.append(element('span', { class: 'faint' }, asked.unit));
+  return row;
+}
+
+function labelOf(asked: readonly Asked[], name: string): string {
+  return asked.find((a) => a.name === name)?.label ?? name;
+}

@@ -1,0 +1,38 @@
+/**
+ * The range as it is typed: of the take, which saves it, where one take is all that plays; else only what is played.
+ * Dragging the range's ends, and the keys that set it here and now, always mean what is played.
+ */
+import { setClipRange } from '../../../edit/commands/clips.ts';
+import { type Character, playingCharacters } from '../../../model/document.ts';
+import { seconds, shown } from '../../kit/number-text.ts';
+import { attempt } from '../../state/attempt.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+/** The one character that plays a take. */
+export function onlyTake(wb: Workbench): Character | undefined {
+  const playing = playingCharacters(wb.store.document);
+  return playing.length === 1 ? playing[0] : undefined;
+}
+
+/** @param range seconds of the transport; refused, with a word, where it ends before it begins */
+export function typeRange(wb: Workbench, range: readonly [number, number]): void {
+  const [from, to] = range;
+  if (from > to) {
+    wb.messages.note(`A range can’t end at ${timeText(wb, to)} where it begins at ${timeText(wb, from)}.`, 'warning');
+    return;
+  }
+  const character = onlyTake(wb);
+  if (character) {
+    const offset = character.timeOffsetSeconds;
+    attempt(wb.messages, () =>
+      wb.store.apply(setClipRange, { characterId: character.id, range: [from + offset, to + offset] }),
+    );
+  }
+  wb.transport.update((p) => ({ ...p, range }));
+}
+
+/** `1.25 s`, or `frame 30` where times are typed in frames. */
+function timeText(wb: Workbench, timeSeconds: number): string {
+  if (wb.settings.get().timeDisplay === 'seconds') return `${seconds(timeSeconds)} s`;
+  return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond, 3)}`;
+}

@@ -1,0 +1,283 @@
+/**
+ * The scrubber. Drag anywhere to move through time, drag the ends of the shaded range to change it; wheel zooms, with
+ * Shift (or a wheel to the side, or the middle button) it pans, double click fits. As a slider it takes arrow keys.
+ */
+import { stepFrames } from '../../../edit/playback.ts';
+import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
+import { findCharacter, rangeOfClips } from '../../../model/document.ts';
+import { element } from '../../kit/dom.ts';
+import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
+import { seconds, shown } from '../../kit/number-text.ts';
+import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { drawPlayhead, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
+
+/** An end of the range is taken from this many pixels away. */
+const GRAB_PIXELS = 6;
+const ZOOM_STEP = 1.15;
+/** While time runs the playhead, which creeps by a pixel or two, goes on in every other frame. */
+const RUNNING_PLAYHEAD_MS = 25;
+
+type Handle = 'time' | 'in' | 'out' | 'pan';
+
+export class Scrubber {
+  readonly element: HTMLCanvasElement = element('canvas', {
+    class: 'scrubber',
+    role: 'slider',
+    tabindex: 0,
+    'aria-label': 'Time',
+    'data-panel': 'transport',
+  });
+  private readonly background = new ScrubberBackground();
+  private window: TimeWindow;
+  /** Follows the range until someone zooms or pans. */
+  private fitted = true;
+  private channels: readonly ShownChannel[] = [];
+  private colours: ScrubberColours | undefined;
+  private stale = true;
+  /** CSS pixels. Asked for only when they change: in each frame, the page would have to be laid out before its time. */
+  private width = 0;
+  private height = 0;
+  private readonly drawSoon = oncePerFrame(() => this.draw());
+  private readonly isPlayheadDue = isTimeAgain(RUNNING_PLAYHEAD_MS);
+
+  constructor(private readonly wb: Workbench) {
+    this.window = this.whole();
+    this.channels = shownKeys(wb.store.document, wb.store.selection);
+    wb.transport.subscribe((now, before) => {
+      if (now.range !== before.range) this.onRange();
+      if (now.framesPerSecond !== before.framesPerSecond) this.stale = true;
+      // Jumped to, by a key or a number: bring it into view. While playing the window stays where it was put.
+      if (now.timeSeconds !== before.timeSeconds && !now.playing && !this.fitted) {
+        const next = revealTime(this.window, now.timeSeconds);
+        if (next !== this.window) this.look(next);
+      }
+      this.drawSoon();
+    });
+    wb.store.subscribe((now, before) => {
+      if (now.document === before.document && now.selection === before.selection) return;
+      this.channels = shownKeys(now.document, now.selection);
+      // Where one looked at another character's time says nothing about this one's.
+      if (!now.document.characters.some((c) => findCharacter(before.document, c.id))) this.fit();
+      this.redraw();
+    });
+    wb.settings.subscribe((now, before) => {
+      if (now.timeDisplay !== before.timeDisplay) this.redraw();
+    });
+    new ResizeObserver(() => {
+      this.width = this.element.clientWidth;
+      this.height = this.element.clientHeight;
+      this.redraw();
+    }).observe(this.element);
+    this.listen();
+  }
+
+  /** Everything anew: another theme, another size. */
+  redraw(recolour = false): void {
+    if (recolour) this.colours = undefined;
+    this.stale = true;
+    this.drawSoon();
+  }
+
+  /** The played range and the clips, with some room beside them. */
+  fit(): void {
+    this.fitted = true;
+    this.window = this.whole();
+    this.redraw();
+  }
+
+  /** A shorter range is still seen in the whole of what there is. */
+  private whole(): TimeWindow {
+    const { range } = this.wb.transport.get();
+    const clips = rangeOfClips(this.wb.store.document) ?? range;
+    return fitWindow([Math.min(range[0], clips[0]), Math.max(range[1], clips[1])]);
+  }
+
+  private onRange(): void {
+    if (this.fitted && !this.dragging) this.window = this.whole();
+    this.stale = true;
+  }
+
+  private look(window: TimeWindow): void {
+    this.fitted = false;
+    this.window = window;
+    this.redraw();
+  }
+
+  private get framesPerSecond(): number | undefined {
+    return this.wb.settings.get().timeDisplay === 'frames' ? this.wb.transport.get().framesPerSecond : undefined;
+  }
+
+  private draw(): void {
+    const { width, height } = this;
+    if (!width || !height) return;
+    if (!this.stale && this.wb.transport.get().playing && !this.isPlayheadDue()) return;
+    const ratio = window.devicePixelRatio;
+    this.colours ??= readColours(this.element);
+    const { timeSeconds, range } = this.wb.transport.get();
+    const { framesPerSecond } = this;
+    const timeText = framesPerSecond ? shown(timeSeconds * framesPerSecond, 1) : timeSeconds.toFixed(2);
+    const picture: ScrubberPicture = {
+      window: this.window,
+      range,
+      timeSeconds,
+      channels: this.channels,
+      framesPerSecond,
+      timeText,
+    };
+    const wide = Math.round(width * ratio);
+    const high = Math.round(height * ratio);
+    if (this.element.width !== wide || this.element.height !== high) {
+      this.element.width = wide;
+      this.element.height = high;
+      this.stale = true;
+    }
+    if (this.stale) this.background.draw(picture, width, height, ratio, this.colours);
+    this.stale = false;
+    const g = this.element.getContext('2d');
+    if (!g) return;
+    this.background.copyTo(g);
+    drawPlayhead(g, picture, width, height, ratio, this.colours);
+    this.describe(timeSeconds, range);
+  }
+
+  private describe(timeSeconds: number, range: readonly [number, number]): void {
+    // A screen reader would read out every frame.
+    if (this.wb.transport.get().playing) return;
+    this.element.setAttribute('aria-valuemin', String(range[0]));
+    this.element.setAttribute('aria-valuemax', String(range[1]));
+    this.element.setAttribute('aria-valuenow', String(timeSeconds));
+    const frame = shown(timeSeconds * this.wb.transport.get().framesPerSecond, 2);
+    this.element.setAttribute('aria-valuetext', `${seconds(timeSeconds)} seconds, frame ${frame}`);
+  }
+
+  private dragging = false;
+
+  private listen(): void {
+    const { element: canvas } = this;
+    canvas.addEventListener('pointerdown', (event) => this.onPointerDown(event));
+    canvas.addEventListener('pointermove', (event) => {
+      if (!this.dragging) canvas.style.cursor = this.handleAt(event) === 'time' ? '' : 'ew-resize';
+    });
+    canvas.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
+    canvas.addEventListener('dblclick', () => this.fit());
+    canvas.addEventListener('keydown', (event) => this.onKey(event));
+  }
+
+  private timeAt(clientX: number): number {
+    const box = this.element.getBoundingClientRect();
+    return this.window.from + ((clientX - box.left) / box.width) * (this.window.to - this.window.from);
+  }
+
+  private get secondsPerPixel(): number {
+    return (this.window.to - this.window.from) / Math.max(1, this.element.clientWidth);
+  }
+
+  private handleAt(event: PointerEvent): Handle {
+    if (event.button === 1) return 'pan';
+    const { range, timeSeconds } = this.wb.transport.get();
+    const at = this.timeAt(event.clientX);
+    const near = (time: number) => Math.abs(time - at) / this.secondsPerPixel;
+    // The playhead is what one mostly means, and lies on the range's ends at rest; they are taken in the ruler.
+    const y = event.clientY - this.element.getBoundingClientRect().top;
+    if (y > this.element.clientHeight / 2 && near(timeSeconds) <= GRAB_PIXELS) return 'time';
+    if (near(range[1]) <= GRAB_PIXELS && near(range[1]) <= near(range[0])) return 'out';
+    return near(range[0]) <= GRAB_PIXELS ? 'in' : 'time';
+  }
+
+  private onPointerDown(event: PointerEvent): void {
+    if (event.button > 1) return;
+    event.preventDefault();
+    this.element.focus({ preventScroll: true });
+    this.element.setPointerCapture(event.pointerId);
+    const handle = this.handleAt(event);
+    const grabbed = this.timeAt(event.clientX);
+    const move = (e: PointerEvent) => {
+      if (handle === 'pan') this.look(panWindow(this.window, grabbed - this.timeAt(e.clientX)));
+      else this.drag(handle, this.timeAt(e.clientX), e.shiftKey);
+    };
+    this.dragging = true;
+    if (handle !== 'pan') this.drag(handle, grabbed, event.shiftKey);
+    this.element.addEventListener('pointermove', move);
+    this.element.addEventListener(
+      'lostpointercapture',
+      () => {
+        this.dragging = false;
+        this.element.removeEventListener('pointermove', move);
+        if (this.fitted && handle !== 'time') this.fit();
+      },
+      { once: true },
+    );
+  }
+
+  /** @param free between frames too, where time is shown in frames */
+  private drag(handle: 'time' | 'in' | 'out', at: number, free: boolean): void {
+    const time = snapTime(at, this.secondsPerPixel, free ? undefined : this.framesPerSecond);
+    this.wb.transport.update((p) => {
+      if (handle === 'in') return { ...p, range: [Math.min(time, p.range[1]), p.range[1]] };
+      if (handle === 'out') return { ...p, range: [p.range[0], Math.max(time, p.range[0])] };
+      return p.timeSeconds === time && !p.playing ? p : { ...p, timeSeconds: time, playing: false };
+    });
+  }
+
+  private onWheel(event: WheelEvent): void {
+    event.preventDefault();
+    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
+    const sideways = Math.abs(event.deltaX) > Math.abs(event.deltaY) ? event.deltaX : event.shiftKey ? event.deltaY : 0;
+    if (sideways) this.look(panWindow(this.window, sideways * lines * this.secondsPerPixel));
+    else this.look(zoomWindow(this.window, this.timeAt(event.clientX), ZOOM_STEP ** ((event.deltaY * lines) / 60)));
+  }
+
+  private onKey(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { transport } = this.wb;
+    const { timeSeconds } = transport.get();
+    switch (event.key) {
+      case 'ArrowLeft':
+      case 'ArrowDown':
+        transport.update((p) => stepFrames(p, event.shiftKey ? -10 : -1));
+        break;
+      case 'ArrowRight':
+      case 'ArrowUp':
+        transport.update((p) => stepFrames(p, event.shiftKey ? 10 : 1));
+        break;
+      case 'PageUp':
+        transport.update((p) => ({ ...p, timeSeconds: timeSeconds + 1, playing: false }));
+        break;
+      case 'PageDown':
+        transport.update((p) => ({ ...p, timeSeconds: timeSeconds - 1, playing: false }));
+        break;
+      case '+':
+      case '=':
+        this.look(zoomWindow(this.window, timeSeconds, 1 / ZOOM_STEP));
+        break;
+      case '-':
+        this.look(zoomWindow(this.window, timeSeconds, ZOOM_STEP));
+        break;
+      case 'f':
+      case 'a':
+        this.fit();
+        break;
+      default:
+        return;
+    }
+    event.preventDefault();
+  }
+}
+
+function readColours(target: Element): ScrubberColours {
+  const style = getComputedStyle(target);
+  const colour = (name: string) => style.getPropertyValue(name).trim();
+  return {
+    text: colour('--text'),
+    faint: colour('--text-faint'),
+    line: colour('--line-strong'),
+    range: colour('--range'),
+    edge: colour('--range-edge'),
+    key: colour('--key'),
+    otherKey: colour('--key-other'),
+    playhead: colour('--accent'),
+    playheadText: colour('--on-accent'),
+    font: `${colour('--font-small')} ${style.fontFamily}`,
+  };
+}

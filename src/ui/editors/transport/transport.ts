@@ -1,0 +1,272 @@
+/** The strip below the viewport: buttons, loop, rate, time, range, and the scrubber. */
+import { FRAME_RATES, LOOP_MODES } from '../../../edit/playback.ts';
+import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
+import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
+import { type IconName, icon } from '../../kit/icons.ts';
+import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { NumberField } from '../../kit/number-field.ts';
+import { inField, seconds } from '../../kit/number-text.ts';
+import { actionsOf, runAction } from '../../shell/actions.ts';
+import { itemOf } from '../../state/menu-entries.ts';
+import { keepTooltip, withKey } from '../../state/tooltips.ts';
+import type { Workbench } from '../../state/workbench.ts';
+import { LOOP_LABELS, RATES, rateText } from './actions.ts';
+import { typeRange } from './range-edits.ts';
+import type { Scrubber } from './scrubber.ts';
+
+/** While time runs, its numbers are written so often. */
+const RUNNING_NUMBERS_MS = 80;
+
+export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
+  return element(
+    'section',
+    { class: 'transport', 'aria-label': 'Transport', 'data-panel': 'transport' },
+    element(
+      'div',
+      { class: 'transport-row' },
+      buttons(wb),
+      loopModes(wb),
+      rate(wb),
+      keying(wb),
+      ...times(wb),
+      ...range(wb),
+    ),
+    scrubber.element,
+  );
+}
+
+function buttons(wb: Workbench): HTMLElement {
+  const make = (id: string, label: string, name: IconName, extra = '') => {
+    const made = keepsFocusElsewhere(button(label, { class: `tool ${extra}` }, icon(name), () => tryRun(wb, id)));
+    keepTooltip(wb, made, id, () => made.getAttribute('aria-label') ?? label);
+    return made;
+  };
+  const play = make('play.toggle', 'Play', 'play', 'play-button');
+  const playTitle = keepTooltip(wb, play, 'play.toggle', () => play.getAttribute('aria-label') ?? 'Play');
+  const showPlaying = (playing: boolean) => {
+    play.replaceChildren(icon(playing ? 'pause' : 'play'));
+    setAttribute(play, 'aria-label', playing ? 'Pause' : 'Play');
+    playTitle();
+    play.classList.toggle('is-playing', playing);
+  };
+  wb.transport.subscribe((now, before) => {
+    if (now.playing !== before.playing) showPlaying(now.playing);
+  });
+  showPlaying(wb.transport.get().playing);
+  return element(
+    'div',
+    { class: 'tools', role: 'group', 'aria-label': 'Playback' },
+    make('play.toStart', 'To start of range', 'start'),
+    make('play.previousKey', 'To previous key', 'previousKey'),
+    make('play.stepBack', 'Step back one frame', 'back'),
+    play,
+    make('play.stepForward', 'Step forward one frame', 'forward'),
+    make('play.nextKey', 'To next key', 'nextKey'),
+    make('play.toEnd', 'To end of range', 'end'),
+  );
+}
+
+/** A button for what may be impossible just now, such as a key to jump to. */
+function tryRun(wb: Workbench, id: string): void {
+  const action = actionsOf(wb).find((a) => a.id === id);
+  if (action && (action.enabled?.(wb) ?? true)) action.run(wb, 'button');
+}
+
+function loopModes(wb: Workbench): HTMLElement {
+  const made = LOOP_MODES.map((mode) => ({
+    mode,
+    button: keepsFocusElsewhere(
+      button(LOOP_LABELS[mode], { class: 'tool', role: 'radio' }, icon(mode), () => runAction(wb, `play.loop.${mode}`)),
+    ),
+  }));
+  // One key goes through all of them.
+  for (const { mode, button } of made) keepTooltip(wb, button, 'play.nextLoop', () => LOOP_LABELS[mode]);
+  const show = () => {
+    for (const { mode, button } of made) {
+      const chosen = wb.transport.get().loop === mode;
+      button.setAttribute('aria-checked', String(chosen));
+      button.tabIndex = chosen ? 0 : -1;
+    }
+  };
+  const group = element('div', { class: 'tools segmented loop-modes', role: 'radiogroup', 'aria-label': 'Loop' });
+  group.append(...made.map((m) => m.button));
+  group.addEventListener('keydown', (event) => {
+    const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    if (!step) return;
+    event.preventDefault();
+    const now = LOOP_MODES.indexOf(wb.transport.get().loop);
+    const next = (now + step + LOOP_MODES.length) % LOOP_MODES.length;
+    runAction(wb, `play.loop.${LOOP_MODES[next]}`);
+    made[next].button.focus();
+  });
+  wb.transport.subscribe((now, before) => {
+    if (now.loop !== before.loop) show();
+  });
+  show();
+  return group;
+}
+
+function rate(wb: Workbench): HTMLElement {
+  const made = element('button', { type: 'button', class: 'plain rate' });
+  const show = () => {
+    const text = rateText(wb.transport.get().rate);
+    made.textContent = text;
+    made.title = 'Rate';
+    made.setAttribute('aria-label', `Rate ${text}`);
+  };
+  menuButton(made, 'Rate', (): MenuEntry[] => {
+    const actions = actionsOf(wb);
+    return RATES.flatMap((r) => actions.filter((a) => a.id === `play.rate.${r}`).map((a) => itemOf(wb, a)));
+  });
+  wb.transport.subscribe((now, before) => {
+    if (now.rate !== before.rate) show();
+  });
+  show();
+  return keepsFocusElsewhere(made);
+}
+
+/** The switch that records: red while it is on, and the page around the viewport with it. */
+function keying(wb: Workbench): HTMLElement {
+  const key = keepsFocusElsewhere(button('Key the pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
+  keepTooltip(wb, key, 'key.pose', () => 'Key the pose');
+  const auto = keepsFocusElsewhere(
+    button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => runAction(wb, 'key.auto')),
+  );
+  const isOn = () => wb.timeline.autoKey.get();
+  const title = keepTooltip(wb, auto, 'key.auto', () =>
+    isOn() ? 'Auto-key is on: what is changed by hand is keyed' : 'Auto-key: keys what is changed by hand',
+  );
+  const show = () => {
+    auto.setAttribute('aria-pressed', String(isOn()));
+    document.documentElement.toggleAttribute('data-auto-key', isOn());
+    title();
+  };
+  wb.timeline.autoKey.subscribe(show);
+  show();
+  return element('div', { class: 'tools', role: 'group', 'aria-label': 'Keying' }, key, auto);
+}
+
+function times(wb: Workbench): HTMLElement[] {
+  const at = (timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
+  const refuse = (reason: string) => wb.messages.note(reason, 'warning');
+  const time = new NumberField({
+    label: 'Time in seconds',
+    class: 'time-field',
+    text: (value) => (wb.transport.get().playing ? value.toFixed(3) : seconds(value)),
+    commit: at,
+    refuse,
+    step: 0.01,
+  });
+  const frame = new NumberField({
+    label: 'Frame',
+    class: 'frame-field',
+    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : inField(value, 3)),
+    commit: (value) => at(value / wb.transport.get().framesPerSecond),
+    refuse,
+    step: 1,
+  });
+  const fps = new NumberField({
+    label: 'Frames per second',
+    class: 'fps-field',
+    text: (value) => inField(value, 3),
+    commit(framesPerSecond) {
+      const [least, most] = FRAME_RATES;
+      if (framesPerSecond >= least && framesPerSecond <= most) wb.transport.update((p) => ({ ...p, framesPerSecond }));
+      else refuse(`Frames per second have to be from ${least} to ${most}; ${framesPerSecond} was typed.`);
+    },
+    refuse,
+    step: 1,
+  });
+  const isRead = isTimeAgain(RUNNING_NUMBERS_MS);
+  const show = oncePerFrame(() => {
+    const { timeSeconds, framesPerSecond, playing } = wb.transport.get();
+    if (playing && !isRead()) return;
+    time.show(timeSeconds);
+    frame.show(noNoise(timeSeconds * framesPerSecond));
+    fps.show(framesPerSecond);
+  });
+  const refresh = oncePerFrame(() => {
+    time.refresh();
+    frame.refresh();
+  });
+  wb.transport.subscribe((now, before) => {
+    show();
+    if (now.playing !== before.playing) refresh();
+  });
+  show();
+  const showUnit = () => {
+    const inFrames = wb.settings.get().timeDisplay === 'frames';
+    time.element.parentElement?.classList.toggle('secondary', inFrames);
+    frame.element.parentElement?.classList.toggle('secondary', !inFrames);
+  };
+  const fields = [labelled('Time', time.element, 's'), labelled('Frame', frame.element), labelled('fps', fps.element)];
+  wb.settings.subscribe(showUnit);
+  showUnit();
+  return [element('div', { class: 'fields times' }, ...fields)];
+}
+
+function range(wb: Workbench): HTMLElement[] {
+  const inFrames = () => wb.settings.get().timeDisplay === 'frames';
+  const perUnit = () => (inFrames() ? wb.transport.get().framesPerSecond : 1);
+  const end = (label: string, make: (value: number, now: readonly [number, number]) => readonly [number, number]) =>
+    new NumberField({
+      label,
+      class: 'range-field',
+      text: (value) => inField(value, 4),
+      commit(value) {
+        typeRange(wb, make(value / perUnit(), wb.transport.get().range));
+        // What was refused shows as it is.
+        show();
+      },
+      refuse: (reason) => wb.messages.note(reason, 'warning'),
+    });
+  const first = end('Range begins', (value, now) => [value, now[1]]);
+  const last = end('Range ends', (value, now) => [now[0], value]);
+  const show = () => {
+    const [from, to] = wb.transport.get().range;
+    first.show(noNoise(from * perUnit()));
+    last.show(noNoise(to * perUnit()));
+  };
+  const begins = labelled('Range', first.element);
+  // The fields' own tooltips give their numbers in full; the keys stand at the word.
+  const showKeys = () => {
+    const keys = [
+      ['play.setIn', 'Begins here'],
+      ['play.setOut', 'Ends here'],
+      ['play.wholeRange', 'Whole take'],
+    ].map(([id, text]) =>
+      withKey(
+        wb,
+        actionsOf(wb).find((a) => a.id === id),
+        text,
+      ),
+    );
+    setAttribute(begins, 'title', `Range, saved with the take where one plays. ${keys.join(', ')}`);
+  };
+  wb.transport.subscribe(show);
+  wb.settings.subscribe(() => {
+    show();
+    showKeys();
+  });
+  show();
+  showKeys();
+  return [
+    element('div', { class: 'fields range-fields' }, begins, element('span', { class: 'faint' }, '–'), last.element),
+  ];
+}
+
+/** Frames of a time that is a whole frame but for the last bit are that frame. */
+function noNoise(value: number): number {
+  const rounded = Math.round(value);
+  return Math.abs(value - rounded) < 1e-9 * Math.max(1, Math.abs(value)) ? rounded : value;
+}
+
+function labelled(label: string, field: HTMLElement, unit?: string): HTMLElement {
+  return element(
+    'label',
+    { class: 'field' },
+    element('span', { class: 'faint' }, label),
+    field,
+    unit && element('span', { class: 'faint' }, unit),
+  );
+}

@@ -1,0 +1,165 @@
+/** The camera, and what is drawn. */
+import { hasBoxes } from '../../../model/boxes.ts';
+import { type Character, shownSkin } from '../../../model/document.ts';
+import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
+import type { IconName } from '../../kit/icons.ts';
+import type { Action } from '../../state/action.ts';
+import type { Workbench } from '../../state/workbench.ts';
+
+export const SKIN_STYLES: readonly (readonly [SkinStyle, string])[] = [
+  ['textured', 'Textured'],
+  ['solid', 'Solid'],
+  ['wire', 'Wire'],
+  ['xray', 'X-ray'],
+  ['heat', 'Influence of the joint'],
+  ['hidden', 'Hidden'],
+];
+
+export const BOX_STYLES: readonly (readonly [BoxStyle, string])[] = [
+  ['bare', 'Unless skinned'],
+  ['wire', 'Wire'],
+  ['solid', 'Solid'],
+  ['hidden', 'Hidden'],
+];
+
+type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
+
+export function setDisplay(wb: Workbench, change: Partial<Display>): void {
+  wb.settings.update((s) => ({ ...s, display: { ...s.display, ...change } }));
+}
+
+/** Of nothing at all one may still choose how it will be drawn. */
+function isAnyVisible(wb: Workbench, has: (character: Character) => boolean): boolean {
+  const { characters } = wb.store.document;
+  return characters.length === 0 || characters.some((c) => !c.isHidden && has(c));
+}
+
+export const isSkinVisible = (wb: Workbench) => isAnyVisible(wb, (c) => shownSkin(c) !== undefined);
+export const areBoxesVisible = (wb: Workbench) =>
+  isAnyVisible(wb, ({ skeleton }) => skeleton !== undefined && hasBoxes(skeleton));
+
+export const NO_SKIN = 'None of the characters shown has a skin.';
+export const NO_BOXES = 'None of the characters shown has boxes: they are drawn as bones.';
+
+/** Without boxes it only counts whether bones are drawn in their place. */
+const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
+const boxStyles = (wb: Workbench) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
+
+export const VIEW_ACTIONS: readonly Action[] = [
+  {
+    id: 'view.frameSelection',
+    label: 'Frame selection',
+    group: 'Camera',
+    menu: 'View',
+    shortcuts: ['F'],
+    icon: 'frame',
+    run: (wb) => wb.viewport.frameSelection(wb.store.selection),
+  },
+  {
+    id: 'view.frameAll',
+    label: 'Frame all',
+    group: 'Camera',
+    menu: 'View',
+    shortcuts: ['A'],
+    run: (wb) => wb.viewport.frameAll(),
+  },
+  look('front', 'Front', '1'),
+  look('back', 'Back', 'Shift+1'),
+  look('right', 'Right', '3'),
+  look('left', 'Left', 'Shift+3'),
+  look('top', 'Top', '7'),
+  look('bottom', 'Bottom', 'Shift+7'),
+  { ...toggle('orthographic', 'Orthographic', 'perspective', ['5'], 'View/Camera', 1), group: 'Camera' },
+  { ...toggle('follow', 'Follow the joint', undefined, ['Shift+F'], 'View/Camera', 2), group: 'Camera' },
+  { ...toggle('inPlace', 'In place', undefined, [], 'View/Camera', 2), group: 'Camera' },
+  ...SKIN_STYLES.map(
+    ([skin, label]): Action => ({
+      id: `draw.skin.${skin}`,
+      label,
+      group: 'Draw',
+      menu: 'View/Skin',
+      section: 1,
+      radio: true,
+      ...(skin === 'heat' && { shortcuts: ['H'] }),
+      enabled: isSkinVisible,
+      whyNot: () => NO_SKIN,
+      checked: (wb) => wb.settings.get().display.skin === skin,
+      run: (wb) => setDisplay(wb, { skin }),
+    }),
+  ),
+  {
+    id: 'draw.nextSkin',
+    label: 'Next skin style',
+    group: 'Draw',
+    shortcuts: ['S'],
+    enabled: isSkinVisible,
+    whyNot: () => NO_SKIN,
+    run: (wb) => setDisplay(wb, { skin: following(SKIN_STYLES, wb.settings.get().display.skin) }),
+  },
+  ...BOX_STYLES.map(
+    ([boxes, label]): Action => ({
+      id: `draw.boxes.${boxes}`,
+      label,
+      group: 'Draw',
+      menu: 'View/Boxes',
+      section: 1,
+      radio: true,
+      ...(needsBoxes(boxes) && { enabled: areBoxesVisible, whyNot: () => NO_BOXES }),
+      checked: (wb) => wb.settings.get().display.boxes === boxes,
+      run: (wb) => setDisplay(wb, { boxes }),
+    }),
+  ),
+  {
+    id: 'draw.nextBoxes',
+    label: 'Next box style',
+    group: 'Draw',
+    shortcuts: ['B'],
+    run: (wb) => setDisplay(wb, { boxes: following(boxStyles(wb), wb.settings.get().display.boxes) }),
+  },
+  toggle('bones', 'Bones', 'bones', ['Shift+B']),
+  toggle('axes', 'Joint axes', 'axes', ['X']),
+  toggle('names', 'Names', 'names', ['N']),
+  toggle('characterNames', 'Character names', undefined, []),
+  toggle('normals', 'Normals', 'normals', ['Shift+N']),
+  toggle('trail', 'Trail of the joint', undefined, []),
+  toggle('ghosts', 'Ghosts before and after', 'ghosts', ['Shift+O']),
+  toggle('grid', 'Grid', 'grid', ['G']),
+  toggle('shadow', 'Shadow', 'shadow', ['Shift+G']),
+];
+
+function look(from: 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom', label: string, key: string): Action {
+  return {
+    id: `view.${from}`,
+    label,
+    group: 'Camera',
+    menu: 'View/Camera',
+    shortcuts: [key],
+    run: (wb) => wb.viewport.lookFrom(from),
+  };
+}
+
+function toggle(
+  what: Switch,
+  label: string,
+  icon: IconName | undefined,
+  shortcuts: readonly string[],
+  menu: NonNullable<Action['menu']> = 'View',
+  section = 2,
+): Action {
+  return {
+    id: `draw.${what}`,
+    label,
+    group: 'Draw',
+    menu,
+    section,
+    ...(shortcuts.length > 0 && { shortcuts }),
+    ...(icon && { icon }),
+    checked: (wb) => wb.settings.get().display[what],
+    run: (wb) => setDisplay(wb, { [what]: !wb.settings.get().display[what] }),
+  };
+}
+
+function following<T>(list: readonly (readonly [T, string])[], now: T): T {
+  const index = list.findIndex(([value]) => value === now);
+  return list[(index + 1) % list.length][0];
+}

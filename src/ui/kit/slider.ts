@@ -1,0 +1,224 @@
+/**
+ * lil-gui's number controller, in our manner: the slider is a line with a mark at zero and hatched ends where a limit
+ * is, the field shows a rounded number until it is focused, and typing may go beyond what the slider spans.
+ *
+ * lil-gui reads and writes `object[property]`; here that is a binding of this slider's own, whose value the inspector
+ * fills from the pose at every frame.
+ */
+
+import type { GUI } from 'lil-gui';
+import { NumberController } from 'lil-gui';
+import type { Units } from './arithmetic.ts';
+import { element } from './dom.ts';
+import { isTypedIn, letGo } from './focus.ts';
+import { exact, inField, notANumber, parseNumber, shown } from './number-text.ts';
+
+export interface SliderOptions {
+  /** What the slider spans; absent for a field without a slider. */
+  readonly span?: readonly [number, number];
+  /** What may be typed at all; absent for any number. */
+  readonly bounds?: readonly [number, number];
+  /** What to do about the bounds: said to who types beyond them. */
+  readonly remedy?: string;
+  /** Where limits begin and end, to be hatched beyond; within or at the ends of the span. */
+  readonly limits?: readonly [number, number];
+  /** An arrow key's step is ten of it. */
+  readonly step: number;
+  readonly decimals: number;
+  /** Behind the number while it is not edited. */
+  readonly suffix?: string;
+  /** What may be typed behind a number. */
+  readonly units?: Units;
+}
+
+interface Binding {
+  value: number;
+  readonly options: SliderOptions;
+}
+
+export class Slider extends NumberController {
+  declare readonly object: Binding;
+  /** The number when the field got the focus. */
+  private before = 0;
+  private takenBack: (() => void) | undefined;
+  private isLookedAt = false;
+
+  /** @param refuse is told why what was typed is not taken, or not all the way */
+  constructor(
+    folder: GUI,
+    label: string,
+    value: number,
+    options: SliderOptions,
+    private readonly refuse: (reason: string) => void,
+  ) {
+    const binding: Binding = { value, options };
+    super(folder, binding, 'value', options.span?.[0], options.span?.[1], undefined);
+    this.step(options.step, false);
+    this.name(label);
+    this.$input.setAttribute('type', 'text');
+    this.$input.setAttribute('inputmode', 'decimal');
+    // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
+    this.updateDisplay();
+    this.$input.addEventListener('pointerenter', () => {
+      this.isLookedAt = true;
+      this.describe();
+    });
+    this.$input.addEventListener('pointerleave', () => {
+      this.isLookedAt = false;
+    });
+    this.$input.addEventListener('focus', () => {
+      this.before = this.object.value;
+      this.$input.value = exact(this.object.value);
+      this.$input.select();
+    });
+    // lil-gui would read `20+5` as 20, and stop at a comma, which is a decimal sign to half of the world.
+    this.$input.addEventListener(
+      'input',
+      (event) => {
+        event.stopImmediatePropagation();
+        const typed = parseNumber(this.$input.value, options.units);
+        if (typed === undefined) this.takeBack();
+        else this.setValue(this._clamp(typed));
+      },
+      { capture: true },
+    );
+    // So does its counting up and down, by arrow keys and by the wheel.
+    for (const kind of ['keydown', 'wheel'] as const) {
+      this.$input.addEventListener(
+        kind,
+        (event) => {
+          if (event instanceof KeyboardEvent ? !/^Arrow(Up|Down)$/.test(event.code) : !this._inputFocused) return;
+          this.$input.value = exact(parseNumber(this.$input.value, options.units) ?? this.object.value);
+        },
+        { capture: true, passive: true },
+      );
+    }
+    // Before lil-gui puts its number in place of the text.
+    this.$input.addEventListener('blur', () => this.judge(label), { capture: true });
+    this.$input.addEventListener('keydown', (event) => {
+      if (event.key !== 'Escape') return;
+      this.$input.value = exact(this.object.value);
+      letGo(this.$input);
+      event.preventDefault();
+    });
+    if (options.span) this.drawScale(options.span, options.limits);
+  }
+
+  /**
+   * Instead of setting the number of before, when what is being typed is no number: who previews an edit gives it up, so
+   * that nothing is left of it.
+   */
+  onTakenBack(callback: () => void): this {
+    this.takenBack = callback;
+    return this;
+  }
+
+  /** What was typed as far as here is not what is meant: `20` of `20 km`. */
+  private takeBack(): void {
+    if (Object.is(this.object.value, this.before)) return;
+    if (!this.takenBack) this.setValue(this.before);
+    else {
+      this.takenBack();
+      this.showValue(this.before);
+    }
+  }
+
+  /** Says why the number is not what was typed. */
+  private judge(label: string): void {
+    const text = this.$input.value;
+    if (!isTypedIn(this.$input) || !text.trim() || text === exact(this.object.value)) return;
+    const reason = refusalOf(label, text, this.object.options);
+    if (reason) this.refuse(reason);
+  }
+
+  /** Shows another value, as if it had always been so. */
+  showValue(value: number): void {
+    if (Object.is(this.object.value, value)) return;
+    this.object.value = value;
+    this.updateDisplay();
+  }
+
+  override updateDisplay(): this {
+    // Called by lil-gui's constructor, before anything of ours is there but the binding.
+    const { value, options } = this.object;
+    const { span } = options;
+    if (span) {
+      const at = Math.max(0, Math.min(1, (value - span[0]) / (span[1] - span[0] || 1)));
+      this.$slider.style.setProperty('--at', `${(at * 100).toFixed(2)}%`);
+      this.$slider.classList.toggle('beyond', value < span[0] || value > span[1]);
+    }
+    if (!this._inputFocused) {
+      const text = inField(value, options.decimals) + (options.suffix ?? '');
+      if (this.$input.value !== text) this.$input.value = text;
+    }
+    if (this.isLookedAt) this.describe();
+    return this;
+  }
+
+  override disable(disabled?: boolean): this {
+    super.disable(disabled);
+    this.describe();
+    return this;
+  }
+
+  /** The exact number for who looks; written when someone does, for sliders may show sixty numbers a second. */
+  private describe(): void {
+    const { value, options } = this.object;
+    // Why it can't be typed into is said of the whole row.
+    if (this.$input.disabled) this.$input.removeAttribute('title');
+    else if (this.isLookedAt) this.$input.title = `${exact(value)}${options.suffix ?? ''}`;
+  }
+
+  override _clamp(value: number): number {
+    const { span, bounds } = this.object.options;
+    const range = this._inputFocused ? bounds : (span ?? bounds);
+    return range ? Math.min(range[1], Math.max(range[0], value)) : value;
+  }
+
+  /** Onto whole steps from zero; lil-gui counts them from the lower end, which gives odd numbers. */
+  override _snap(value: number): number {
+    return Number((Math.round(value / this._step) * this._step).toPrecision(12));
+  }
+
+  /** lil-gui takes it from where it had put it; it may stand in a row with others since. */
+  override destroy(): void {
+    this.parent.$children.append(this.domElement);
+    super.destroy();
+  }
+
+  private drawScale([low, high]: readonly [number, number], limits?: readonly [number, number]): void {
+    const size = high - low || 1;
+    const part = (value: number) => `${(Math.max(0, Math.min(1, (value - low) / size)) * 100).toFixed(2)}%`;
+    const { style, classList } = this.$slider;
+    style.setProperty('--zero', part(0));
+    classList.toggle('has-zero', low < 0 && high > 0);
+    if (!limits) return;
+    const hatched = (side: string, width: string) => {
+      const mark = element('span', { class: 'limit' });
+      mark.style.setProperty(side, '0');
+      // Where the slider stops at the limit, a short end says that there is one.
+      mark.style.width = `max(${width}, 5px)`;
+      return mark;
+    };
+    this.$slider.append(hatched('left', part(limits[0])), hatched('right', part(low + high - limits[1])));
+  }
+}
+
+/** Why a text is not taken as it stands; undefined where it is. */
+export function refusalOf(label: string, text: string, options: SliderOptions): string | undefined {
+  const { bounds, suffix = '', remedy, units } = options;
+  const typed = parseNumber(text, units);
+  if (typed === undefined) return notANumber(label, text);
+  if (!bounds || (typed >= bounds[0] && typed <= bounds[1])) return undefined;
+  const inUnit = (value: number) => `${shown(value, 4)}${suffix}`;
+  const [low, high] = bounds;
+  // The other end may be none.
+  const end = typed < low ? `goes no lower than ${inUnit(low)}` : `goes no higher than ${inUnit(high)}`;
+  const where = low === high ? `is held at ${inUnit(low)}` : end;
+  return `${label} ${where}; ${inUnit(typed)} was typed.${remedy ? ` ${remedy}` : ''}`;
+}
+
+/** Removes every controller of a folder. */
+export function emptyFolder(folder: GUI): void {
+  for (const controller of [...folder.controllers]) controller.destroy();
+}

@@ -1,0 +1,59 @@
+/**
+ * THE one list of what the page can do. Menus, shortcuts, the `?` page and the command search are all built from it, so
+ * none of them can forget or contradict another; adding to the page begins by adding here.
+ */
+
+import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
+import { IK_ACTIONS } from '../editors/ik/actions.ts';
+import { POSE_ACTIONS } from '../editors/poses/actions.ts';
+import { POSING_ACTIONS } from '../editors/posing/actions.ts';
+import { KEYING_ACTIONS } from '../editors/posing/keying-actions.ts';
+import { RETARGET_ACTIONS } from '../editors/retarget/actions.ts';
+import { RIG_ACTIONS } from '../editors/rig/actions.ts';
+import { SKIN_ACTIONS } from '../editors/skin/actions.ts';
+import { TAKE_ACTIONS } from '../editors/takes/actions.ts';
+import { TIMELINE_ACTIONS } from '../editors/timeline/actions.ts';
+import { KEY_ACTIONS } from '../editors/timeline/key-actions.ts';
+import { PLAY_ACTIONS } from '../editors/transport/actions.ts';
+import { VIEW_ACTIONS } from '../editors/viewport/actions.ts';
+import type { Action } from '../state/action.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { EDIT_ACTIONS } from './edit-actions.ts';
+import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
+import { PAGE_ACTIONS } from './page-actions.ts';
+
+/** Those that are always there, in the order in which menus show them. */
+export const ACTIONS: readonly Action[] = [
+  ...FILE_ACTIONS,
+  ...EDIT_ACTIONS,
+  ...POSE_ACTIONS,
+  ...POSING_ACTIONS,
+  ...IK_ACTIONS,
+  ...RETARGET_ACTIONS,
+  ...SKIN_ACTIONS,
+  ...RIG_ACTIONS,
+  ...KEYING_ACTIONS,
+  ...KEY_ACTIONS,
+  ...TIMELINE_ACTIONS,
+  ...DOPE_ACTIONS,
+  ...VIEW_ACTIONS,
+  ...PLAY_ACTIONS,
+  ...TAKE_ACTIONS,
+  ...PAGE_ACTIONS,
+];
+
+/** All of them on this page just now, with its samples and the work that an earlier page left behind. */
+export function actionsOf(wb: Workbench): Action[] {
+  return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
+}
+
+/**
+ * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is none,
+ * or where it can't run just now.
+ */
+export function runAction(wb: Workbench, id: string, args?: unknown): Promise<void> | undefined {
+  const action = actionsOf(wb).find((a) => a.id === id);
+  if (!action) throw new Error(`There is no action "${id}".`);
+  if (action.enabled && !action.enabled(wb)) throw new Error(`"${id}" can't be done just now.`);
+  return action.run(wb, args) ?? undefined;
+}

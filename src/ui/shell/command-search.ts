@@ -1,0 +1,111 @@
+/** Find a command by typing a few letters of it: a list box under a text field, made of the list of actions. */
+
+import type { DialogContent } from '../kit/dialog.ts';
+import { element, uniqueId } from '../kit/dom.ts';
+import { type Action, actionLabel, isEnabled } from '../state/action.ts';
+import { shortcutsFor, shortcutText } from '../state/shortcuts.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { actionsOf } from './actions.ts';
+import { isMac, tryAction } from './keys.ts';
+
+const MOST_SHOWN = 12;
+
+export function commandSearch(wb: Workbench, close: () => void): DialogContent {
+  const listId = uniqueId('commands');
+  const input = element('input', {
+    type: 'text',
+    role: 'combobox',
+    'aria-label': 'Find a command',
+    'aria-expanded': 'true',
+    'aria-controls': listId,
+    'aria-autocomplete': 'list',
+    placeholder: 'Find a command',
+    spellcheck: 'false',
+    autocomplete: 'off',
+    autofocus: true,
+  });
+  const list = element('ul', { id: listId, role: 'listbox', 'aria-label': 'Commands' });
+  let found: Action[] = [];
+  let chosen = 0;
+
+  const choose = (index: number) => {
+    chosen = found.length ? (index + found.length) % found.length : 0;
+    for (const [i, row] of [...list.children].entries()) {
+      row.setAttribute('aria-selected', String(i === chosen));
+      if (i === chosen) row.scrollIntoView({ block: 'nearest' });
+    }
+    if (found.length) input.setAttribute('aria-activedescendant', list.children[chosen].id);
+    else input.removeAttribute('aria-activedescendant');
+  };
+  const run = (action: Action | undefined) => {
+    if (!action) return;
+    close();
+    tryAction(wb, action);
+  };
+  const show = () => {
+    const all = actionsOf(wb).filter((a) => isEnabled(wb, a) && a.id !== 'help.search');
+    found = findActions(
+      all,
+      input.value,
+      (a) => longLabel(wb, a),
+      (a) => TRAVELS.includes(a.id),
+    ).slice(0, MOST_SHOWN);
+    list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
+    if (!found.length) list.append(element('li', { class: 'empty' }, 'No command is called that.'));
+    choose(0);
+  };
+  input.addEventListener('input', show);
+  input.addEventListener('keydown', (event) => {
+    if (event.key === 'ArrowDown') choose(chosen + 1);
+    else if (event.key === 'ArrowUp') choose(chosen - 1);
+    else if (event.key === 'Enter') run(found[chosen]);
+    else return;
+    event.preventDefault();
+  });
+  show();
+  return { title: 'Find a command', body: element('div', {}, input, list), kind: 'search-dialog', bare: true };
+}
+
+function row(wb: Workbench, action: Action, run: () => void): HTMLElement {
+  const [shortcut] = shortcutsFor(action, wb.settings.get());
+  const made = element(
+    'li',
+    { role: 'option', id: uniqueId('command') },
+    element('span', { class: 'faint' }, action.menu?.replace('/', ' › ') ?? action.group),
+    element('span', {}, actionLabel(wb, action)),
+    shortcut && element('kbd', {}, shortcutText(shortcut, isMac)),
+  );
+  made.addEventListener('click', run);
+  return made;
+}
+
+/** Their labels have the name of another command in them, which is not what they are found by. */
+const TRAVELS: readonly string[] = ['edit.undo', 'edit.redo'];
+
+/** With the menu it stands in: "Hidden" alone says nothing. */
+function longLabel(wb: Workbench, action: Action): string {
+  const label = (TRAVELS.includes(action.id) && action.name) || actionLabel(wb, action);
+  return `${action.menu?.replace('/', ' ') ?? action.group} ${label}`;
+}
+
+/**
+ * Actions whose label has every word that was typed, those whose words begin so first.
+ * @param isLast comes after others that are found as well: nobody should take a step back who meant to do something
+ */
+export function findActions<A>(
+  actions: readonly A[],
+  typed: string,
+  label: (action: A) => string,
+  isLast: (action: A) => boolean = () => false,
+): A[] {
+  const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
+  const scored: { readonly action: A; readonly score: number }[] = [];
+  for (const action of actions) {
+    const text = label(action).toLowerCase();
+    if (!words.every((word) => text.includes(word))) continue;
+    const begins = words.filter((word) => text.split(/[^\p{L}\p{N}]+/u).some((part) => part.startsWith(word))).length;
+    scored.push({ action, score: begins });
+  }
+  const place = ({ action }: { readonly action: A }) => (words.length && isLast(action) ? 1 : 0);
+  return scored.sort((a, b) => b.score - a.score || place(a) - place(b)).map(({ action }) => action);
+}

@@ -1,0 +1,83 @@
+/**
+ * The page's dialogs: one at a time, named by `wb.dialog`. The browser's own `<dialog>` holds the focus and Escape. Their
+ * scripts are fetched when they are asked for; until then the dialog counts as open, and the keyboard waits for it.
+ */
+import type { DialogContent } from '../kit/dialog.ts';
+import { button, element } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { onDemand } from '../state/on-demand.ts';
+import type { DialogName, Workbench } from '../state/workbench.ts';
+
+type MakeDialog = (wb: Workbench, close: () => void) => DialogContent;
+
+const curveTools = () => import('../editors/curves/dialogs/tool-dialogs.ts');
+const sampleTools = () => import('../editors/curves/dialogs/sample-dialogs.ts');
+
+const LOAD: Readonly<Record<DialogName, () => Promise<MakeDialog>>> = {
+  shortcuts: async () => (await import('./shortcuts-page.ts')).shortcutsPage,
+  search: async () => (await import('./command-search.ts')).commandSearch,
+  save: async () => (await import('./save-list.ts')).saveList,
+  about: async () => (await import('./about.ts')).aboutDialog,
+  simplify: async () => (await curveTools()).simplifyDialog,
+  resample: async () => (await curveTools()).resampleDialog,
+  bake: async () => (await curveTools()).bakeDialog,
+  scaleKeys: async () => (await curveTools()).scaleDialog,
+  convertToKeys: async () => (await sampleTools()).convertDialog,
+  smoothSamples: async () => (await sampleTools()).smoothDialog,
+  resampleSamples: async () => (await sampleTools()).resampleSamplesDialog,
+  retarget: async () => (await import('../editors/retarget/dialog.ts')).retargetDialog,
+  holdPins: async () => (await import('../editors/ik/hold-dialog.ts')).holdDialog,
+  skinWeights: async () => (await import('../editors/skin/weights-dialog.ts')).weightsDialog,
+};
+
+export function startDialogs(wb: Workbench, root: HTMLElement): void {
+  let shown: HTMLDialogElement | undefined;
+  let asked = 0;
+  const close = () => wb.dialog.set(undefined);
+  wb.dialog.subscribe(async (name) => {
+    shown?.close();
+    shown = undefined;
+    const turn = ++asked;
+    if (!name) return;
+    const make = await onDemand(wb.messages, 'The dialog', LOAD[name]);
+    // Closed again by now, or another is open.
+    if (turn !== asked) return;
+    if (make) shown = showDialog(root, make(wb, close), close, (dialog) => dialog === shown);
+    else close();
+  });
+}
+
+/** @param isShown whether it is open still, as far as the page is concerned */
+function showDialog(
+  root: HTMLElement,
+  { title, body, kind, bare }: DialogContent,
+  close: () => void,
+  isShown: (dialog: HTMLDialogElement) => boolean,
+): HTMLDialogElement {
+  const head = element(
+    'div',
+    { class: 'dialog-head' },
+    element('h2', {}, title),
+    button('Close', { class: 'tool' }, icon('close'), close),
+  );
+  const dialog = element('dialog', { class: `dialog ${kind}`, 'aria-label': title }, !bare && head, body);
+  dialog.addEventListener('close', () => {
+    dialog.remove();
+    if (isShown(dialog)) close();
+  });
+  // A press on the backdrop is one on the dialog itself, outside of its box.
+  dialog.addEventListener('pointerdown', (event) => {
+    if (event.target === dialog && !inside(dialog, event)) close();
+  });
+  root.append(dialog);
+  dialog.showModal();
+  // The browser would begin with Close.
+  const first = body.querySelector<HTMLElement>('[autofocus], button:not(:disabled), input');
+  (first ?? body).focus({ preventScroll: true });
+  return dialog;
+}
+
+function inside(target: HTMLElement, { clientX, clientY }: PointerEvent): boolean {
+  const box = target.getBoundingClientRect();
+  return clientX >= box.left && clientX <= box.right && clientY >= box.top && clientY <= box.bottom;
+}

@@ -1,0 +1,214 @@
+/** Changing the document, and what is selected in it. */
+
+import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
+import { resetPose, setClamping } from '../../edit/commands/pose.ts';
+import { setHidden } from '../../edit/commands/spaces.ts';
+import { DEFAULT_PLACEMENT } from '../../model/document.ts';
+import { NOTHING_SELECTED } from '../../model/session.ts';
+import type { Joint } from '../../model/skeleton.ts';
+import { autoKey } from '../editors/posing/pose-edits.ts';
+import { type Action, currentCharacter } from '../state/action.ts';
+import type { Workbench } from '../state/workbench.ts';
+
+const hasCharacter = (wb: Workbench) => currentCharacter(wb) !== undefined;
+
+export const EDIT_ACTIONS: readonly Action[] = [
+  {
+    id: 'edit.undo',
+    name: 'Undo',
+    label: (wb) => (wb.store.undoLabel ? `Undo ${lowerFirst(wb.store.undoLabel)}` : 'Undo'),
+    group: 'Edit',
+    menu: 'Edit',
+    shortcuts: ['Ctrl+Z'],
+    repeats: true,
+    enabled: (wb) => wb.store.undoLabel !== undefined,
+    run: (wb) => travel(wb, 'undo'),
+  },
+  {
+    id: 'edit.redo',
+    name: 'Redo',
+    label: (wb) => (wb.store.redoLabel ? `Redo ${lowerFirst(wb.store.redoLabel)}` : 'Redo'),
+    group: 'Edit',
+    menu: 'Edit',
+    shortcuts: ['Ctrl+Shift+Z', 'Ctrl+Y'],
+    repeats: true,
+    enabled: (wb) => wb.store.redoLabel !== undefined,
+    run: (wb) => travel(wb, 'redo'),
+  },
+  {
+    id: 'pose.resetToFile',
+    label: 'Reset to the file’s pose',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 1,
+    shortcuts: ['Shift+R'],
+    enabled: hasCharacter,
+    run: (wb) => reset(wb, 'file'),
+  },
+  {
+    id: 'pose.resetToZero',
+    label: 'Reset to zero pose',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 1,
+    enabled: hasCharacter,
+    run: (wb) => reset(wb, 'zero'),
+  },
+  {
+    id: 'pose.holdLimits',
+    label: 'Hold limits',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 1,
+    enabled: hasCharacter,
+    checked: (wb) => currentCharacter(wb)?.clampsToLimits ?? false,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return;
+      wb.store.apply(setClamping, { characterId: character.id, clamps: !character.clampsToLimits });
+    },
+  },
+  {
+    id: 'character.copy',
+    label: 'Show once more beside it',
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    enabled: hasCharacter,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return;
+      const last = character.placements.at(-1) ?? DEFAULT_PLACEMENT;
+      const [x, y, z] = last.position;
+      const [width] = wb.viewport.sizeOf(character.id, character.placements.length - 1) ?? [1];
+      // A point has no width, and its copies would be one.
+      const aside = 1.2 * (width || 1);
+      wb.store.apply(addCopy, { characterId: character.id, placement: { ...last, position: [x + aside, y, z] } });
+    },
+  },
+  {
+    id: 'character.hide',
+    name: 'Hide or show the character',
+    label: (wb) => `${currentCharacter(wb)?.isHidden ? 'Show' : 'Hide'} ${currentCharacter(wb)?.name ?? 'character'}`,
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    enabled: hasCharacter,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (character) wb.store.apply(setHidden, { ids: [character.id], hidden: !character.isHidden });
+    },
+  },
+  {
+    id: 'character.remove',
+    name: 'Remove character',
+    label: (wb) => `Remove ${currentCharacter(wb)?.name ?? 'character'}`,
+    group: 'Edit',
+    menu: 'Edit',
+    section: 2,
+    shortcuts: ['Delete'],
+    panel: 'outliner',
+    enabled: hasCharacter,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (!character) return;
+      wb.store.apply(removeCharacter, { characterId: character.id });
+      wb.store.select(NOTHING_SELECTED);
+    },
+  },
+  {
+    id: 'select.parent',
+    label: 'Select parent',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['Up'],
+    repeats: true,
+    enabled: hasCharacter,
+    run: (wb) => walk(wb, (joints, joint) => joints[joint].parent),
+  },
+  {
+    id: 'select.child',
+    label: 'Select first child',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['Down'],
+    repeats: true,
+    enabled: hasCharacter,
+    // Pre-order: a first child comes right after its parent.
+    run: (wb) => walk(wb, (joints, joint) => (joints[joint + 1]?.parent === joint ? joint + 1 : -1)),
+  },
+  {
+    id: 'select.previousSibling',
+    label: 'Select previous sibling',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: ['['],
+    repeats: true,
+    enabled: hasCharacter,
+    run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, -1)),
+  },
+  {
+    id: 'select.nextSibling',
+    label: 'Select next sibling',
+    group: 'Select',
+    menu: 'Edit/Select',
+    shortcuts: [']'],
+    repeats: true,
+    enabled: hasCharacter,
+    run: (wb) => walk(wb, (joints, joint) => sibling(joints, joint, 1)),
+  },
+  {
+    id: 'select.nothing',
+    label: 'Select nothing',
+    group: 'Select',
+    menu: 'Edit/Select',
+    section: 1,
+    enabled: (wb) => wb.store.selection.characterId !== undefined,
+    run: (wb) => wb.store.select(NOTHING_SELECTED),
+  },
+];
+
+function lowerFirst(text: string): string {
+  return text.charAt(0).toLowerCase() + text.slice(1);
+}
+
+/**
+ * What was said of a step in passing is not so any more. A step that takes characters away, or brings them, is more than
+ * one may have meant: it is said.
+ */
+function travel(wb: Workbench, way: 'undo' | 'redo'): void {
+  const label = way === 'undo' ? wb.store.undoLabel : wb.store.redoLabel;
+  const idsOf = () => wb.store.document.characters.map((c) => c.id).join();
+  const before = idsOf();
+  wb.messages.leaveBehind(wb.messages.said);
+  if (way === 'undo') wb.store.undo();
+  else wb.store.redo();
+  if (label === undefined || idsOf() === before) return;
+  wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo brings it back.` : `Redone: ${label}.`);
+}
+
+function reset(wb: Workbench, to: 'file' | 'zero'): void {
+  const character = currentCharacter(wb);
+  if (!character) return;
+  const { timeSeconds } = wb.transport.get();
+  wb.store.apply(resetPose, { characterId: character.id, to, timeSeconds, key: autoKey(wb) });
+}
+
+/** Goes from the selected joint to another; the root first. A step of −1 or none stays. */
+function walk(wb: Workbench, step: (joints: readonly Joint[], joint: number) => number): void {
+  const character = currentCharacter(wb);
+  const joints = character?.skeleton?.joints;
+  if (!character || !joints?.length) return;
+  const { selection } = wb.store;
+  const from = selection.characterId === character.id ? selection.joint : undefined;
+  const to = from === undefined ? 0 : step(joints, from);
+  if (to >= 0 && to < joints.length) wb.store.select({ characterId: character.id, joint: to });
+}
+
+/** The sibling before or after, round the corner. */
+function sibling(joints: readonly Joint[], joint: number, step: 1 | -1): number {
+  const parent = joints[joint].parent;
+  const siblings: number[] = [];
+  for (let j = Math.max(0, parent); j < joints.length; j++) if (joints[j].parent === parent) siblings.push(j);
+  return siblings[(siblings.indexOf(joint) + step + siblings.length) % siblings.length];
+}

@@ -1,0 +1,163 @@
+/** Opening and saving. */
+import { axisAngleObstacle } from '../../model/axis-angle.ts';
+import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { type Action, currentCharacter } from '../state/action.ts';
+import { SAVE_KINDS, type SaveKind, type Workbench } from '../state/workbench.ts';
+import { contentText, whenText } from './kept-text.ts';
+
+export const SAVE_LABELS: Readonly<Record<SaveKind, string>> = {
+  skel: 'Skeleton (.skel)',
+  axskel: 'Axis-angle skeleton (.axskel)',
+  skin: 'Skin (.skin)',
+  morph: 'Morphs (.morph)',
+  anim: 'Animation (.anim)',
+  rig: 'Rig (.rig)',
+  bvh: 'Motion capture (.bvh)',
+  pose: 'Poses (.pose)',
+};
+
+/** Whether a character has anything to save as such a file. */
+export function canSave(character: Character, kind: SaveKind): boolean {
+  switch (kind) {
+    case 'skel':
+    case 'bvh':
+      return character.skeleton !== undefined;
+    case 'axskel':
+      return character.skeleton !== undefined && axisAngleObstacle(character.skeleton) === undefined;
+    case 'skin':
+      return shownSkin(character) !== undefined;
+    case 'morph':
+      return character.morphs.length > 0;
+    case 'anim':
+      return shownClip(character) !== undefined;
+    case 'pose':
+      return (character.poses?.length ?? 0) > 0;
+    case 'rig':
+      return character.skeleton !== undefined || shownSkin(character) !== undefined;
+  }
+}
+
+/** What stands in the way of the axis-angle form, which is more than that there is no skeleton. */
+function whyNotAxisAngle(wb: Workbench): string | undefined {
+  const skeleton = currentCharacter(wb)?.skeleton;
+  return skeleton && axisAngleObstacle(skeleton);
+}
+
+const hasCharacters = (wb: Workbench) => wb.store.document.characters.length > 0;
+
+export const FILE_ACTIONS: readonly Action[] = [
+  {
+    id: 'file.open',
+    label: 'Open files…',
+    group: 'Files',
+    menu: 'Open',
+    shortcuts: ['Ctrl+O'],
+    icon: 'file',
+    run: (wb) => wb.files.open(),
+  },
+  {
+    id: 'file.openFolder',
+    label: 'Open folder…',
+    group: 'Files',
+    menu: 'Open',
+    icon: 'folder',
+    run: (wb) => wb.files.openFolder(),
+  },
+  {
+    id: 'file.reload',
+    label: 'Reload from disk',
+    detail: 'Reads those files of the character again that changed.',
+    group: 'Files',
+    menu: 'Open',
+    section: 1,
+    // Ctrl+R is the browser's own, and stays so.
+    shortcuts: ['Alt+R'],
+    enabled(wb) {
+      const character = currentCharacter(wb);
+      return character !== undefined && wb.files.canReload(character.id);
+    },
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (character) wb.files.reload(character.id);
+    },
+  },
+  {
+    id: 'save.changed',
+    label: 'Save changes',
+    group: 'Files',
+    menu: 'Save',
+    shortcuts: ['Ctrl+S'],
+    icon: 'save',
+    enabled: hasCharacters,
+    run: (wb) => wb.files.saveChanged(),
+  },
+  {
+    id: 'save.list',
+    label: 'Save as…',
+    group: 'Files',
+    menu: 'Save',
+    shortcuts: ['Ctrl+Shift+S'],
+    enabled: hasCharacters,
+    run: (wb) => wb.dialog.set('save'),
+  },
+  ...SAVE_KINDS.map(
+    (kind): Action => ({
+      id: `save.${kind}`,
+      label: SAVE_LABELS[kind],
+      group: 'Files',
+      menu: 'Save',
+      section: 1,
+      enabled(wb) {
+        const character = currentCharacter(wb);
+        return character !== undefined && canSave(character, kind);
+      },
+      ...(kind === 'axskel' && { whyNot: whyNotAxisAngle }),
+      run(wb) {
+        const character = currentCharacter(wb);
+        if (character) wb.files.save(character.id, kind);
+      },
+    }),
+  ),
+  {
+    id: 'save.all',
+    label: 'Whole character (.zip)',
+    group: 'Files',
+    menu: 'Save',
+    section: 2,
+    enabled: hasCharacters,
+    run(wb) {
+      const character = currentCharacter(wb);
+      if (character) wb.files.saveAll(character.id);
+    },
+  },
+];
+
+/** Work of an earlier page, for as long as there is some: nothing that was put off is out of reach. */
+export function keptActions(wb: Workbench): Action[] {
+  const offer = wb.kept.get();
+  const [work] = offer?.works ?? [];
+  if (!offer || !work) return [];
+  return [
+    {
+      id: 'session.restore',
+      label: 'Restore last session…',
+      detail: `${whenText(work.savedAtMs)}: ${contentText(work.characters)}`,
+      group: 'Files',
+      menu: 'Open',
+      section: 2,
+      run: () => offer.again(),
+    },
+  ];
+}
+
+/** One for each sample that the page came with. */
+export function sampleActions(wb: Workbench): Action[] {
+  return wb.files.samples.map((sample) => ({
+    id: `sample.${sample.id}`,
+    label: sample.label,
+    detail: sample.description,
+    group: 'Files',
+    menu: 'Samples',
+    run: () => wb.files.openSample(sample.id),
+  }));
+}

@@ -1,0 +1,13 @@
+/** The right panel, in its place from the start; what stands in it comes when the first picture is there. */
+import { element } from '../kit/dom.ts';
+import { onDemand, whenIdle } from '../state/on-demand.ts';
+import type { Workbench } from '../state/workbench.ts';
+
+export function inspectorPanel(wb: Workbench): HTMLElement {
+  const panel = element('section', { class: 'panel inspector', 'aria-label': 'Inspector', 'data-panel': 'inspector' });
+  whenIdle(wb, async () => {
+    const module = await onDemand(wb.messages, 'The inspector', () => import('../editors/inspector/inspector.ts'));
+    module?.fillInspector(wb, panel);
+  });
+  return panel;
+}

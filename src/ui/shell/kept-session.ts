@@ -1,0 +1,78 @@
+/**
+ * What was not finished when a page was closed, crashed or reloaded, as a line over the viewport's foot: offered, never
+ * restored by itself, and no dialog, since whoever came for something else should get on with it. Once something else
+ * is worked on it shrinks, and stays until it is answered.
+ */
+import { button, element } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { menuButton } from '../kit/menu.ts';
+import type { KeptOffer, KeptWork } from '../state/kept-offer.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { contentText, whenText } from './kept-text.ts';
+
+export function keptSession(wb: Workbench): HTMLElement {
+  const line = element('section', { class: 'kept-session', 'aria-label': 'Work that was not finished' });
+  // Told when it appears; the buttons outside of it are not read out again with each change.
+  const text = element('span', { class: 'kept-text', role: 'status' });
+  const show = () => {
+    const offer = wb.kept.get();
+    const isShown = offer !== undefined && !offer.isPutOff;
+    line.hidden = !isShown;
+    if (!isShown) {
+      line.replaceChildren(text);
+      text.textContent = '';
+      return;
+    }
+    const [work, ...others] = offer.works;
+    line.classList.toggle('small', offer.isAside);
+    const close = button(
+      'Not now: offered again next time, and in the Open menu',
+      { class: 'tool small' },
+      icon('close'),
+      offer.later,
+    );
+    if (offer.discarded) {
+      text.textContent = `Your work of ${whenText(offer.discarded.savedAtMs)} is discarded.`;
+      const back = button('Keep it after all', { class: 'link' }, 'Keep it after all', offer.putBack);
+      line.replaceChildren(text, back, close);
+      return;
+    }
+    if (!work) {
+      line.hidden = true;
+      return;
+    }
+    const when = whenText(work.savedAtMs);
+    text.textContent = offer.isAside
+      ? `Work of ${when}`
+      : `Your work of ${when} is still here: ${contentText(work.characters)}.`;
+    text.title = contentText(work.characters);
+    const restoring = offer.isAside ? 'Restore: takes the place of what is open; undo brings that back' : 'Restore';
+    line.replaceChildren(
+      text,
+      button(restoring, { class: 'kept-restore' }, 'Restore', () => offer.restore(work.id)),
+      button('Discard', { class: 'link' }, 'Discard', () => offer.discard(work.id)),
+      others.length > 0 && !offer.isAside ? olderButton(offer, others) : '',
+      close,
+    );
+    if (offer.isAskedFor) line.querySelector<HTMLElement>('.kept-restore')?.focus();
+  };
+  wb.kept.subscribe(show);
+  show();
+  return line;
+}
+
+/** `2 older`: a list of them. */
+function olderButton(offer: KeptOffer, others: readonly KeptWork[]): HTMLElement {
+  const label = `${others.length} older`;
+  const made = element('button', { type: 'button', class: 'link' }, label);
+  menuButton(made, label, () =>
+    others.map(({ id, savedAtMs, characters }) => ({
+      kind: 'item',
+      label: whenText(savedAtMs),
+      detail: contentText(characters),
+      enabled: true,
+      run: () => offer.choose(id),
+    })),
+  );
+  return made;
+}

@@ -1,0 +1,78 @@
+/** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
+
+import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focus.ts';
+import { type Action, actionLabel, isEnabled } from '../state/action.ts';
+import { actionFor, type FocusKind, shortcutsOf, swallows } from '../state/shortcuts.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { actionsOf } from './actions.ts';
+
+export const isMac = /mac|iphone|ipad/i.test(globalThis.navigator?.userAgent ?? '');
+
+/** Listens until the signal says otherwise. */
+export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
+  watchTyping(signal);
+  letGoOfClicked(signal);
+  window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
+}
+
+/**
+ * For a listener in the capture phase while something is dragged: the keyboard waits, for what is deleted or undone under
+ * the hand can't be dragged on. Escape and what is only held go on.
+ */
+export function waitOutDrag(event: KeyboardEvent): void {
+  if (event.key === 'Escape') return;
+  // Alt would open the browser's menu.
+  event.preventDefault();
+  if (!MODIFIERS.includes(event.key)) event.stopPropagation();
+}
+
+const MODIFIERS = ['Alt', 'Control', 'Shift', 'Meta'];
+
+/** Runs the action that the key means, unless the focused control, a panel or a dialog has it. */
+export function handleKey(wb: Workbench, event: KeyboardEvent): void {
+  if (event.defaultPrevented || event.isComposing || wb.dialog.get() !== undefined) return;
+  const target = event.target instanceof Element ? event.target : document.body;
+  if (target.closest('[role=menu],dialog')) return;
+  if (swallows(focusKind(target), event, isMac)) return;
+  const panel = target.closest<HTMLElement>('[data-panel]')?.dataset.panel;
+  const pressed = shortcutsOf(event, isMac);
+  const action = actionFor(pressed, actionsOf(wb), panel, wb.settings.get());
+  if (!action) {
+    // The browser would select every text on the page; it may where one is meant to be copied.
+    if (pressed.includes('Ctrl+A') && !isInCopiedText(target)) event.preventDefault();
+    return;
+  }
+  // Ours also where it can't run just now: Ctrl+S never opens the browser's dialog.
+  event.preventDefault();
+  if (event.repeat && !action.repeats) return;
+  tryAction(wb, action);
+}
+
+/** Runs it if it can run; a refusal becomes a message. */
+export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
+  if (!isEnabled(wb, action)) return;
+  const failed = (error: unknown) => {
+    const why = error instanceof Error ? error.message : String(error);
+    wb.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
+  };
+  try {
+    action.run(wb, args)?.catch(failed);
+  } catch (error) {
+    failed(error);
+  }
+}
+
+/** Whether the focus is in text that is there to be copied, or some of it is selected. */
+function isInCopiedText(target: Element): boolean {
+  const { anchorNode = null } = document.getSelection() ?? {};
+  const selected = anchorNode instanceof Element ? anchorNode : anchorNode?.parentElement;
+  return [target, selected].some((one) => one?.closest(COPIED_TEXT));
+}
+const COPIED_TEXT = '.messages-list,.facts';
+
+function focusKind(target: Element): FocusKind {
+  if (isTextField(target)) return isTypedIn(target) ? 'text' : 'untyped';
+  if (target instanceof HTMLSelectElement) return 'select';
+  if (target instanceof HTMLInputElement && target.type === 'range') return 'range';
+  return target.matches('input,button,a[href],summary,[role=button]') ? 'press' : 'none';
+}

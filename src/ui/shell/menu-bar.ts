@@ -1,0 +1,171 @@
+/** The bar on top: menus on the left, what is loaded on the right. */
+import { type Document, shownClip, shownSkin } from '../../model/document.ts';
+import { vertexCount } from '../../model/skin.ts';
+import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { type Menu, openMenu } from '../kit/menu.ts';
+import { bytes, plural } from '../kit/number-text.ts';
+import { MENUS, type MenuName } from '../state/action.ts';
+import { menuEntries } from '../state/menu-entries.ts';
+import { isPanelOpen, NARROW } from '../state/panels.ts';
+import { keepTooltip } from '../state/tooltips.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { runAction } from './actions.ts';
+
+export function menuBar(wb: Workbench): HTMLElement {
+  const bar = element('div', { role: 'menubar', 'aria-label': 'Menus', class: 'menu-titles' });
+  const titles = MENUS.map((name) =>
+    element('button', { type: 'button', role: 'menuitem', 'aria-haspopup': 'menu', 'aria-expanded': 'false' }, name),
+  );
+  titles.forEach((title, i) => {
+    title.tabIndex = i === 0 ? 0 : -1;
+  });
+  bar.append(...titles);
+  letMenusDrop(wb, bar, titles);
+  return element(
+    'header',
+    { class: 'menu-bar' },
+    panelButton(wb, 'page.outliner', 'Outliner', 'outliner'),
+    element('span', { class: 'brand', 'aria-hidden': 'true' }, icon('bones'), 'Marrow'),
+    bar,
+    element('div', { class: 'menu-end' }, whatIsUnsaved(wb), whatIsLoaded(wb)),
+    panelButton(wb, 'page.inspector', 'Inspector', 'inspector'),
+  );
+}
+
+function letMenusDrop(wb: Workbench, bar: HTMLElement, titles: readonly HTMLButtonElement[]): void {
+  let shown: { readonly index: number; readonly menu: Menu } | undefined;
+  let pressedWhileOpen = false;
+
+  const focusTitle = (index: number) => {
+    for (const [i, title] of titles.entries()) title.tabIndex = i === index ? 0 : -1;
+    titles[index].focus();
+  };
+  const show = (index: number, focusFirst: boolean) => {
+    const title = titles[index];
+    const menu = openMenu(title.getBoundingClientRect(), menuEntries(wb, MENUS[index]), {
+      label: MENUS[index] satisfies MenuName,
+      opener: title,
+      focusFirst,
+      onClose() {
+        title.setAttribute('aria-expanded', 'false');
+        shown = undefined;
+      },
+      onLeave: (step) => show((index + step + titles.length) % titles.length, true),
+    });
+    title.setAttribute('aria-expanded', 'true');
+    for (const other of titles) other.tabIndex = other === title ? 0 : -1;
+    shown = { index, menu };
+  };
+
+  titles.forEach((title, index) => {
+    title.addEventListener('pointerdown', () => {
+      pressedWhileOpen = shown?.index === index;
+    });
+    title.addEventListener('click', (event) => {
+      if (pressedWhileOpen) pressedWhileOpen = false;
+      else show(index, event.detail === 0);
+    });
+    title.addEventListener('pointerenter', () => {
+      if (shown && shown.index !== index) show(index, false);
+    });
+    title.addEventListener('keydown', (event) => {
+      const step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+      if (step) focusTitle((index + step + titles.length) % titles.length);
+      else if (event.key === 'ArrowDown') show(index, true);
+      else return;
+      event.preventDefault();
+    });
+  });
+  keepsFocusElsewhere(bar);
+}
+
+function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' | 'inspector'): HTMLButtonElement {
+  const made = keepsFocusElsewhere(
+    button(`${label} panel`, { class: `tool panel-button ${name}-button` }, icon(name), () => runAction(wb, id)),
+  );
+  const show = () => {
+    made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), name)));
+  };
+  keepTooltip(wb, made, id, () => `${label} panel`);
+  wb.settings.subscribe(show);
+  window.matchMedia(NARROW).addEventListener('change', show);
+  show();
+  return made;
+}
+
+/** Beside what is loaded, where nothing stands otherwise: what is not saved yet, and the button that saves it. */
+function whatIsUnsaved(wb: Workbench): HTMLElement {
+  const names = element('span');
+  // Where room is short the mark says it, and the word is only spoken.
+  const word = element('span', { class: 'unsaved-word' }, 'Unsaved: ');
+  const text = element('span', { class: 'unsaved-text', role: 'status' }, word, names);
+  const save = keepsFocusElsewhere(
+    button('Save changes', { class: 'link' }, 'Save', () => runAction(wb, 'save.changed')),
+  );
+  keepTooltip(wb, save, 'save.changed', () => 'Save changes');
+  const all = element('div', { class: 'unsaved' }, text, save);
+  const show = () => {
+    const parts = wb.files.unsaved.get();
+    // Room is kept for nothing here, so appearing pushes nothing aside.
+    all.hidden = parts.length === 0;
+    setText(names, unsavedNames(parts));
+    setAttribute(text, 'title', `Unsaved:\n${parts.map(({ name }) => name).join('\n')}`);
+  };
+  wb.files.unsaved.subscribe(show);
+  show();
+  return all;
+}
+
+/** `wasp_walk.anim`; `wasp.skel and 2 more`. */
+export function unsavedNames(parts: readonly { readonly name: string }[]): string {
+  const [first, ...others] = parts;
+  if (!first) return '';
+  return `${first.name}${others.length ? ` and ${others.length} more` : ''}`;
+}
+
+/** On the right: what is loaded, or how far a file has come, in the same place so that nothing shifts. */
+function whatIsLoaded(wb: Workbench): HTMLElement {
+  const text = element('span', { class: 'loaded-text' });
+  const bar = element('progress', { class: 'loaded-progress', 'aria-label': 'Reading', max: 1, hidden: true });
+  const cancel = button('Cancel', { class: 'link', hidden: true }, 'Cancel', () => wb.loading.get()?.cancel());
+  const show = () => {
+    const loading = wb.loading.get();
+    bar.hidden = cancel.hidden = loading === undefined;
+    if (!loading) {
+      const sentence = loadedText(wb.store.document);
+      setText(text, sentence);
+      setAttribute(text, 'title', sentence);
+      return;
+    }
+    setText(text, `Reading ${loading.label}, ${bytes(loading.done)}${loading.of ? ` of ${bytes(loading.of)}` : ''}`);
+    if (loading.of) bar.value = loading.done / loading.of;
+    else bar.removeAttribute('value');
+  };
+  wb.loading.subscribe(show);
+  wb.store.subscribe((now, before) => {
+    if (now.document !== before.document) show();
+  });
+  show();
+  return element('div', { class: 'loaded', role: 'status' }, text, bar, cancel);
+}
+
+/** `wasp · 31 joints · 1,042 vertices · wasp_walk`. */
+export function loadedText(document: Document): string {
+  const { characters } = document;
+  if (!characters.length) return 'Nothing is loaded';
+  const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);
+  const vertices = characters.reduce((sum, c) => sum + (shownSkinSize(c) ?? 0), 0);
+  const parts = [characters.length === 1 ? characters[0].name : plural(characters.length, 'character')];
+  if (document.isOpeningSample) parts[0] = `Sample: ${parts[0]}`;
+  if (joints) parts.push(plural(joints, 'joint'));
+  if (vertices) parts.push(plural(vertices, 'vertex', 'vertices'));
+  const take = characters.length === 1 ? shownClip(characters[0])?.name : undefined;
+  if (take) parts.push(take);
+  return parts.join(' · ');
+}
+
+function shownSkinSize(character: Document['characters'][number]): number | undefined {
+  const skin = shownSkin(character);
+  return skin && vertexCount(skin);
+}

@@ -1,0 +1,61 @@
+/**
+ * The newest message that nobody has read, as a line over the viewport's foot. It stays until it is put away, a refusal
+ * until something else is done (`stale-messages.ts`); only a confirmation goes by itself.
+ */
+import { button, element } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { plural } from '../kit/number-text.ts';
+import { PassingTime } from '../kit/passing-time.ts';
+import type { Workbench } from '../state/workbench.ts';
+
+const PASSING_MS = 10_000;
+
+export function messageLine(wb: Workbench): HTMLElement {
+  const { messages } = wb;
+  // Assertive for errors would need a second region; a line that stays can wait for the reader to finish.
+  const region = element('div', { class: 'message-line', role: 'status', 'aria-live': 'polite' });
+  const show = () => {
+    const unread = messages.list.get().filter((m) => m.unread);
+    const passing = messages.passing.get();
+    const first = unread.at(-1);
+    region.hidden = first === undefined && passing === undefined;
+    if (passing !== undefined) {
+      region.className = 'message-line severity-info';
+      region.replaceChildren(
+        icon('info'),
+        element('span', { class: 'message-text' }, passing),
+        button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.passing.set(undefined)),
+      );
+      return;
+    }
+    if (!first) {
+      region.replaceChildren();
+      return;
+    }
+    const others = unread.length - 1;
+    const showAll = () => {
+      messages.markAllRead();
+      messages.askForList();
+    };
+    const listed = others > 0 || first.diagnostics.length > 0;
+    const more = others > 0 ? `${plural(others, 'more message')}` : 'Details';
+    region.className = `message-line severity-${first.severity}`;
+    region.replaceChildren(
+      icon(first.severity),
+      element('span', { class: 'message-text', title: first.text }, first.text),
+      listed ? button('Show all messages', { class: 'link' }, more, showAll) : '',
+      button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.markAllRead()),
+    );
+  };
+  messages.list.subscribe(show);
+  const time = new PassingTime(PASSING_MS, () => messages.passing.set(undefined));
+  messages.passing.subscribe((text) => {
+    if (text === undefined) time.end();
+    else time.begin();
+    show();
+  });
+  region.addEventListener('pointerenter', () => time.hold(true));
+  region.addEventListener('pointerleave', () => time.hold(false));
+  show();
+  return region;
+}

@@ -1,0 +1,112 @@
+/** Panels, theme, units, help. */
+
+import type { Action } from '../state/action.ts';
+import { isPanelOpen, openPanel } from '../state/panels.ts';
+import type { Settings } from '../state/settings.ts';
+import type { Workbench } from '../state/workbench.ts';
+
+const setting = (wb: Workbench, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
+export const PAGE_ACTIONS: readonly Action[] = [
+  {
+    id: 'page.outliner',
+    label: 'Outliner',
+    group: 'Page',
+    menu: 'View',
+    section: 3,
+    shortcuts: ['T'],
+    icon: 'outliner',
+    checked: (wb) => isPanelOpen(wb.settings.get(), 'outliner'),
+    run: (wb) => openPanel(wb, 'outliner', !isPanelOpen(wb.settings.get(), 'outliner')),
+  },
+  {
+    id: 'page.inspector',
+    label: 'Inspector',
+    group: 'Page',
+    menu: 'View',
+    section: 3,
+    shortcuts: ['P'],
+    icon: 'inspector',
+    checked: (wb) => isPanelOpen(wb.settings.get(), 'inspector'),
+    run: (wb) => openPanel(wb, 'inspector', !isPanelOpen(wb.settings.get(), 'inspector')),
+  },
+  {
+    id: 'page.timeline',
+    label: 'Timeline',
+    group: 'Page',
+    menu: 'View',
+    section: 3,
+    shortcuts: ['C'],
+    icon: 'clip',
+    checked: (wb) => isPanelOpen(wb.settings.get(), 'timeline'),
+    run: (wb) => openPanel(wb, 'timeline', !isPanelOpen(wb.settings.get(), 'timeline')),
+  },
+  {
+    id: 'page.viewportOnly',
+    label: 'Fold or unfold both panels',
+    group: 'Page',
+    shortcuts: ['Ctrl+\\'],
+    run(wb) {
+      const now = wb.settings.get();
+      const open = !(isPanelOpen(now, 'outliner') || isPanelOpen(now, 'inspector'));
+      openPanel(wb, 'inspector', open);
+      openPanel(wb, 'outliner', open);
+    },
+  },
+  choice('theme', 'system', 'Follow the system', 'View/Theme'),
+  choice('theme', 'light', 'Light', 'View/Theme'),
+  choice('theme', 'dark', 'Dark', 'View/Theme'),
+  choice('angles', 'degrees', 'Degrees', 'View/Angles'),
+  choice('angles', 'radians', 'Radians', 'View/Angles'),
+  choice('timeDisplay', 'seconds', 'Seconds', 'View/Time'),
+  choice('timeDisplay', 'frames', 'Frames', 'View/Time'),
+  {
+    id: 'page.otherAngles',
+    label: 'Degrees or radians',
+    group: 'Page',
+    shortcuts: ['D'],
+    run: (wb) => setting(wb, { angles: wb.settings.get().angles === 'degrees' ? 'radians' : 'degrees' }),
+  },
+  {
+    id: 'help.search',
+    label: 'Find a command…',
+    group: 'Page',
+    menu: 'Help',
+    shortcuts: ['Ctrl+K', 'F3'],
+    icon: 'search',
+    run: (wb) => wb.dialog.set('search'),
+  },
+  {
+    id: 'help.shortcuts',
+    label: 'Shortcuts',
+    group: 'Page',
+    menu: 'Help',
+    shortcuts: ['?', 'F1'],
+    run: (wb) => wb.dialog.set('shortcuts'),
+  },
+  {
+    id: 'help.about',
+    label: 'About Marrow',
+    group: 'Page',
+    menu: 'Help',
+    section: 1,
+    run: (wb) => wb.dialog.set('about'),
+  },
+];
+
+function choice<K extends 'theme' | 'angles' | 'timeDisplay'>(
+  key: K,
+  value: Settings[K],
+  label: string,
+  menu: NonNullable<Action['menu']>,
+): Action {
+  return {
+    id: `page.${key}.${value}`,
+    label,
+    group: 'Page',
+    menu,
+    section: 4,
+    radio: true,
+    checked: (wb) => wb.settings.get()[key] === value,
+    run: (wb) => wb.settings.update((s) => ({ ...s, [key]: value })),
+  };
+}

@@ -1,0 +1,163 @@
+/**
+ * The `?` page: every action by group, with its keys. Single keys can be given other keys or none, one by one or all
+ * at once; what someone changed is marked, and can be put back.
+ */
+
+import type { DialogContent } from '../kit/dialog.ts';
+import { button, element } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { type Action, actionLabel, GROUPS } from '../state/action.ts';
+import { isSingleKey, shortcutsOf, shortcutText, withKeys } from '../state/shortcuts.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { actionsOf } from './actions.ts';
+import { isMac } from './keys.ts';
+import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
+
+/** Builds the page anew, with a sentence about what has just happened. */
+type Refresh = (news?: string) => void;
+
+export function shortcutsPage(wb: Workbench): DialogContent {
+  const body = element('div', { class: 'shortcuts' });
+  const said = element('p', { class: 'shortcut-said', role: 'status' });
+  const show = (news = '') => {
+    said.textContent = news;
+    body.replaceChildren(switches(wb, said, show), ...groups(wb, show), ...mouseGroups());
+  };
+  show();
+  return { title: 'Shortcuts', body, kind: 'shortcuts-dialog' };
+}
+
+function switches(wb: Workbench, said: HTMLElement, refresh: Refresh): HTMLElement {
+  const box = element('input', { type: 'checkbox' });
+  box.checked = wb.settings.get().singleKeys;
+  box.addEventListener('change', () => {
+    wb.settings.update((s) => ({ ...s, singleKeys: box.checked }));
+    refresh();
+  });
+  const reset = button('Reset all keys to default', { class: 'link' }, 'Reset all to default', () => {
+    wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
+    refresh();
+  });
+  reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
+  const hint = 'Press a single key below to give it another one, Delete to switch it off.';
+  return element(
+    'div',
+    { class: 'shortcut-switches' },
+    element('label', {}, box, 'Single keys'),
+    element('span', { class: 'faint' }, hint),
+    reset,
+    said,
+  );
+}
+
+/** One section a group; what holds in one panel alone stands together under its name. */
+function groups(wb: Workbench, refresh: Refresh): HTMLElement[] {
+  const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
+  return GROUPS.flatMap((group) => {
+    const own = actions.filter((action) => action.group === group);
+    const section = element('section', {}, element('h3', {}, group));
+    for (const panel of new Set([undefined, ...own.map((action) => action.panel)])) {
+      const held = own.filter((action) => action.panel === panel);
+      if (panel !== undefined) section.append(element('h4', {}, `In the ${panel}`));
+      section.append(...held.map((action) => line(wb, action, refresh)));
+    }
+    return own.length > 0 ? [section] : [];
+  });
+}
+
+function line(wb: Workbench, action: Action, refresh: Refresh): HTMLElement {
+  const { keys, singleKeys } = wb.settings.get();
+  const now = keys[action.id] ?? action.shortcuts ?? [];
+  const label = action.name ?? actionLabel(wb, action);
+  const cell = element('span', { class: 'shortcut-keys' });
+  for (const shortcut of now) {
+    const text = shortcutText(shortcut, isMac);
+    if (isSingleKey(shortcut)) cell.append(changeable(wb, action, shortcut, text, singleKeys, refresh));
+    else cell.append(element('kbd', {}, text));
+  }
+  if (!now.length) cell.append(changeable(wb, action, undefined, 'none', singleKeys, refresh));
+  if (action.id in keys) {
+    const back = button(`Reset ${label} to default`, { class: 'tool small' }, icon('close'), () => {
+      const news = give(wb, action, action.shortcuts ?? []);
+      wb.settings.update((s) => ({ ...s, keys: without(s.keys, action.id) }));
+      refresh(news);
+    });
+    cell.append(back);
+  }
+  return element('div', { class: 'shortcut-line' }, element('span', {}, label), cell);
+}
+
+/** A key that waits for another one once it is pressed. */
+function changeable(
+  wb: Workbench,
+  action: Action,
+  shortcut: string | undefined,
+  text: string,
+  enabled: boolean,
+  refresh: Refresh,
+): HTMLElement {
+  const key = element('button', { type: 'button', class: 'key', 'aria-label': `${text}: press to change` }, text);
+  key.disabled = !enabled;
+  const replaceBy = (next: string | undefined) => {
+    const own = wb.settings.get().keys[action.id] ?? action.shortcuts ?? [];
+    const kept = own.filter((k) => k !== shortcut && k !== next);
+    refresh(give(wb, action, next ? [next, ...kept] : kept));
+  };
+  key.addEventListener('click', () => {
+    key.textContent = 'press a key';
+    key.classList.add('waiting');
+    const wait = new AbortController();
+    const leave = () => {
+      wait.abort();
+      refresh();
+    };
+    key.addEventListener('blur', leave, { signal: wait.signal });
+    key.addEventListener(
+      'keydown',
+      (event) => {
+        if (/^(Shift|Control|Alt|Meta)$/.test(event.key)) return;
+        event.preventDefault();
+        event.stopPropagation();
+        if (event.key === 'Escape' || event.key === 'Tab') return leave();
+        wait.abort();
+        if (event.key === 'Delete' || event.key === 'Backspace') return replaceBy(undefined);
+        const next = shortcutsOf(event, isMac).find(isSingleKey);
+        if (next) replaceBy(next);
+        else refresh('Only a single key can be given here: a letter, a digit or a sign, with or without Shift.');
+      },
+      { signal: wait.signal },
+    );
+  });
+  return key;
+}
+
+/** Gives an action keys; whoever had them has to say so. */
+function give(wb: Workbench, action: Action, own: readonly string[]): string {
+  const { keys, losers } = withKeys(actionsOf(wb), wb.settings.get().keys, action, own);
+  wb.settings.update((s) => ({ ...s, keys }));
+  const name = (a: Action) => `“${a.name ?? actionLabel(wb, a)}”`;
+  const lost = losers.map((loser) => {
+    const had = loser.shortcuts?.find((key) => own.includes(key)) ?? own[0];
+    const left = keys[loser.id].length ? '' : ', which has no key now';
+    return `${shortcutText(had, isMac)} was taken from ${name(loser)}${left}.`;
+  });
+  return lost.join(' ');
+}
+
+function without<T>(record: Readonly<Record<string, T>>, key: string): Record<string, T> {
+  return Object.fromEntries(Object.entries(record).filter(([k]) => k !== key));
+}
+
+function mouseGroups(): HTMLElement[] {
+  return MOUSE_GESTURES.map(({ where, lines }) =>
+    element(
+      'section',
+      {},
+      element('h3', {}, where),
+      ...lines.map(([what, how]) => {
+        const keys = element('span', { class: 'faint' }, isMac ? macText(how) : how);
+        return element('div', { class: 'shortcut-line' }, element('span', {}, what), keys);
+      }),
+    ),
+  );
+}

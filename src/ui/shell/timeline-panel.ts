@@ -1,0 +1,128 @@
+/**
+ * The panel below the transport: curve editor, dope sheet, takes and poses as tabs, with the edge that sets its height. The tabs are
+ * scripts of their own: the page shows its character without waiting for them.
+ */
+
+import { movedNotice } from '../editors/retarget/moved.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
+import { focusPanel } from '../kit/focus.ts';
+import { icon } from '../kit/icons.ts';
+import { onDemand, whenIdle } from '../state/on-demand.ts';
+import { isPanelOpen, NARROW } from '../state/panels.ts';
+import { splitter } from '../state/splitter.ts';
+import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../state/timeline.ts';
+import type { Workbench } from '../state/workbench.ts';
+
+const LABELS: Readonly<Record<TimelineTabName, string>> = {
+  curves: 'Curves',
+  dope: 'Dope sheet',
+  takes: 'Takes',
+  poses: 'Poses',
+};
+
+/**
+ * @param load fetches and builds a tab; called once, when it is looked at first; for the tab that the page begins with not
+ *   before it has nothing else to do: the first picture is the character's
+ */
+export function timelinePanel(
+  wb: Workbench,
+  load: (name: TimelineTabName) => Promise<TimelineTab>,
+  signal: AbortSignal,
+): HTMLElement {
+  const { timeline } = wb;
+  const places = TIMELINE_TABS.map((name) => {
+    const title = keepsFocusElsewhere(
+      button(LABELS[name], { role: 'tab', class: 'timeline-tab', id: `timeline-tab-${name}` }, LABELS[name], () =>
+        timeline.change({ tab: name }),
+      ),
+    );
+    title.addEventListener('click', (event) => {
+      // With the mouse it means that one goes to work there, keys and all; the keyboard stays on the tabs.
+      if (event.detail === 0) return;
+      isGoneTo = true;
+      show();
+    });
+    const tools = element('div', { class: 'timeline-tools' });
+    // Until it is here.
+    const waiting = element('p', { class: 'empty' }, `${LABELS[name]} …`);
+    const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id }, waiting);
+    return { name, title, tools, body, waiting };
+  });
+  let isGoneTo = false;
+  const built = new Map<TimelineTabName, TimelineTab>();
+  const build = async (name: TimelineTabName) => {
+    const place = places.find((p) => p.name === name);
+    const what = `The ${LABELS[name].toLowerCase()}`;
+    const tab = await onDemand(wb.messages, what, () => load(name));
+    if (!tab && place) setText(place.waiting, `${what} could not be loaded.`);
+    if (!tab || signal.aborted) return;
+    built.set(name, tab);
+    if (tab.tools) place?.tools.append(tab.tools);
+    place?.body.replaceChildren(tab.element);
+    show();
+  };
+  let isStarting = true;
+  const asked = new Set<TimelineTabName>();
+  const need = (name: TimelineTabName) => {
+    if (asked.has(name)) return;
+    asked.add(name);
+    if (isStarting) whenIdle(wb, () => void build(name));
+    else void build(name);
+  };
+  const list = element('div', { role: 'tablist', class: 'timeline-tabs', 'aria-label': 'Timeline' });
+  list.append(...places.map((p) => p.title));
+  list.addEventListener('keydown', (event) => {
+    if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+    event.preventDefault();
+    const step = event.key === 'ArrowLeft' ? TIMELINE_TABS.length - 1 : 1;
+    const other = TIMELINE_TABS[(TIMELINE_TABS.indexOf(timeline.view.get().tab) + step) % TIMELINE_TABS.length];
+    timeline.change({ tab: other });
+    places.find((p) => p.name === other)?.title.focus();
+  });
+  const fold = keepsFocusElsewhere(
+    button('Fold the timeline', { class: 'tool timeline-fold' }, icon('close'), () =>
+      wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: false } })),
+    ),
+  );
+  const panel = element(
+    'section',
+    { class: 'timeline', 'aria-label': 'Timeline', 'data-panel': 'timeline' },
+    splitter(wb, 'timelineHeight', 'Height of the timeline'),
+    element('div', { class: 'timeline-head' }, list, ...places.map((p) => p.tools), fold),
+    movedNotice(wb),
+    ...places.map((p) => p.body),
+  );
+
+  let handsOver = false;
+  const show = () => {
+    const { tab } = timeline.view.get();
+    const open = isPanelOpen(wb.settings.get(), 'timeline');
+    panel.hidden = !open;
+    if (open) need(tab);
+    timeline.tab = open ? built.get(tab) : undefined;
+    handsOver ||= places.some((p) => p.name !== tab && p.body.contains(document.activeElement));
+    for (const { name, title, tools, body } of places) {
+      const chosen = name === tab;
+      title.setAttribute('aria-selected', String(chosen));
+      title.tabIndex = chosen ? 0 : -1;
+      body.hidden = tools.hidden = !chosen;
+      built.get(name)?.setVisible(open && chosen);
+    }
+    // What had the focus is hidden, and keys went nowhere. A tab that is on its way takes it when it is here.
+    if ((handsOver || isGoneTo) && timeline.tab) {
+      const { activeElement } = document;
+      if (isGoneTo || panel.contains(activeElement) || activeElement === document.body) focusPanel(panel);
+      handsOver = isGoneTo = false;
+    }
+  };
+  timeline.view.subscribe((now, before) => {
+    if (now.tab !== before.tab) show();
+  });
+  wb.settings.subscribe((now, before) => {
+    if (now.panels !== before.panels) show();
+  });
+  window.matchMedia(NARROW).addEventListener('change', show, { signal });
+  show();
+  isStarting = false;
+  return panel;
+}

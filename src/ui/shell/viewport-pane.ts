@@ -1,0 +1,236 @@
+/**
+ * The middle of the page: the viewport, kept in step with the document, a strip of what is drawn over its top edge, and
+ * the message line over its foot. What the hand does in it is for the tool of the mode (`tools/`); what that leaves alone
+ * picks, or is the camera's.
+ */
+import { type Character, type Document, shownSkin } from '../../model/document.ts';
+import { type Display, NOTHING_SELECTED, type Selection } from '../../model/session.ts';
+import { NO_TINTS, type Tints } from '../../view/theme.ts';
+import { modeBar } from '../editors/posing/mode-bar.ts';
+import {
+  areBoxesVisible,
+  BOX_STYLES,
+  isSkinVisible,
+  NO_BOXES,
+  NO_SKIN,
+  SKIN_STYLES,
+} from '../editors/viewport/actions.ts';
+import { listenToCanvas } from '../editors/viewport/canvas-tools.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
+import { icon } from '../kit/icons.ts';
+import { menuButton } from '../kit/menu.ts';
+import { currentCharacter } from '../state/action.ts';
+import { itemOf } from '../state/menu-entries.ts';
+import { type Comparison, comparedIn, drawnDocument, withoutTwin } from '../state/takes.ts';
+import { keepTooltip } from '../state/tooltips.ts';
+import type { Workbench } from '../state/workbench.ts';
+import { actionsOf, runAction } from './actions.ts';
+import { keptSession } from './kept-session.ts';
+import { messageLine } from './message-line.ts';
+import { modeTools } from './mode-tools.ts';
+
+const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
+
+export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
+  const { viewport, viewportElement, store, settings } = wb;
+  viewportElement.classList.add('viewport');
+  viewport.canvas.tabIndex = 0;
+  viewport.canvas.setAttribute('role', 'img');
+  viewport.canvas.setAttribute(
+    'aria-label',
+    'Viewport. Arrow keys up and down go from joint to joint, left and right turn the view while nothing plays.',
+  );
+  const { takes } = wb.timeline;
+  const show = () => {
+    const { document, selection } = store;
+    const comparison = takes.comparison.get();
+    viewport.show(
+      drawnDocument(document, comparison),
+      selection,
+      settings.get().display,
+      tintsOf(document, comparison),
+    );
+  };
+  const stops = [
+    store.subscribe((now, before) => {
+      if (now !== before) show();
+    }),
+    settings.subscribe((now, before) => {
+      if (now.display !== before.display) show();
+    }),
+    takes.comparison.subscribe(show),
+  ];
+  signal.addEventListener('abort', () => {
+    for (const stop of stops) stop();
+  });
+  handTools(wb, signal);
+  const head = element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb));
+  // Asked for while something is framed, and not watched: in every frame it would have the page laid out anew.
+  viewport.keepClear(() => head.offsetTop + head.offsetHeight);
+  show();
+  return element(
+    'main',
+    { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
+    viewportElement,
+    emptyHint(wb),
+    head,
+    element('div', { class: 'stage-foot' }, missingNote(wb), weightsNote(wb), keptSession(wb), messageLine(wb)),
+  );
+}
+
+/** The two characters that are compared; none where they are not there, or there is nothing to be told apart. */
+function tintsOf(document: Document, comparison: Comparison | undefined): Tints {
+  const compared = comparedIn(document, comparison);
+  if (!compared) return NO_TINTS;
+  return new Map([
+    [compared[0].drawnAs, 'comparedFirst'],
+    [compared[1].drawnAs, 'comparedSecond'],
+  ]);
+}
+
+/** What the tool of the mode leaves alone picks. */
+function handTools(wb: Workbench, signal: AbortSignal): void {
+  listenToCanvas(
+    wb.viewport.canvas,
+    modeTools(wb, signal),
+    ({ clientX, clientY }) => {
+      const hit = wb.viewport.pick(clientX, clientY);
+      // On the ground the joint is let go of; the character stays the one that is worked on.
+      const { characterId } = wb.store.selection;
+      const otherwise = characterId === undefined ? NOTHING_SELECTED : { characterId };
+      wb.store.select(hit ? { ...hit, characterId: withoutTwin(hit.characterId) } : otherwise);
+    },
+    signal,
+    (isTools) => wb.viewport.takePointer(isTools),
+  );
+}
+
+function displayStrip(wb: Workbench): HTMLElement {
+  const actions = actionsOf(wb);
+  const strip = element('div', { class: 'display-strip tools', role: 'toolbar', 'aria-label': 'What is drawn' });
+  const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool skin-tool' }));
+  const boxes = keepsFocusElsewhere(button('Boxes', { class: 'tool' }, icon('boxes'), () => {}));
+  const within = (prefix: string) => actions.filter((a) => a.id.startsWith(prefix));
+  menuButton(skin, 'Skin', () => within('draw.skin.').map((a) => itemOf(wb, a)));
+  menuButton(boxes, 'Boxes', () => within('draw.boxes.').map((a) => itemOf(wb, a)));
+  strip.append(skin, boxes);
+  const shown: (() => void)[] = [];
+  for (const what of TOGGLES) {
+    const action = actions.find((a) => a.id === `draw.${what}`);
+    if (!action || typeof action.label !== 'string' || !action.icon) continue;
+    const made = keepsFocusElsewhere(
+      button(action.label, { class: 'tool' }, icon(action.icon), () => runAction(wb, action.id)),
+    );
+    const { label } = action;
+    keepTooltip(wb, made, action.id, () => label);
+    shown.push(() => made.setAttribute('aria-pressed', String(action.checked?.(wb) ?? false)));
+    strip.append(made);
+  }
+  const nameOf = <T>(styles: readonly (readonly [T, string])[], style: T) =>
+    styles.find(([s]) => s === style)?.[1] ?? '';
+  const boxStyle = () => nameOf(BOX_STYLES, wb.settings.get().display.boxes).toLowerCase();
+  const skinTitle = keepTooltip(wb, skin, 'draw.nextSkin', () => (isSkinVisible(wb) ? 'Skin' : NO_SKIN));
+  const boxesTitle = keepTooltip(wb, boxes, 'draw.nextBoxes', () =>
+    areBoxesVisible(wb) ? `Boxes: ${boxStyle()}` : NO_BOXES,
+  );
+  const show = () => {
+    const { display } = wb.settings.get();
+    const label = nameOf(SKIN_STYLES, display.skin);
+    const hasSkin = isSkinVisible(wb);
+    const short = !hasSkin ? 'No skin' : display.skin === 'heat' ? 'Influence' : label;
+    skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
+    skin.setAttribute('aria-label', hasSkin ? `Skin: ${label}` : 'Skin: none');
+    skin.disabled = !hasSkin;
+    skinTitle();
+    // Unless skinned is the rest state: lit, it would promise boxes where none are drawn.
+    const hasBoxes = areBoxesVisible(wb);
+    boxes.setAttribute('aria-pressed', String(hasBoxes && (display.boxes === 'wire' || display.boxes === 'solid')));
+    boxes.classList.toggle('does-little', !hasBoxes);
+    boxes.setAttribute('aria-label', `Boxes: ${boxStyle()}`);
+    boxesTitle();
+    for (const update of shown) update();
+  };
+  wb.settings.subscribe(show);
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters) show();
+  });
+  show();
+  return strip;
+}
+
+function emptyHint(wb: Workbench): HTMLElement {
+  const open = element('button', { type: 'button', class: 'link' }, 'open files');
+  open.addEventListener('click', () => wb.files.open());
+  const start = element('button', { type: 'button', class: 'link' }, 'start a skeleton');
+  start.addEventListener('click', () => runAction(wb, 'rigging.new'));
+  const hint = element(
+    'div',
+    { class: 'stage-hint' },
+    element('p', {}, 'Drop character files here'),
+    element('p', { class: 'faint' }, '.bvh .skel .skin .morph .anim .rig, a folder or a zip, or ', open),
+    element('p', { class: 'faint' }, 'or ', start),
+  );
+  const show = () => {
+    hint.hidden = wb.store.document.characters.length > 0;
+  };
+  wb.store.subscribe(show);
+  show();
+  return hint;
+}
+
+/** What has to come before anything, or what was asked for, can be seen. */
+function missingNote(wb: Workbench): HTMLElement {
+  const note = element('p', { class: 'stage-note', role: 'status' });
+  const show = () => {
+    const text = whatIsMissing(wb.store.document, wb.store.selection, wb.settings.get().display);
+    note.hidden = text === '';
+    setText(note, text);
+  };
+  wb.store.subscribe(show);
+  wb.settings.subscribe(show);
+  show();
+  return note;
+}
+
+/** A skin that hangs on the root as a whole looks like one that is broken: what it wants is said, with the way there. */
+function weightsNote(wb: Workbench): HTMLElement {
+  const text = element('span');
+  const find = element('button', { type: 'button', class: 'link' }, 'Automatic skin weights…');
+  find.addEventListener('click', () => {
+    const character = withoutWeights(wb.store.document, wb.store.selection);
+    if (!character) return;
+    if (currentCharacter(wb) !== character) wb.store.select({ characterId: character.id });
+    runAction(wb, 'skin.weights');
+  });
+  const note = element('p', { class: 'stage-note' }, text, ' ', find);
+  const show = () => {
+    const { document, selection } = wb.store;
+    const character = withoutWeights(document, selection);
+    const skin = character && shownSkin(character);
+    note.hidden = skin === undefined;
+    setText(text, skin ? `${skin.name} has no weights: it follows the root alone.` : '');
+  };
+  wb.store.subscribe((now, before) => {
+    if (now.document.characters !== before.document.characters || now.selection !== before.selection) show();
+  });
+  show();
+  return note;
+}
+
+/** A character whose joints move nothing of the skin that it shows, for that has no weights; the one that is selected first. */
+export function withoutWeights({ characters }: Document, { characterId }: Selection): Character | undefined {
+  const waits = (character: Character) => {
+    const { skeleton, isHidden } = character;
+    const skin = shownSkin(character);
+    return !isHidden && skeleton !== undefined && skeleton.joints.length > 1 && skin && !skin.attachments;
+  };
+  return characters.find((c) => c.id === characterId && waits(c)) ?? characters.find(waits);
+}
+
+/** A sentence, or nothing. */
+export function whatIsMissing(document: Document, selection: Selection, display: Display): string {
+  const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.clips.length > 0);
+  if (alone) return `${alone.name} has an animation only: drop its .skel`;
+  const needsJoint = display.skin === 'heat' && selection.joint === undefined;
+  return needsJoint && document.characters.some(shownSkin) ? 'Pick a joint to see its influence' : '';
+}

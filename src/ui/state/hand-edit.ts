@@ -1,0 +1,85 @@
+/**
+ * One change by hand, from the first touch to the release: previews through a gesture of the store, one undo step at
+ * the end, Escape puts everything back. Sliders, fields and handles all edit through this.
+ *
+ * Something else may change the document meanwhile: undo, a script, a file that has been read. A slider's number means
+ * the same afterwards, so that it goes on as a step of its own. A drag of keys can't: it knows them by their indices in
+ * the old document, and its amounts count from the press. Such an edit ends there, as after Escape, with what it had
+ * come to as its step.
+ */
+import { type Command, CommandError, type Edit, type Gesture, type Store } from '../../edit/store.ts';
+import type { Document } from '../../model/document.ts';
+import type { Messages } from './messages.ts';
+
+export class HandEdit {
+  private gesture: Gesture | undefined;
+  private wasCancelled = false;
+
+  /**
+   * @param stillHolds for a drag that is about the document as it was at the press: whether that is so still. Asked before
+   *   the first preview, and the drag ends when something else happens; without it the edit goes on.
+   */
+  constructor(
+    private readonly store: Store,
+    private readonly messages: Messages,
+    private readonly stillHolds?: () => boolean,
+  ) {}
+
+  /** After Escape or an end from elsewhere, until the mouse is let go: what the control shows meanwhile is not so. */
+  get cancelled(): boolean {
+    return this.wasCancelled || (this.stillHolds !== undefined && this.gesture?.closed === true);
+  }
+
+  /** Shows the document as the command would leave it. */
+  preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
+    if (!this.gesture && this.stillHolds?.() === false) this.wasCancelled = true;
+    const { cancelled } = this;
+    if (this.gesture?.closed) this.end();
+    this.wasCancelled = cancelled;
+    if (cancelled) return;
+    try {
+      const gesture = this.gesture ?? this.begin(command.label(this.store.document, args));
+      gesture.preview(command.run(gesture.base, args));
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      this.messages.note(error.message, 'warning');
+    }
+  }
+
+  /** The release: one undo step. */
+  commit(): void {
+    this.gesture?.commit();
+    this.end();
+    this.wasCancelled = false;
+  }
+
+  cancel(): void {
+    this.gesture?.cancel();
+    this.end();
+  }
+
+  private begin(label: string): Gesture {
+    this.gesture = this.store.begin(label);
+    window.addEventListener('keydown', this.onKey, true);
+    return this.gesture;
+  }
+
+  private end(): void {
+    this.gesture = undefined;
+    window.removeEventListener('keydown', this.onKey, true);
+  }
+
+  private readonly onKey = (event: KeyboardEvent) => {
+    if (event.key !== 'Escape') return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.cancel();
+    this.wasCancelled = true;
+    // A field that was typed in lets go, which is its release.
+    const focused = document.activeElement;
+    if (focused instanceof HTMLInputElement && focused.type !== 'checkbox') {
+      focused.blur();
+      this.wasCancelled = false;
+    }
+  };
+}

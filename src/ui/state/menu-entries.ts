@@ -1,0 +1,74 @@
+/** Menus made of the list of actions. */
+
+import type { MenuEntry, MenuItem } from '../kit/menu.ts';
+import { actionsOf } from '../shell/actions.ts';
+import { isMac, tryAction } from '../shell/keys.ts';
+import { type Action, actionLabel, isEnabled, type MenuName } from './action.ts';
+import { ariaShortcut, shortcutsFor, shortcutText } from './shortcuts.ts';
+import type { Workbench } from './workbench.ts';
+
+/** A menu's entries as things are now: build them when it opens. */
+export function menuEntries(wb: Workbench, menu: MenuName): MenuEntry[] {
+  const actions = actionsOf(wb).flatMap((action) => inMenu(action, menu));
+  if (!actions.length) return [{ kind: 'note', text: `No ${menu.toLowerCase()} came with this page.` }];
+  const entries: MenuEntry[] = [];
+  const subMenus = new Set<string>();
+  let section = actions[0].section ?? 0;
+  for (const action of inSections(actions)) {
+    const path = action.menu ?? '';
+    if (subMenus.has(path)) continue;
+    if ((action.section ?? 0) !== section && entries.length) entries.push({ kind: 'line' });
+    section = action.section ?? 0;
+    if (path === menu) {
+      entries.push(itemOf(wb, action));
+      continue;
+    }
+    subMenus.add(path);
+    const within = actions.filter((a) => a.menu === path);
+    entries.push({ kind: 'menu', label: path.slice(menu.length + 1), entries: () => itemsOf(wb, within) });
+  }
+  return entries;
+}
+
+/** The action as it stands in this menu; none where it does not. */
+function inMenu(action: Action, menu: MenuName): Action[] {
+  if (action.menu === menu || action.menu?.startsWith(`${menu}/`)) return [action];
+  const { alsoIn } = action;
+  return alsoIn?.menu === menu ? [{ ...action, menu, section: alsoIn.section ?? 0 }] : [];
+}
+
+/** A menu within takes the place of its first entry, and the section that this has outside. */
+function inSections(actions: readonly Action[]): Action[] {
+  const placeOf = (action: Action) => {
+    const first = action.menu?.includes('/') ? actions.find((a) => a.menu === action.menu) : undefined;
+    return (first ?? action).section ?? 0;
+  };
+  return [...actions].sort((a, b) => placeOf(a) - placeOf(b));
+}
+
+export function itemsOf(wb: Workbench, actions: readonly Action[]): MenuEntry[] {
+  const entries: MenuEntry[] = [];
+  let before: Action | undefined;
+  for (const action of actions) {
+    if (before && before.section !== action.section) entries.push({ kind: 'line' });
+    entries.push(itemOf(wb, action));
+    before = action;
+  }
+  return entries;
+}
+
+export function itemOf(wb: Workbench, action: Action): MenuItem {
+  const [shortcut] = shortcutsFor(action, wb.settings.get());
+  const enabled = isEnabled(wb, action);
+  return {
+    kind: 'item',
+    label: actionLabel(wb, action),
+    detail: (enabled ? undefined : action.whyNot?.(wb)) ?? action.detail,
+    shortcut: shortcut && shortcutText(shortcut, isMac),
+    ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
+    enabled,
+    checked: action.checked?.(wb),
+    radio: action.radio,
+    run: () => tryAction(wb, action),
+  };
+}

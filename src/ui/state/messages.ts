@@ -1,0 +1,194 @@
+/**
+ * What the page has to say: problems in files, and short notices. Messages stay until someone has read them; nothing
+ * here interrupts. A failed file is one message with all its diagnostics, so that a hundred warnings are one line.
+ */
+import type { Diagnostic, Severity } from '../../model/diagnostic.ts';
+import { type Observable, observable } from '../kit/observable.ts';
+
+export interface Message {
+  readonly id: number;
+  readonly severity: Severity;
+  /** One line. */
+  readonly text: string;
+  /** In the files' order; empty for a plain notice. */
+  readonly diagnostics: readonly Diagnostic[];
+  /** What has become of the file that has errors: `not opened`. */
+  readonly fate?: string;
+  /** Still shown in the line over the viewport. */
+  readonly unread: boolean;
+  /** A step that is made after it takes it out of the line: it was about what one did before. */
+  readonly isRefusal?: boolean;
+}
+
+/** How long a warning stays in the line: one that refuses something until something else is done. */
+type Lasting = 'until a step' | 'until read';
+
+export class Messages {
+  /** Oldest first. */
+  readonly list: Observable<readonly Message[]> = observable<readonly Message[]>([]);
+  /** A confirmation that nobody need keep: shown for a moment, never listed. */
+  readonly passing: Observable<string | undefined> = observable<string | undefined>(undefined);
+  /** Counts how often someone asked to see the list. */
+  readonly listAsked: Observable<number> = observable(0);
+  private nextId = 1;
+
+  /**
+   * A notice in one sentence. A mere info passes by itself; anything worse is listed.
+   * @param lasting of a warning; an error stays in the line until it is read
+   */
+  note(text: string, severity: Severity = 'info', lasting: Lasting = 'until a step'): void {
+    if (severity === 'info') this.passing.set(text);
+    else {
+      const isRefusal = severity === 'warning' && lasting === 'until a step';
+      this.add({ text, severity, diagnostics: [], ...(isRefusal && { isRefusal }) });
+    }
+  }
+
+  /** What has been said so far, to tell it from what is said later. */
+  get said(): Said {
+    return { lastId: this.nextId - 1, passing: this.passing.get() };
+  }
+
+  /** Something was done: what was refused before, and what was said in passing, is not about that. It stays listed. */
+  leaveBehind({ lastId, passing }: Said): void {
+    if (passing !== undefined && this.passing.get() === passing) this.passing.set(undefined);
+    const isLeft = (m: Message) => m.unread && m.isRefusal === true && m.id <= lastId;
+    if (!this.list.get().some(isLeft)) return;
+    this.list.update((all) => all.map((m) => (isLeft(m) ? { ...m, unread: false } : m)));
+  }
+
+  /**
+   * The problems of one opening, grouped by file, the worst last and so the newest. Mere infos are listed without a line
+   * of their own. What was said of the same files before goes, and what was said of others leaves the line: it speaks of
+   * the last opening, and the list keeps the rest.
+   *
+   * @param files names of all files that were opened: those that are well now lose their messages too
+   * @param fateOf what has become of a file that has errors, in a few words: `not opened`
+   */
+  report(diagnostics: readonly Diagnostic[], files: readonly string[] = [], fateOf?: (file: string) => string): void {
+    const well = new Set(files);
+    this.keep((m) => m.diagnostics.length === 0 || !well.has(m.diagnostics[0].file));
+    const groups = [...groupByFile(diagnostics)].map(([file, found]) => ({ file, found, severity: worst(found) }));
+    groups.sort((a, b) => RISING.indexOf(a.severity) - RISING.indexOf(b.severity));
+    if (groups.some((g) => g.severity !== 'info')) this.markAllRead();
+    for (const { file, found, severity } of groups) {
+      const fate = severity === 'error' && file !== '' ? fateOf?.(file) : undefined;
+      const message = { text: summary(file, found, fate), severity, diagnostics: found, ...(fate && { fate }) };
+      this.add(message, severity !== 'info');
+    }
+  }
+
+  /** Brings the list before the person. */
+  askForList(): void {
+    this.listAsked.update((times) => times + 1);
+  }
+
+  /** Takes messages off the list: they have been dealt with. */
+  dismiss(id: number): void {
+    this.keep((m) => m.id !== id);
+  }
+
+  dismissAll(): void {
+    if (this.list.get().length) this.list.set([]);
+  }
+
+  /** Takes a message out of the line; it stays in the list. */
+  markRead(id: number): void {
+    this.list.update((all) => all.map((m) => (m.id === id && m.unread ? { ...m, unread: false } : m)));
+  }
+
+  markAllRead(): void {
+    if (this.list.get().some((m) => m.unread)) {
+      this.list.update((all) => all.map((m) => (m.unread ? { ...m, unread: false } : m)));
+    }
+  }
+
+  private add(message: Omit<Message, 'id' | 'unread'>, unread = true): void {
+    const id = this.nextId++;
+    if (unread) this.passing.set(undefined);
+    // Who is refused something else has gone on from what was refused before.
+    const isLeft = (m: Message) => message.isRefusal === true && m.isRefusal === true && m.unread;
+    const others = this.list.get().map((m) => (isLeft(m) ? { ...m, unread: false } : m));
+    // The same notice again is not two, and a file that is read again is judged anew.
+    this.list.set([...others.filter((m) => !isAbout(m, message)), { ...message, id, unread }]);
+  }
+
+  private keep(wanted: (message: Message) => boolean): void {
+    if (!this.list.get().every(wanted)) this.list.update((all) => all.filter(wanted));
+  }
+}
+
+/** A moment in the course of messages. */
+export interface Said {
+  readonly lastId: number;
+  readonly passing: string | undefined;
+}
+
+const RISING: readonly Severity[] = ['info', 'warning', 'error'];
+
+/** Whether two messages are about the same file, or are the same notice. */
+function isAbout(a: Omit<Message, 'id' | 'unread'>, b: Omit<Message, 'id' | 'unread'>): boolean {
+  if (a.diagnostics.length === 0 || b.diagnostics.length === 0) {
+    return a.diagnostics.length === b.diagnostics.length && a.text === b.text;
+  }
+  return a.diagnostics[0].file === b.diagnostics[0].file;
+}
+
+function groupByFile(diagnostics: readonly Diagnostic[]): Map<string, Diagnostic[]> {
+  const groups = new Map<string, Diagnostic[]>();
+  for (const diagnostic of diagnostics) {
+    const group = groups.get(diagnostic.file);
+    if (group) group.push(diagnostic);
+    else groups.set(diagnostic.file, [diagnostic]);
+  }
+  return groups;
+}
+
+export function worst(diagnostics: readonly Diagnostic[]): Severity {
+  if (diagnostics.some((d) => d.severity === 'error')) return 'error';
+  return diagnostics.some((d) => d.severity === 'warning') ? 'warning' : 'info';
+}
+
+/** `wasp.skel: not opened, 2 errors, 1 warning. Expected a number, found "x".` */
+function summary(file: string, diagnostics: readonly Diagnostic[], fate: string | undefined): string {
+  const severity = worst(diagnostics);
+  const first = diagnostics.find((d) => d.severity === severity) ?? diagnostics[0];
+  const name = file === '' ? '' : `${file}: `;
+  const head = [fate ?? '', diagnostics.length > 1 ? counts(diagnostics) : ''].filter(Boolean).join(', ');
+  return `${name}${head && `${head}. `}${first.message}`;
+}
+
+/** `2 errors, 1 warning`. */
+export function counts(diagnostics: readonly Diagnostic[]): string {
+  const parts: string[] = [];
+  for (const severity of ['error', 'warning', 'info'] as const) {
+    const count = diagnostics.filter((d) => d.severity === severity).length;
+    if (count) parts.push(`${count} ${severity === 'info' ? 'note' : severity}${count === 1 ? '' : 's'}`);
+  }
+  return parts.join(', ');
+}
+
+/** A diagnostic as text, the way a compiler prints it; for copying into a mail to the teacher. */
+export function diagnosticText(d: Diagnostic): string {
+  const lines = [`${placeOf(d)}${d.severity} ${d.code}: ${d.message}${d.assumed ? ` (${d.assumed})` : ''}`];
+  if (d.excerpt) lines.push(`  ${d.excerpt.text}`, `  ${caretPad(d.excerpt.text, d.excerpt.caret)}^`);
+  return lines.join('\n');
+}
+
+/** All of them, for a mail or an issue. */
+export function messagesText(messages: readonly Message[]): string {
+  const linesOf = ({ diagnostics, severity, text }: Message) =>
+    diagnostics.length ? diagnostics.map(diagnosticText) : [`${severity}: ${text}`];
+  return messages.flatMap(linesOf).join('\n');
+}
+
+/** `wasp.skel:3:11: `, as far as there is such a place. */
+function placeOf(d: Diagnostic): string {
+  if (d.file === '') return '';
+  return d.line > 0 ? `${d.file}:${d.line}:${d.column}: ` : `${d.file}: `;
+}
+
+/** Blanks that take as much room as the text before the caret: tabs stay tabs. */
+export function caretPad(text: string, caret: number): string {
+  return text.slice(0, Math.max(0, caret)).replace(/[^\t]/g, ' ');
+}

@@ -1,0 +1,128 @@
+/**
+ * What the list of takes shows beside the document: its order, what is looked for and chosen in it, and the two takes
+ * that are compared. None of it is remembered or undone.
+ */
+import type { TakeRef } from '../../edit/commands/takes.ts';
+import type { Alignment } from '../../evaluate/distance.ts';
+import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { type Observable, observable } from '../kit/observable.ts';
+
+export const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
+export type TakeColumn = (typeof TAKE_COLUMNS)[number];
+
+export interface TakeOrder {
+  readonly column: TakeColumn;
+  readonly descending: boolean;
+}
+
+export interface TakesView {
+  /** The document's own order, where absent. */
+  readonly order?: TakeOrder;
+  /** Part of a name. */
+  readonly filter: string;
+  /** Keys of rows. */
+  readonly chosen: ReadonlySet<string>;
+  /** The row that the keyboard is at. */
+  readonly focused?: string;
+}
+
+/** Two takes, one over the other. */
+export interface Comparison {
+  readonly first: TakeRef;
+  readonly second: TakeRef;
+}
+
+/** What a comparison has changed, and what is needed to put it back. */
+export interface Overlay {
+  readonly comparison: Comparison;
+  readonly before: Document;
+  readonly after: Document;
+  /** What was played before, and what the comparison plays; seconds of the transport. */
+  readonly playedBefore: readonly [number, number];
+  readonly played: readonly [number, number];
+  /** Documents that undo and redo lead to, in which the two are compared, and in which they are not. */
+  readonly compared: Document[];
+  readonly apart: Document[];
+}
+
+/** How distances are looked at; stays from one comparison to the next. */
+export interface DistanceView {
+  readonly alignment: Alignment;
+  /** Pairs of joints drawn by themselves, as rows of the distances. */
+  readonly picked: readonly number[];
+  readonly order: 'most' | 'mean' | 'name';
+}
+
+export class Takes {
+  readonly view: Observable<TakesView> = observable<TakesView>({ filter: '', chosen: new Set() });
+  readonly comparison: Observable<Comparison | undefined> = observable<Comparison | undefined>(undefined);
+  /** Of the last comparison, under way or over: undo leads back into it. */
+  overlay: Overlay | undefined;
+  readonly distances: Observable<DistanceView> = observable<DistanceView>({
+    alignment: 'world',
+    picked: [],
+    order: 'most',
+  });
+
+  change(change: Partial<TakesView>): void {
+    this.view.update((now) => ({ ...now, ...change }));
+  }
+}
+
+/** One of the two that are compared, as it plays there. */
+export interface Compared {
+  /** Showing the take that is compared. */
+  readonly character: Character;
+  /** How the picture knows it: its own id, or another where both takes are one character's. */
+  readonly drawnAs: string;
+}
+
+/** The two characters; undefined where one of the takes is not there any more. */
+export function comparedIn(
+  document: Document,
+  comparison: Comparison | undefined,
+): readonly [Compared, Compared] | undefined {
+  if (!comparison) return undefined;
+  const { first, second } = comparison;
+  const [a, b] = [playing(document, first), playing(document, second)];
+  if (!a || !b) return undefined;
+  const drawnAs = a.id === b.id ? `${b.id}${TWIN}` : b.id;
+  return [
+    { character: a, drawnAs: a.id },
+    { character: b, drawnAs },
+  ];
+}
+
+/** Behind the id of a character that the picture shows twice, with two takes. */
+const TWIN = ' (compared)';
+
+/** The document's character behind one that is drawn. */
+export function withoutTwin(characterId: string): string {
+  return characterId.endsWith(TWIN) ? characterId.slice(0, -TWIN.length) : characterId;
+}
+
+const twins = new WeakMap<Character, Map<number, Character>>();
+
+/** The character showing that take: the same object for the same character. */
+function playing(document: Document, { characterId, clip }: TakeRef): Character | undefined {
+  const character = findCharacter(document, characterId);
+  if (!character?.clips[clip]) return undefined;
+  if (character.shownClip === clip) return character;
+  const known = twins.get(character) ?? new Map<number, Character>();
+  twins.set(character, known);
+  const made = known.get(clip) ?? { ...character, shownClip: clip };
+  known.set(clip, made);
+  return made;
+}
+
+/** The document as it is drawn: with a character twice, where two of its takes are compared. */
+export function drawnDocument(document: Document, comparison: Comparison | undefined): Document {
+  const compared = comparedIn(document, comparison);
+  if (!compared) return document;
+  const [a, b] = compared;
+  if (a.drawnAs === b.drawnAs || a.character.id !== b.character.id) return document;
+  const { isHidden } = a.character;
+  const twin: Character = { ...b.character, id: b.drawnAs, ...(isHidden && { isHidden }) };
+  const characters = document.characters.map((c) => (c.id === a.character.id ? a.character : c));
+  return { ...document, characters: [...characters, twin] };
+}

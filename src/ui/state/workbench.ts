@@ -1,0 +1,136 @@
+/**
+ * What every panel is given: the document's store, the viewport, and the page's own state beside them. `main.ts` builds
+ * it; panels know nothing of files, workers or addresses, for those arrive as functions.
+ */
+import type { Playback } from '../../edit/playback.ts';
+import type { Store } from '../../edit/store.ts';
+import type { Viewport } from '../../view/viewport.ts';
+import type { Observable } from '../kit/observable.ts';
+import type { KeptOffer } from './kept-offer.ts';
+import type { Messages } from './messages.ts';
+import type { Posing } from './posing.ts';
+import type { Settings } from './settings.ts';
+import type { Timeline } from './timeline.ts';
+
+/** What the page asks of the viewport, so that a test can stand in for it. */
+export type Stage = Pick<
+  Viewport,
+  | 'show'
+  | 'seek'
+  | 'pick'
+  | 'frameAll'
+  | 'frameSelection'
+  | 'reveal'
+  | 'keepClear'
+  | 'lookFrom'
+  | 'cameraView'
+  | 'setTheme'
+  | 'character'
+  | 'hover'
+  | 'takePointer'
+  | 'requestRender'
+  | 'addOverlay'
+  | 'placementOf'
+  | 'pickedCopy'
+  | 'sizeOf'
+  | 'holdTravel'
+  | 'vertexAt'
+  | 'turnView'
+  | 'eye'
+  | 'canvas'
+  | 'stats'
+>;
+
+export interface Workbench {
+  readonly store: Store;
+  readonly viewport: Stage;
+  /** The element that the viewport was built in; the page gives it its place. */
+  readonly viewportElement: HTMLElement;
+  readonly transport: Observable<Playback>;
+  /** What the curve editor and the dope sheet show. */
+  readonly timeline: Timeline;
+  /** How the viewport takes the hand. */
+  readonly posing: Posing;
+  readonly settings: Observable<Settings>;
+  readonly messages: Messages;
+  /** A file on its way in. */
+  readonly loading: Observable<Loading | undefined>;
+  /** The one dialog that is open. */
+  readonly dialog: Observable<DialogName | undefined>;
+  readonly files: FileActions;
+  /** Work that an earlier page left behind, offered. */
+  readonly kept: Observable<KeptOffer | undefined>;
+}
+
+export type DialogName =
+  | 'shortcuts'
+  | 'search'
+  | 'save'
+  | 'about'
+  | 'retarget'
+  | 'holdPins'
+  | 'skinWeights'
+  | CurveToolName;
+/** The curve tools that ask for something. */
+export type CurveToolName = 'simplify' | 'resample' | 'bake' | 'scaleKeys' | SampleToolName;
+/** Those for sampled motion that do. */
+export type SampleToolName = 'convertToKeys' | 'smoothSamples' | 'resampleSamples';
+
+export interface Loading {
+  /** Name of the file being read. */
+  readonly label: string;
+  /** Bytes. */
+  readonly done: number;
+  /** 0 while it is not known. */
+  readonly of: number;
+  cancel(): void;
+}
+
+/** `skel` is the hierarchy form, `axskel` the axis-angle form. */
+export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
+export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
+
+/** Kinds of files whose content can be changed here. */
+export type PartKind = 'skel' | 'skin' | 'morph' | 'anim' | 'bvh' | 'pose';
+
+/** A part of a character that is not as it was opened, or last saved. */
+export interface UnsavedPart {
+  readonly characterId: string;
+  readonly kind: PartKind;
+  /** Into the character's skins, morphs or clips; 0 for its skeleton and its library of poses. */
+  readonly index: number;
+  /** Of its file: `wasp_walk.anim`. */
+  readonly name: string;
+}
+
+export interface SampleEntry {
+  readonly id: string;
+  readonly label: string;
+  readonly description: string;
+}
+
+/** What the page can do with files. */
+export interface FileActions {
+  /** The browser's file dialog. */
+  open(): void;
+  openFolder(): void;
+  openSample(id: string): void;
+  /** Read whenever a menu opens, so the list may arrive late. */
+  readonly samples: readonly SampleEntry[];
+  drop(data: DataTransfer): void;
+  paste(data: DataTransfer): void;
+  /** What is not saved yet; characters in their order. */
+  readonly unsaved: Pick<Observable<readonly UnsavedPart[]>, 'get' | 'subscribe'>;
+  /** Saves that: in place, or where the person says. */
+  saveChanged(): void;
+  /** Reads a character's files again, where someone changed them beside the page. */
+  reload(characterId: string): void;
+  canReload(characterId: string): boolean;
+  /**
+   * Parts of one kind, to a place that the person chooses. A kind that the character does not have is made: skeleton and
+   * animation of motion capture, and the other way round, at the transport's frame rate.
+   */
+  save(characterId: string, kind: SaveKind): void;
+  /** A character as one zip. */
+  saveAll(characterId: string): void;
+}

@@ -1,0 +1,49 @@
+import { describe, expect, it, vi } from 'vitest';
+import { renameCharacter } from '../../src/edit/commands/characters.ts';
+import { Store } from '../../src/edit/store.ts';
+import { Trial } from '../../src/edit/trial.ts';
+import { character, documentOf } from '../ui/builders.ts';
+
+const start = documentOf(character({ name: 'a' }));
+
+function trial() {
+  const store = new Store(start);
+  const ended = vi.fn();
+  const made = new Trial(store, 'Simplify', ended);
+  const show = (name: string) => made.show(renameCharacter.run(made.base, { characterId: 'c1', name }));
+  return { store, ended, made, show, name: () => store.document.characters[0].name };
+}
+
+describe('a change that is tried', () => {
+  it('is one step when kept', () => {
+    const { store, ended, made, show, name } = trial();
+    show('b');
+    show('c');
+    made.keep();
+    expect([name(), store.undoLabel]).toEqual(['c', 'Simplify']);
+    store.undo();
+    expect(store.document).toBe(start);
+    expect(ended).not.toHaveBeenCalled();
+  });
+
+  it('leaves no trace when put back', () => {
+    const { store, ended, made, show } = trial();
+    show('b');
+    made.putBack();
+    expect(store.document).toBe(start);
+    expect(store.undoLabel).toBeUndefined();
+    expect(ended).not.toHaveBeenCalled();
+  });
+
+  it('is put back and over when something else changes, and says so once', () => {
+    const { store, ended, made, show, name } = trial();
+    show('b');
+    store.apply(renameCharacter, { characterId: 'c1', name: 'c' });
+    expect([name(), made.over]).toEqual(['c', true]);
+    show('d');
+    made.keep();
+    store.undo();
+    expect(store.document).toBe(start);
+    expect(ended).toHaveBeenCalledTimes(1);
+  });
+});

@@ -1,0 +1,34 @@
+import { expect, it } from 'vitest';
+import type { Channel } from '../../../../../src/model/clip.ts';
+import { changesBeyond } from '../../../../../src/ui/editors/curves/dialogs/tool-changes.ts';
+import { channel, clip } from '../../../builders.ts';
+
+const cycle = { extrapolateIn: 'cycle', extrapolateOut: 'cycle' } as const;
+const take = (...channels: Channel[]) => clip([0, 2], ...channels);
+
+it('says nothing of curves that go on as they did', () => {
+  const before = take({ ...channel(0, 2), ...cycle }, channel(0, 1), { ...channel(0, 1), extrapolateOut: 'linear' });
+  const after = take({ ...channel(0, 1, 2), ...cycle }, channel(0, 3), { ...channel(0, 3), extrapolateOut: 'linear' });
+  expect(changesBeyond(before, after, [0, 1, 2])).toEqual([]);
+});
+
+it('says where a curve holds that repeated, and where it repeats all that is keyed now', () => {
+  const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 2), ...cycle }, channel());
+  const baked = { ...channel(0, 2, 4), ...cycle, extrapolateOut: 'constant' } as const;
+  expect(changesBeyond(before, take(baked, baked, channel()), [0, 1, 2])).toEqual([
+    'Before the keys, 2 curves will repeat all keys, the new ones too: every 4 s instead of every 2 s.',
+    'After the keys, 2 curves will be constant instead of cycle.',
+  ]);
+});
+
+it('gives no numbers where each curve has its own', () => {
+  const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 1), ...cycle });
+  const after = take({ ...channel(0, 2, 4), ...cycle }, { ...channel(0, 1, 4), ...cycle });
+  const sentence = '2 curves will repeat all keys, the new ones too: not as before.';
+  expect(changesBeyond(before, after, [0, 1])).toEqual([`Before the keys, ${sentence}`, `After the keys, ${sentence}`]);
+});
+
+it('is about the given curves only', () => {
+  const before = take({ ...channel(0, 2), ...cycle });
+  expect(changesBeyond(before, take(channel(0, 2)), [])).toEqual([]);
+});

@@ -1,0 +1,220 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { shownClip } from '../../../../src/model/document.ts';
+import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
+import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
+import { xOf, yOf } from '../../../../src/ui/editors/curves/scene/space.ts';
+import { selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { runAction } from '../../../../src/ui/shell/actions.ts';
+import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+
+/** As much of a page as the input listens to: what is dispatched on the plot goes through the window first. */
+class FakeElement extends EventTarget {
+  readonly style = { cursor: '' };
+  focus(): void {}
+  setPointerCapture(): void {}
+  getBoundingClientRect() {
+    return { left: 0, top: 0 };
+  }
+}
+
+/** Node's own forgets that `true` means capture when it removes. */
+class FakeWindow extends EventTarget {
+  override removeEventListener(type: string, listener: EventListener, capture = false): void {
+    super.removeEventListener(type, listener, { capture });
+  }
+}
+
+let wb: Workbench;
+let scene: PlotScene;
+let page: EventTarget;
+let element: FakeElement;
+let input: PlotInput;
+
+const times = () => [...(shownClip(wb.store.document.characters[0])?.channels[0].times ?? [])];
+
+function host(): PlotHost {
+  return {
+    wb,
+    // What a browser's element has beside is not used.
+    element: element as unknown as HTMLElement,
+    scene: () => scene.scene,
+    look: () => {},
+    showBox: () => {},
+    say: () => {},
+    freeze: () => {},
+    drawSoon: () => {},
+    afterDrag: () => {},
+  };
+}
+
+beforeEach(() => {
+  page = new FakeWindow();
+  vi.stubGlobal('window', page);
+  vi.stubGlobal('document', { activeElement: null });
+  vi.stubGlobal('HTMLInputElement', class {});
+  vi.stubGlobal('HTMLButtonElement', class {});
+  vi.stubGlobal('requestAnimationFrame', (work: () => void) => work());
+  const walker = character({ skeleton: skeleton(['hips', -1]), clips: [clip([0, 2], channel(0, 1, 2))] });
+  ({ wb } = workbench(documentOf(walker), { range: [0, 2], framesPerSecond: 10 }));
+  wb.timeline.change({ window: { from: 0, to: 2 }, snapsToFrames: false });
+  scene = new PlotScene(wb);
+  scene.width = 200;
+  scene.height = 222;
+  wb.store.subscribe(() => scene.invalidate());
+  wb.timeline.view.subscribe(() => scene.invalidate());
+  element = new FakeElement();
+  input = new PlotInput(host());
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.resetModules();
+});
+
+const HELD = { shiftKey: false, ctrlKey: false, metaKey: false, altKey: false };
+
+function send(type: string, more: object): Event {
+  const event = Object.assign(new Event(type, { cancelable: true }), HELD, more);
+  element.dispatchEvent(event);
+  return event;
+}
+
+/** @returns whether the plot and the page behind it get to hear of it */
+function press(key: string, code: string, more: object = {}): boolean {
+  const make = (type: string) => Object.assign(new Event(type, { cancelable: true }), { ...HELD, key, code, ...more });
+  const atPage = make('keydown');
+  const stop = vi.spyOn(atPage, 'stopPropagation');
+  page.dispatchEvent(atPage);
+  if (stop.mock.calls.length) return false;
+  element.dispatchEvent(make('keydown'));
+  return true;
+}
+
+function pointAt(key: number) {
+  const [line] = scene.scene.lines;
+  return { clientX: xOf(scene.scene.space, times()[key]), clientY: yOf(scene.scene.space, line, 0) };
+}
+
+const pointer = (more: object) => ({ button: 0, pointerId: 1, pointerType: 'mouse', ...more });
+
+function beginDrag(): void {
+  const from = pointAt(1);
+  send('pointerdown', pointer(from));
+  send('pointermove', pointer({ ...from, clientX: from.clientX + 25 }));
+}
+
+describe('the keyboard while keys are dragged', () => {
+  it.each([
+    ['Delete', 'Delete', {}],
+    ['z', 'KeyZ', { ctrlKey: true }],
+    ['ArrowRight', 'ArrowRight', {}],
+    ['Enter', 'Enter', {}],
+    ['s', 'KeyS', {}],
+  ])('waits with %s', (key, code, more) => {
+    expect(press(key, code, more)).toBe(true);
+    beginDrag();
+    expect(press(key, code, more)).toBe(false);
+    send('lostpointercapture', pointer(pointAt(1)));
+    expect(press(key, code, more)).toBe(true);
+  });
+
+  it('waits from the press on', () => {
+    send('pointerdown', pointer(pointAt(1)));
+    expect(press('Delete', 'Delete')).toBe(false);
+  });
+
+  it('does not wait while one only looks around', () => {
+    send('pointerdown', pointer({ ...pointAt(1), button: 1 }));
+    expect(input.dragging).toBe(true);
+    expect(press('f', 'KeyF')).toBe(true);
+  });
+
+  it('gives the drag up with Escape, once and for all', () => {
+    beginDrag();
+    expect(times()[1]).toBeCloseTo(1.25, 9);
+    expect(press('Escape', 'Escape')).toBe(false);
+    expect(times()).toEqual([0, 1, 2]);
+    send('pointermove', pointer({ clientX: 180, clientY: 100 }));
+    send('lostpointercapture', pointer({ clientX: 180, clientY: 100 }));
+    expect(times()).toEqual([0, 1, 2]);
+    expect(wb.store.undoLabel).toBeUndefined();
+  });
+
+  it('follows what is held at once', () => {
+    beginDrag();
+    wb.timeline.change({ snapsToFrames: true });
+    expect(press('Control', 'ControlLeft', { ctrlKey: true })).toBe(true);
+    expect(times()[1]).toBeCloseTo(1.25, 9);
+    press('Shift', 'ShiftLeft');
+    expect(times()[1]).toBeCloseTo(1.3, 9);
+  });
+});
+
+describe('scaling', () => {
+  /** As the page does when the key is pressed in the plot. */
+  const pressScaling = () => {
+    selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
+    press('x', 'KeyX');
+    runAction(wb, 'timeline.scaleDrag');
+  };
+  const dragFar = () => {
+    send('pointerdown', pointer({ clientX: 100, clientY: 40 }));
+    send('pointermove', pointer({ clientX: 150, clientY: 40 }));
+    send('lostpointercapture', pointer({ clientX: 150, clientY: 40 }));
+  };
+
+  it('lasts as long as its key is held, whichever key that is', () => {
+    pressScaling();
+    dragFar();
+    expect(times()).toEqual([0, 1.5, 3]);
+    expect(wb.timeline.scaling.get()).toBe(true);
+    send('keyup', { key: 'y', code: 'KeyY' });
+    expect(wb.timeline.scaling.get()).toBe(true);
+    send('keyup', { key: 'x', code: 'KeyX' });
+    expect(wb.timeline.scaling.get()).toBe(false);
+    dragFar();
+    expect(times()).toEqual([0, 1.5, 3]);
+  });
+
+  it('lasts for one drag where it was asked for from a menu', () => {
+    selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
+    runAction(wb, 'timeline.scaleDrag');
+    dragFar();
+    expect(times()).toEqual([0, 1.5, 3]);
+    expect(wb.timeline.scaling.get()).toBe(false);
+  });
+
+  it('is not begun by a key that no action has', () => {
+    selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
+    press('s', 'KeyS');
+    expect(wb.timeline.scaling.get()).toBe(false);
+  });
+
+  it('ends with the focus', () => {
+    pressScaling();
+    element.dispatchEvent(new Event('blur'));
+    expect(wb.timeline.scaling.get()).toBe(false);
+  });
+});
+
+describe('Ctrl with a click', () => {
+  const onEmptyGround = { clientX: 50, clientY: 40, ctrlKey: true };
+
+  it('takes keys away with a box', () => {
+    send('pointerdown', pointer(onEmptyGround));
+    expect(input.dragging).toBe(true);
+  });
+
+  it('is a Mac’s right button, and begins nothing', async () => {
+    vi.stubGlobal('navigator', { userAgent: 'Macintosh' });
+    vi.resetModules();
+    const mac = await import('../../../../src/ui/editors/curves/plot-input.ts');
+    element = new FakeElement();
+    const onMac = new mac.PlotInput(host());
+    send('pointerdown', pointer(onEmptyGround));
+    expect(onMac.dragging).toBe(false);
+    send('pointerdown', pointer({ ...onEmptyGround, ctrlKey: false, metaKey: true }));
+    expect(onMac.dragging).toBe(true);
+  });
+});

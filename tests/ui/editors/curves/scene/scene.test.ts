@@ -1,0 +1,145 @@
+/** Which lines there are, what they are called, and that each can be seen. */
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import {
+  axisColour,
+  BASE_COLOURS,
+  type BaseColour,
+  cssColour,
+  followingColour,
+  mixed,
+  mixOklab,
+  otherColour,
+} from '../../../../../src/ui/editors/curves/scene/colours.ts';
+import { sceneLines } from '../../../../../src/ui/editors/curves/scene/scene.ts';
+import { character, clip, skeleton } from '../../../builders.ts';
+import { keyed } from '../scenes.ts';
+
+const hero = character({
+  skeleton: skeleton(['hips', -1], ['leg', 0]),
+  morphs: [
+    {
+      name: 'smile',
+      positions: { indices: new Uint32Array(0), values: new Float64Array(0) },
+      normals: { indices: new Uint32Array(0), values: new Float64Array(0) },
+    },
+  ],
+  clips: [
+    clip(
+      [0, 1],
+      ...Array.from({ length: 12 }, (_, i) =>
+        keyed([
+          [0, i],
+          [1, 3 * i],
+        ]),
+      ),
+    ),
+  ],
+});
+
+describe('lines', () => {
+  it('are called by joint and DOF, by morph, or by number', () => {
+    expect(sceneLines(hero, [0, 3, 8, 9, 10, 99], false).map((l) => l.name)).toEqual([
+      'hips tx',
+      'hips rx',
+      'leg rz',
+      'smile',
+      'channel 10',
+    ]);
+  });
+
+  it('stand on the axis of their unit, or all on one between −1 and 1', () => {
+    expect(sceneLines(hero, [0, 3, 9], false).map((l) => l.axis)).toEqual(['length', 'angle', 'weight']);
+    const [line] = sceneLines(hero, [4], true);
+    expect(line).toMatchObject({ axis: 'normalised', unit: 'angle' });
+    const { scale, shift } = line.normalise ?? { scale: 0, shift: 0 };
+    expect([4 * scale + shift, 12 * scale + shift]).toEqual([-1, 1]);
+    expect(sceneLines(hero, [0], true)[0].normalise).toEqual({ scale: 1, shift: -0 });
+  });
+
+  it('keep their scale where they are told to: nothing rescales while it is dragged', () => {
+    const kept = [{ ...sceneLines(hero, [4], true)[0], normalise: { scale: 7, shift: 1 } }];
+    expect(sceneLines(hero, [4], true, kept)[0].normalise).toEqual({ scale: 7, shift: 1 });
+  });
+
+  it('have limits where the DOF has any', () => {
+    expect(sceneLines(hero, [3], false)[0].limit).toBeUndefined();
+    expect(sceneLines(hero, [9], false)[0].limit).toEqual({ min: 0, max: 1 });
+  });
+
+  it('tell joints apart', () => {
+    const colours = sceneLines(hero, [3, 6], false).map((l) => cssColour(l.colour));
+    expect(colours).toEqual(['var(--axis-x)', 'color-mix(in oklab, var(--axis-x), var(--text) 34%)']);
+  });
+});
+
+const css = readFileSync(new URL('../../../../../src/ui/styles/tokens.css', import.meta.url), 'utf8');
+
+function token(theme: string, name: string): string {
+  return (
+    css
+      .split(`[data-theme="${theme}"] {`)[1]
+      .split('}')[0]
+      .match(new RegExp(`${name}: (#[0-9a-f]{6})`))?.[1] ?? ''
+  );
+}
+
+function luminance(colour: string): number {
+  const [r, g, b] = [1, 3, 5].map((at) => {
+    const c = Number.parseInt(colour.slice(at, at + 2), 16) / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+}
+
+describe.each(['dark', 'light'])('colours on the %s theme', (theme) => {
+  const of = (base: BaseColour) => token(theme, BASE_COLOURS[base]);
+  const palette = {
+    x: of('x'),
+    y: of('y'),
+    z: of('z'),
+    accent: of('accent'),
+    text: of('text'),
+    faint: token(theme, BASE_COLOURS.faint),
+  };
+
+  it('tell what follows another DOF from what goes by itself', () => {
+    const turned = axisColour('x', 0);
+    const follows = followingColour(turned);
+    expect(follows.dash).not.toEqual(turned.dash);
+    expect(mixed(follows, palette)).not.toBe(mixed(turned, palette));
+  });
+
+  it('have 3:1 or more against the plot, inside the range and outside', () => {
+    const all = Array.from({ length: 6 }, (_, i) => [
+      axisColour('x', i),
+      axisColour('y', i),
+      axisColour('z', i),
+      otherColour(i),
+    ]);
+    for (const colour of all.flat()) {
+      for (const ground of ['--surface', '--ground']) {
+        const [low, high] = [luminance(mixed(colour, palette)), luminance(token(theme, ground))].sort((a, b) => a - b);
+        expect((high + 0.05) / (low + 0.05)).toBeGreaterThanOrEqual(3);
+      }
+    }
+  });
+
+  it('are no two alike among those shown together', () => {
+    const looks = Array.from({ length: 6 }, (_, i) =>
+      [axisColour('x', i), axisColour('y', i), axisColour('z', i)].map(
+        (c) => `${mixed(c, palette)} ${c.dash.length > 0}`,
+      ),
+    ).flat();
+    expect(new Set(looks).size).toBe(looks.length);
+  });
+});
+
+describe('mixing', () => {
+  it('gives both ends back, and a grey between black and white', () => {
+    expect(mixOklab('#a594ff', '#123456', 0)).toBe('#a594ff');
+    expect(mixOklab('#a594ff', '#123456', 1)).toBe('#123456');
+    // As CSS has it: color-mix(in oklab, black, white).
+    expect(mixOklab('#000000', '#ffffff', 0.5)).toBe('#636363');
+  });
+});

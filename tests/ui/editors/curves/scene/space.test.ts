@@ -1,0 +1,146 @@
+/** Where times and values are on screen, and how the view of them moves. */
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
+import { fit as fitted } from '../../../../../src/ui/editors/curves/scene/fit.ts';
+import {
+  type CurveSpace,
+  PLOT_TOP,
+  pan,
+  timeAt,
+  valueAt,
+  xOf,
+  yOf,
+  zoom,
+} from '../../../../../src/ui/editors/curves/scene/space.ts';
+import { keyed, line, SPACE, scene } from '../scenes.ts';
+
+const number = (min: number, max: number) => fc.double({ min, max, noNaN: true });
+const anySpace: fc.Arbitrary<CurveSpace> = fc
+  .record({ from: number(-9, 9), seconds: number(0.01, 99), low: number(-9, 9), extent: number(0.01, 99) })
+  .map(({ from, seconds, low, extent }) => ({
+    ...SPACE,
+    window: { from, to: from + seconds },
+    axes: { ...SPACE.axes, length: { low, high: low + extent } },
+  }));
+const metres = line(0, 'length');
+
+describe('the space of the curves', () => {
+  it('gives back the time and the value of the point that it gave for them', () => {
+    const normalise = { scale: 0.3, shift: -2 };
+    fc.assert(
+      fc.property(anySpace, number(0, 400), number(0, 222), fc.constantFrom(undefined, normalise), (s, x, y, n) => {
+        expect(xOf(s, timeAt(s, x))).toBeCloseTo(x, 6);
+        expect(yOf(s, { axis: 'length', normalise: n }, valueAt(s, { axis: 'length', normalise: n }, y))).toBeCloseTo(
+          y,
+          6,
+        );
+      }),
+    );
+  });
+
+  it('keeps the point under the pointer while it zooms', () => {
+    fc.assert(
+      fc.property(anySpace, number(0, 400), number(22, 222), number(0.2, 5), number(0.2, 5), (s, x, y, ft, fv) => {
+        const next = zoom(s, x, y, ft, fv);
+        expect(xOf(next, timeAt(s, x))).toBeCloseTo(x, 4);
+        expect(yOf(next, metres, valueAt(s, metres, y))).toBeCloseTo(y, 4);
+      }),
+    );
+  });
+
+  it('moves along with the pointer', () => {
+    const next = pan(SPACE, 30, -12);
+    expect(xOf(next, timeAt(SPACE, 100))).toBeCloseTo(130, 9);
+    expect(yOf(next, metres, valueAt(SPACE, metres, 100))).toBeCloseTo(88, 9);
+  });
+
+  it('leaves a direction alone, to the bit, that is not zoomed or moved', () => {
+    expect(zoom(SPACE, 100, 100, 1, 2).window).toBe(SPACE.window);
+    expect(zoom(SPACE, 100, 100, 2, 1).axes).toBe(SPACE.axes);
+    expect(pan(SPACE, 5, 0).axes).toBe(SPACE.axes);
+  });
+
+  it('puts the top of an axis below the ruler', () => {
+    expect(yOf(SPACE, metres, 1)).toBe(PLOT_TOP);
+    expect(yOf(SPACE, metres, -1)).toBe(222);
+  });
+});
+
+describe('fitting', () => {
+  // Between its keys the curve goes further than any of them.
+  const wave = keyed(
+    [
+      [1, 0],
+      [2, 0],
+      [3, 0.5],
+    ],
+    4,
+  );
+
+  it('shows all of the curves, overshoots between keys included, within the plot', () => {
+    const given = scene([wave]);
+    const space = fitted(given, 'all');
+    expect(xOf(space, 0)).toBeGreaterThan(0);
+    expect(xOf(space, 4)).toBeLessThan(400);
+    const heights = Array.from({ length: 201 }, (_, i) =>
+      yOf(space, given.lines[0], evaluateChannel(given.curves, 0, 1 + i / 100)),
+    );
+    expect(Math.min(...heights.map((_, i) => evaluateChannel(given.curves, 0, 1 + i / 100)))).toBeLessThan(-0.3);
+    expect(Math.min(...heights)).toBeGreaterThan(PLOT_TOP);
+    expect(Math.max(...heights)).toBeLessThan(222);
+  });
+
+  it('shows the selected keys in the middle', () => {
+    const given = scene([wave, keyed([[0, 100]])], { selected: [{ channel: 0, indices: [1, 2] }] });
+    const space = fitted(given, 'selected');
+    expect(xOf(space, 2) + xOf(space, 3)).toBeCloseTo(400, 6);
+    expect(yOf(space, given.lines[0], 0) + yOf(space, given.lines[0], 0.5)).toBeCloseTo(PLOT_TOP + 222, 6);
+  });
+
+  it('fits each axis on its own, and leaves those alone that show nothing', () => {
+    const given = scene(
+      [
+        keyed([
+          [0, -1],
+          [4, 1],
+        ]),
+        keyed([
+          [0, 0],
+          [4, 50],
+        ]),
+      ],
+      { lines: [line(0), line(1, 'length')] },
+    );
+    const { axes } = fitted(given, 'all');
+    expect(axes.angle.high).toBeLessThan(1.5);
+    expect(axes.length.high).toBeGreaterThan(50);
+    expect(axes.weight).toBe(SPACE.axes.weight);
+  });
+
+  it('keeps the window of time where it is told to, and looks at the values in it', () => {
+    const given = scene([
+      keyed(
+        [
+          [0, 0],
+          [10, 10],
+        ],
+        1,
+      ),
+    ]);
+    const space = fitted(given, 'all', true);
+    expect(space.window).toBe(SPACE.window);
+    expect(space.axes.angle.high).toBeGreaterThan(4);
+    expect(space.axes.angle.high).toBeLessThan(5.5);
+  });
+
+  it('shows something sensible of a single key, and of none', () => {
+    for (const channel of [keyed([[1, 0.5]]), { ...keyed([]), rest: 0.5 }]) {
+      const { axes, window } = fitted(scene([channel]), 'all');
+      expect(axes.angle.low).toBeLessThan(0.5);
+      expect(axes.angle.high).toBeGreaterThan(0.5);
+      expect(axes.angle.high - axes.angle.low).toBeGreaterThan(0.1);
+      expect(window.to).toBeGreaterThan(window.from);
+    }
+  });
+});

@@ -1,0 +1,118 @@
+import { describe, expect, it } from 'vitest';
+import { isolatedAfter } from '../../../../../src/ui/editors/curves/isolating.ts';
+import type { Hit } from '../../../../../src/ui/editors/curves/scene/scene.ts';
+import { buttonMeant, cursorOf, intentOf, type Press } from '../../../../../src/ui/editors/curves/tools/intent.ts';
+import { wheelMeans } from '../../../../../src/ui/editors/curves/tools/navigate.ts';
+import { movesBoth, sameSlope } from '../../../../../src/ui/editors/curves/tools/slope.ts';
+
+const KEY: Hit = { kind: 'key', channel: 0, index: 0 };
+const HANDLE: Hit = { kind: 'handle', channel: 0, index: 0, side: 'in' };
+const CURVE: Hit = { kind: 'curve', channel: 0, timeSeconds: 0, value: 0 };
+const EMPTY: Hit = { kind: 'empty' };
+const press = (more: Partial<Press> = {}): Press => ({
+  button: 0,
+  shift: false,
+  ctrl: false,
+  alt: false,
+  inRuler: false,
+  scaling: false,
+  ...more,
+});
+
+describe('a press in the plot', () => {
+  it('means what it is on', () => {
+    expect([KEY, HANDLE, CURVE, EMPTY].map((hit) => intentOf(press(), hit))).toEqual(['keys', 'slope', 'curve', 'box']);
+  });
+
+  it('inserts on a curve with Ctrl, and only there', () => {
+    expect([KEY, CURVE, EMPTY].map((hit) => intentOf(press({ ctrl: true }), hit))).toEqual(['keys', 'insert', 'box']);
+  });
+
+  it('pans with Alt or the middle button, but a handle under Alt is dragged by itself', () => {
+    expect([KEY, CURVE, EMPTY].map((hit) => intentOf(press({ alt: true }), hit))).toEqual(['pan', 'pan', 'pan']);
+    expect(intentOf(press({ alt: true }), HANDLE)).toBe('slope');
+    expect(intentOf(press({ button: 1 }), KEY)).toBe('pan');
+  });
+
+  it('opens the menu with the right button, and zooms with Alt', () => {
+    expect(intentOf(press({ button: 2 }), KEY)).toBe('menu');
+    expect(intentOf(press({ button: 2, alt: true }), KEY)).toBe('zoom');
+  });
+
+  it('scrubs in the ruler and scales while S is held', () => {
+    expect(intentOf(press({ inRuler: true }), EMPTY)).toBe('scrub');
+    expect(intentOf(press({ scaling: true }), KEY)).toBe('scale');
+  });
+
+  it('has a cursor that tells keys from ground, and adding from moving', () => {
+    expect(cursorOf('keys', press(), false)).toBe('move');
+    expect(cursorOf('keys', press({ shift: true }), false)).toBe('copy');
+    expect(cursorOf('keys', press({ shift: true }), true)).toBe('move');
+    expect(cursorOf('insert', press(), false)).toBe('crosshair');
+    expect(cursorOf('box', press(), false)).toBe('default');
+  });
+});
+
+describe('the wheel', () => {
+  const turn = { deltaX: 0, deltaY: 60, deltaMode: 0, shiftKey: false, ctrlKey: false, altKey: false };
+
+  it('zooms both ways, time alone with Shift, values alone with Ctrl or Alt', () => {
+    expect(wheelMeans(turn)).toEqual({ time: 1.15, value: 1.15 });
+    expect(wheelMeans({ ...turn, shiftKey: true })).toEqual({ time: 1.15, value: 1 });
+    expect(wheelMeans({ ...turn, ctrlKey: true })).toEqual({ time: 1, value: 1.15 });
+    expect(wheelMeans({ ...turn, altKey: true })).toEqual({ time: 1, value: 1.15 });
+  });
+
+  it('zooms also where Shift turns it to the side, and else pans to the side', () => {
+    expect(wheelMeans({ ...turn, deltaX: 60, deltaY: 0, shiftKey: true })).toEqual({ time: 1.15, value: 1 });
+    expect(wheelMeans({ ...turn, deltaX: 30, deltaY: 0 })).toEqual({ panX: -30 });
+  });
+
+  it('goes back as far as it went', () => {
+    const there = wheelMeans(turn);
+    const back = wheelMeans({ ...turn, deltaY: -60 });
+    expect('time' in there && 'time' in back && there.time * back.time).toBeCloseTo(1, 12);
+  });
+});
+
+describe('the other handle', () => {
+  const none = { alt: false, ctrl: false };
+
+  it('follows where both slopes were equal, always, or never, as is chosen', () => {
+    expect([true, false].map((equal) => movesBoth('auto', equal, none))).toEqual([true, false]);
+    expect([true, false].map((equal) => movesBoth('together', equal, none))).toEqual([true, true]);
+    expect([true, false].map((equal) => movesBoth('alone', equal, none))).toEqual([false, false]);
+  });
+
+  it('stays with Alt and follows with Ctrl, whatever is chosen', () => {
+    for (const mode of ['auto', 'alone', 'together'] as const) {
+      expect(movesBoth(mode, true, { alt: true, ctrl: false })).toBe(false);
+      expect(movesBoth(mode, false, { alt: false, ctrl: true })).toBe(true);
+    }
+  });
+
+  it('takes slopes for equal that differ by rounding', () => {
+    expect(sameSlope(0.1 + 0.2, 0.3)).toBe(true);
+    expect(sameSlope(1e6, 1e6 + 0.1)).toBe(false);
+  });
+});
+
+describe('isolating channels', () => {
+  it('shows one alone, and all again at the second click', () => {
+    expect(isolatedAfter(undefined, [3], false)).toEqual([3]);
+    expect(isolatedAfter([3], [3], false)).toBeUndefined();
+    expect(isolatedAfter([3, 4], [3], false)).toEqual([3]);
+  });
+
+  it('adds and takes away with Ctrl', () => {
+    expect(isolatedAfter([3], [1], true)).toEqual([1, 3]);
+    expect(isolatedAfter([1, 3], [1], true)).toEqual([3]);
+    expect(isolatedAfter([3], [3], true)).toBeUndefined();
+  });
+});
+
+it('takes a click with Ctrl for a Mac’s right button', () => {
+  expect(buttonMeant({ button: 0, ctrlKey: true }, true)).toBe(2);
+  expect(buttonMeant({ button: 0, ctrlKey: true }, false)).toBe(0);
+  expect(buttonMeant({ button: 1, ctrlKey: true }, true)).toBe(1);
+});

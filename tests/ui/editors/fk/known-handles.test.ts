@@ -1,0 +1,36 @@
+import { expect, it } from 'vitest';
+import { KnownHandles } from '../../../../src/ui/editors/fk/known-handles.ts';
+import { jointHandles } from '../../../../src/view/gizmo/handles.ts';
+import { skeleton } from '../../builders.ts';
+
+const ARM = skeleton(['shoulder', -1], ['elbow', 0]);
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+const dofs = () => new Float64Array(9);
+const world = Float64Array.from([...IDENTITY, ...IDENTITY]);
+const placement = () => Float64Array.from(IDENTITY);
+
+it('finds the very same handles in the same pose at the same place', () => {
+  const known = new KnownHandles();
+  const first = known.of(ARM, 1, dofs(), world, placement());
+  expect(first).toEqual(jointHandles(ARM, 1, dofs(), world, placement()));
+  expect(known.of(ARM, 1, dofs(), world, placement())).toBe(first);
+});
+
+it('works them out anew for another pose, place, joint or skeleton', () => {
+  const known = new KnownHandles();
+  const [pose, place] = [dofs(), placement()];
+  const seen = [known.of(ARM, 1, pose, world, place)];
+  const again = (...args: Parameters<KnownHandles['of']>) => {
+    const found = known.of(...args);
+    expect(seen).not.toContain(found);
+    expect(found).toEqual(jointHandles(...args));
+    seen.push(found);
+  };
+  // The arrays are the view's own, filled anew.
+  pose[6] = 0.3;
+  again(ARM, 1, pose, world, place);
+  place[12] = 2;
+  again(ARM, 1, pose, world, place);
+  again(ARM, 0, pose, world, place);
+  again({ ...ARM }, 0, pose, world, place);
+});

@@ -1,0 +1,216 @@
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { unpin } from '../../../../src/edit/commands/ik.ts';
+import { setDofs } from '../../../../src/edit/commands/pose.ts';
+import { setHidden } from '../../../../src/edit/commands/spaces.ts';
+import type { Vec3 } from '../../../../src/math/vec3.ts';
+import { shownClip } from '../../../../src/model/document.ts';
+import { HandPull } from '../../../../src/ui/editors/ik/hand-pull.ts';
+import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
+import { clip, documentOf } from '../../builders.ts';
+import { apart, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
+
+/** Of a body that is 6 wide. */
+const THERE = 2e-3;
+const BODY_GRIP = { characterId: 'c1', placement: 0, joint: BODY_JOINT, point: [0, 0, 0] } as const;
+const LEFT_GRIP = { characterId: 'c1', placement: 0, joint: HAND_L, point: [0, 0, 0], pin: 1 } as const;
+
+let page: ReturnType<typeof ikPage>;
+beforeEach(() => {
+  page = ikPage();
+});
+afterEach(() => page.stop());
+
+function begin(grip: Parameters<typeof HandPull.begin>[1] = BODY_GRIP): HandPull {
+  const hand = HandPull.begin(page.wb, grip);
+  if (!hand) throw new Error('There is something to be dragged.');
+  return hand;
+}
+
+/** As a hand goes there. */
+function go(hand: HandPull, by: Vec3): void {
+  const [x, y, z] = hand.anchor;
+  for (let i = 1; i <= 10; i++) hand.to([x + 0.1 * i * by[0], y + 0.1 * i * by[1], z + 0.1 * i * by[2]]);
+}
+
+describe('a hand that drags a point', () => {
+  it('takes it along while the pins hold, in one undo step', () => {
+    const { wb, placeOf, pose } = page;
+    const before = pose();
+    const hand = begin();
+    go(hand, [0, 0.3, 0.2]);
+    hand.finish();
+    expect(apart(placeOf(BODY_JOINT), [0, 0.3, 0.2])).toBeLessThan(THERE);
+    expect(apart(placeOf(HAND_L), [3, 0, 0])).toBeLessThan(THERE);
+    expect(apart(placeOf(HAND_R), [-3, 0, 0])).toBeLessThan(THERE);
+    expect(wb.store.undoLabel).toBe('Drag body');
+    wb.store.undo();
+    expect(pose()).toEqual(before);
+    expect(wb.store.undoLabel).toBeUndefined();
+  });
+
+  it('takes a pin from its place, and the other one holds', () => {
+    const hand = begin(LEFT_GRIP);
+    go(hand, [-0.4, 0.4, 0]);
+    hand.finish();
+    expect(apart(page.placeOf(HAND_L), [2.6, 0.4, 0])).toBeLessThan(THERE);
+    expect(apart(page.placeOf(HAND_R), [-3, 0, 0])).toBeLessThan(THERE);
+  });
+
+  it('leaves everything as it was where it is cancelled, and does nothing any more', () => {
+    const { wb, pose } = page;
+    const { document } = wb.store;
+    const hand = begin();
+    go(hand, [0, 0.3, 0]);
+    expect(wb.store.document).not.toBe(document);
+    hand.cancel();
+    expect(wb.store.document).toBe(document);
+    expect(wb.store.undoLabel).toBeUndefined();
+    expect(pose()).toBe(document.characters[0].pose);
+  });
+
+  it('makes no step where it went nowhere', () => {
+    const hand = begin();
+    hand.to(hand.anchor);
+    hand.finish();
+    expect(page.wb.store.undoLabel).toBeUndefined();
+  });
+
+  it('keys what it moves where keys are made by themselves', () => {
+    page.stop();
+    page = ikPage(documentOf(body({ clips: [clip([0, 2])] })));
+    const { wb } = page;
+    wb.timeline.autoKey.set(true);
+    wb.transport.update((now) => ({ ...now, timeSeconds: 1 }));
+    const hand = begin();
+    go(hand, [0, 0.3, 0]);
+    hand.finish();
+    const [character] = wb.store.document.characters;
+    const keyed = shownClip(character)?.channels.filter((one) => 'times' in one && one.times.includes(1));
+    expect(keyed?.length).toBeGreaterThan(0);
+    expect(apart(page.placeOf(BODY_JOINT), [0, 0.3, 0])).toBeLessThan(THERE);
+    wb.store.undo();
+    expect(wb.store.undoLabel).toBeUndefined();
+  });
+
+  it('is over where its pins are changed meanwhile; what it had come to is a step', () => {
+    const { wb, pose } = page;
+    const hand = begin();
+    go(hand, [0, 0.2, 0]);
+    wb.store.apply(unpin, { characterId: 'c1', pins: [1] });
+    const left = pose();
+    expect(hand.isOver).toBe(true);
+    go(hand, [0, 0.6, 0]);
+    hand.finish();
+    expect(pose()).toBe(left);
+    expect(apart(page.placeOf(BODY_JOINT), [0, 0.2, 0])).toBeLessThan(THERE);
+    expect(wb.store.undoLabel).not.toBe('Drag body');
+    wb.store.undo();
+    expect(wb.store.undoLabel).toBe('Drag body');
+  });
+
+  it('is over where the document is changed by something else at all', () => {
+    const { wb } = page;
+    const hand = begin();
+    go(hand, [0, 0.2, 0]);
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 0.1 }], timeSeconds: 0 });
+    expect(hand.isOver).toBe(true);
+    hand.finish();
+    expect(page.pose()[4]).toBe(0.1);
+  });
+
+  it('leaves the pin’s target where the hand was, for as long as the pose is as it left it', () => {
+    const { wb, pose } = page;
+    const hand = begin(LEFT_GRIP);
+    go(hand, [20, 0, 0]);
+    expect(hand.state.gaps.map(({ joint }) => joint)).toEqual([HAND_L]);
+    hand.finish();
+    const { targets } = ikInHand(wb);
+    const dofs = Float64Array.from(pose());
+    const [{ ik }] = wb.store.document.characters;
+    const left = targets.leftOf('c1', dofs);
+    const target = ik && targets.leftTarget(left, ik.pins[0]);
+    expect(target && apart(target, [23, 0, 0])).toBeLessThan(1e-9);
+    wb.store.undo();
+    expect(targets.leftOf('c1', Float64Array.from(pose()))).toBeUndefined();
+  });
+
+  it('names the pins that hold it back, and not the one that could give', () => {
+    const hand = begin(LEFT_GRIP);
+    go(hand, [3, 0, 0]);
+    expect(hand.state.hindrance).toMatchObject({ holders: [HAND_R], canMove: true, rootStays: false });
+    hand.finish();
+  });
+
+  it('names the lock that is in the way, and none that is not', () => {
+    page.stop();
+    const kept = body();
+    const ik = { pins: [pin(1, HAND_L)], stiff: [{ joint: FORE_L }, { joint: FORE_R }], rootIsFree: true };
+    page = ikPage(documentOf({ ...kept, ik }));
+    const hand = begin();
+    go(hand, [-1, 0, 0]);
+    expect(hand.state.hindrance.locks).toEqual([FORE_L]);
+    hand.cancel();
+    page.stop();
+    page = ikPage(documentOf({ ...kept, ik: { ...ik, stiff: [{ joint: FORE_R }] } }));
+    const free = begin();
+    go(free, [-1, 0, 0]);
+    expect(free.state.hindrance.locks).toEqual([]);
+    free.cancel();
+  });
+
+  it('asks for the root where that stays and nothing else moves the point, and says so', () => {
+    page.stop();
+    const kept = body();
+    page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
+    const { wb } = page;
+    const { wantsRoot } = ikInHand(wb);
+    const hand = begin();
+    go(hand, [0, 0.5, 0]);
+    expect(hand.state.hindrance).toMatchObject({ canMove: false, rootStays: true });
+    expect(wantsRoot.get()).toBe(true);
+    hand.finish();
+    expect(wb.messages.passing.get()).toContain('root stays: let it travel');
+    expect(wb.store.undoLabel).toBeUndefined();
+    begin().cancel();
+    expect(wantsRoot.get()).toBe(false);
+  });
+
+  it('asks for the root where an arm is drawn to its full length, and not before', () => {
+    page.stop();
+    const kept = body();
+    page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
+    const { wantsRoot } = ikInHand(page.wb);
+    const { characterId, placement, joint, point } = LEFT_GRIP;
+    const hand = begin({ characterId, placement, joint, point });
+    go(hand, [-0.4, 0.3, 0]);
+    expect(wantsRoot.get()).toBe(false);
+    go(hand, [2, 0, 0]);
+    expect(wantsRoot.get()).toBe(true);
+    expect(hand.state.hindrance).toMatchObject({ canMove: true, holders: [] });
+    hand.cancel();
+    expect(wantsRoot.get()).toBe(false);
+  });
+
+  it('holds the picture still for as long as it drags', () => {
+    const { wb } = page;
+    const log: string[] = [];
+    wb.viewport.holdTravel = (id) => {
+      log.push(`hold ${id}`);
+      return () => void log.push('go on');
+    };
+    const hand = begin();
+    go(hand, [0, 0.1, 0]);
+    expect(log).toEqual(['hold c1']);
+    hand.finish();
+    expect(log).toEqual(['hold c1', 'go on']);
+    begin().cancel();
+    expect(log).toEqual(['hold c1', 'go on', 'hold c1', 'go on']);
+  });
+
+  it('finds nothing to drag of what is hidden, or gone', () => {
+    const { wb } = page;
+    wb.store.apply(setHidden, { ids: ['c1'], hidden: true });
+    expect(HandPull.begin(wb, BODY_GRIP)).toBeUndefined();
+    expect(HandPull.begin(wb, { ...BODY_GRIP, characterId: 'c9' })).toBeUndefined();
+  });
+});

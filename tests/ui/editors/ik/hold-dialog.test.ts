@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import { type Channel, type Extrapolation, keylessChannel } from '../../../../src/model/clip.ts';
+import { firstRange, writtenOutText } from '../../../../src/ui/editors/ik/hold-dialog.ts';
+import { character, clip, skeleton } from '../../builders.ts';
+
+const BODY = skeleton(['root', -1], ['toe_r', 0]);
+/** Of the toe: x, y. */
+const [TOE_X, TOE_Y] = [6, 7];
+
+function keyed(before: Extrapolation, after: Extrapolation): Channel {
+  const flat = { kinds: new Uint8Array(2), slopes: new Float64Array(2) };
+  return {
+    ...keylessChannel(0),
+    ...{ extrapolateIn: before, extrapolateOut: after, tangentsIn: flat, tangentsOut: flat },
+    times: Float64Array.of(0, 1),
+    values: Float64Array.of(0, 1),
+  };
+}
+
+function take(channels: Readonly<Record<number, Channel>>) {
+  return { ...clip([0, 6]), channels: Array.from({ length: 9 }, (_, i) => channels[i] ?? keylessChannel(0)) };
+}
+
+describe('what is asked for first when pins are held', () => {
+  it('is all that is played where that is short', () => {
+    expect(firstRange([1, 2.5], 2)).toEqual([1, 2.5]);
+  });
+
+  it('is a step from now on, within what is played', () => {
+    expect(firstRange([0, 6], 2)).toEqual([2, 2.5]);
+    expect(firstRange([0, 6], 5.9)).toEqual([5.5, 6]);
+    expect(firstRange([0, 6], -3)).toEqual([0, 0.5]);
+  });
+});
+
+describe('what is told of curves that repeated', () => {
+  const before = character({
+    skeleton: BODY,
+    clips: [take({ [TOE_X]: keyed('cycle', 'cycle'), [TOE_Y]: keyed('linear', 'linear') })],
+  });
+
+  it('names those that are written out on either side, and no others', () => {
+    const after = take({ [TOE_X]: keyed('cycle', 'constant'), [TOE_Y]: keyed('constant', 'constant') });
+    expect(writtenOutText(before, { clip: after, channels: [TOE_X, TOE_Y] })).toBe(
+      'toe_r rx no longer repeats: keys stand for it over what is played.',
+    );
+  });
+
+  it('is nothing where they go on', () => {
+    const after = take({ [TOE_X]: keyed('cycle', 'cycle') });
+    expect(writtenOutText(before, { clip: after, channels: [TOE_X] })).toBe('');
+  });
+});

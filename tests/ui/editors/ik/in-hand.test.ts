@@ -1,0 +1,54 @@
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { unpin } from '../../../../src/edit/commands/ik.ts';
+import { findPin, ikInHand, keepInHand, selectedPin } from '../../../../src/ui/editors/ik/in-hand.ts';
+import { HAND_L, HAND_R, ikPage } from './ik-page.ts';
+
+let page: ReturnType<typeof ikPage>;
+beforeEach(() => {
+  page = ikPage();
+  const { wb } = page;
+  ikInHand(wb).selected.set({ characterId: 'c1', pin: 1 });
+  wb.store.select({ characterId: 'c1', joint: HAND_L });
+});
+afterEach(() => page.stop());
+
+describe('the pin in hand', () => {
+  it('is one for each page', () => {
+    expect(selectedPin(page.wb)?.pin.id).toBe(1);
+    expect(selectedPin(ikPage().wb)).toBeUndefined();
+  });
+
+  it('stays while its joint is selected, a vertex of it too', () => {
+    keepInHand(page.wb, true);
+    page.wb.store.select({ characterId: 'c1', joint: HAND_L, vertex: 7 });
+    keepInHand(page.wb, true);
+    expect(selectedPin(page.wb)?.pin.id).toBe(1);
+  });
+
+  it.each([
+    ['another joint', { characterId: 'c1', joint: HAND_R }],
+    ['the character', { characterId: 'c1' }],
+    ['another character', { characterId: 'c2', joint: HAND_L }],
+    ['nothing', {}],
+  ])('is let go where %s is selected', (_what, selection) => {
+    page.wb.store.select(selection);
+    keepInHand(page.wb, true);
+    expect(ikInHand(page.wb).selected.get()).toBeUndefined();
+  });
+
+  it('stays through a change of the document while something else has been selected all along', () => {
+    page.wb.store.select({ characterId: 'c1' });
+    keepInHand(page.wb, false);
+    expect(selectedPin(page.wb)?.pin.id).toBe(1);
+  });
+
+  it('is let go with the pin, and does not come back with it', () => {
+    const { wb } = page;
+    wb.store.apply(unpin, { characterId: 'c1', pins: [1] });
+    expect(selectedPin(wb)).toBeUndefined();
+    keepInHand(wb, false);
+    wb.store.undo();
+    expect(findPin(wb, { characterId: 'c1', pin: 1 })?.pin.joint).toBe(HAND_L);
+    expect(selectedPin(wb)).toBeUndefined();
+  });
+});

@@ -1,0 +1,100 @@
+import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
+import { PinNudge } from '../../../../src/ui/editors/ik/pin-nudge.ts';
+import { apart, HAND_L, HAND_R, ikPage } from './ik-page.ts';
+
+/** Of a body that is 6 wide. */
+const THERE = 2e-3;
+
+let page: ReturnType<typeof ikPage>;
+let nudge: PinNudge;
+beforeEach(() => {
+  page = ikPage();
+  nudge = new PinNudge(page.wb);
+  ikInHand(page.wb).selected.set({ characterId: 'c1', pin: 1 });
+});
+afterEach(() => {
+  nudge.finish();
+  page.stop();
+});
+
+/** Whether it was for the pin. */
+function press(key: string, held: { altKey?: boolean; shiftKey?: boolean; ctrlKey?: boolean } = {}): boolean {
+  let prevented = false;
+  const keys = { altKey: false, shiftKey: false, ctrlKey: false, metaKey: false, ...held };
+  // As much of an event as is asked for.
+  const preventDefault = () => {
+    prevented = true;
+  };
+  const event = { key, ...keys, preventDefault } as unknown as KeyboardEvent;
+  expect(nudge.key(event)).toBe(prevented);
+  return prevented;
+}
+const steps = () => {
+  let count = 0;
+  while (page.wb.store.undo()) count++;
+  return count;
+};
+
+describe('arrow keys', () => {
+  it.each([
+    ['ArrowLeft', {}, [2.95, 0, 0]],
+    ['ArrowUp', {}, [3, 0.05, 0]],
+    ['ArrowLeft', { shiftKey: true }, [2.75, 0, 0]],
+    ['ArrowDown', { shiftKey: true }, [3, -0.25, 0]],
+    // Up is away from the viewer, who looks along −z.
+    ['ArrowUp', { altKey: true }, [3, 0, -0.05]],
+    ['ArrowDown', { altKey: true, shiftKey: true }, [3, 0, 0.25]],
+  ] as const)('%s with %o moves the pin over the screen, or in depth', (key, held, [x, y, z]) => {
+    expect(press(key, held)).toBe(true);
+    nudge.finish();
+    expect(apart(page.placeOf(HAND_L), [x, y, z])).toBeLessThan(THERE);
+    expect(apart(page.placeOf(HAND_R), [-3, 0, 0])).toBeLessThan(THERE);
+  });
+
+  it('make one undo step of presses that follow each other, and another of what comes after', () => {
+    for (let i = 0; i < 4; i++) press('ArrowLeft');
+    expect(nudge.state?.grip.pin).toBe(1);
+    nudge.finish();
+    expect(nudge.state).toBeUndefined();
+    expect(apart(page.placeOf(HAND_L), [2.8, 0, 0])).toBeLessThan(THERE);
+    press('ArrowUp');
+    nudge.finish();
+    expect(steps()).toBe(2);
+  });
+
+  it('begin another step with another pin', () => {
+    press('ArrowLeft');
+    ikInHand(page.wb).selected.set({ characterId: 'c1', pin: 2 });
+    press('ArrowUp');
+    nudge.finish();
+    expect(apart(page.placeOf(HAND_L), [2.95, 0, 0])).toBeLessThan(THERE);
+    expect(apart(page.placeOf(HAND_R), [-3, 0.05, 0])).toBeLessThan(THERE);
+    expect(steps()).toBe(2);
+  });
+
+  it('go on in a new step where something else has ended the one before', () => {
+    press('ArrowLeft');
+    page.wb.store.undo();
+    expect(nudge.state).toBeUndefined();
+    press('ArrowLeft');
+    nudge.finish();
+    expect(apart(page.placeOf(HAND_L), [2.95, 0, 0])).toBeLessThan(THERE);
+  });
+
+  it('are left to others without a pin in hand, or with Ctrl', () => {
+    expect(press('ArrowLeft', { ctrlKey: true })).toBe(false);
+    expect(press('a')).toBe(false);
+    ikInHand(page.wb).selected.set(undefined);
+    expect(press('ArrowLeft')).toBe(false);
+    expect(steps()).toBe(0);
+  });
+});
+
+it('lets the pin go by Delete, after what was moved', () => {
+  press('ArrowLeft');
+  expect(press('Delete')).toBe(true);
+  expect(page.wb.store.document.characters[0].ik?.pins.map(({ id }) => id)).toEqual([2]);
+  expect(ikInHand(page.wb).selected.get()).toBeUndefined();
+  expect(steps()).toBe(2);
+});

@@ -1,0 +1,48 @@
+import { expect, it } from 'vitest';
+import type { Character } from '../../../../src/model/document.ts';
+import { jointEntries } from '../../../../src/ui/editors/outliner/tree-menu.ts';
+import type { MenuItem } from '../../../../src/ui/kit/menu.ts';
+import { character, documentOf, skeleton, workbench } from '../../builders.ts';
+
+function menu(mode: 'fk' | 'rig', keys: Record<string, readonly string[]> = {}) {
+  const { wb } = workbench(documentOf(character({ skeleton: skeleton(['hips', -1], ['leg', 0]) })));
+  wb.posing.mode.set(mode);
+  wb.settings.update((now) => ({ ...now, keys }));
+  const entries = jointEntries(wb, wb.store.document.characters[0], 1, () => {});
+  const items = entries.filter((entry): entry is MenuItem => entry.kind === 'item');
+  return new Map(items.map(({ label, shortcut, ariaShortcut }) => [label, [shortcut, ariaShortcut]]));
+}
+
+it('shows the keys that do the same with the selected joint', () => {
+  const items = menu('rig');
+  expect(items.get('Rename')).toEqual(['F2', 'F2']);
+  expect(items.get('Add a child')).toEqual(['Shift+C', 'Shift+C']);
+  expect(items.get('Delete with all below it')?.[1]).toBe('Shift+Delete');
+  expect(items.get('Add joints by clicking')).toEqual([undefined, undefined]);
+});
+
+it('shows them as they were changed', () => {
+  const items = menu('rig', { 'rigging.rename': ['Ctrl+R'], 'rigging.addChild': [] });
+  expect(items.get('Rename')).toEqual(['Ctrl+R', 'Control+R']);
+  expect(items.get('Add a child')).toEqual([undefined, undefined]);
+});
+
+it('names the tree’s own key outside of rig mode', () => {
+  expect(menu('fk', { 'rigging.rename': ['Ctrl+R'] }).get('Rename')).toEqual(['F2', 'F2']);
+});
+
+it('pins and locks a joint outside of rig mode, and says what it would do', () => {
+  const skeletonOf = { skeleton: skeleton(['hips', -1], ['leg', 0]) };
+  const pin = { id: 1, joint: 1, point: [0, 0, 0], weight: 1, holdsOrientation: false } as const;
+  const labels = (ik?: Character['ik']) => {
+    const { wb } = workbench(documentOf(character({ ...skeletonOf, ...(ik && { ik }) })));
+    return jointEntries(wb, wb.store.document.characters[0], 1, () => {}).map((entry) =>
+      entry.kind === 'item' ? entry.label : entry.kind,
+    );
+  };
+  expect(labels()).toEqual(['Rename', 'Pin (IK)', 'Lock (IK)', 'Change the skeleton here (rig mode)']);
+  const held = labels({ pins: [pin], stiff: [{ joint: 1 }], rootIsFree: true });
+  expect(held.slice(1, 3)).toEqual(['Let its pin go (IK)', 'Unlock (IK)']);
+  const stiffer = labels({ pins: [], stiff: [{ joint: 1, stiffness: 10 }], rootIsFree: true });
+  expect(stiffer.slice(1, 3)).toEqual(['Pin (IK)', 'Lock (IK)']);
+});

@@ -1,0 +1,45 @@
+import { describe, expect, it } from 'vitest';
+import { copiedPose } from '../../../../src/ui/editors/poses/copied.ts';
+import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { character, documentOf, skeleton, workbench } from '../../builders.ts';
+
+const rig = () => skeleton(['hip', -1], ['arm_l', 0], ['arm_r', 0]);
+const pose = [1, 0, 0, 0, 0, 0, 0.1, 0.2, 0.3, 0, 0, 0];
+
+describe('poses by menus and keys', () => {
+  it('are copied from one character onto another, and what did not fit is said', async () => {
+    const other = character({ id: 'c2', name: 'crab', skeleton: skeleton(['hip', -1], ['claw', 0]), pose: [] });
+    const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose }), other));
+    expect(() => runAction(wb, 'pose.paste')).toThrow();
+    await runAction(wb, 'pose.copy');
+    expect(copiedPose(wb).get()?.pose.root).toEqual([1, 0, 0]);
+    wb.store.select({ characterId: 'c2' });
+    await runAction(wb, 'pose.paste');
+    expect(wb.store.document.characters[1].pose[0]).toBe(1);
+    expect(wb.messages.list.get().at(-1)?.text).toContain('“arm_l” and 1 more');
+    expect(wb.store.undoLabel).toBe('Paste pose');
+  });
+
+  it('are mirrored, whole or from the selected joint down', async () => {
+    const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })));
+    await runAction(wb, 'pose.mirror');
+    expect(wb.store.document.characters[0].pose.slice(6)).toEqual([0, 0, 0, 0.1, -0.2, -0.3]);
+    expect(() => runAction(wb, 'pose.copyToOther')).toThrow();
+    wb.store.select({ characterId: 'c1', joint: 2 });
+    await runAction(wb, 'pose.copyToOther');
+    expect(wb.store.document.characters[0].pose.slice(6)).toEqual([0.1, 0.2, 0.3, 0.1, -0.2, -0.3]);
+    wb.store.select({ characterId: 'c1', joint: 0 });
+    await runAction(wb, 'pose.copyToOther');
+    expect(wb.messages.list.get().at(-1)?.text).toContain('in the middle');
+  });
+
+  it('are kept with what plays stopped, and the library can be gone to', async () => {
+    const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose })), { playing: true });
+    await runAction(wb, 'pose.keep');
+    expect(wb.transport.get().playing).toBe(false);
+    expect(wb.store.document.characters[0].poses).toEqual([{ name: 'pose 1', values: pose }]);
+    runAction(wb, 'pose.library');
+    expect(wb.timeline.view.get().tab).toBe('poses');
+    runAction(wb, 'save.pose');
+  });
+});

@@ -1,0 +1,118 @@
+import { describe, expect, it } from 'vitest';
+import { activeDof, chooseDof, dofsByHand } from '../../../../src/ui/editors/posing/active-dof.ts';
+import { actionsOf, runAction } from '../../../../src/ui/shell/actions.ts';
+import { selectedJoint } from '../../../../src/ui/state/selected-joint.ts';
+import { actionFor } from '../../../../src/ui/state/shortcuts.ts';
+import { channel, character, clip, documentOf, joint, skeleton, workbench } from '../../builders.ts';
+
+const armature = skeleton(['hips', -1], ['leg', 0], ['foot', 1]);
+
+function posing(more: Parameters<typeof character>[0] = {}) {
+  const made = workbench(documentOf(character({ skeleton: armature, ...more })));
+  const turns: number[] = [];
+  Object.assign(made.wb.viewport, { turnView: (by: number) => void turns.push(by) });
+  const press = (key: string, panel?: string) => {
+    const { wb } = made;
+    const action = actionFor([key], actionsOf(wb), panel, wb.settings.get());
+    if (action && (action.enabled?.(wb) ?? true)) action.run(wb);
+  };
+  return { ...made, turns, press };
+}
+
+describe('the keys of posing', () => {
+  it('switch between FK and IK, and to the rig', () => {
+    const { wb, press } = posing();
+    const seen = ['E', 'E', 'Shift+E', 'E'].map((key) => {
+      press(key);
+      return wb.posing.mode.get();
+    });
+    expect(seen).toEqual(['ik', 'fk', 'rig', 'fk']);
+  });
+
+  it.each(['viewport', 'outliner', undefined])('leave the mode by Escape, then the selection (%s)', (panel) => {
+    const { wb, press } = posing();
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    wb.posing.mode.set('ik');
+    press('Escape', panel);
+    expect([wb.posing.mode.get(), wb.store.selection.joint]).toEqual(['fk', 1]);
+    press('Escape', panel);
+    expect(wb.store.selection.characterId).toBeUndefined();
+  });
+
+  it('has one line on the page of shortcuts for what Escape leaves', () => {
+    const { wb } = posing();
+    const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
+    expect(lines.map((action) => action.label)).toEqual(['Back to FK, then select nothing']);
+  });
+
+  it('Space switches where there is nothing to play, and plays where there is', () => {
+    const still = posing();
+    still.press('Space');
+    expect([still.wb.posing.mode.get(), still.wb.transport.get().playing]).toEqual(['ik', false]);
+    // The transport's button lets time pass all the same.
+    void runAction(still.wb, 'play.toggle', 'button');
+    expect(still.wb.transport.get().playing).toBe(true);
+    still.press('Space');
+    expect([still.wb.posing.mode.get(), still.wb.transport.get().playing]).toEqual(['ik', false]);
+    const moving = posing({ clips: [clip([0, 1], channel(0, 1))] });
+    moving.press('Space');
+    expect([moving.wb.posing.mode.get(), moving.wb.transport.get().playing]).toEqual(['fk', true]);
+  });
+
+  it('the arrows turn the view in the viewport while nothing plays, and step frames otherwise', () => {
+    const { wb, turns, press } = posing();
+    press('Right', 'viewport');
+    press('Left', 'viewport');
+    expect(turns).toHaveLength(2);
+    expect(turns[0]).toBeGreaterThan(0);
+    expect(turns[1]).toBe(-turns[0]);
+    expect(wb.transport.get().timeSeconds).toBe(0);
+    press('Right');
+    expect(wb.transport.get().timeSeconds).toBeGreaterThan(0);
+    wb.transport.update((now) => ({ ...now, playing: true }));
+    const { timeSeconds } = wb.transport.get();
+    press('Right', 'viewport');
+    expect(wb.transport.get().timeSeconds).toBeGreaterThan(timeSeconds);
+    expect(turns).toHaveLength(2);
+  });
+});
+
+describe('the active DOF', () => {
+  it('is one that turns, then the one that was chosen, by its name on the next joint', () => {
+    const { wb, press } = posing();
+    wb.store.select({ characterId: 'c1', joint: 0 });
+    // tx ty tz of the root come first.
+    expect(activeDof(wb)).toBe(3);
+    press('V', 'viewport');
+    expect(activeDof(wb)).toBe(4);
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    expect(activeDof(wb)).toBe(7);
+    press('Shift+V', 'viewport');
+    press('Shift+V', 'viewport');
+    expect(activeDof(wb)).toBe(8);
+  });
+
+  it('is none without a joint, nor where a DOF follows another', () => {
+    const { wb } = posing();
+    expect(activeDof(wb)).toBeUndefined();
+    const couples = [{ dof: 'rx', joint: 0, follows: 'rx', gain: 1, offset: 0 }];
+    const tied = { ...armature, joints: [armature.joints[0], { ...joint('leg', 0), couples }, armature.joints[2]] };
+    const { wb: coupled } = posing({ skeleton: tied });
+    coupled.store.select({ characterId: 'c1', joint: 1 });
+    expect(activeDof(coupled)).toBe(7);
+    chooseDof(coupled, 6);
+    expect(activeDof(coupled)).toBe(7);
+    const selected = selectedJoint(coupled);
+    expect(selected && dofsByHand(selected)).toEqual([7, 8]);
+  });
+
+  it('goes by a degree a key press, each a step to be undone', () => {
+    const { wb, press } = posing();
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    press('+', 'viewport');
+    press('+', 'viewport');
+    press('-', 'viewport');
+    expect(wb.store.document.characters[0].pose[6]).toBeCloseTo(Math.PI / 180, 12);
+    expect(wb.store.undoLabel).toBe('Set rx of leg');
+  });
+});

@@ -1,0 +1,197 @@
+import { describe, expect, it } from 'vitest';
+import { setDofs } from '../../../../src/edit/commands/pose.ts';
+import type { Character } from '../../../../src/model/document.ts';
+import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
+import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
+import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
+import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { isEnabled } from '../../../../src/ui/state/action.ts';
+import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+
+const bones = skeleton(['hips', -1], ['leg', 0]);
+const bare = character({ skeleton: bones, shownClip: -1 });
+const wasp = (wb: Workbench): Character => wb.store.document.characters[0];
+const keyCounts = (wb: Workbench) => wasp(wb).clips[wasp(wb).shownClip]?.channels.map((c) => c.times.length);
+const at = (wb: Workbench, timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds }));
+const enabled = (wb: Workbench) => KEYING_ACTIONS.filter((a) => isEnabled(wb, a)).map((a) => a.id);
+
+describe('keying from the menu', () => {
+  it('keys the whole pose of a bare character, over the range that is played', () => {
+    const { wb } = workbench(documentOf(bare), { range: [0, 4], timeSeconds: 1 });
+    runAction(wb, 'key.pose');
+    expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
+    expect(wasp(wb).clips[0]).toMatchObject({ name: 'test_anim', range: [0, 4] });
+    expect(wb.store.undoLabel).toBe('Key pose');
+    wb.store.undo();
+    expect(wasp(wb)).toBe(bare);
+  });
+
+  it('keys the selected joint, the root with its translation', () => {
+    const { wb } = workbench(documentOf(bare));
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    runAction(wb, 'key.joint');
+    expect(keyCounts(wb)).toEqual([0, 0, 0, 0, 0, 0, 1, 1, 1]);
+    wb.store.select({ characterId: 'c1', joint: 0 });
+    runAction(wb, 'key.joint');
+    expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
+    expect(jointDofs(bare, 0)).toEqual([0, 1, 2, 3, 4, 5]);
+    expect(jointDofs(bare, 7)).toEqual([]);
+  });
+
+  it('says what is missing where no joint is selected', () => {
+    const { wb } = workbench(documentOf(bare));
+    runAction(wb, 'key.joint');
+    expect(wb.messages.passing.get()).toBe('Select a joint first.');
+    expect(wasp(wb)).toBe(bare);
+  });
+
+  it('deletes the keys of the moment, and of none else', () => {
+    const { wb } = workbench(documentOf(bare));
+    for (const time of [0, 1]) {
+      at(wb, time);
+      runAction(wb, 'key.pose');
+    }
+    wb.store.select({ characterId: 'c1', joint: 1 });
+    runAction(wb, 'key.deleteJointHere');
+    expect(keyCounts(wb)).toEqual([2, 2, 2, 2, 2, 2, 1, 1, 1]);
+    runAction(wb, 'key.deleteHere');
+    expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
+    expect(wasp(wb).clips[0].channels[0].times).toEqual(Float64Array.of(0));
+    expect(enabled(wb)).not.toContain('key.deleteHere');
+  });
+
+  it('makes keys with the tangents that are chosen', () => {
+    const { wb } = workbench(documentOf(bare));
+    runAction(wb, 'key.tangents.linear');
+    runAction(wb, 'key.pose');
+    expect(wasp(wb).clips[0].channels[4].tangentsIn.kinds).toEqual(Uint8Array.of(1));
+    expect(autoKey(wb)).toBeUndefined();
+    runAction(wb, 'key.auto');
+    expect(autoKey(wb)).toEqual({ tangents: 'linear', playedRange: [0, 2] });
+  });
+
+  it('stops what plays to key it, on a frame where keys snap to frames', () => {
+    const timesAfter = (snapsToFrames: boolean) => {
+      const { wb } = workbench(documentOf(bare), { playing: true, timeSeconds: 51.4 / 30 });
+      wb.timeline.change({ snapsToFrames });
+      runAction(wb, 'key.pose');
+      expect(wb.transport.get().playing).toBe(false);
+      const [time] = wasp(wb).clips[0].channels[4].times;
+      expect(time).toBe(wb.transport.get().timeSeconds);
+      return time * 30;
+    };
+    expect(timesAfter(true)).toBeCloseTo(51, 12);
+    expect(timesAfter(false)).toBeCloseTo(51.4, 12);
+  });
+
+  it('keys where the playhead stands, on a frame or not', () => {
+    const { wb } = workbench(documentOf(bare), { timeSeconds: 51.4 / 30 });
+    runAction(wb, 'key.pose');
+    expect(wasp(wb).clips[0].channels[4].times).toEqual(Float64Array.of(51.4 / 30));
+  });
+
+  it('keys a reset too while auto-key is on', () => {
+    const { wb } = workbench(documentOf({ ...bare, pose: [1, 0, 0, 0, 0, 0, 0, 0, 0] }));
+    runAction(wb, 'key.auto');
+    runAction(wb, 'pose.resetToZero');
+    expect(keyCounts(wb)).toEqual(new Array(9).fill(1));
+  });
+
+  it('drops what was set by hand, and undo gives it back', () => {
+    const driven = clip([0, 1], channel(0, 1));
+    const { wb } = workbench(documentOf({ ...bare, clips: [driven], shownClip: 0 }));
+    expect(enabled(wb)).not.toContain('key.dropUnkeyed');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0 });
+    runAction(wb, 'key.dropUnkeyed');
+    expect(wasp(wb).unkeyed).toBeUndefined();
+    wb.store.undo();
+    expect(wasp(wb).unkeyed?.values).toEqual([3]);
+  });
+
+  it('keys what was changed over the take, and leaves all other channels alone', () => {
+    const [swing, still] = [channel(0, 1), channel(0, 1)];
+    const { wb } = workbench(documentOf({ ...bare, clips: [clip([0, 1], swing, still)], shownClip: 0 }), {
+      timeSeconds: 0.5,
+    });
+    expect(enabled(wb)).not.toContain('key.changed');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 0, value: 3 }], timeSeconds: 0.5 });
+    runAction(wb, 'key.changed');
+    const [keyed, other] = wasp(wb).clips[0].channels;
+    expect([...keyed.times]).toEqual([0, 0.5, 1]);
+    expect(keyed.values[1]).toBe(3);
+    expect(other).toBe(still);
+    expect(wasp(wb).unkeyed).toBeUndefined();
+    expect(wb.store.undoLabel).toBe('Key tx of hips');
+  });
+
+  it('offers what can be done: nothing to key without a skeleton, no take to remove without one', () => {
+    const always = ['key.auto', 'key.tangents.smooth', 'key.tangents.linear', 'key.tangents.flat'];
+    expect(enabled(workbench().wb)).toEqual(always);
+    expect(enabled(workbench(documentOf(bare)).wb)).toEqual(['key.pose', 'key.joint', ...always, 'take.new']);
+  });
+});
+
+describe('takes', () => {
+  it('are made, copied and removed, each in one step', () => {
+    const { wb } = workbench(documentOf(bare), { range: [1, 3] });
+    const names = () => wasp(wb).clips.map((c) => c.name);
+    runAction(wb, 'take.new');
+    expect(wasp(wb).clips[0].range).toEqual([1, 3]);
+    runAction(wb, 'take.duplicate');
+    expect(names()).toEqual(['test_anim', 'test_anim_2']);
+    runAction(wb, 'take.remove');
+    runAction(wb, 'take.remove');
+    expect(names()).toEqual([]);
+    for (let i = 0; i < 4; i++) wb.store.undo();
+    expect(wasp(wb)).toBe(bare);
+  });
+
+  it('play what is played, or what is keyed', () => {
+    const late = { ...bare, timeOffsetSeconds: 10 };
+    const { wb } = workbench(documentOf({ ...late, clips: [clip([0, 1], channel(2, 7))], shownClip: 0 }), {
+      range: [1, 3],
+    });
+    runAction(wb, 'take.rangeFromPlayed');
+    expect(wasp(wb).clips[0].range).toEqual([11, 13]);
+    runAction(wb, 'take.rangeFromKeys');
+    expect(wasp(wb).clips[0].range).toEqual([2, 7]);
+  });
+});
+
+describe('the mark of a DOF', () => {
+  const state = (wb: Workbench) => dofState(wb, wasp(wb), 4);
+
+  it('tells keyed here, keyed elsewhere, set by hand, and free', () => {
+    const { wb } = workbench(documentOf(bare));
+    expect(state(wb)).toBe('free');
+    toggleKey(wb, 'c1', 4);
+    expect(state(wb)).toBe('keyed');
+    at(wb, 1);
+    expect(state(wb)).toBe('driven');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 1 });
+    expect(state(wb)).toBe('unkeyed');
+    // Said of its own moment only.
+    at(wb, 0);
+    expect(state(wb)).toBe('keyed');
+  });
+
+  it('keys what was set by hand, and takes the key away again', () => {
+    const { wb } = workbench(documentOf(bare));
+    toggleKey(wb, 'c1', 4);
+    at(wb, 1);
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 4, value: 1 }], timeSeconds: 1 });
+    toggleKey(wb, 'c1', 4);
+    expect(wasp(wb).clips[0].channels[4].values).toEqual(Float64Array.of(0, 1));
+    toggleKey(wb, 'c1', 4);
+    expect(wasp(wb).clips[0].channels[4].values).toEqual(Float64Array.of(0));
+  });
+
+  it('leaves a channel standing that has lost its last key', () => {
+    const { wb } = workbench(documentOf({ ...bare, pose: [0, 0, 0, 0, 0.5, 0, 0, 0, 0] }));
+    toggleKey(wb, 'c1', 4);
+    toggleKey(wb, 'c1', 4);
+    expect(state(wb)).toBe('free');
+    expect(wasp(wb).clips[0].channels[4].rest).toBe(0.5);
+  });
+});

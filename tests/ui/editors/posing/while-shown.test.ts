@@ -1,0 +1,24 @@
+import { expect, it } from 'vitest';
+import { whileShown } from '../../../../src/ui/editors/posing/while-shown.ts';
+import { Posing } from '../../../../src/ui/state/posing.ts';
+
+it('listens from each coming to its going, and not in between', () => {
+  const posing = new Posing();
+  // They are only told apart.
+  const [own, other] = [{}, {}] as HTMLElement[];
+  const log: string[] = [];
+  whileShown(posing, own, () => {
+    log.push('listens');
+    return [() => void log.push('a'), () => void log.push('b')];
+  });
+  posing.controls.set(other);
+  expect(log).toEqual([]);
+  posing.controls.set(own);
+  expect(log).toEqual(['listens']);
+  posing.controls.set(other);
+  posing.controls.set(undefined);
+  expect(log).toEqual(['listens', 'a', 'b']);
+  posing.controls.set(own);
+  posing.controls.set(undefined);
+  expect(log).toEqual(['listens', 'a', 'b', 'listens', 'a', 'b']);
+});

@@ -1,0 +1,38 @@
+import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../../../src/math/vec3.ts';
+import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
+import { runAction } from '../../../../src/ui/shell/actions.ts';
+import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { character, documentOf, skeleton, workbench } from '../../builders.ts';
+
+/** Places of a character that was shown once more, where its last copy is drawn so large. */
+function placesAfter(size: Vec3 | undefined): readonly Vec3[] {
+  const last = { ...DEFAULT_PLACEMENT, position: [5, 1, 2] as const, scale: 3 };
+  const placements = [DEFAULT_PLACEMENT, last];
+  const { wb } = workbench(documentOf(character({ skeleton: skeleton(['root', -1]), placements })));
+  const asked: number[] = [];
+  const sizeOf = (_id: string, placement: number) => {
+    asked.push(placement);
+    return size;
+  };
+  const page: Workbench = { ...wb, viewport: { ...wb.viewport, sizeOf } };
+  runAction(page, 'character.copy');
+  expect(asked).toEqual([1]);
+  const after = page.store.document.characters[0].placements;
+  expect(after.map(({ scale }) => scale)).toEqual([1, 3, 3]);
+  return after.map(({ position }) => position);
+}
+
+describe('a character shown once more', () => {
+  it('stands beside its last copy, clear of all that is drawn of it', () => {
+    const [, , beside] = placesAfter([4, 9, 9]);
+    expect(beside[0]).toBeGreaterThan(9);
+    expect(beside[0]).toBeLessThan(11);
+    expect(beside.slice(1)).toEqual([1, 2]);
+  });
+
+  it('stands apart from one that has no width, or is not drawn', () => {
+    expect(placesAfter([0, 2, 0])[2][0]).toBeGreaterThan(5);
+    expect(placesAfter(undefined)[2][0]).toBeGreaterThan(5);
+  });
+});

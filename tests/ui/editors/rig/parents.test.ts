@@ -1,0 +1,111 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  branchEnd,
+  canHangOn,
+  dropPlace,
+  possibleParents,
+  rowPart,
+  whyNoDrop,
+} from '../../../../src/ui/editors/rig/parents.ts';
+import { skeleton } from '../../builders.ts';
+
+//   0 root
+//   1   spine
+//   2     head
+//   3   leg_l
+//   4     foot_l
+//   5   leg_r
+const { joints } = skeleton(['root', -1], ['spine', 0], ['head', 1], ['leg_l', 0], ['foot_l', 3], ['leg_r', 0]);
+
+describe('what a joint can hang on', () => {
+  it('is all but itself and what hangs on it', () => {
+    expect(possibleParents(joints, 3)).toEqual([0, 1, 2, 5]);
+    expect(possibleParents(joints, 2)).toEqual([0, 1, 3, 4, 5]);
+  });
+
+  it('is nothing for the root, and for joints that are not there', () => {
+    expect(possibleParents(joints, 0)).toEqual([]);
+    expect([canHangOn(joints, 9, 0), canHangOn(joints, 1, -1), canHangOn(joints, 1, 9)]).toEqual([false, false, false]);
+  });
+
+  it('never lets a joint hang on its own branch, however the tree is', () => {
+    const trees = fc
+      .array(fc.nat(), { minLength: 1, maxLength: 30 })
+      .map((picks) => preOrder(picks.map((pick, i) => (i === 0 ? -1 : pick % i))));
+    fc.assert(
+      fc.property(trees, fc.nat(), (tree, pick) => {
+        const joint = pick % tree.length;
+        const below = new Set([joint]);
+        tree.forEach(({ parent }, j) => {
+          if (below.has(parent)) below.add(j);
+        });
+        expect(branchEnd(tree, joint) - joint).toBe(below.size);
+        for (const parent of possibleParents(tree, joint)) expect(below.has(parent)).toBe(false);
+      }),
+    );
+  });
+});
+
+/** Any tree, its joints in depth-first order. */
+function preOrder(parents: readonly number[]): { parent: number }[] {
+  const made: { parent: number }[] = [];
+  const walk = (node: number, parent: number) => {
+    const index = made.push({ parent }) - 1;
+    parents.forEach((above, child) => {
+      if (above === node) walk(child, index);
+    });
+  };
+  walk(0, -1);
+  return made;
+}
+
+describe('why a joint stays where it is dropped', () => {
+  const named = joints.map((one, j) => ({ ...one, name: j === 4 ? '' : `j${j}` }));
+
+  it('is told where it would hang on what hangs on it', () => {
+    expect(whyNoDrop(named, 3, 4)).toBe('j3 can’t hang on joint 4, which hangs on it.');
+    expect(whyNoDrop(named, 1, 2)).toBe('j1 can’t hang on j2, which hangs on it.');
+  });
+
+  it('needs no word where it is let go on itself or elsewhere', () => {
+    expect([whyNoDrop(named, 3, 3), whyNoDrop(named, 1, 3), whyNoDrop(named, 3, 1)]).toEqual([
+      undefined,
+      undefined,
+      undefined,
+    ]);
+  });
+});
+
+describe('a joint dropped on a row', () => {
+  it('is above it, on it, or below it', () => {
+    expect([0.1, 0.5, 0.9].map(rowPart)).toEqual(['above', 'on', 'below']);
+  });
+
+  it('hangs on it as its last child', () => {
+    expect(dropPlace(joints, 5, 1, 'on', true)).toEqual({ parent: 1 });
+  });
+
+  it('comes to stand before it, or after it', () => {
+    expect(dropPlace(joints, 5, 3, 'above', true)).toEqual({ parent: 0, before: 3 });
+    expect(dropPlace(joints, 5, 1, 'below', false)).toEqual({ parent: 0, before: 3 });
+    expect(dropPlace(joints, 1, 5, 'below', false)).toEqual({ parent: 0 });
+  });
+
+  it('is the first child of a row that is unfolded, when it is let go below it', () => {
+    expect(dropPlace(joints, 5, 3, 'below', true)).toEqual({ parent: 3, before: 4 });
+  });
+
+  it('goes nowhere where it is already, or on its own branch', () => {
+    expect(dropPlace(joints, 2, 1, 'on', true)).toBeUndefined();
+    expect(dropPlace(joints, 3, 5, 'above', false)).toBeUndefined();
+    expect(dropPlace(joints, 3, 1, 'below', false)).toBeUndefined();
+    expect(dropPlace(joints, 3, 4, 'on', false)).toBeUndefined();
+    expect(dropPlace(joints, 0, 3, 'on', true)).toBeUndefined();
+  });
+
+  it('hangs on the root where it is dropped beside it', () => {
+    expect(dropPlace(joints, 2, 0, 'above', true)).toEqual({ parent: 0 });
+    expect(dropPlace(joints, 2, 0, 'below', true)).toEqual({ parent: 0, before: 1 });
+  });
+});

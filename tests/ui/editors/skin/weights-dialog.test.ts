@@ -1,0 +1,18 @@
+import { describe, expect, it } from 'vitest';
+import { idleText } from '../../../../src/ui/editors/skin/weights-dialog.ts';
+import { skeleton } from '../../builders.ts';
+
+const rig = skeleton(['hips', -1], ['spine', 0], ['head', 1], ['jaw', 2], ['ear_l', 2], ['', 2]);
+
+describe('what is said of joints that move nothing', () => {
+  it('names the first few and counts all', () => {
+    expect(idleText(rig, [1, 2, 3, 4, 5])).toBe(
+      '5 of 6 joints move nothing: their bones lie outside the skin, or others’ lie nearer (spine, head, jaw, ear_l, …).',
+    );
+    expect(idleText(rig, [5])).toBe(
+      '1 of 6 joints moves nothing: its bone lies outside the skin, or others’ lie nearer (joint 5).',
+    );
+  });
+
+  it('is nothing where all move something', () => expect(idleText(rig, [])).toBe(''));
+});

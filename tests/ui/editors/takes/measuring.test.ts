@@ -1,0 +1,70 @@
+import { describe, expect, it } from 'vitest';
+import { setTimeOffset } from '../../../../src/edit/commands/characters.ts';
+import { setDofs } from '../../../../src/edit/commands/pose.ts';
+import type { Character } from '../../../../src/model/document.ts';
+import { compareTakes } from '../../../../src/ui/editors/takes/compare.ts';
+import { Measuring } from '../../../../src/ui/editors/takes/measuring.ts';
+import { listOfTakes } from '../../../../src/ui/editors/takes/play.ts';
+import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
+import { workbench } from '../../builders.ts';
+
+/** At x, with three joints; what its take does not drive can be posed. */
+function take(id: string, x: number): Character {
+  return character({ id, name: id, skeleton: skeleton(3), clips: [clip(id, [x])], shownClip: 0 });
+}
+
+function compared() {
+  const { wb } = workbench(documentOf(take('a', 0), take('b', 2), take('c', 7)));
+  const measuring = new Measuring(wb);
+  const [a, b] = listOfTakes(wb);
+  compareTakes(wb, a, b);
+  /** The next result. */
+  const next = () =>
+    new Promise<number | undefined>((resolve) => {
+      const stop = measuring.result.subscribe((result) => {
+        stop();
+        resolve(result?.distances?.mean[0]);
+      });
+    });
+  return { wb, measuring, next };
+}
+
+describe('the distance of two compared takes', () => {
+  it('is measured once it can be seen', async () => {
+    const { measuring, next } = compared();
+    expect(measuring.result.get()).toBeUndefined();
+    const result = next();
+    measuring.setVisible(true);
+    expect(await result).toBe(2);
+  });
+
+  it('is measured anew when either take changes, and when it is looked at otherwise', async () => {
+    const { wb, measuring, next } = compared();
+    let result = next();
+    measuring.setVisible(true);
+    await result;
+    result = next();
+    wb.timeline.takes.distances.update((now) => ({ ...now, alignment: 'root' }));
+    expect(await result).toBe(0);
+    result = next();
+    // The middle joint bends: only the last of the three goes elsewhere.
+    wb.store.apply(setDofs, { characterId: 'b', dofs: [{ index: 6, value: Math.PI }], timeSeconds: 0 });
+    expect(await result).toBeCloseTo(2 / 3, 6);
+    result = next();
+    wb.store.apply(setTimeOffset, { characterId: 'a', seconds: 9 });
+    // No time in common any more.
+    expect(await result).toBeUndefined();
+    expect(measuring.result.get()?.match.first).toHaveLength(3);
+  });
+
+  it('ends with the comparison', async () => {
+    const { wb, measuring, next } = compared();
+    let result = next();
+    measuring.setVisible(true);
+    await result;
+    result = next();
+    wb.timeline.takes.comparison.set(undefined);
+    expect(await result).toBeUndefined();
+    expect(measuring.result.get()).toBeUndefined();
+  });
+});

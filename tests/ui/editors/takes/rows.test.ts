@@ -1,0 +1,90 @@
+import { describe, expect, it } from 'vitest';
+import type { ChannelClip } from '../../../../src/model/clip.ts';
+import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
+import { listedTakes, takeRows } from '../../../../src/ui/editors/takes/rows.ts';
+import { character, clip, documentOf } from '../../../helpers/builders.ts';
+
+const sampled = (name: string, frameCount: number): ChannelClip => ({
+  ...clip(name, [], [0, (frameCount - 1) / 50]),
+  samples: {
+    frameCount,
+    frameSeconds: 0.02,
+    startSeconds: 0,
+    firstChannel: 0,
+    values: new Float64Array(frameCount),
+    scales: Float64Array.of(1),
+    interpolation: 'linear',
+  },
+});
+const file = (path: string) => ({ name: path.slice(path.lastIndexOf('/') + 1), path, bytes: 1 });
+
+const document = documentOf(
+  character({
+    id: 'c1',
+    name: 'walk_10',
+    clips: [sampled('walk_10', 11)],
+    shownClip: 0,
+    sources: [file('day1/walk_10.bvh')],
+  }),
+  character({
+    id: 'c2',
+    name: 'wasp',
+    clips: [clip('walk_2', [0]), clip('sting', [0], [0, 3])],
+    shownClip: 1,
+    sources: [file('wasp.skel'), file('walk_2.anim'), file('sting.anim')],
+    placements: [{ ...DEFAULT_PLACEMENT, position: [2, 0, -1] }],
+    timeOffsetSeconds: 0.5,
+  }),
+  character({ id: 'c3', name: 'rig' }),
+);
+
+describe('the rows of takes', () => {
+  const rows = takeRows(document);
+
+  it('are one for each take of each character', () => {
+    expect(rows.map((r) => [r.key, r.name, r.character, r.isShown, r.file])).toEqual([
+      ['c1/0', 'walk_10', '', true, 'day1/walk_10.bvh'],
+      ['c2/0', 'walk_2', 'wasp', false, 'walk_2.anim'],
+      ['c2/1', 'sting', 'wasp', true, 'sting.anim'],
+    ]);
+  });
+
+  it('say frames and rate of what has frames, and when and where it plays', () => {
+    expect(rows[0]).toMatchObject({ frameCount: 11, framesPerSecond: 50, durationSeconds: 0.2 });
+    expect(rows[2]).toMatchObject({ durationSeconds: 3, offsetSeconds: 0.5, startSeconds: -0.5, x: 2, z: -1 });
+    expect(rows[2]).not.toHaveProperty('frameCount');
+  });
+
+  it('show nothing of a hidden character', () => {
+    const [c1] = document.characters;
+    expect(takeRows(documentOf({ ...c1, isHidden: true }))[0]).toMatchObject({ isShown: false, isHidden: true });
+  });
+
+  it('are the same objects as long as their character is', () => {
+    const [, c2] = document.characters;
+    const next = takeRows({ ...document, characters: [c2] });
+    expect(next[0]).toBe(rows[1]);
+  });
+});
+
+describe('the list of takes', () => {
+  const names = (...args: Parameters<typeof listedTakes>) => listedTakes(...args).map((r) => r.name);
+  const rows = takeRows(document);
+
+  it('finds what has every word, in the name, the character or the file', () => {
+    expect(names(rows, 'WALK', undefined)).toEqual(['walk_10', 'walk_2']);
+    expect(names(rows, 'wasp walk', undefined)).toEqual(['walk_2']);
+    expect(names(rows, 'day1', undefined)).toEqual(['walk_10']);
+  });
+
+  it('sorts by a column, numbers in names as numbers', () => {
+    expect(names(rows, '', { column: 'name', descending: false })).toEqual(['sting', 'walk_2', 'walk_10']);
+    expect(names(rows, '', { column: 'duration', descending: true })).toEqual(['sting', 'walk_2', 'walk_10']);
+  });
+
+  it('leaves equal ones in the document’s order, either way', () => {
+    const order = { column: 'start', descending: true } as const;
+    expect(names(rows, '', { ...order, descending: false })).toEqual(['walk_2', 'sting', 'walk_10']);
+    expect(names(rows, '', { ...order, column: 'rate' })).toEqual(['walk_10', 'walk_2', 'sting']);
+  });
+});

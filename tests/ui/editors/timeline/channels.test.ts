@@ -1,0 +1,90 @@
+import { describe, expect, it } from 'vitest';
+import {
+  channelName,
+  drawnChannels,
+  listedChannels,
+  spokenName,
+} from '../../../../src/ui/editors/timeline/channels.ts';
+import { channel, character, clip, skeleton } from '../../builders.ts';
+
+const keyed = () => channel(0, 1);
+/** Root translation, hips and leg: nine channels, of which hips ry (4) has no keys. */
+const walker = character({
+  skeleton: skeleton(['hips', -1], ['leg', 0]),
+  morphs: [
+    {
+      name: 'smile',
+      positions: { indices: new Uint32Array(0), values: new Float64Array(0) },
+      normals: { indices: new Uint32Array(0), values: new Float64Array(0) },
+    },
+  ],
+  clips: [clip([0, 1], ...Array.from({ length: 10 }, (_, i) => (i === 4 ? channel() : keyed())))],
+});
+const all = { list: 'all', pinned: [], filter: '' } as const;
+const numbers = (list: readonly { channel: number }[]) => list.map((c) => c.channel);
+
+describe('listed channels', () => {
+  it('are the selected joint’s, with the root’s translation for the root', () => {
+    const list = { ...all, list: 'selected' } as const;
+    expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 1 }, list))).toEqual([6, 7, 8]);
+    expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 0 }, list))).toEqual([0, 1, 2, 3, 4, 5]);
+  });
+
+  it('are all where no joint of this character is selected', () => {
+    const list = { ...all, list: 'selected' } as const;
+    expect(listedChannels(walker, {}, list)).toHaveLength(10);
+    expect(listedChannels(walker, { characterId: 'other', joint: 1 }, list)).toHaveLength(10);
+  });
+
+  it('say which DOF they follow, whatever their keys say', () => {
+    const bones = skeleton(['hips', -1], ['leg', 0]);
+    const couples = [{ dof: 'ry', joint: 0, follows: 'rx', gain: 2, offset: 0 }];
+    const joints = bones.joints.map((joint, j) => (j === 1 ? { ...joint, couples } : joint));
+    const coupled = { ...walker, skeleton: { ...bones, joints } };
+    const follows = listedChannels(coupled, {}, all).map((listed) => listed.follows);
+    expect(follows).toEqual(Array.from({ length: 10 }, (_, i) => (i === 7 ? 'hips rx' : undefined)));
+  });
+
+  it('are called by joint and DOF, morphs by their own name, what drives nothing by its number', () => {
+    const more = { ...walker, clips: [clip([0, 1], ...Array.from({ length: 12 }, keyed))] };
+    const named = listedChannels(more, {}, all).map(channelName);
+    expect(named[0]).toBe('hips tx');
+    expect(named[7]).toBe('leg ry');
+    expect(named.slice(9)).toEqual(['smile', 'channel 10', 'channel 11']);
+  });
+
+  it('are found by every word of the filter, in any order', () => {
+    expect(numbers(listedChannels(walker, {}, { ...all, filter: 'rx leg' }))).toEqual([6]);
+    expect(numbers(listedChannels(walker, {}, { ...all, filter: 'nothing' }))).toEqual([]);
+  });
+
+  it('are those that were pinned, if there still is such a channel', () => {
+    expect(numbers(listedChannels(walker, {}, { ...all, list: 'pinned', pinned: [2, 7, 99] }))).toEqual([2, 7]);
+  });
+
+  it('are there without any animation, with no keys', () => {
+    const bare = { ...walker, clips: [] };
+    expect(listedChannels(bare, {}, all).map((c) => c.keyCount)).toEqual(new Array(10).fill(0));
+  });
+});
+
+describe('drawn channels', () => {
+  const list = listedChannels(walker, { characterId: 'c1', joint: 0 }, { ...all, list: 'selected' });
+
+  it('are those with keys that are not hidden', () => {
+    expect(drawnChannels(list, { hidden: [0] })).toEqual([1, 2, 3, 5]);
+  });
+
+  it('are only the isolated ones, even if they were hidden', () => {
+    expect(drawnChannels(list, { hidden: [0], isolated: [0, 3] })).toEqual([0, 3]);
+  });
+
+  it('are all again when what was isolated is not listed any more', () => {
+    expect(drawnChannels(list, { hidden: [], isolated: [8] })).toEqual([0, 1, 2, 3, 5]);
+  });
+});
+
+it('names a channel as it is spoken', () => {
+  expect(spokenName({ joint: 'leg_fl', dof: 'rx' })).toBe('rx of leg_fl');
+  expect(spokenName({ joint: '', dof: 'blink' })).toBe('blink');
+});

@@ -1,0 +1,87 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { shownClip } from '../../../../src/model/document.ts';
+import { channelsInView, keysInHand, selectedKeys, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { ACTIONS, runAction } from '../../../../src/ui/shell/actions.ts';
+import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+
+let wb: Workbench;
+const SHOWN = { channel: 0, indices: [1] };
+const HIDDEN = { channel: 1, indices: [0, 1] };
+const held = (index: number) => shownClip(wb.store.document.characters[0])?.channels[index];
+
+beforeEach(() => {
+  const walker = character({
+    skeleton: skeleton(['hips', -1]),
+    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), channel(0.5, 1.5))],
+  });
+  ({ wb } = workbench(documentOf(walker), { range: [0, 2], framesPerSecond: 10 }));
+  selectKeys(wb, [SHOWN, HIDDEN]);
+});
+
+const WAYS: readonly (readonly [string, () => void])[] = [
+  ['hidden', () => wb.timeline.change({ hidden: [1] })],
+  ['not isolated', () => wb.timeline.isolate([0, 2])],
+  ['filtered out', () => wb.timeline.change({ filter: 'tx' })],
+  ['not listed', () => wb.timeline.change({ list: 'pinned', pinned: [0] })],
+];
+
+describe.each(WAYS)('keys of a curve that is %s', (_how, hide) => {
+  beforeEach(() => hide());
+
+  it('are not in hand, until they are in view again', () => {
+    expect(keysInHand(wb)).toEqual([SHOWN]);
+    wb.timeline.isolate(undefined);
+    wb.timeline.change({ hidden: [], filter: '', list: 'all' });
+    expect(keysInHand(wb)).toEqual([SHOWN, HIDDEN]);
+  });
+
+  it.each([
+    'timeline.later',
+    'timeline.up',
+    'timeline.delete',
+    'timeline.snapToFrames',
+    'timeline.tangents.flat',
+    'timeline.tangents.in.linear',
+    'timeline.unify',
+    'timeline.break',
+    'dope.rippleLater',
+    'timeline.euler',
+  ])('are not touched by %s, and stay selected', (id) => {
+    const before = held(1);
+    runAction(wb, id);
+    expect(held(1)).toBe(before);
+    expect(wb.store.selection.keys).toContainEqual(HIDDEN);
+  });
+
+  it('are not copied', () => {
+    runAction(wb, 'timeline.copy');
+    expect(wb.timeline.copied?.channels.map((c) => c.channel)).toEqual([0]);
+  });
+
+  it('go with the rest when something else is selected', () => {
+    selectKeys(wb, [{ channel: 0, indices: [2] }]);
+    expect(selectedKeys(wb)).toEqual([{ channel: 0, indices: [2] }]);
+  });
+});
+
+it('has nothing in hand where all that is selected is out of view', () => {
+  selectKeys(wb, [HIDDEN]);
+  wb.timeline.change({ hidden: [1] });
+  const enabled = ACTIONS.find((a) => a.id === 'timeline.delete')?.enabled;
+  expect(enabled?.(wb)).toBe(false);
+});
+
+it('has all of them in hand in the dope sheet, which draws all keys', () => {
+  wb.timeline.change({ hidden: [1], tab: 'dope' });
+  expect(keysInHand(wb)).toEqual([SHOWN, HIDDEN]);
+});
+
+it('gives the same arrays while nothing has changed that they follow from', () => {
+  wb.timeline.change({ hidden: [1] });
+  const keys = keysInHand(wb);
+  const channels = channelsInView(wb);
+  expect(channelsInView(wb)).toBe(channels);
+  wb.timeline.change({ snapsToFrames: false });
+  expect(keysInHand(wb)).toBe(keys);
+});

@@ -1,0 +1,146 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { shownClip } from '../../../../src/model/document.ts';
+import { keysInHand, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { selectedText } from '../../../../src/ui/editors/timeline/key-edits.ts';
+import { runAction } from '../../../../src/ui/shell/actions.ts';
+import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+
+let wb: Workbench;
+const channelOf = (index: number) => {
+  const held = shownClip(wb.store.document.characters[0])?.channels[index];
+  if (!held) throw new Error(`no channel ${index}`);
+  return held;
+};
+const times = (index: number) => [...channelOf(index).times];
+const run = (id: string) => runAction(wb, `timeline.${id}`);
+
+beforeEach(() => {
+  const walker = character({
+    skeleton: skeleton(['hips', -1]),
+    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), channel(), channel(0.5))],
+    timeOffsetSeconds: 0,
+  });
+  ({ wb } = workbench(documentOf(walker), { range: [0, 2], timeSeconds: 1 }));
+});
+
+describe('selecting', () => {
+  it('takes all keys in view, their opposite, and none', () => {
+    run('selectAll');
+    expect(keysInHand(wb).map((k) => [k.channel, ...k.indices])).toEqual([
+      [0, 0, 1, 2],
+      [1, 0, 1],
+      [3, 0],
+    ]);
+    selectKeys(wb, [{ channel: 0, indices: [1] }]);
+    run('invert');
+    expect(keysInHand(wb).map((k) => [k.channel, ...k.indices])).toEqual([
+      [0, 0, 2],
+      [1, 0, 1],
+      [3, 0],
+    ]);
+    run('selectNone');
+    expect(keysInHand(wb)).toEqual([]);
+  });
+
+  it('leaves hidden channels alone', () => {
+    wb.timeline.change({ hidden: [0, 3] });
+    run('selectAll');
+    expect(keysInHand(wb).map((k) => k.channel)).toEqual([1]);
+  });
+
+  it('goes by the playhead, on the transport’s time', () => {
+    run('selectHere');
+    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
+    run('selectAfter');
+    expect(keysInHand(wb).map((k) => k.channel)).toEqual([0, 1]);
+    run('selectBefore');
+    expect(keysInHand(wb).map((k) => k.channel)).toEqual([0, 1, 3]);
+  });
+
+  it('is said in a sentence', () => {
+    run('selectHere');
+    expect(selectedText(wb)).toBe('1 key of hips tx, at 1 s');
+    run('selectAll');
+    expect(selectedText(wb)).toBe('6 keys of 3 channels, from 0 s to 2 s');
+    run('selectNone');
+    expect(selectedText(wb)).toBe('No key is selected.');
+  });
+});
+
+describe('editing from the keyboard', () => {
+  it('nudges by a frame, and back by undo, selection and all', () => {
+    run('selectHere');
+    run('later');
+    expect(times(0)[1]).toBeCloseTo(1 + 1 / 30, 12);
+    wb.store.undo();
+    expect(times(0)).toEqual([0, 1, 2]);
+    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [1] }]);
+  });
+
+  it('nudges angles by a degree and lengths by a hundredth of the character', () => {
+    selectKeys(wb, [
+      { channel: 0, indices: [0] },
+      { channel: 3, indices: [0] },
+    ]);
+    run('up');
+    // A hips alone is as large as its box, 0.28.
+    expect(channelOf(0).values[0]).toBeCloseTo(0.001, 12);
+    expect(channelOf(3).values[0]).toBeCloseTo(Math.PI / 180, 12);
+  });
+
+  it('steps the playhead with the same arrows where nothing is selected', () => {
+    run('later');
+    expect(wb.transport.get().timeSeconds).toBeCloseTo(1 + 1 / 30, 12);
+    expect(times(0)).toEqual([0, 1, 2]);
+  });
+
+  it('inserts on every curve in view, and not where there is none', () => {
+    wb.transport.update((p) => ({ ...p, timeSeconds: 1.5 }));
+    run('insertKey');
+    expect(times(0)).toEqual([0, 1, 1.5, 2]);
+    expect(times(1)).toEqual([0, 1.5, 2]);
+    expect(times(2)).toEqual([]);
+  });
+
+  it('cuts and pastes at the playhead, as often as one likes', () => {
+    run('selectHere');
+    run('cut');
+    expect(times(0)).toEqual([0, 2]);
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0.25 }));
+    run('paste');
+    wb.transport.update((p) => ({ ...p, timeSeconds: 0.75 }));
+    run('paste');
+    expect(times(0)).toEqual([0, 0.25, 0.75, 2]);
+    expect(keysInHand(wb)).toEqual([{ channel: 0, indices: [2] }]);
+  });
+
+  it('sets tangents and extrapolation of what is in hand', () => {
+    run('selectHere');
+    run('tangents.linear');
+    expect(channelOf(0).tangentsIn.kinds[1]).toBe(1);
+    run('extrapolation.out.cycle');
+    expect([channelOf(0).extrapolateOut, channelOf(0).extrapolateIn, channelOf(1).extrapolateOut]).toEqual([
+      'cycle',
+      'constant',
+      'constant',
+    ]);
+  });
+
+  it('snaps to the frames that are seen, wherever the character’s clip begins', () => {
+    const loose = character({
+      skeleton: skeleton(['hips', -1]),
+      clips: [clip([0, 2], channel(0.01, 1.02))],
+      timeOffsetSeconds: 0.05,
+    });
+    ({ wb } = workbench(documentOf(loose), { framesPerSecond: 10 }));
+    run('selectAll');
+    run('snapToFrames');
+    expect(times(0).map((t) => Number((t - 0.05).toFixed(9)))).toEqual([0, 1]);
+  });
+
+  it('can’t do anything without keys in hand', () => {
+    expect(() => run('delete')).toThrow("can't be done");
+    expect(() => run('paste')).toThrow("can't be done");
+  });
+});

@@ -1,0 +1,112 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { setExtrapolation } from '../../../../src/edit/commands/extrapolation.ts';
+import { addKey, moveKeys, removeKeys, setKeys } from '../../../../src/edit/commands/keys.ts';
+import { setDofs } from '../../../../src/edit/commands/pose.ts';
+import { addJoint, removeJoint } from '../../../../src/edit/commands/rig.ts';
+import { setMotion } from '../../../../src/edit/commands/rig-joint.ts';
+import { shownClip } from '../../../../src/model/document.ts';
+import { keyNow } from '../../../../src/ui/editors/posing/pose-edits.ts';
+import { selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
+import { nudge } from '../../../../src/ui/editors/timeline/key-edits.ts';
+import { followPeriods } from '../../../../src/ui/editors/timeline/period.ts';
+import type { Workbench } from '../../../../src/ui/state/workbench.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
+
+let wb: Workbench;
+const said = () => {
+  const text = wb.messages.passing.get();
+  wb.messages.passing.set(undefined);
+  return text;
+};
+const cycle = (...times: number[]) => ({ ...channel(...times), extrapolateOut: 'cycle' as const });
+const last = { characterId: 'c1', keys: [{ channel: 0, indices: [2] }] };
+const walker = () =>
+  character({
+    skeleton: skeleton(['hips', -1]),
+    clips: [clip([0, 2], cycle(0, 1, 2), cycle(0, 2), channel(0, 1), channel(), channel(), channel())],
+  });
+
+beforeEach(() => {
+  ({ wb } = workbench(documentOf(walker()), { timeSeconds: 3 }));
+  followPeriods(wb);
+});
+
+describe('another period', () => {
+  it('is said of whatever makes it: keying, auto-key, typed times, deleted and added keys', () => {
+    keyNow(wb, 'c1', [0]);
+    expect(said()).toBe('hips tx now repeats every 3 s instead of every 2 s.');
+    wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [3] }], timeSeconds: 0 });
+    expect(said()).toBe('hips tx now repeats every 2 s instead of every 3 s.');
+    wb.store.apply(setKeys, { ...last, timeSeconds: 2.5 });
+    expect(said()).toBe('hips tx now repeats every 2.5 s instead of every 2 s.');
+    wb.store.apply(setDofs, { characterId: 'c1', dofs: [{ index: 1, value: 1 }], timeSeconds: 4, key: {} });
+    expect(said()).toBe('hips ty now repeats every 4 s instead of every 2 s.');
+    wb.store.apply(addKey, { characterId: 'c1', channel: 1, timeSeconds: 5, value: 0 });
+    expect(said()).toBe('hips ty now repeats every 5 s instead of every 4 s.');
+    selectKeys(wb, [{ channel: 1, indices: [3] }]);
+    nudge(wb, 30, 0);
+    expect(said()).toBe('hips ty now repeats every 6 s instead of every 5 s.');
+  });
+
+  it('is said of several channels at once', () => {
+    keyNow(wb, 'c1');
+    expect(said()).toBe('2 channels, hips tx among them, now repeat every 3 s instead of every 2 s.');
+  });
+
+  it('is said at the end of a drag, and not while it lasts nor when it is given up', () => {
+    const drag = wb.store.begin('Move');
+    drag.preview(moveKeys.run(drag.base, { ...last, seconds: 1 }));
+    expect(said()).toBeUndefined();
+    drag.preview(moveKeys.run(drag.base, { ...last, seconds: 2 }));
+    drag.commit();
+    expect(said()).toBe('hips tx now repeats every 4 s instead of every 2 s.');
+    const other = wb.store.begin('Move');
+    other.preview(moveKeys.run(other.base, { ...last, seconds: 1 }));
+    other.cancel();
+    expect(said()).toBeUndefined();
+  });
+
+  it('is not said of channels that come to stand elsewhere, as joints are added, removed or move otherwise', () => {
+    const lengths = [1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6];
+    const legs = character({
+      skeleton: skeleton(['hips', -1], ['thigh', 0], ['toe', 1], ['tail', 0], ['tip', 3]),
+      clips: [clip([0, 2], ...lengths.map((length) => cycle(0, length)))],
+    });
+    ({ wb } = workbench(documentOf(legs)));
+    followPeriods(wb);
+    const periods = () => shownClip(wb.store.document.characters[0])?.channels.map(({ times }) => times.at(-1));
+    const rigging = { characterId: 'c1', timeSeconds: 0, skin: 'follows' } as const;
+    wb.store.apply(addJoint, { ...rigging, parent: 1, offset: [0, 1, 0] });
+    expect(periods()?.[15]).toBe(5);
+    wb.store.apply(removeJoint, { ...rigging, joint: 2, children: 'too' });
+    wb.store.apply(removeJoint, { ...rigging, joint: 2, children: 'too' });
+    expect(periods()?.[9]).toBe(5);
+    wb.store.apply(setMotion, { ...rigging, joint: 1, motion: { kind: 'hinge', axis: [1, 0, 0] } });
+    expect(periods()?.[9]).toBe(5);
+    expect(said()).toBeUndefined();
+  });
+
+  it('is not said of undo and redo, nor of files that are read again', () => {
+    keyNow(wb, 'c1', [0]);
+    said();
+    wb.store.undo();
+    wb.store.redo();
+    wb.store.replace('Reload', { document: documentOf(walker()), selection: {} });
+    expect(said()).toBeUndefined();
+  });
+
+  it('is none where all keys moved together, nothing repeats, or no two keys are left', () => {
+    const all = [{ channel: 0, indices: [0, 1, 2] }];
+    wb.store.apply(moveKeys, { characterId: 'c1', keys: all, seconds: 0.1 });
+    wb.store.apply(addKey, { characterId: 'c1', channel: 2, timeSeconds: 3, value: 0 });
+    wb.store.apply(setExtrapolation, { characterId: 'c1', channels: [2], side: 'out', extrapolation: 'cycle' });
+    wb.store.apply(removeKeys, {
+      characterId: 'c1',
+      keys: [{ channel: 0, indices: [0, 1] }],
+      timeSeconds: 0,
+    });
+    wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [0] }], timeSeconds: 0 });
+    expect(shownClip(wb.store.document.characters[0])?.channels[0].times.length).toBe(0);
+    expect(said()).toBeUndefined();
+  });
+});

@@ -1,0 +1,50 @@
+/** What the tools for samples say they did, and how numbers of them are called. */
+import { describe, expect, it } from 'vitest';
+import { cropped, split } from '../../../../src/edit/samples/frames.ts';
+import { DEFAULT_SPACE } from '../../../../src/model/document.ts';
+import { shownRate } from '../../../../src/ui/editors/curves/dialogs/sample-dialogs.ts';
+import { cutText, splitText } from '../../../../src/ui/editors/timeline/sample-tools.ts';
+import { lengthUnit } from '../../../../src/ui/state/length-unit.ts';
+import { swing, swinging } from '../../../edit/samples/made.ts';
+
+const before = { character: swinging(), clip: swing };
+
+describe('the message line', () => {
+  it('says which take has how many frames after a split', () => {
+    const [first, second] = split(swing, 1);
+    const named = { ...second, name: 'swing_2' };
+    const character = { ...swinging(), clips: [first, named], shownClip: 1 };
+    expect(splitText({ character, clip: named }, 0)).toBe('Split: swing has 60 frames, swing_2 has 61 frames.');
+  });
+
+  it('says what a cut left, at the seconds that are shown', () => {
+    const character = { ...before.character, timeOffsetSeconds: 0.25 };
+    const clip = cropped(swing, 0.5, 1.5);
+    expect(cutText('crop', before, { character, clip })).toBe('Cropped swing to 61 of 121 frames, 0.25 – 1.25 s.');
+    expect(cutText('trimEnd', before, { ...before, clip })).toBe('Trimmed swing to 61 of 121 frames, 0.5 – 1.5 s.');
+    expect(cutText('trimStart', before, before)).toBe('swing has no frames to cut there.');
+  });
+});
+
+describe('numbers in the dialogs', () => {
+  it('are called by the unit of the character', () => {
+    const units = (['asIs', 'centimetres', 'metres', 'inches', 'millimetres', 'own'] as const).map((unit) =>
+      lengthUnit({ space: { ...DEFAULT_SPACE, unit } }),
+    );
+    expect(units).toEqual(['units', 'cm', 'm', 'in', 'mm', 'units']);
+    expect(lengthUnit({})).toBe('units');
+  });
+
+  it.each([
+    [1 / 0.016667, 60],
+    [1 / 0.0083333, 120],
+    [1 / 0.00833, 120],
+    [1 / 0.033333, 30],
+    [30000 / 1001, 29.97],
+    [24000 / 1001, 23.976],
+    [12.5, 12.5],
+    [0.2, 0.2],
+  ])('are rates as one says them: %d is %d', (rate, shown) => {
+    expect(shownRate(rate)).toBe(shown);
+  });
+});

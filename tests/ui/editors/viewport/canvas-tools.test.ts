@@ -1,0 +1,210 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { type CanvasTool, CLICK_PIXELS, listenToCanvas } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
+
+/** As much of a canvas as the router asks for. */
+class FakeCanvas extends EventTarget {
+  readonly style = { cursor: '' };
+  readonly captured = new Set<number>();
+  focused = 0;
+  focus() {
+    this.focused++;
+  }
+  setPointerCapture(id: number) {
+    this.captured.add(id);
+  }
+  hasPointerCapture(id: number) {
+    return this.captured.has(id);
+  }
+  releasePointerCapture(id: number) {
+    this.captured.delete(id);
+  }
+}
+
+let stop: AbortController;
+beforeEach(() => {
+  vi.stubGlobal('window', new EventTarget());
+  stop = new AbortController();
+});
+afterEach(() => {
+  stop.abort();
+  vi.unstubAllGlobals();
+});
+
+function page(tool: CanvasTool | undefined) {
+  const canvas = new FakeCanvas();
+  const picked: number[][] = [];
+  const claims: boolean[] = [];
+  // It stands in for the browser's.
+  const asCanvas = canvas as unknown as HTMLCanvasElement;
+  listenToCanvas(
+    asCanvas,
+    () => tool,
+    ({ clientX, clientY }) => void picked.push([clientX, clientY]),
+    stop.signal,
+    (isTools) => void claims.push(isTools),
+  );
+  /** As the browser does it: first the window, capturing, then the canvas, unless someone stopped it. */
+  const pointer = (type: string, x: number, y: number, more: object = {}) => {
+    const event = new Event(type, { cancelable: true });
+    const seen = { stopped: false };
+    const given = { clientX: x, clientY: y, button: 0, buttons: 0, isPrimary: true, pointerId: 1, ...more };
+    Object.defineProperties(event, {
+      ...Object.fromEntries(Object.entries(given).map(([name, value]) => [name, { value }])),
+      target: { value: canvas },
+      stopPropagation: { value: () => (seen.stopped = true) },
+    });
+    if (type === 'pointerdown') window.dispatchEvent(event);
+    else canvas.dispatchEvent(event);
+    return { reachesCamera: !seen.stopped };
+  };
+  const key = (name: string) => {
+    const event = Object.assign(new Event('keydown', { cancelable: true }), { key: name });
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  };
+  return { canvas, picked, claims, pointer, key };
+}
+
+/** Takes every press to the left of 100; writes down what comes. */
+function leftTool() {
+  const said: string[] = [];
+  const tool: CanvasTool = {
+    press: (at) =>
+      at.clientX >= 100
+        ? undefined
+        : {
+            move: ({ clientX }) => void said.push(`move ${clientX}`),
+            end: ({ clientX }) => void said.push(`end ${clientX}`),
+            cancel: () => void said.push('cancel'),
+          },
+    hover: (at) => (at && at.clientX < 100 ? 'grab' : undefined),
+  };
+  return { tool, said };
+}
+
+it('claims the pointer over a handle and through a drag, so that nothing else lights up', () => {
+  const { tool } = leftTool();
+  const { pointer, claims } = page(tool);
+  pointer('pointermove', 300, 10);
+  pointer('pointermove', 10, 10);
+  pointer('pointerdown', 10, 10);
+  pointer('pointermove', 300, 10, { buttons: 1 });
+  pointer('pointerup', 300, 10);
+  expect(claims).toEqual([false, true, true, false]);
+});
+
+describe('a press in the viewport', () => {
+  it('that a tool takes is its drag, and not the camera’s', () => {
+    const { tool, said } = leftTool();
+    const { pointer, canvas, picked } = page(tool);
+    expect(pointer('pointerdown', 10, 10).reachesCamera).toBe(false);
+    expect(canvas.captured.has(1)).toBe(true);
+    pointer('pointermove', 20, 10, { buttons: 1 });
+    pointer('pointermove', 300, 10, { buttons: 1 });
+    pointer('pointerup', 300, 10);
+    expect(said).toEqual(['move 20', 'move 300', 'end 300']);
+    expect(canvas.captured.size).toBe(0);
+    expect(picked).toEqual([]);
+  });
+
+  it('that no tool takes is the camera’s, and picks where it went nowhere', () => {
+    const { pointer, picked, canvas } = page(leftTool().tool);
+    expect(pointer('pointerdown', 200, 10).reachesCamera).toBe(true);
+    pointer('pointerup', 200 + CLICK_PIXELS, 10);
+    expect(picked).toEqual([[200 + CLICK_PIXELS, 10]]);
+    pointer('pointerdown', 200, 10);
+    pointer('pointerup', 201 + CLICK_PIXELS, 10);
+    expect(picked).toHaveLength(1);
+    expect(canvas.focused).toBe(2);
+  });
+
+  it('is a click of the tool’s where it wants that one', () => {
+    const { pointer, picked } = page({ press: () => undefined, click: ({ clientX }) => clientX === 7 });
+    for (const x of [7, 8]) {
+      pointer('pointerdown', x, 0);
+      pointer('pointerup', x, 0);
+    }
+    expect(picked).toEqual([[8, 0]]);
+  });
+
+  it('with the right button never picks', () => {
+    const { pointer, picked } = page(undefined);
+    pointer('pointerdown', 10, 10, { button: 2 });
+    pointer('pointerup', 10, 10, { button: 2 });
+    expect(picked).toEqual([]);
+  });
+});
+
+describe('a drag of a tool', () => {
+  it('is given up by Escape, and what comes after is nobody’s', () => {
+    const { tool, said } = leftTool();
+    const { pointer, key, picked } = page(tool);
+    pointer('pointerdown', 10, 10);
+    pointer('pointermove', 20, 10, { buttons: 1 });
+    expect(key('Escape')).toBe(true);
+    pointer('pointermove', 30, 10, { buttons: 1 });
+    pointer('pointerup', 30, 10);
+    expect(said).toEqual(['move 20', 'cancel']);
+    expect(picked).toEqual([]);
+    expect(key('Escape')).toBe(false);
+  });
+
+  it('keeps the keyboard waiting', () => {
+    const { pointer, key } = page(leftTool().tool);
+    expect(key('z')).toBe(false);
+    pointer('pointerdown', 10, 10);
+    expect(key('z')).toBe(true);
+    pointer('pointerup', 10, 10);
+    expect(key('z')).toBe(false);
+  });
+
+  it('is not disturbed by another button or finger', () => {
+    const { tool, said } = leftTool();
+    const { pointer } = page(tool);
+    pointer('pointerdown', 10, 10);
+    expect(pointer('pointerdown', 200, 10, { pointerId: 2, isPrimary: false }).reachesCamera).toBe(false);
+    pointer('pointermove', 200, 10, { pointerId: 2, buttons: 1 });
+    pointer('pointerup', 200, 10, { pointerId: 2 });
+    pointer('pointerup', 15, 10);
+    expect(said).toEqual(['end 15']);
+  });
+
+  it('is told how many fingers are down', () => {
+    const counts: number[] = [];
+    const { tool } = leftTool();
+    const { pointer } = page({
+      press: (at) => {
+        const drag = tool.press(at);
+        return drag && { ...drag, fingers: (count) => void counts.push(count) };
+      },
+    });
+    const other = { pointerId: 2, isPrimary: false, pointerType: 'touch' };
+    pointer('pointerdown', 10, 10, { pointerType: 'touch' });
+    expect(pointer('pointerdown', 200, 10, other).reachesCamera).toBe(false);
+    pointer('pointerup', 200, 10, other);
+    pointer('pointerdown', 200, 10, { ...other, pointerId: 3 });
+    pointer('pointercancel', 200, 10, { ...other, pointerId: 3 });
+    expect(counts).toEqual([2, 1, 2, 1]);
+  });
+
+  it('ends where the browser takes the pointer away', () => {
+    const { tool, said } = leftTool();
+    const { pointer } = page(tool);
+    pointer('pointerdown', 10, 10);
+    pointer('pointercancel', 10, 10);
+    expect(said).toEqual(['cancel']);
+  });
+});
+
+it('the cursor says what there is to take hold of', () => {
+  const { pointer, canvas } = page(leftTool().tool);
+  pointer('pointermove', 10, 10);
+  expect(canvas.style.cursor).toBe('grab');
+  pointer('pointermove', 200, 10);
+  expect(canvas.style.cursor).toBe('');
+  pointer('pointermove', 10, 10);
+  pointer('pointermove', 200, 10, { buttons: 1 });
+  expect(canvas.style.cursor).toBe('grab');
+  pointer('pointerleave', 0, 0);
+  expect(canvas.style.cursor).toBe('');
+});

@@ -1,0 +1,215 @@
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import {
+  aligned,
+  brief,
+  bytes,
+  count,
+  duration,
+  exact,
+  fitted,
+  inField,
+  notANumber,
+  parseNumber,
+  plural,
+  seconds,
+  shown,
+} from '../../../src/ui/kit/number-text.ts';
+import { typedUnits } from '../../../src/ui/state/angles.ts';
+
+describe('exact', () => {
+  it('reads back the same', () => {
+    fc.assert(
+      fc.property(fc.double({ noNaN: true, noDefaultInfinity: true }), (value) => {
+        expect(parseNumber(exact(value))).toBe(value === 0 ? 0 : value);
+      }),
+    );
+  });
+});
+
+it('says how long something lasts as lists have room for', () => {
+  expect([22.924908, 2, 0.5, 0].map(duration)).toEqual(['22.92 s', '2 s', '0.5 s', '0 s']);
+});
+
+describe('shown', () => {
+  it.each([
+    [0, '0'],
+    [-0, '0'],
+    [1.5, '1.5'],
+    [1.23456, '1.2346'],
+    [-0.00001, '-1.0e-5'],
+    [1e-15, '0'],
+    [123456789, '1.2346e+8'],
+    [100, '100'],
+    [Number.NaN, 'NaN'],
+  ])('%s is %s', (value, text) => {
+    expect(shown(value)).toBe(text);
+  });
+
+  it('keeps the zeros of whole numbers', () => {
+    expect(shown(1200, 0)).toBe('1200');
+  });
+});
+
+describe('inField', () => {
+  it.each([
+    [7.8e-8, 4, '0'],
+    [-7.8e-8, 2, '0'],
+    [4.9e-5, 3, '0'],
+    [0.0013, 2, '0.0013'],
+    [-0.0013, 0, '-0.0013'],
+    [0.00996, 2, '0.01'],
+    [0.0149, 2, '0.01'],
+    [12.3456, 2, '12.35'],
+    [0.00003, 6, '0.00003'],
+    [1e-9, 8, '0'],
+    [-1e8, 2, '-1.0000e+8'],
+    [Number.NaN, 2, 'NaN'],
+  ])('writes %d with %d decimals as %s', (value, decimals, text) => {
+    expect(inField(value, decimals)).toBe(text);
+  });
+
+  it('writes no power of ten of anything small', () => {
+    fc.assert(
+      fc.property(fc.double({ min: -1, max: 1, noNaN: true }), fc.integer({ min: 0, max: 8 }), (value, decimals) => {
+        expect(inField(value, decimals)).toMatch(/^-?\d(\.\d{1,8})?$/);
+      }),
+    );
+  });
+});
+
+it('lines numbers up', () => {
+  expect([0.5, -1, 1e-9, -1e-9].map((v) => aligned(v, 3))).toEqual(['0.500', '-1.000', '0.000', '0.000']);
+  expect([Infinity, -Infinity, Number.NaN].map((v) => aligned(v))).toEqual(['∞', '−∞', 'NaN']);
+});
+
+describe('parseNumber', () => {
+  it.each([
+    ['1.5', 1.5],
+    [' 1,5 ', 1.5],
+    ['−2', -2],
+    ['+.5', 0.5],
+    ['1e-3', 1e-3],
+    ['2.', 2],
+    ['20+5', 25],
+    ['20 - 5 - 5', 10],
+    ['-3/4', -0.75],
+    ['2 * (1 − 0,5) + 1', 2],
+    ['10/4/2', 1.25],
+    ['2*-3', -6],
+    ['3 × 4 ÷ 6', 2],
+    ['1e2+1e-2', 100.01],
+    ['pi/2', Math.PI / 2],
+    ['-(2)', -2],
+  ])('reads %s', (text, value) => {
+    expect(parseNumber(text)).toBe(value);
+  });
+
+  it.each([
+    '',
+    '-',
+    'x',
+    '1x',
+    '1.2.3',
+    '0x10',
+    'Infinity',
+    '1e999',
+    '12°3',
+    '12 x',
+    '20+',
+    '(1',
+    '1)',
+    '2(3)',
+    '1 2',
+    '1//2',
+    '--1',
+    '1/0',
+    '0/0',
+    '1+x',
+    'e',
+    '1e',
+    '()',
+    '45°',
+    'constructor',
+  ])('takes %s for no number', (text) => {
+    expect(parseNumber(text)).toBeUndefined();
+  });
+});
+
+it('takes no text that is longer than a person types', () => {
+  expect(parseNumber('('.repeat(1e6))).toBeUndefined();
+});
+
+describe('units', () => {
+  const inDegrees = typedUnits('angle', 'degrees');
+  const inRadians = typedUnits('angle', 'radians');
+
+  it.each([
+    ['45°', 45],
+    ['45 deg', 45],
+    ['1 rad', 180 / Math.PI],
+    ['20+0.5rad', 20 + (0.5 * 180) / Math.PI],
+    ['(10+20)°/2', 15],
+    ['pi rad', 180],
+    ['30 DEG', 30],
+  ])('reads %s where degrees are shown', (text, value) => {
+    expect(parseNumber(text, inDegrees)).toBeCloseTo(value, 12);
+  });
+
+  it('reads degrees where radians are shown', () => {
+    expect(parseNumber('180°', inRadians)).toBeCloseTo(Math.PI, 14);
+    expect(parseNumber('0.5rad', inRadians)).toBe(0.5);
+  });
+
+  it.each(['12 x', '12 degr', '° 12', '12°°', '12 m', 'rad'])('takes %s for no angle', (text) => {
+    expect(parseNumber(text, inDegrees)).toBeUndefined();
+  });
+
+  it('are none where no angle is shown', () => {
+    expect(parseNumber('45°', typedUnits('length', 'degrees'))).toBeUndefined();
+  });
+});
+
+it('counts', () => {
+  expect(count(1234567)).toBe('1,234,567');
+  expect(plural(1, 'vertex', 'vertices')).toBe('1 vertex');
+  expect(plural(2, 'vertex', 'vertices')).toBe('2 vertices');
+  expect([12, 1, 3400, 52e6, 999_600, 5e12].map(bytes)).toEqual([
+    '12 bytes',
+    '1 byte',
+    '3.4 kB',
+    '52 MB',
+    '1.0 MB',
+    '5000 GB',
+  ]);
+  expect(seconds(1.2)).toBe('1.2');
+});
+
+it.each([
+  [-118.3412, '-118.341'],
+  [-418.73, '-418.73'],
+  [0.123456, '0.1235'],
+  [-12345.678, '-12345.7'],
+  [1234567.89, '1234568'],
+  [90, '90'],
+  [7.8e-8, '0'],
+])('writes %d briefly', (value, text) => {
+  expect(brief(value, 4, 8)).toBe(text);
+});
+
+describe('fitted', () => {
+  it.each([
+    [-1.23456, '-1.2346'],
+    [-114.59156, '-114.592'],
+    [12345.678, '12345.68'],
+    [0, '0.0000'],
+    [-Infinity, '−∞'],
+  ])('cuts %d to what eight characters hold', (value, text) => {
+    expect(fitted(value, 4, 8)).toBe(text);
+  });
+});
+
+it('says what of a typed text is no number, cut to what a line holds', () => {
+  expect(notANumber('Frame', ' ten ')).toBe('Frame: “ten” is not a number.');
+  expect(notANumber('Frame', 'x'.repeat(30))).toBe(`Frame: “${'x'.repeat(24)}…” is not a number.`);
+});

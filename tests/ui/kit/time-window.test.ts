@@ -1,0 +1,41 @@
+import { expect, it } from 'vitest';
+import { fitWindow, panWindow, revealTime, snapTime, zoomWindow } from '../../../src/ui/kit/time-window.ts';
+
+it('shows the range with room on both sides', () => {
+  const { from, to } = fitWindow([0, 10]);
+  expect(from).toBeLessThan(0);
+  expect(to).toBeGreaterThan(10);
+});
+
+it('shows a range of no length, too', () => {
+  const { from, to } = fitWindow([2, 2]);
+  expect(to - from).toBeGreaterThan(0.5);
+  expect(from).toBeLessThan(2);
+});
+
+it('zooms about a time that stays in its place', () => {
+  const zoomed = zoomWindow({ from: 0, to: 10 }, 2, 0.5);
+  expect(zoomed).toEqual({ from: 1, to: 6 });
+});
+
+it('stops zooming before time has no extent', () => {
+  let window = { from: 0, to: 1 };
+  for (let i = 0; i < 200; i++) window = zoomWindow(window, 0.5, 0.5);
+  expect(window.to - window.from).toBeCloseTo(1e-3);
+  for (let i = 0; i < 200; i++) window = zoomWindow(window, 0.5, 2);
+  expect(window.to - window.from).toBeCloseTo(1e6);
+});
+
+it('moves no further than it takes', () => {
+  const window = { from: 0, to: 1 };
+  expect(revealTime(window, 0.5)).toBe(window);
+  expect(revealTime(window, 1.5)).toEqual({ from: 0.5, to: 1.5 });
+  expect(panWindow(window, -2)).toEqual({ from: -2, to: -1 });
+});
+
+it('scrubs to short decimals, or to whole frames', () => {
+  expect(snapTime(1.23456789, 0.004)).toBe(1.235);
+  expect(snapTime(1.23456789, 0.05)).toBe(1.23);
+  expect(snapTime(123.456, 3)).toBe(123);
+  expect(snapTime(1.02, 0.004, 24)).toBeCloseTo(24 / 24);
+});

@@ -1,0 +1,253 @@
+import { describe, expect, it } from 'vitest';
+import { ACTIONS, actionsOf, runAction } from '../../../src/ui/shell/actions.ts';
+import { findActions } from '../../../src/ui/shell/command-search.ts';
+import { GROUPS, MENUS } from '../../../src/ui/state/action.ts';
+import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
+
+describe('the list of actions', () => {
+  it('has no id twice', () => {
+    const ids = ACTIONS.map((a) => a.id);
+    expect(new Set(ids).size).toBe(ids.length);
+  });
+
+  it('has no key twice in one panel', () => {
+    const taken = ACTIONS.flatMap((a) => (a.shortcuts ?? []).map((key) => `${a.panel ?? 'page'} ${key}`));
+    expect(taken.filter((key, i) => taken.indexOf(key) !== i)).toEqual([]);
+  });
+
+  it('leaves the keys that browsers keep to themselves', () => {
+    const theirs = ['Ctrl+T', 'Ctrl+N', 'Ctrl+W', 'Ctrl+Tab', 'Ctrl+Shift+T', 'Ctrl+Shift+N'];
+    expect(ACTIONS.flatMap((a) => a.shortcuts ?? []).filter((key) => theirs.includes(key))).toEqual([]);
+  });
+
+  it('puts every action into a menu that exists, or gives it a key', () => {
+    for (const action of ACTIONS) {
+      const menu = action.menu?.split('/')[0];
+      if (menu) expect(MENUS).toContain(menu);
+      else expect(action.shortcuts?.length, action.id).toBeGreaterThan(0);
+      expect(GROUPS).toContain(action.group);
+    }
+  });
+
+  it('fills every menu', () => {
+    const { wb } = workbench();
+    for (const menu of MENUS) expect(actionsOf(wb).some((a) => a.menu?.split('/')[0] === menu)).toBe(true);
+  });
+
+  it('has the page’s samples', () => {
+    const { wb } = workbench();
+    const ids = actionsOf(wb).map((a) => a.id);
+    expect(ids).toContain('sample.walker');
+  });
+
+  it('has work that an earlier page left behind, for as long as there is some', () => {
+    const { wb } = workbench();
+    const inMenu = () => actionsOf(wb).find((a) => a.id === 'session.restore');
+    expect(inMenu()).toBeUndefined();
+    const asked: string[] = [];
+    const works = [{ id: 's1', savedAtMs: 0, characters: [{ name: 'wasp', joints: 31, clips: 1 }] }];
+    const no = () => {};
+    const answers = {
+      restore: no,
+      discard: no,
+      putBack: no,
+      choose: no,
+      later: no,
+      again: () => void asked.push('s1'),
+    };
+    wb.kept.set({ works, isAside: false, isPutOff: true, isAskedFor: false, ...answers });
+    expect(inMenu()?.detail).toContain('wasp, 31 joints');
+    runAction(wb, 'session.restore');
+    expect(asked).toEqual(['s1']);
+    wb.kept.set({ works: [], isAside: false, isPutOff: true, isAskedFor: false, ...answers });
+    expect(inMenu()).toBeUndefined();
+  });
+
+  it('can all be asked about without a character', () => {
+    const { wb } = workbench();
+    for (const action of actionsOf(wb)) {
+      expect(() => [action.enabled?.(wb), action.checked?.(wb)], action.id).not.toThrow();
+    }
+  });
+});
+
+describe('runAction', () => {
+  const walker = () =>
+    workbench(
+      documentOf(
+        character({
+          skeleton: skeleton(['hips', -1], ['leg_l', 0], ['foot_l', 1], ['leg_r', 0]),
+          clips: [clip([0, 2], channel(0, 0.5, 1))],
+        }),
+      ),
+      { range: [0, 2] },
+    );
+
+  it('says so when there is no such action, or it can’t be done', () => {
+    const { wb } = workbench();
+    expect(() => runAction(wb, 'nothing.atAll')).toThrow('no action');
+    expect(() => runAction(wb, 'edit.undo')).toThrow('can’t be done'.replace('’', "'"));
+  });
+
+  it('steps from joint to joint', () => {
+    const { wb } = walker();
+    const joints = ['select.parent', 'select.child', 'select.nextSibling', 'select.child', 'select.parent'].map(
+      (id) => {
+        runAction(wb, id);
+        return wb.store.selection.joint;
+      },
+    );
+    // The root first; its first child; that one's sibling, which has no child; and up again.
+    expect(joints).toEqual([0, 1, 3, 3, 0]);
+  });
+
+  it('goes from key to key and stops there', () => {
+    const { wb } = walker();
+    runAction(wb, 'play.toggle');
+    runAction(wb, 'play.nextKey');
+    expect(wb.transport.get()).toMatchObject({ timeSeconds: 0.5, playing: false });
+    runAction(wb, 'play.nextKey');
+    runAction(wb, 'play.nextKey');
+    expect(wb.transport.get().timeSeconds).toBe(1);
+    runAction(wb, 'play.previousKey');
+    expect(wb.transport.get().timeSeconds).toBe(0.5);
+  });
+
+  it('pauses on a frame where time is in frames, and at the very moment where it is in seconds', () => {
+    const { wb } = walker();
+    for (const [timeDisplay, pausedAt] of [
+      ['seconds', 0.71],
+      ['frames', 21 / 30],
+    ] as const) {
+      wb.settings.update((s) => ({ ...s, timeDisplay }));
+      wb.transport.update((p) => ({ ...p, timeSeconds: 0.71, playing: true }));
+      runAction(wb, 'play.toggle');
+      expect(wb.transport.get()).toMatchObject({ playing: false, timeSeconds: pausedAt });
+    }
+  });
+
+  it('takes back what was said of a step with the step', () => {
+    const { wb } = walker();
+    runAction(wb, 'pose.holdLimits');
+    for (const way of ['edit.undo', 'edit.redo']) {
+      wb.messages.note('Said of a step.');
+      runAction(wb, way);
+      expect(wb.messages.passing.get()).toBeUndefined();
+    }
+  });
+
+  it('sets the range at the time shown, and back to the takes', () => {
+    const { wb } = walker();
+    wb.transport.update((p) => ({ ...p, timeSeconds: 3 }));
+    runAction(wb, 'play.setIn');
+    expect(wb.transport.get().range).toEqual([3, 3]);
+    runAction(wb, 'play.wholeRange');
+    expect(wb.transport.get().range).toEqual([0, 2]);
+  });
+
+  it('undoes a reset by name', () => {
+    const { wb } = walker();
+    runAction(wb, 'pose.holdLimits');
+    expect(wb.store.document.characters[0].clampsToLimits).toBe(false);
+    const undo = actionsOf(wb).find((a) => a.id === 'edit.undo');
+    expect(typeof undo?.label === 'function' && undo.label(wb)).toBe('Undo ignore limits');
+    runAction(wb, 'edit.undo');
+    expect(wb.store.document.characters[0].clampsToLimits).toBe(true);
+  });
+
+  it('folds panels, each by itself and both together', () => {
+    const { wb } = workbench();
+    const open = () => {
+      const { outlinerOpen, inspectorOpen } = wb.settings.get().panels;
+      return [outlinerOpen, inspectorOpen];
+    };
+    const after = ['page.outliner', 'page.viewportOnly', 'page.viewportOnly', 'page.inspector'].map((id) => {
+      runAction(wb, id);
+      return open();
+    });
+    expect(after).toEqual([
+      [false, true],
+      [false, false],
+      [true, true],
+      [true, false],
+    ]);
+  });
+
+  it('saves what the character has', () => {
+    const { wb, saved } = walker();
+    runAction(wb, 'save.skel');
+    expect(saved).toEqual(['c1.skel']);
+    expect(() => runAction(wb, 'save.skin')).toThrow();
+  });
+});
+
+describe('findActions', () => {
+  const found = (typed: string) =>
+    findActions(['Frame all', 'Step one frame', 'Next key', 'Names'], typed, (label) => label);
+
+  it('wants every word, anywhere', () => {
+    expect(found('fra')).toEqual(['Frame all', 'Step one frame']);
+    expect(found('frame st')).toEqual(['Step one frame']);
+    expect(found('xyz')).toEqual([]);
+    expect(found('')).toHaveLength(4);
+  });
+
+  it('puts words that begin so first', () => {
+    expect(found('ame')).toEqual(['Frame all', 'Step one frame', 'Names']);
+    expect(found('na')).toEqual(['Names']);
+  });
+
+  it('puts what is to come last behind others that are found as well, and not behind those that are found less', () => {
+    const undoLast = (typed: string) =>
+      findActions(
+        ['Edit Undo', 'Edit Select', 'View Redo it', 'Keys Find redoubt'],
+        typed,
+        (label) => label,
+        (label) => /Undo|Redo/.test(label),
+      );
+    expect(undoLast('edit')).toEqual(['Edit Select', 'Edit Undo']);
+    expect(undoLast('redo')).toEqual(['Keys Find redoubt', 'View Redo it']);
+    expect(undoLast('undo')).toEqual(['Edit Undo']);
+    expect(undoLast('')[0]).toBe('Edit Undo');
+  });
+});
+
+describe('what is drawn', () => {
+  const styles = (...characters: Parameters<typeof documentOf>) => {
+    const { wb } = workbench(documentOf(...characters));
+    return {
+      wb,
+      enabled: (id: string) => {
+        const action = actionsOf(wb).find((a) => a.id === id);
+        return action?.enabled?.(wb) ?? true;
+      },
+    };
+  };
+  const rig = skeleton(['hips', -1]);
+  const capture = {
+    ...rig,
+    joints: rig.joints.map((j) => ({ ...j, motion: { kind: 'bvh', channels: [], positions: 'replace' } as const })),
+  };
+
+  it('offers skins and boxes only where a character that is shown has them', () => {
+    const captures = styles(character({ skeleton: capture }));
+    expect(['draw.skin.solid', 'draw.boxes.wire', 'draw.boxes.hidden'].map(captures.enabled)).toEqual([
+      false,
+      false,
+      true,
+    ]);
+    const hidden = styles(character({ skeleton: capture }), character({ id: 'c2', skeleton: rig, isHidden: true }));
+    expect(hidden.enabled('draw.boxes.wire')).toBe(false);
+    const boxes = styles(character({ skeleton: capture }), character({ id: 'c2', skeleton: rig }));
+    expect(boxes.enabled('draw.boxes.wire')).toBe(true);
+    expect(styles().enabled('draw.skin.solid')).toBe(true);
+  });
+
+  it('goes on to a box style that changes something', () => {
+    const { wb } = styles(character({ skeleton: capture }));
+    runAction(wb, 'draw.nextBoxes');
+    expect(wb.settings.get().display.boxes).toBe('hidden');
+    runAction(wb, 'draw.nextBoxes');
+    expect(wb.settings.get().display.boxes).toBe('bare');
+  });
+});

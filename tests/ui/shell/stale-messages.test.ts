@@ -1,0 +1,80 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { renameCharacter } from '../../../src/edit/commands/characters.ts';
+import { leaveRefusalsBehind } from '../../../src/ui/shell/stale-messages.ts';
+import type { Workbench } from '../../../src/ui/state/workbench.ts';
+import { character, documentOf, workbench } from '../builders.ts';
+
+let wb: Workbench;
+const unread = () => wb.messages.list.get().flatMap((m) => (m.unread ? [m.text] : []));
+const named = (name: string) => ({ characterId: 'c1', name });
+
+beforeEach(() => {
+  ({ wb } = workbench(documentOf(character())));
+  leaveRefusalsBehind(wb);
+});
+
+describe('a refusal', () => {
+  it('leaves the line with the next step, and stays in the list', () => {
+    wb.messages.note('No.', 'warning');
+    wb.store.select({ characterId: 'c1' });
+    expect(unread()).toEqual(['No.']);
+    wb.store.apply(renameCharacter, named('bee'));
+    expect(unread()).toEqual([]);
+    expect(wb.messages.list.get()).toMatchObject([{ text: 'No.' }]);
+  });
+
+  it('stays through a step that is none', () => {
+    wb.messages.note('No.', 'warning');
+    wb.store.apply(renameCharacter, named('wasp'));
+    expect(unread()).toEqual(['No.']);
+  });
+
+  it('stays where it came in the middle of the drag that ends now, and goes with the one after', () => {
+    wb.messages.note('Before.', 'warning');
+    const drag = wb.store.begin('Drag');
+    drag.preview(renameCharacter.run(drag.base, named('be')));
+    wb.messages.note('Amid.', 'warning');
+    drag.preview(renameCharacter.run(drag.base, named('bee')));
+    drag.commit();
+    expect(unread()).toEqual(['Amid.']);
+    wb.store.apply(renameCharacter, named('ant'));
+    expect(unread()).toEqual([]);
+  });
+
+  it('is not kept by a drag that was given up, nor by a document from elsewhere', () => {
+    const drag = wb.store.begin('Drag');
+    drag.preview(renameCharacter.run(drag.base, named('be')));
+    wb.messages.note('Amid.', 'warning');
+    drag.cancel();
+    expect(unread()).toEqual(['Amid.']);
+    wb.store.apply(renameCharacter, named('ant'));
+    expect(unread()).toEqual([]);
+    wb.store.replace('Open', { document: documentOf(character()), selection: {} });
+    wb.messages.note('After.', 'warning');
+    wb.store.apply(renameCharacter, named('fly'));
+    expect(unread()).toEqual([]);
+  });
+});
+
+describe('what a step leaves as it is', () => {
+  it('is an error, a warning that has to be read, and what is wrong with files', () => {
+    wb.messages.note('Broken.', 'error');
+    wb.messages.note('Full.', 'warning', 'until read');
+    const place = { file: 'a.skel', line: 1, column: 1, code: 'odd', severity: 'warning', message: 'Odd.' } as const;
+    wb.messages.report([place]);
+    wb.messages.note('Full.', 'warning', 'until read');
+    wb.store.apply(renameCharacter, named('bee'));
+    expect(unread()).toEqual(['a.skel: Odd.', 'Full.']);
+  });
+});
+
+describe('what is said in passing', () => {
+  it('goes with the next step, unless it is said of that', () => {
+    wb.messages.note('Copied.');
+    wb.store.apply(renameCharacter, named('bee'));
+    expect(wb.messages.passing.get()).toBeUndefined();
+    wb.store.subscribe(() => wb.messages.note('Said of it.'));
+    wb.store.apply(renameCharacter, named('ant'));
+    expect(wb.messages.passing.get()).toBe('Said of it.');
+  });
+});

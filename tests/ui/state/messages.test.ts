@@ -1,0 +1,131 @@
+import { describe, expect, it } from 'vitest';
+import type { Diagnostic } from '../../../src/model/diagnostic.ts';
+import { caretPad, diagnosticText, Messages, messagesText } from '../../../src/ui/state/messages.ts';
+
+function diagnostic(change: Partial<Diagnostic> = {}): Diagnostic {
+  return {
+    severity: 'error',
+    code: 'number-expected',
+    message: 'Expected a number, found "x".',
+    file: 'a.skel',
+    line: 3,
+    column: 11,
+    ...change,
+  };
+}
+
+describe('Messages', () => {
+  it('makes one message of a file’s problems, and of the worst file the newest', () => {
+    const messages = new Messages();
+    messages.report([
+      diagnostic({ severity: 'warning', message: 'Odd.' }),
+      diagnostic(),
+      diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd too.' }),
+    ]);
+    expect(messages.list.get()).toMatchObject([
+      { severity: 'warning', unread: true, text: 'b.skin: Odd too.' },
+      { severity: 'error', unread: true, text: 'a.skel: 1 error, 1 warning. Expected a number, found "x".' },
+    ]);
+  });
+
+  it('lists mere notes without a line of their own', () => {
+    const messages = new Messages();
+    messages.report([diagnostic({ severity: 'info' })]);
+    expect(messages.list.get()).toMatchObject([{ unread: false }]);
+  });
+
+  it('keeps a message until it is dismissed', () => {
+    const messages = new Messages();
+    messages.note('Not allowed.', 'warning');
+    const [{ id }] = messages.list.get();
+    messages.markRead(id);
+    expect(messages.list.get()).toMatchObject([{ unread: false }]);
+    messages.dismiss(id);
+    expect(messages.list.get()).toEqual([]);
+  });
+
+  it('says the same notice once', () => {
+    const messages = new Messages();
+    messages.note('Not allowed.', 'warning');
+    messages.note('Not allowed.', 'warning');
+    expect(messages.list.get()).toHaveLength(1);
+  });
+
+  it('shows of refusals only the last, and none in place of an error', () => {
+    const messages = new Messages();
+    messages.note('Broken.', 'error');
+    messages.note('Not so.', 'warning');
+    messages.note('Nor so.', 'warning');
+    expect(messages.list.get().map(({ text, unread }) => [text, unread])).toEqual([
+      ['Broken.', true],
+      ['Not so.', false],
+      ['Nor so.', true],
+    ]);
+  });
+
+  it('lets a confirmation pass without listing it', () => {
+    const messages = new Messages();
+    messages.note('Saved wasp.skel.');
+    expect(messages.passing.get()).toBe('Saved wasp.skel.');
+    expect(messages.list.get()).toEqual([]);
+    messages.report([diagnostic()]);
+    expect(messages.passing.get()).toBeUndefined();
+  });
+
+  it('forgets what it said of a file when the file is reported again', () => {
+    const messages = new Messages();
+    messages.report([diagnostic(), diagnostic({ file: 'b.skin' })]);
+    messages.report([diagnostic({ severity: 'warning', message: 'Odd.' })]);
+    expect(messages.list.get().map((m) => m.text)).toEqual(['b.skin: Expected a number, found "x".', 'a.skel: Odd.']);
+    messages.report([], ['b.skin']);
+    expect(messages.list.get().map((m) => m.text)).toEqual(['a.skel: Odd.']);
+  });
+});
+
+describe('an opening', () => {
+  it('says what has become of a file that has errors, and of no other', () => {
+    const messages = new Messages();
+    const two = [diagnostic({ file: 'b.skin', severity: 'warning', message: 'Odd.' }), diagnostic()];
+    messages.report(two, [], () => 'not opened');
+    expect(messages.list.get().map((m) => [m.text, m.fate])).toEqual([
+      ['b.skin: Odd.', undefined],
+      ['a.skel: not opened. Expected a number, found "x".', 'not opened'],
+    ]);
+    messages.report([diagnostic(), diagnostic()], [], () => 'not opened');
+    expect(messages.list.get().at(-1)?.text).toBe('a.skel: not opened, 2 errors. Expected a number, found "x".');
+  });
+
+  it('leaves only its own messages unread', () => {
+    const messages = new Messages();
+    messages.report([diagnostic()]);
+    messages.report([diagnostic({ file: 'b.skin' })]);
+    expect(messages.list.get().map((m) => [m.diagnostics[0].file, m.unread])).toEqual([
+      ['a.skel', false],
+      ['b.skin', true],
+    ]);
+    // What has nothing to say takes nobody's attention from what has.
+    messages.report([diagnostic({ file: 'c.bvh', severity: 'info' })]);
+    expect(messages.list.get().map((m) => m.unread)).toEqual([false, true, false]);
+  });
+});
+
+describe('as text', () => {
+  it('is what a compiler prints', () => {
+    const text = diagnosticText(diagnostic({ assumed: 'used 0', excerpt: { text: '\toffset x', caret: 8 } }));
+    expect(text).toBe(
+      'a.skel:3:11: error number-expected: Expected a number, found "x". (used 0)\n  \toffset x\n  \t       ^',
+    );
+  });
+
+  it('names no place where there is none', () => {
+    expect(diagnosticText(diagnostic({ line: 0, column: 0 }))).toMatch(/^a\.skel: error/);
+    const messages = new Messages();
+    messages.note('Not allowed.', 'warning');
+    expect(messagesText(messages.list.get())).toBe('warning: Not allowed.');
+  });
+
+  it('keeps tabs in front of the caret', () => {
+    expect(caretPad('a\tb', 2)).toBe(' \t');
+    expect(caretPad('ab', -1)).toBe('');
+  });
+});
