@@ -1,6 +1,6 @@
 /**
  * What is kept of a page's work: all that someone would have to do again. The undo history is not, for it may be many
- * times the document; display and panels are remembered for all pages together (`ui/settings.ts`).
+ * times the document; display and panels are remembered for all pages together (`ui/state/settings.ts`).
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
