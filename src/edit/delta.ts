@@ -57,6 +57,11 @@ export function deltaTo(target: unknown, from: unknown): Delta | undefined {
   return { kind: 'value', value: target };
 }
 
+/** Whether both are the same plain value, to the last bit. */
+export function sameValue(a: unknown, b: unknown): boolean {
+  return deltaTo(a, b) === undefined;
+}
+
 /** The target again. What is equal in both is shared with `from`. */
 export function applyDelta(from: unknown, delta: Delta | undefined): unknown {
   switch (delta?.kind) {

@@ -4,6 +4,8 @@ import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import { COMMANDS_AT_HAND, FETCHED_IDS } from '../../src/edit/commands/at-hand.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
 import { character, documentOf } from '../helpers/builders.ts';
+import { expectEdit } from '../helpers/expect-edit.ts';
+import { CASES } from './every-command.ts';
 
 /** Commands that need no more than a character. */
 const COMPLETE = ['character.remove', 'ik.clearPins'];
@@ -46,5 +48,28 @@ describe('the list of commands', () => {
   it('is known to the page, which fetches what is not at hand, by exactly its ids', () => {
     const fetched = [...COMMANDS_BY_ID.keys()].filter((id) => !COMMANDS_AT_HAND.has(id));
     expect([...FETCHED_IDS].sort()).toEqual(fetched.sort());
+  });
+});
+
+describe('every command', () => {
+  it('has a case', () => {
+    expect(Object.keys(CASES).sort()).toEqual([...COMMANDS_BY_ID.keys()].sort());
+  });
+
+  const all = [...COMMANDS_BY_ID].flatMap(([id, command]) => (CASES[id] ? [{ id, command, given: CASES[id] }] : []));
+
+  it.each(all)('$id makes one sound step that is undone and redone', ({ command, given }) => {
+    // By its id and as from the console, as above.
+    expect(expectEdit(given.document, command, given.args as never)).not.toBe(given.document);
+  });
+
+  it.each(all)('$id refuses, or gives the very same document, where there is nothing to do', ({ command, given }) => {
+    const { document } = given;
+    try {
+      expect(expectEdit(document, command, given.idle as never)).toBe(document);
+    } catch (error) {
+      if (!(error instanceof CommandError)) throw error;
+      expect(error.message).toMatch(/^\S.*[.:?]$/s);
+    }
   });
 });

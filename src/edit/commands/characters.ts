@@ -2,6 +2,7 @@
 import type { Character, Document, Placement } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { sameValue } from '../delta.ts';
 import { withoutDriver } from '../drivers.ts';
 import { type Command, CommandError } from '../store.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -70,6 +71,7 @@ export const placeCharacter: Command<OfCharacter & { readonly index: number; rea
     changeCharacter(document, characterId, (c) => {
       indexIn(index, 0, c.placements.length, 'placement');
       checkPlacement(placement);
+      if (sameValue(placement, c.placements[index])) return c;
       return { ...c, placements: c.placements.map((p, i) => (i === index ? placement : p)) };
     }),
 };

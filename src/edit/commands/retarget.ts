@@ -16,6 +16,7 @@ import type { Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, listOf, oneOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { sameValue } from '../delta.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
 import { jointRotations, unrollTriples } from '../samples/rotations.ts';
@@ -63,7 +64,7 @@ export const setRetarget: Command<SetRetarget> = {
         pairs: matched,
         options: checkedOptions({ ...DEFAULT_RETARGET, ...options }),
       };
-      return { ...withoutUnkeyed(c), driver };
+      return withDriver(withoutUnkeyed(c), driver);
     });
   },
 };
@@ -81,14 +82,11 @@ export const changeRetarget: Command<ChangeRetarget> = {
     changeCharacter(document, characterId, (c) => {
       const driver = requireDriver(c);
       if (!pairs && !options) throw new CommandError('Give "pairs" or "options" to change.');
-      return {
-        ...c,
-        driver: {
-          ...driver,
-          pairs: pairs ? checkedPairs(pairs, requireSkeleton(c), driver.source.skeleton) : driver.pairs,
-          options: checkedOptions({ ...driver.options, ...options }),
-        },
-      };
+      return withDriver(c, {
+        ...driver,
+        pairs: pairs ? checkedPairs(pairs, requireSkeleton(c), driver.source.skeleton) : driver.pairs,
+        options: checkedOptions({ ...driver.options, ...options }),
+      });
     }),
 };
 
@@ -165,6 +163,11 @@ function withoutHandOver(character: Character): Character {
   if (!unkeyed || !moved) return character;
   const left = [...unkeyedAt(character, unkeyed.timeSeconds)].filter(([dof]) => !moved.has(dof));
   return withUnkeyed(character, unkeyed.timeSeconds, new Map(left));
+}
+
+/** The same object where that is what moves it already. */
+function withDriver(character: Character, driver: Driver): Character {
+  return sameValue(driver, character.driver) ? character : { ...character, driver };
 }
 
 function requireSkeleton({ name, skeleton }: Character): Skeleton {

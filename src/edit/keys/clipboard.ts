@@ -4,6 +4,7 @@
  */
 import type { Channel, ChannelClip, Tangents } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
+import { sameValue } from '../delta.ts';
 import { CommandError } from '../store.ts';
 import { arrange, type Moved } from './arrange.ts';
 import { takeKeys } from './columns.ts';
@@ -47,7 +48,7 @@ export interface Paste {
 }
 
 export interface Pasted {
-  /** All channels of the clip; those not pasted into are the same objects. */
+  /** All channels of the clip; those in which nothing is different are the same objects. */
   readonly channels: readonly Channel[];
   /** Where the pasted keys are. */
   readonly keys: readonly ChannelKeys[];
@@ -82,7 +83,7 @@ export function pasteKeys(clip: ChannelClip, copied: CopiedKeys, { timeSeconds, 
   for (const { to, from } of destinations(clip, copied, into)) {
     const room = makeRoom(channels[to], timeSeconds, copied.seconds, mode);
     const { channel, indices } = joined(room, from, timeSeconds);
-    channels[to] = channel;
+    if (!sameValue(channel, clip.channels[to])) channels[to] = channel;
     keys.push({ channel: to, indices });
   }
   return { channels, keys };

@@ -6,6 +6,7 @@
 import type { Character, Document } from '../../model/document.ts';
 import { defaultIk } from '../../model/ik.ts';
 import { changeCharacter } from '../characters.ts';
+import { sameValue } from '../delta.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
 import { remapIk, remapPairs, withIk, withSourcePairs } from './by-joint.ts';
 import { valueAfter } from './dof-sources.ts';
@@ -36,9 +37,12 @@ function remapped(character: Character, map: JointMap): Character {
   );
 }
 
-/** The very list where no item changes. */
+/** The very items in which nothing is different, and the very list where none is. */
 function mapped<T>(list: readonly T[], change: (item: T) => T): readonly T[] {
-  const next = list.map(change);
+  const next = list.map((item) => {
+    const changed = change(item);
+    return sameValue(changed, item) ? item : changed;
+  });
   return next.every((item, i) => item === list[i]) ? list : next;
 }
 
@@ -47,7 +51,7 @@ function withDofs(character: Character, map: JointMap): Character {
   return {
     ...withUnkeyedMoved(character, map),
     pose: values(character.pose, map, morphs.length),
-    ...(poses && { poses: poses.map((pose) => ({ ...pose, values: values(pose.values, map, morphs.length) })) }),
+    ...(poses && { poses: mapped(poses, (pose) => ({ ...pose, values: values(pose.values, map, morphs.length) })) }),
   };
 }
 

@@ -1,0 +1,159 @@
+/**
+ * One edit with all that an edit promises (as ProseMirror's `test/trans.ts`): whoever tests what a command does tests
+ * this along with it, and looks only at what is special.
+ */
+import { expect } from 'vitest';
+import { applyDelta, deltaTo, sameValue } from '../../src/edit/delta.ts';
+import { poseByNames } from '../../src/edit/pose/by-names.ts';
+import { type Command, type Edit, Store } from '../../src/edit/store.ts';
+import { writeFile } from '../../src/formats/write.ts';
+import { type Character, type Document, findCharacter, isBvh } from '../../src/model/document.ts';
+import type { FileContent } from '../../src/model/files.ts';
+import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
+import { read } from '../formats/read-in-pieces.ts';
+import { checkDocument, checkSelection } from './invariants.ts';
+
+/**
+ * Applies a command, and expects that
+ * - it changes something, or gives the very same document and makes no step,
+ * - neither the document nor the arguments were written to, and copies of both give the same again,
+ * - what is equal before and after is one object, part by part,
+ * - undo gives the very document and selection, redo the same result, and their differences lead to either,
+ * - the result is sound (`invariants.ts`) and plain data,
+ * - what changed is the same after it was written to its format and read.
+ *
+ * @param selection before it
+ * @returns the document after it
+ */
+export function expectEdit<Args>(
+  document: Document,
+  command: Command<Args, Document | Edit>,
+  args: Args,
+  selection: Selection = NOTHING_SELECTED,
+): Document {
+  const untouched = structuredClone({ document, args });
+  freeze(document);
+  freeze(args);
+  const store = new Store(document);
+  store.select(selection);
+  store.apply(command, args);
+  const { document: after, selection: selectedAfter } = store;
+  expectSame({ document, args }, untouched, `what ${command.id} was given`);
+
+  if (after === document) {
+    expect(store.undoLabel, `${command.id} made a step`).toBeUndefined();
+    return after;
+  }
+  expect(sameValue(after, document), `${command.id} made a step that changes nothing`).toBe(false);
+  expect(store.undoLabel).toBe(command.label(document, args));
+  expect(store.undoLabel).toMatch(/^\S.*\S$/);
+  expect(store.undoLabel).not.toMatch(/undefined|NaN|\[object/);
+  expectShared(document, after, 'the document');
+  expectSound(after, selectedAfter);
+
+  const again = new Store(document);
+  again.apply(command, structuredClone(args));
+  expectSame(again.document, after, `${command.id} a second time`);
+  expectSame(structuredClone(after), after, `the result of ${command.id} as plain data`);
+  expectSame(applyDelta(after, deltaTo(document, after)), document, `${command.id} undone by its difference`);
+  expectSame(applyDelta(document, deltaTo(after, document)), after, `${command.id} redone by its difference`);
+
+  expect(store.undo()).toBe(true);
+  expect(store.document, 'undone').toBe(document);
+  expect(store.selection, 'selected after undo').toBe(selection);
+  expect(store.undo()).toBe(false);
+  expect(store.redo()).toBe(true);
+  expect(store.document, 'redone').toBe(after);
+  expect(store.selection, 'selected after redo').toEqual(selectedAfter);
+
+  for (const character of after.characters) expectReadsBack(character, findCharacter(document, character.id));
+  return after;
+}
+
+/** Sound, and what is selected in it is there. */
+export function expectSound(document: Document, selection: Selection = NOTHING_SELECTED): void {
+  checkDocument(document);
+  checkSelection(document, selection);
+}
+
+/** To the last bit, −0 too; `toEqual` takes seconds for a million numbers. */
+function expectSame(found: unknown, meant: unknown, what: string): void {
+  if (sameValue(found, meant)) return;
+  expect(found, what).toEqual(meant);
+  expect(deltaTo(found, meant), `${what}, where toEqual sees no difference`).toBeUndefined();
+}
+
+/** So that writing to it throws. Numbers of typed arrays can't be frozen. */
+function freeze(value: unknown): void {
+  if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || Object.isFrozen(value)) return;
+  Object.freeze(value);
+  Object.values(value).forEach(freeze);
+}
+
+/** Where the document's parts are: what is inside of others (a joint's box, a channel's columns) is a part of those. */
+const HOLDS_PARTS: readonly string[] = [
+  ...['characters', 'unused', 'skeleton', 'joints', 'skins', 'morphs', 'textures', 'clips', 'channels', 'samples'],
+  ...['unkeyed', 'placements', 'space', 'driver', 'ik', 'poses', 'sources'],
+];
+
+/** What the view goes by: a part in which nothing is different is the object that it was. Lists may be made anew. */
+function expectShared(before: unknown, after: unknown, where: string): void {
+  if (before === after || !isRecord(before) || !isRecord(after)) return;
+  if (sameValue(after, before)) throw new Error(`${where} was made anew, and nothing in it is different`);
+  for (const key of HOLDS_PARTS) {
+    const [was, is] = [before[key], after[key]];
+    if (!Array.isArray(was) || !Array.isArray(is)) expectShared(was, is, `${where}.${key}`);
+    else {
+      is.forEach((item, i) => {
+        const same = was.length === is.length ? was[i] : was.find((other) => nameOf(other) === nameOf(item));
+        expectShared(same, item, `${where}.${key}[${i}]`);
+      });
+    }
+  }
+}
+
+function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
+  return typeof value === 'object' && value !== null && !Array.isArray(value);
+}
+
+/** By which an item is the same one in another list; its own self where it has none. */
+function nameOf(item: unknown): unknown {
+  return isRecord(item) ? (item.id ?? item.name ?? item) : item;
+}
+
+/** Parts that are others than before, written to the formats that hold them. */
+function expectReadsBack(character: Character, before: Character | undefined): void {
+  const { skeleton, skins, morphs, clips, poses } = character;
+  const isNew = (part: object, of: readonly object[] | undefined) => !of?.includes(part);
+  if (skeleton && skeleton !== before?.skeleton && !isBvh(character)) {
+    // No `.skel` has End Sites or BVH's joints, and its names are single words.
+    const isExact = skeleton.joints.every((j) => !j.endSites && j.motion.kind !== 'bvh' && /^\w*$/.test(j.name));
+    expectRoundTrip({ kind: 'skel', skeletons: [{ ...skeleton, name: 'x' }] }, isExact);
+  }
+  for (const skin of skins.filter((part) => isNew(part, before?.skins))) {
+    expectRoundTrip({ kind: 'skin', skin: { ...skin, name: 'x' } });
+  }
+  for (const morph of morphs.filter((part) => isNew(part, before?.morphs))) {
+    expectRoundTrip({ kind: 'morph', morph: { ...morph, name: 'x' } });
+  }
+  for (const clip of clips.filter((part) => isNew(part, before?.clips))) {
+    // A `.bvh` has no keys; an `.anim` has no samples, and no channel that rests without a key.
+    const isCapture = skeleton !== undefined && isBvh(character) && clip.channels.every((c) => c.times.length === 0);
+    if (isCapture && clip.samples) expectRoundTrip({ kind: 'bvh', figures: [{ skeleton, clip }] }, false);
+    const isExact = !clip.samples && clip.channels.every(({ rest }) => rest === undefined);
+    expectRoundTrip({ kind: 'anim', clip: { ...clip, name: 'x' } }, isExact);
+  }
+  if (poses && poses !== before?.poses) {
+    expectRoundTrip({ kind: 'pose', poses: poses.map((pose) => poseByNames(character, pose)) });
+  }
+}
+
+/** Written, read and written: the same bytes, and the same model where the format can hold all of it. */
+function expectRoundTrip(content: FileContent, isExact = true): void {
+  const name = `x.${content.kind}`;
+  const text = writeFile(content, name)?.text ?? '';
+  const found = read(name, text).value;
+  if (!found) throw new Error(`${name} was written, and can't be read:\n${text}`);
+  if (isExact) expect(found).toEqual(content);
+  expect(writeFile(found, name)?.text).toBe(text);
+}

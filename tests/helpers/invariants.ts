@@ -1,0 +1,191 @@
+/** What holds for every document, whatever was done to it. */
+import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { type ChannelClip, EXTRAPOLATIONS, FIXED, TANGENT_KINDS } from '../../src/model/clip.ts';
+import { couplesOf } from '../../src/model/couples.ts';
+import { type Character, type Document, shownClip } from '../../src/model/document.ts';
+import { characterDofs } from '../../src/model/dofs.ts';
+import type { Morph } from '../../src/model/morph.ts';
+import type { Samples } from '../../src/model/samples.ts';
+import type { Selection } from '../../src/model/session.ts';
+import { dofsOf, type Skeleton } from '../../src/model/skeleton.ts';
+import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
+
+/** As `expect`, but cheap enough to be asked ten thousand times. */
+function must(holds: boolean, what: string): void {
+  if (!holds) throw new Error(`not so: ${what}`);
+}
+
+function allFinite(values: ArrayLike<number>): boolean {
+  return Array.prototype.every.call(values, Number.isFinite);
+}
+
+function ascends(values: ArrayLike<number>): boolean {
+  return Array.prototype.every.call(values, (value, i) => i === 0 || value > values[i - 1]);
+}
+
+function isIndex(value: number, count: number): boolean {
+  return Number.isInteger(value) && value >= 0 && value < count;
+}
+
+/** @throws Error naming the first invariant of `model/` that is broken */
+export function checkDocument({ characters }: Document): void {
+  must(new Set(characters.map(({ id }) => id)).size === characters.length, 'characters have ids of their own');
+  characters.forEach(checkCharacter);
+}
+
+export function checkCharacter(character: Character): void {
+  const { name, skeleton, skins, morphs, clips, pose, poses, placements, ik, unkeyed, driver } = character;
+  const joints = skeleton?.joints.length ?? 0;
+  const dofs = characterDofs(skeleton, morphs).length;
+  if (skeleton) checkSkeleton(skeleton);
+  for (const skin of skins) checkSkin(skin);
+  for (const morph of morphs) checkMorph(morph);
+  for (const clip of clips) checkClip(clip);
+  must(skins.length === 0 || isIndex(character.shownSkin, skins.length), `the shown skin of ${name} is there`);
+  must(character.shownClip === -1 || isIndex(character.shownClip, clips.length), `the shown take of ${name} is there`);
+  must(pose.length === dofs, `the pose of ${name} has a value for each of ${dofs} DOFs`);
+  must(allFinite(pose) && Number.isFinite(character.timeOffsetSeconds), `pose and time offset of ${name} are finite`);
+  must(placements.length > 0, `${name} is placed somewhere`);
+  for (const { position, turn, scale } of placements) {
+    must(allFinite([...position, ...turn]) && scale > 0, `placements of ${name} are finite, and scaled above 0`);
+  }
+  if (poses) {
+    must(poses.length > 0, `${name} has poses, or no library`);
+    must(new Set(poses.map((p) => p.name)).size === poses.length, `poses of ${name} have names of their own`);
+    must(
+      poses.every(({ values }) => values.length === dofs && allFinite(values)),
+      `named poses of ${name} have a value for each DOF`,
+    );
+  }
+  if (unkeyed) {
+    must(unkeyed.dofs.length > 0 && unkeyed.dofs.length === unkeyed.values.length, `${name}: unkeyed DOFs have values`);
+    must(ascends(unkeyed.dofs) && unkeyed.dofs.every((d) => isIndex(d, dofs)), `${name}: unkeyed DOFs ascend`);
+  }
+  if (ik) {
+    const held = [...ik.pins, ...ik.stiff];
+    must(
+      held.every(({ joint }) => isIndex(joint, joints)),
+      `${name}: pins and stiffness are of joints`,
+    );
+    must(new Set(ik.pins.map(({ id }) => id)).size === ik.pins.length, `${name}: pins have ids of their own`);
+    must(ascends(ik.stiff.map(({ joint }) => joint)), `${name}: stiff joints ascend`);
+  }
+  if (driver) {
+    const { pairs, source } = driver;
+    must(ascends(pairs.map(({ target }) => target)), `${name}: pairs ascend`);
+    must(
+      pairs.every((p) => isIndex(p.target, joints) && isIndex(p.source, source.skeleton.joints.length)),
+      `${name}: pairs are of joints`,
+    );
+  }
+  const shown = new Float64Array(dofCountOf(character));
+  poseAt(character, 0.25, shown);
+  must(allFinite(shown), `the pose shown of ${name} is finite`);
+}
+
+function checkSkeleton({ joints }: Skeleton): void {
+  const open: number[] = [];
+  joints.forEach(({ parent, motion, limits, pose, offset, couples }, j) => {
+    while (open.length && open.at(-1) !== parent) open.pop();
+    must((open.at(-1) ?? -1) === parent, `joint ${j} is in pre-order`);
+    must((j === 0) === (parent === -1), `joint ${j} is the root or has a parent`);
+    open.push(j);
+    const names = dofsOf(motion).map(({ name }) => name);
+    must(
+      limits.length === names.length && pose.length === names.length,
+      `joint ${j} has limits and a pose for its DOFs`,
+    );
+    must(allFinite(pose) && allFinite(offset), `pose and offset of joint ${j} are finite`);
+    must(!limits.some(({ min, max }) => Number.isNaN(min) || Number.isNaN(max)), `limits of joint ${j} are numbers`);
+    if (!couples) return;
+    must(couples.length > 0 && ascends(couples.map(({ dof }) => names.indexOf(dof))), `couples of joint ${j} ascend`);
+    for (const { dof, joint, follows } of couples) {
+      must(names.includes(dof), `couple ${dof} of joint ${j} is of its DOF`);
+      must(
+        joints[joint] !== undefined && dofsOf(joints[joint].motion).some(({ name }) => name === follows),
+        `couple ${dof} of joint ${j} follows a DOF`,
+      );
+    }
+  });
+  must(couplesOf({ name: '', joints }).circular.length === 0, 'no DOF follows itself');
+}
+
+function checkSkin(skin: Skin): void {
+  const { name, positions, normals, triangles, bindings, attachments } = skin;
+  must(positions.length % 3 === 0 && bindings.length % 16 === 0, `${name} has whole vertices and bindings`);
+  must(allFinite(positions) && allFinite(bindings) && allFinite(normals ?? []), `${name} is finite`);
+  must(normals === undefined || normals.length === positions.length, `${name} has a normal a vertex`);
+  must(
+    triangles.every((v) => isIndex(v, vertexCount(skin))),
+    `triangles of ${name} are of vertices`,
+  );
+  if (!attachments) return;
+  const { start, joints, weights } = attachments;
+  must(start.length === vertexCount(skin) + 1 && start.at(-1) === joints.length, `${name} has attachments a vertex`);
+  must(weights.length === joints.length && allFinite(weights), `attachments of ${name} have weights`);
+  must(
+    joints.every((joint) => joint < bindingCount(skin)),
+    `attachments of ${name} are of bound joints`,
+  );
+}
+
+function checkMorph({ name, positions, normals }: Morph): void {
+  for (const { indices, values } of [positions, normals]) {
+    must(values.length === 3 * indices.length && allFinite(values), `rows of morph ${name} have values`);
+  }
+}
+
+function checkClip({ name, range, channels, samples }: ChannelClip): void {
+  must(allFinite(range) && range[0] <= range[1], `the range of ${name} is one`);
+  channels.forEach(({ times, values, tangentsIn, tangentsOut, rest, extrapolateIn, extrapolateOut }, c) => {
+    const where = `channel ${c} of ${name}`;
+    const columns = [values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
+    must(
+      columns.every((column) => column.length === times.length),
+      `${where} has columns of one length`,
+    );
+    must(
+      times.every((time, k) => k === 0 || time >= times[k - 1]),
+      `${where} is sorted by time`,
+    );
+    must(allFinite(times) && allFinite(values), `${where} is finite`);
+    must(rest === undefined || (times.length === 0 && Number.isFinite(rest)), `${where} has keys or a rest`);
+    must(EXTRAPOLATIONS.includes(extrapolateIn) && EXTRAPOLATIONS.includes(extrapolateOut), `${where} extrapolates`);
+    for (const { kinds, slopes } of [tangentsIn, tangentsOut]) {
+      must(
+        kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED || slopes[k] === 0)),
+        `${where} has slopes where they are fixed`,
+      );
+      must(allFinite(slopes), `${where} has finite slopes`);
+    }
+  });
+  if (samples) checkSamples(name, samples, channels.length);
+}
+
+function checkSamples(name: string, samples: Samples, channels: number): void {
+  const { frameCount, frameSeconds, startSeconds, firstChannel, values, scales } = samples;
+  must(frameCount >= 1 && frameSeconds > 0 && Number.isFinite(startSeconds), `${name} has frames`);
+  must(values.length === frameCount * scales.length && allFinite(values), `frames of ${name} have all columns`);
+  must(
+    scales.every((scale) => scale !== 0),
+    `columns of ${name} have scales`,
+  );
+  must(firstChannel >= 0 && firstChannel + scales.length <= channels, `columns of ${name} drive channels`);
+}
+
+/** @throws Error where something is selected that is not there */
+export function checkSelection({ characters }: Document, { characterId, joint, keys }: Selection): void {
+  if (characterId === undefined) return;
+  const character = characters.find(({ id }) => id === characterId);
+  if (!character) throw new Error('not so: the selected character is there');
+  must(joint === undefined || isIndex(joint, character.skeleton?.joints.length ?? 0), 'the selected joint is there');
+  const channels = shownClip(character)?.channels ?? [];
+  must(ascends((keys ?? []).map(({ channel }) => channel)), 'channels of selected keys ascend');
+  for (const { channel, indices } of keys ?? []) {
+    const count = channels[channel]?.times.length ?? 0;
+    must(
+      indices.length > 0 && ascends(indices) && indices.every((k) => isIndex(k, count)),
+      `selected keys of channel ${channel} are there`,
+    );
+  }
+}
