@@ -1,4 +1,5 @@
 /** The page, put together: nothing but wiring. */
+
 import { beginAutosave } from './app/autosave/begin.ts';
 import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';
@@ -16,6 +17,7 @@ import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { observable } from './ui/kit/observable.ts';
+import { pageActions } from './ui/shell/actions.ts';
 import { mountWorkbench } from './ui/shell/mount.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
 import { Messages } from './ui/state/messages.ts';
@@ -49,6 +51,7 @@ const sampleDisplay = new SampleDisplay(settings, store);
 
 const workbench: Workbench = {
   store,
+  actions: pageActions,
   viewport,
   viewportElement,
   transport,

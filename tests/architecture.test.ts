@@ -20,18 +20,25 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   worker: ['formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
-  ui: ['view', 'edit', 'evaluate', ...BASE],
+  // Widgets that any page could have.
+  'ui/kit': [...BASE],
+  // What panels share: the workbench, settings, actions found by their ids.
+  'ui/state': ['ui/kit', 'view', 'edit', 'evaluate', ...BASE],
+  // A folder a panel or tool, with its own actions.
+  'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'evaluate', ...BASE],
+  // What puts them together: layout, menu bar, the one list of actions, dialogs.
+  'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'edit', 'evaluate', ...BASE],
   cli: ['formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
-  app: ['ui', 'view', 'io', 'worker', 'formats', 'edit', 'evaluate', ...BASE],
+  app: ['ui/shell', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'io', 'worker', 'formats', 'edit', 'evaluate', ...BASE],
 };
 
 /** Packages, and which folders may use them. `node:` stands for all of Node. */
 const PACKAGES: Readonly<Record<string, readonly string[]>> = {
   three: ['view', 'io'],
   'idb-keyval': ['io'],
-  'lil-gui': ['ui'],
+  'lil-gui': ['ui/kit', 'ui/editors'],
   fflate: ['worker', 'io', 'app', 'samples'],
   'node:': ['cli', 'samples'],
   vite: ['cli'],
@@ -62,7 +69,11 @@ const imports = files.flatMap(importsOf);
 const inside = imports
   .filter(({ specifier }) => specifier.startsWith('.'))
   .map(({ file, specifier }) => ({ file, to: posix.join(dirname(file), specifier.replace(/\?.*$/, '')) }));
-const folderOf = (file: string) => (file.includes('/') ? file.slice(0, file.indexOf('/')) : '');
+/** The folder that the arrows are about: `view`, or a floor of ui, `ui/kit`; empty for a file of `src/` itself. */
+function folderOf(file: string): string {
+  const parts = dirname(file).split('/');
+  return parts[0] === '.' ? '' : parts.slice(0, parts[0] === 'ui' ? 2 : 1).join('/');
+}
 
 describe('the folders of src', () => {
   it('are all accounted for', () => {
@@ -76,6 +87,16 @@ describe('the folders of src', () => {
       return from !== '' && from !== target && !MAY_IMPORT[from]?.includes(target);
     });
     expect(wrong.map(({ file, to }) => `${file} imports ${to}`)).toEqual([]);
+  });
+
+  it('in ui never import each other both ways', () => {
+    const pairs = new Set(
+      inside
+        .filter(({ file, to }) => file.startsWith('ui/') && to.startsWith('ui/') && dirname(file) !== dirname(to))
+        .map(({ file, to }) => `${dirname(file)} and ${dirname(to)}`),
+    );
+    const back = (pair: string) => pair.split(' and ').reverse().join(' and ');
+    expect([...pairs].filter((pair) => pair < back(pair) && pairs.has(back(pair)))).toEqual([]);
   });
 
   it('never import the tests, nor anything else outside', () => {

@@ -12,7 +12,7 @@ import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, shownClip } from '../model/document.ts';
 import type { Observable } from '../ui/kit/observable.ts';
-import { runAction } from '../ui/shell/actions.ts';
+import { runAction } from '../ui/state/action.ts';
 import type { Workbench } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';

@@ -1,12 +1,12 @@
 /** Small documents and a workbench without a page, for the tests of `ui`. */
-import type { Playback } from '../../src/edit/playback.ts';
-import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
+import { DEFAULT_PLAYBACK, type Playback } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
 import type { Channel, ChannelClip } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
+import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { Posing } from '../../src/ui/state/posing.ts';
@@ -88,6 +88,7 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     holdTravel: () => () => {},
   };
   const wb = {
+    actions: pageActions,
     store: new Store(document),
     transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
     timeline: new Timeline(),

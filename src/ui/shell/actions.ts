@@ -16,8 +16,7 @@ import { TIMELINE_ACTIONS } from '../editors/timeline/actions.ts';
 import { KEY_ACTIONS } from '../editors/timeline/key-actions.ts';
 import { PLAY_ACTIONS } from '../editors/transport/actions.ts';
 import { VIEW_ACTIONS } from '../editors/viewport/actions.ts';
-import type { Action } from '../state/action.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 import { EDIT_ACTIONS } from './edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
 import { PAGE_ACTIONS } from './page-actions.ts';
@@ -43,17 +42,6 @@ export const ACTIONS: readonly Action[] = [
 ];
 
 /** All of them on this page just now, with its samples and the work that an earlier page left behind. */
-export function actionsOf(wb: Workbench): Action[] {
+export function pageActions(wb: Workbench): Action[] {
   return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
-}
-
-/**
- * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is none,
- * or where it can't run just now.
- */
-export function runAction(wb: Workbench, id: string, args?: unknown): Promise<void> | undefined {
-  const action = actionsOf(wb).find((a) => a.id === id);
-  if (!action) throw new Error(`There is no action "${id}".`);
-  if (action.enabled && !action.enabled(wb)) throw new Error(`"${id}" can't be done just now.`);
-  return action.run(wb, args) ?? undefined;
 }

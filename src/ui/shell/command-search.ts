@@ -2,11 +2,10 @@
 
 import type { DialogContent } from '../kit/dialog.ts';
 import { element, uniqueId } from '../kit/dom.ts';
-import { type Action, actionLabel, isEnabled } from '../state/action.ts';
+import { isMac } from '../kit/keyboard.ts';
+import { actionLabel, actionsOf, isEnabled, tryAction } from '../state/action.ts';
 import { shortcutsFor, shortcutText } from '../state/shortcuts.ts';
-import type { Workbench } from '../state/workbench.ts';
-import { actionsOf } from './actions.ts';
-import { isMac, tryAction } from './keys.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 
 const MOST_SHOWN = 12;
 

@@ -7,8 +7,8 @@ import { DEFAULT_PLACEMENT } from '../../model/document.ts';
 import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
-import { type Action, currentCharacter } from '../state/action.ts';
-import type { Workbench } from '../state/workbench.ts';
+import { currentCharacter } from '../state/action.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 
 const hasCharacter = (wb: Workbench) => currentCharacter(wb) !== undefined;
 

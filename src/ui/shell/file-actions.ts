@@ -1,8 +1,8 @@
 /** Opening and saving. */
 import { axisAngleObstacle } from '../../model/axis-angle.ts';
 import { type Character, shownClip, shownSkin } from '../../model/document.ts';
-import { type Action, currentCharacter } from '../state/action.ts';
-import { SAVE_KINDS, type SaveKind, type Workbench } from '../state/workbench.ts';
+import { currentCharacter } from '../state/action.ts';
+import { type Action, SAVE_KINDS, type SaveKind, type Workbench } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
 
 export const SAVE_LABELS: Readonly<Record<SaveKind, string>> = {

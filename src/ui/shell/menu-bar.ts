@@ -5,12 +5,12 @@ import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../
 import { icon } from '../kit/icons.ts';
 import { type Menu, openMenu } from '../kit/menu.ts';
 import { bytes, plural } from '../kit/number-text.ts';
-import { MENUS, type MenuName } from '../state/action.ts';
+import { runAction } from '../state/action.ts';
 import { menuEntries } from '../state/menu-entries.ts';
+import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels.ts';
 import { keepTooltip } from '../state/tooltips.ts';
 import type { Workbench } from '../state/workbench.ts';
-import { runAction } from './actions.ts';
 
 export function menuBar(wb: Workbench): HTMLElement {
   const bar = element('div', { role: 'menubar', 'aria-label': 'Menus', class: 'menu-titles' });

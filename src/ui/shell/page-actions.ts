@@ -1,9 +1,8 @@
 /** Panels, theme, units, help. */
 
-import type { Action } from '../state/action.ts';
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import type { Settings } from '../state/settings.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 
 const setting = (wb: Workbench, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
 export const PAGE_ACTIONS: readonly Action[] = [

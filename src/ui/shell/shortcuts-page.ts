@@ -6,11 +6,11 @@
 import type { DialogContent } from '../kit/dialog.ts';
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
-import { type Action, actionLabel, GROUPS } from '../state/action.ts';
+import { isMac } from '../kit/keyboard.ts';
+import { actionLabel, actionsOf } from '../state/action.ts';
+import { GROUPS } from '../state/menus.ts';
 import { isSingleKey, shortcutsOf, shortcutText, withKeys } from '../state/shortcuts.ts';
-import type { Workbench } from '../state/workbench.ts';
-import { actionsOf } from './actions.ts';
-import { isMac } from './keys.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 
 /** Builds the page anew, with a sentence about what has just happened. */

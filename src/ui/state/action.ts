@@ -1,56 +1,14 @@
-/** What an action is: one record behind a menu entry, a shortcut, a line of the `?` page and a scripted call. */
+/** Finding, reading and running what is on the page's list of actions (`Workbench.actions`). */
 import { type Character, findCharacter } from '../../model/document.ts';
-import type { IconName } from '../kit/icons.ts';
-import type { Bindable } from './shortcuts.ts';
-import type { Workbench } from './workbench.ts';
+import type { Action, Workbench } from './workbench.ts';
 
-/** The menus, left to right. */
-export const MENUS = ['Open', 'Save', 'Samples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'] as const;
-export type MenuName = (typeof MENUS)[number];
+/** All of them on this page just now. */
+export function actionsOf(wb: Workbench): readonly Action[] {
+  return wb.actions(wb);
+}
 
-/** The headings of the `?` page. */
-export const GROUPS = [
-  'Files',
-  'Edit',
-  'Select',
-  'Pose',
-  'Rig',
-  'Keys',
-  'Curves',
-  'Play',
-  'Camera',
-  'Draw',
-  'Page',
-] as const;
-export type GroupName = (typeof GROUPS)[number];
-
-export interface Action extends Bindable {
-  /** Stable: `play.toggle`. */
-  readonly id: string;
-  readonly label: string | ((wb: Workbench) => string);
-  /** Where the label depends on something: what it is called apart from that. */
-  readonly name?: string;
-  /** A second line in the menu. */
-  readonly detail?: string;
-  readonly group: GroupName;
-  /** `View`, or `View/Draw` for a menu within. Absent: only keys and search. */
-  readonly menu?: MenuName | `${MenuName}/${string}`;
-  /** A second menu that it stands in, for those who look for it there. */
-  readonly alsoIn?: { readonly menu: MenuName; readonly section?: number };
-  /** Entries of one menu with different sections have a line between them. */
-  readonly section?: number;
-  readonly icon?: IconName;
-  /** A held key runs it again and again. */
-  readonly repeats?: boolean;
-  /** Always, where absent. */
-  enabled?(wb: Workbench): boolean;
-  /** Where it is not: the reason, in a sentence, in place of the detail. */
-  whyNot?(wb: Workbench): string | undefined;
-  /** Shows a tick; `radio` among alternatives. */
-  checked?(wb: Workbench): boolean;
-  readonly radio?: boolean;
-  /** A promise where its script is fetched first. */
-  run(wb: Workbench, args?: unknown): void | Promise<void>;
+export function findAction(wb: Workbench, id: string): Action | undefined {
+  return actionsOf(wb).find((action) => action.id === id);
 }
 
 export function actionLabel(wb: Workbench, action: Action): string {
@@ -65,4 +23,29 @@ export function isEnabled(wb: Workbench, action: Action): boolean {
 export function currentCharacter(wb: Workbench): Character | undefined {
   const { document, selection } = wb.store;
   return findCharacter(document, selection.characterId) ?? document.characters[0];
+}
+
+/**
+ * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is none,
+ * or where it can't run just now.
+ */
+export function runAction(wb: Workbench, id: string, args?: unknown): Promise<void> | undefined {
+  const action = findAction(wb, id);
+  if (!action) throw new Error(`There is no action "${id}".`);
+  if (action.enabled && !action.enabled(wb)) throw new Error(`"${id}" can't be done just now.`);
+  return action.run(wb, args) ?? undefined;
+}
+
+/** Runs it if it can run; a refusal becomes a message. */
+export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
+  if (!isEnabled(wb, action)) return;
+  const failed = (error: unknown) => {
+    const why = error instanceof Error ? error.message : String(error);
+    wb.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
+  };
+  try {
+    action.run(wb, args)?.catch(failed);
+  } catch (error) {
+    failed(error);
+  }
 }

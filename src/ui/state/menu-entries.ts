@@ -1,11 +1,11 @@
 /** Menus made of the list of actions. */
 
+import { isMac } from '../kit/keyboard.ts';
 import type { MenuEntry, MenuItem } from '../kit/menu.ts';
-import { actionsOf } from '../shell/actions.ts';
-import { isMac, tryAction } from '../shell/keys.ts';
-import { type Action, actionLabel, isEnabled, type MenuName } from './action.ts';
+import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';
+import type { MenuName } from './menus.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from './shortcuts.ts';
-import type { Workbench } from './workbench.ts';
+import type { Action, Workbench } from './workbench.ts';
 
 /** A menu's entries as things are now: build them when it opens. */
 export function menuEntries(wb: Workbench, menu: MenuName): MenuEntry[] {

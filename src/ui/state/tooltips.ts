@@ -1,10 +1,9 @@
 /** Tooltips that name the key of what a button does, and go on doing so when the key is changed. */
 
-import { actionsOf } from '../shell/actions.ts';
-import { isMac } from '../shell/keys.ts';
-import type { Action } from './action.ts';
+import { isMac } from '../kit/keyboard.ts';
+import { findAction } from './action.ts';
 import { shortcutsFor, shortcutText } from './shortcuts.ts';
-import type { Workbench } from './workbench.ts';
+import type { Action, Workbench } from './workbench.ts';
 
 /** `Play (Space)`; the text alone where the action has no key. */
 export function withKey(wb: Workbench, action: Action | undefined, text: string): string {
@@ -17,7 +16,7 @@ export function withKey(wb: Workbench, action: Action | undefined, text: string)
  * does it again, for a text that depends on something else.
  */
 export function keepTooltip(wb: Workbench, target: HTMLElement, actionId: string, text: () => string): () => void {
-  const action = actionsOf(wb).find((a) => a.id === actionId);
+  const action = findAction(wb, actionId);
   const show = () => {
     target.title = withKey(wb, action, text());
   };

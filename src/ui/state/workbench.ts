@@ -2,14 +2,18 @@
  * What every panel is given: the document's store, the viewport, and the page's own state beside them. `main.ts` builds
  * it; panels know nothing of files, workers or addresses, for those arrive as functions.
  */
+
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { Viewport } from '../../view/viewport.ts';
+import type { IconName } from '../kit/icons.ts';
 import type { Observable } from '../kit/observable.ts';
 import type { KeptOffer } from './kept-offer.ts';
+import type { GroupName, MenuName } from './menus.ts';
 import type { Messages } from './messages.ts';
 import type { Posing } from './posing.ts';
 import type { Settings } from './settings.ts';
+import type { Bindable } from './shortcuts.ts';
 import type { Timeline } from './timeline.ts';
 
 /** What the page asks of the viewport, so that a test can stand in for it. */
@@ -43,6 +47,8 @@ export type Stage = Pick<
 
 export interface Workbench {
   readonly store: Store;
+  /** All that the page can do just now, in the order of the menus; `action.ts` finds and runs what is meant. */
+  readonly actions: (wb: Workbench) => readonly Action[];
   readonly viewport: Stage;
   /** The element that the viewport was built in; the page gives it its place. */
   readonly viewportElement: HTMLElement;
@@ -60,6 +66,36 @@ export interface Workbench {
   readonly files: FileActions;
   /** Work that an earlier page left behind, offered. */
   readonly kept: Observable<KeptOffer | undefined>;
+}
+
+/** One record behind a menu entry, a shortcut, a line of the `?` page and a scripted call. */
+export interface Action extends Bindable {
+  /** Stable: `play.toggle`. */
+  readonly id: string;
+  readonly label: string | ((wb: Workbench) => string);
+  /** Where the label depends on something: what it is called apart from that. */
+  readonly name?: string;
+  /** A second line in the menu. */
+  readonly detail?: string;
+  readonly group: GroupName;
+  /** `View`, or `View/Draw` for a menu within. Absent: only keys and search. */
+  readonly menu?: MenuName | `${MenuName}/${string}`;
+  /** A second menu that it stands in, for those who look for it there. */
+  readonly alsoIn?: { readonly menu: MenuName; readonly section?: number };
+  /** Entries of one menu with different sections have a line between them. */
+  readonly section?: number;
+  readonly icon?: IconName;
+  /** A held key runs it again and again. */
+  readonly repeats?: boolean;
+  /** Always, where absent. */
+  enabled?(wb: Workbench): boolean;
+  /** Where it is not: the reason, in a sentence, in place of the detail. */
+  whyNot?(wb: Workbench): string | undefined;
+  /** Shows a tick; `radio` among alternatives. */
+  checked?(wb: Workbench): boolean;
+  readonly radio?: boolean;
+  /** A promise where its script is fetched first. */
+  run(wb: Workbench, args?: unknown): void | Promise<void>;
 }
 
 export type DialogName =

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { ACTIONS, actionsOf, runAction } from '../../../src/ui/shell/actions.ts';
+import { ACTIONS } from '../../../src/ui/shell/actions.ts';
 import { findActions } from '../../../src/ui/shell/command-search.ts';
-import { GROUPS, MENUS } from '../../../src/ui/state/action.ts';
+import { actionsOf, findAction, runAction } from '../../../src/ui/state/action.ts';
+import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 
 describe('the list of actions', () => {
@@ -218,7 +219,7 @@ describe('what is drawn', () => {
     return {
       wb,
       enabled: (id: string) => {
-        const action = actionsOf(wb).find((a) => a.id === id);
+        const action = findAction(wb, id);
         return action?.enabled?.(wb) ?? true;
       },
     };

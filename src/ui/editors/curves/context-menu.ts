@@ -4,7 +4,7 @@ import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
 import { EXTRAPOLATIONS, isSampled } from '../../../model/clip.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
-import { actionsOf } from '../../shell/actions.ts';
+import { actionsOf } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';

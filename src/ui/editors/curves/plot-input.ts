@@ -1,7 +1,7 @@
 /** Everything a pointer and the held keys do in the plot: what they mean is `tools/intent.ts`, what follows the tools. */
 import { hasKey } from '../../../edit/keys/selection.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { isMac, waitOutDrag } from '../../shell/keys.ts';
+import { isMac, waitOutDrag } from '../../kit/keyboard.ts';
 import { openPlotMenu } from './context-menu.ts';
 import { insertOnCurve } from './insert.ts';
 import { hitTest } from './scene/hit.ts';

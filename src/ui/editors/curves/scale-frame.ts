@@ -1,7 +1,7 @@
 /** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
 import { button, element } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { waitOutDrag } from '../../shell/keys.ts';
+import { waitOutDrag } from '../../kit/keyboard.ts';
 import type { CurveScene } from './scene/scene.ts';
 import { PLOT_TOP, timeAt, xOf, yOf } from './scene/space.ts';
 import { scaler } from './tools/scale.ts';

@@ -4,9 +4,7 @@ import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { actionsOf } from '../../shell/actions.ts';
-import { tryAction } from '../../shell/keys.ts';
-import { isEnabled } from '../../state/action.ts';
+import { findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -32,7 +30,7 @@ const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce']
 export function curveToolbar(wb: Workbench): HTMLElement {
   const tools: (() => void)[] = [];
   const tool = (id: string, label: string, name: IconName, isSwitch = false) => {
-    const action = actionsOf(wb).find((a) => a.id === `timeline.${id}`);
+    const action = findAction(wb, `timeline.${id}`);
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
     );

@@ -1,7 +1,6 @@
 /** What the dope sheet has beyond the keys' own actions: ripple, folds, and the way to the curves. */
 import { rippleKeys } from '../../../edit/commands/keys.ts';
-import type { Action } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
 import { aboutKeysInHand, keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import { showCurves } from './show-curves.ts';

@@ -4,7 +4,7 @@ import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
-import { actionsOf } from '../../shell/actions.ts';
+import { actionsOf } from '../../state/action.ts';
 import { itemOf, itemsOf } from '../../state/menu-entries.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';

@@ -1,8 +1,8 @@
 /** Mouse, wheel and Escape over the sheet: scrubbing, panning, zooming, and the gestures of `gestures.ts`. */
 
 import { oncePerFrame } from '../../kit/frame.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { isMac } from '../../shell/keys.ts';
 import { scrubFrames } from '../curves/tools/scrub.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
 import { cursorFor, gestureAt } from './gestures.ts';

@@ -2,8 +2,7 @@
 
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { actionsOf } from '../../shell/actions.ts';
-import { tryAction } from '../../shell/keys.ts';
+import { findAction, tryAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
@@ -16,9 +15,8 @@ const SWITCHES: Readonly<Record<string, string>> = {
 
 export function dopeTools(wb: Workbench): HTMLElement {
   const tools = element('div', { class: 'tools dope-tools', role: 'toolbar', 'aria-label': 'Dope sheet' });
-  const actions = actionsOf(wb);
   for (const [id, text] of Object.entries(SWITCHES)) {
-    const action = actions.find((a) => a.id === id);
+    const action = findAction(wb, id);
     if (!action?.icon) continue;
     const made = keepsFocusElsewhere(
       button(text.split(/[:;]/)[0], { class: 'tool' }, icon(action.icon), () => tryAction(wb, action)),

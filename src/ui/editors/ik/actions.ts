@@ -1,8 +1,8 @@
 /** Inverse kinematics: pins, joints that are locked, whether the whole travels. Its scripts are fetched when asked for. */
 import { defaultIk } from '../../../model/ik.ts';
-import { type Action, currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pins';
 const edits = () => import('./pin-edits.ts');

@@ -2,8 +2,7 @@
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { runAction } from '../../shell/actions.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter, runAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';

@@ -3,8 +3,7 @@
  * Nothing is painted where there is no pin, no locked joint and nothing under the pointer.
  */
 import { pinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
-import type { Vec3 } from '../../../math/vec3.ts';
-import { ZERO } from '../../../math/vec3.ts';
+import { type Vec3, ZERO } from '../../../math/vec3.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
 import { jointName } from '../../../model/joint-name.ts';

@@ -15,7 +15,7 @@ import type { Units } from '../../kit/arithmetic.ts';
 import { button, element, setText } from '../../kit/dom.ts';
 import { exact } from '../../kit/number-text.ts';
 import { emptyFolder, Slider } from '../../kit/slider.ts';
-import { runAction } from '../../shell/actions.ts';
+import { runAction } from '../../state/action.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';

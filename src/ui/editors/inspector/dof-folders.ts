@@ -78,7 +78,7 @@ export class DofFolders {
     const count = unkeyed?.timeSeconds === timeSeconds ? unkeyed.dofs.length : 0;
     this.note.hidden = count === 0;
     if (!count) return;
-    const key = keyNameOf(this.context.wb.settings.get(), 'key.pose');
+    const key = keyNameOf(this.context.wb, 'key.pose');
     const [what, goes] = count === 1 ? ['One value is', 'It goes'] : [`${count} values are`, 'They go'];
     const text = `${what} set by hand and not keyed. ${goes} when time moves${key ? `; ${key} keys the pose` : ''}.`;
     setText(this.note, text);

@@ -2,8 +2,7 @@
 
 import { vertexDeformer } from '../../../evaluate/one-vertex.ts';
 import type { Character } from '../../../model/document.ts';
-import type { Skin } from '../../../model/skin.ts';
-import { vertexCount } from '../../../model/skin.ts';
+import { type Skin, vertexCount } from '../../../model/skin.ts';
 import { count, shown } from '../../kit/number-text.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { FactList, type FactView } from './fact-list.ts';

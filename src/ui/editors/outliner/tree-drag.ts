@@ -4,7 +4,7 @@
  */
 import { findCharacter } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
-import { waitOutDrag } from '../../shell/keys.ts';
+import { waitOutDrag } from '../../kit/keyboard.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { dropPlace, type NewPlace, rowPart, whyNoDrop } from '../rig/parents.ts';
 import type { OutlineRow } from './outline-rows.ts';

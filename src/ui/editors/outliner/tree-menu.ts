@@ -2,9 +2,9 @@
 
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
-import { actionsOf, runAction } from '../../shell/actions.ts';
-import { isMac } from '../../shell/keys.ts';
+import { findAction, runAction } from '../../state/action.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { possibleParents } from '../rig/parents.ts';
@@ -32,7 +32,7 @@ export function jointEntries(
   });
   /** Of an action that does the same with the selected joint. */
   const keyOf = (id: string): string | undefined => {
-    const action = actionsOf(wb).find((one) => one.id === id);
+    const action = findAction(wb, id);
     return action && shortcutsFor(action, wb.settings.get())[0];
   };
   const select = () => wb.store.select({ characterId: character.id, joint });

@@ -1,8 +1,8 @@
 /** Whole poses: copied, pasted, mirrored, kept. What they do is fetched with the first of them. */
 import { jointName } from '../../../model/joint-name.ts';
-import { type Action, currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { copiedPose } from './copied.ts';
 
 const MENU = 'Edit/Pose';

@@ -3,9 +3,7 @@
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
-import { actionsOf } from '../../shell/actions.ts';
-import { tryAction } from '../../shell/keys.ts';
-import { isEnabled } from '../../state/action.ts';
+import { findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { copiedPose } from './copied.ts';
@@ -26,10 +24,9 @@ const BUTTONS: readonly (readonly [id: string, text: string, label: string])[] =
 ];
 
 export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTMLElement {
-  const actions = actionsOf(wb);
   const refreshing: (() => void)[] = [];
   const buttons = BUTTONS.map(([id, text, label]) => {
-    const action = actions.find((a) => a.id === id);
+    const action = findAction(wb, id);
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
     );

@@ -1,9 +1,8 @@
 /** How the viewport takes the hand, and what only it has keys for. */
 import { stepFrames } from '../../../edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../model/session.ts';
-import type { Action } from '../../state/action.ts';
 import type { PosingMode } from '../../state/posing.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 
 /** Radians that a press of an arrow turns the view. */

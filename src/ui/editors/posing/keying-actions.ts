@@ -3,9 +3,9 @@ import { createClip, duplicateClip, removeClip, setClipRange } from '../../../ed
 import { dropUnkeyed } from '../../../edit/commands/pose.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
-import { type Action, currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/action.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
 
 const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {

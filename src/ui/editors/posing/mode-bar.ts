@@ -5,8 +5,7 @@
 
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { runAction } from '../../shell/actions.ts';
-import { currentCharacter } from '../../state/action.ts';
+import { currentCharacter, runAction } from '../../state/action.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';

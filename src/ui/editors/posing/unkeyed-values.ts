@@ -7,16 +7,14 @@
 import { dropUnkeyed } from '../../../edit/commands/pose.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { findCharacter } from '../../../model/document.ts';
-import { ACTIONS } from '../../shell/actions.ts';
-import { isMac } from '../../shell/keys.ts';
-import type { Settings } from '../../state/settings.ts';
+import { isMac } from '../../kit/keyboard.ts';
+import { findAction } from '../../state/action.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
-type Parts = Pick<Workbench, 'store' | 'transport' | 'settings' | 'messages'>;
-
 /** Drops what was set at another time than this, and says so once. */
-export function dropStale({ store, settings, messages }: Parts, timeSeconds: number): void {
+export function dropStale(wb: Workbench, timeSeconds: number): void {
+  const { store, messages } = wb;
   if (countUnkeyed(store.document, timeSeconds) === 0 || store.redoLabel !== undefined) return;
   // A drag that ends with the moment may leave none.
   store.settle();
@@ -25,8 +23,8 @@ export function dropStale({ store, settings, messages }: Parts, timeSeconds: num
   // No key can be made where another character's take moves it.
   const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
   store.apply(dropUnkeyed, { exceptSeconds: timeSeconds });
-  const undo = keyNameOf(settings.get(), 'edit.undo');
-  const key = canBeKeyed ? keyNameOf(settings.get(), 'key.pose') : undefined;
+  const undo = keyNameOf(wb, 'edit.undo');
+  const key = canBeKeyed ? keyNameOf(wb, 'key.pose') : undefined;
   const hints = [undo && `${undo} brings ${count === 1 ? 'it' : 'them'} back`, key && `${key} keeps such values`];
   const said = hints.filter(Boolean).join(', ');
   const what = count === 1 ? 'A value set by hand was' : `${count} values set by hand were`;
@@ -34,14 +32,14 @@ export function dropStale({ store, settings, messages }: Parts, timeSeconds: num
 }
 
 /** The key of an action as a menu shows it; undefined where it has none. */
-export function keyNameOf(settings: Settings, actionId: string): string | undefined {
-  const action = ACTIONS.find((a) => a.id === actionId);
-  const [shortcut] = action ? shortcutsFor(action, settings) : [];
+export function keyNameOf(wb: Workbench, actionId: string): string | undefined {
+  const action = findAction(wb, actionId);
+  const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
   return shortcut && shortcutText(shortcut, isMac);
 }
 
 /** Goes to the moment of values that come back, by undo or from a script: elsewhere they could not be seen. */
-export function followUnkeyed({ store, transport }: Parts): () => void {
+export function followUnkeyed({ store, transport }: Pick<Workbench, 'store' | 'transport'>): () => void {
   return store.subscribe((now, before) => {
     if (now.document === before.document) return;
     const { timeSeconds } = transport.get();

@@ -1,6 +1,7 @@
 /** Putting one character's take onto another. */
 
-import { type Action, currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Action } from '../../state/workbench.ts';
 import { possibleTargets } from './targets.ts';
 
 const commands = () => import('../../../edit/commands/retarget.ts');

@@ -1,9 +1,9 @@
 /** Building and changing skeletons. What does it is fetched when it is asked for; keys hold in rig mode only. */
 import type { Axis } from '../../../edit/rig/rigging.ts';
-import { type Action, currentCharacter } from '../../state/action.ts';
+import { currentCharacter } from '../../state/action.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { rigState } from './rig-state.ts';
 
 const edits = () => import('./rig-edits.ts');

@@ -3,7 +3,7 @@
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import type { Observable } from '../../kit/observable.ts';
-import { runAction } from '../../shell/actions.ts';
+import { runAction } from '../../state/action.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';

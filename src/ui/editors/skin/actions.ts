@@ -1,7 +1,7 @@
 /** What can be done to the skin that a character shows. */
 import { shownSkin } from '../../../model/document.ts';
-import { type Action, currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import { currentCharacter } from '../../state/action.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 
 const skinOf = (wb: Workbench) => {
   const character = currentCharacter(wb);

@@ -1,7 +1,6 @@
 /** Takes as wholes: one after the other, alone or together, when and where they play. */
 import type { Arrangement } from '../../../edit/commands/takes.ts';
-import type { Action } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { compareTakes, endComparison } from './compare.ts';
 import {
   align,

@@ -1,7 +1,7 @@
 /** The joints that are compared, farthest first: their largest and mean distance. What is picked is drawn in colour. */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
-import { isMac } from '../../shell/keys.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import type { DistanceView } from '../../state/takes.ts';
 import { PALETTE } from './chart-picture.ts';
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';

@@ -6,10 +6,10 @@ import { placeCharacter } from '../../../edit/commands/characters.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import { fitWindow, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { actionsOf } from '../../shell/actions.ts';
-import { isMac } from '../../shell/keys.ts';
+import { findAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import { comparedIn } from '../../state/takes.ts';
@@ -191,7 +191,7 @@ class TakesPanel implements TimelineTab {
       ...(shortcut && { shortcut }),
     });
     const keyOf = (id: string) => {
-      const action = actionsOf(wb).find((a) => a.id === id);
+      const action = findAction(wb, id);
       const [key] = action ? shortcutsFor(action, wb.settings.get()) : [];
       return key && shortcutText(key, isMac);
     };

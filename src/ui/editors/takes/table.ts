@@ -9,8 +9,8 @@
 import { element, setAttribute, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
+import { isMac } from '../../kit/keyboard.ts';
 import { plural } from '../../kit/number-text.ts';
-import { isMac } from '../../shell/keys.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
 import { type RowEvents, type RowState, RowView } from './row.ts';
 import type { TakeRow } from './rows.ts';

@@ -5,9 +5,7 @@ import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { actionsOf } from '../../shell/actions.ts';
-import { tryAction } from '../../shell/keys.ts';
-import { actionLabel, isEnabled } from '../../state/action.ts';
+import { actionLabel, findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -25,10 +23,9 @@ const BUTTONS: readonly (readonly [id: string, text: string, title: string])[] =
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
 
 export function takeTools(wb: Workbench): HTMLElement {
-  const actions = actionsOf(wb);
   const refreshing: (() => void)[] = [];
   const buttons = BUTTONS.map(([id, text, title]) => {
-    const action = actions.find((a) => a.id === id);
+    const action = findAction(wb, id);
     const made = keepsFocusElsewhere(
       button(title, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
     );
@@ -46,7 +43,7 @@ export function takeTools(wb: Workbench): HTMLElement {
   arrange.title = 'When and where the chosen takes play, or all that are seen';
   menuButton(arrange, 'Arrange', () => arrangeEntries(wb));
   const step = (id: string, label: string, name: 'previousTake' | 'nextTake') => {
-    const action = actions.find((a) => a.id === id);
+    const action = findAction(wb, id);
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
     );
@@ -81,9 +78,8 @@ export function takeTools(wb: Workbench): HTMLElement {
 }
 
 export function arrangeEntries(wb: Workbench): MenuEntry[] {
-  const actions = actionsOf(wb);
   return ARRANGING.flatMap((id): MenuEntry[] => {
-    const action = actions.find((a) => a.id === id);
+    const action = findAction(wb, id);
     if (action) return [itemOf(wb, action)];
     return id === 'line' ? [{ kind: 'line' }] : [];
   });

@@ -1,9 +1,8 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
 
 import { isSampled } from '../../../model/clip.ts';
-import type { Action } from '../../state/action.ts';
 import type { ChannelList, HandleMode, TimelineView } from '../../state/timeline.ts';
-import type { CurveToolName, Workbench } from '../../state/workbench.ts';
+import type { Action, CurveToolName, Workbench } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
 import { hasKeys, hasTake } from './key-actions.ts';
 import type { SampleTool } from './sample-tools.ts';

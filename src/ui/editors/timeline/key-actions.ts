@@ -10,8 +10,7 @@ import {
   type TangentKind,
 } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Action } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from './in-hand.ts';
 import {
   copyToTray,

@@ -2,9 +2,8 @@
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { playingCharacters } from '../../../model/document.ts';
-import type { Action } from '../../state/action.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {

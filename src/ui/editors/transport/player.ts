@@ -9,10 +9,8 @@ import { dropStale, followUnkeyed } from '../posing/unkeyed-values.ts';
 /** A tab that was in the background for an hour goes on where it was, not an hour later. */
 const LONGEST_STEP_SECONDS = 1;
 
-type Parts = Pick<Workbench, 'store' | 'transport' | 'viewport' | 'settings' | 'messages'>;
-
 /** Runs until the signal says otherwise. */
-export function startPlayer(wb: Parts, signal: AbortSignal): void {
+export function startPlayer(wb: Workbench, signal: AbortSignal): void {
   let before: number | undefined;
   let queued = 0;
   const tick = (now: number) => {
@@ -46,7 +44,7 @@ export function startPlayer(wb: Parts, signal: AbortSignal): void {
   wb.viewport.seek(wb.transport.get().timeSeconds);
 }
 
-function showTime(wb: Parts, timeSeconds: number): void {
+function showTime(wb: Workbench, timeSeconds: number): void {
   dropStale(wb, timeSeconds);
   wb.viewport.seek(timeSeconds);
 }

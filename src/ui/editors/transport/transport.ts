@@ -6,7 +6,7 @@ import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { inField, seconds } from '../../kit/number-text.ts';
-import { actionsOf, runAction } from '../../shell/actions.ts';
+import { actionsOf, findAction, runAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { keepTooltip, withKey } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -68,7 +68,7 @@ function buttons(wb: Workbench): HTMLElement {
 
 /** A button for what may be impossible just now, such as a key to jump to. */
 function tryRun(wb: Workbench, id: string): void {
-  const action = actionsOf(wb).find((a) => a.id === id);
+  const action = findAction(wb, id);
   if (action && (action.enabled?.(wb) ?? true)) action.run(wb, 'button');
 }
 
@@ -234,13 +234,7 @@ function range(wb: Workbench): HTMLElement[] {
       ['play.setIn', 'Begins here'],
       ['play.setOut', 'Ends here'],
       ['play.wholeRange', 'Whole take'],
-    ].map(([id, text]) =>
-      withKey(
-        wb,
-        actionsOf(wb).find((a) => a.id === id),
-        text,
-      ),
-    );
+    ].map(([id, text]) => withKey(wb, findAction(wb, id), text));
     setAttribute(begins, 'title', `Range, saved with the take where one plays. ${keys.join(', ')}`);
   };
   wb.transport.subscribe(show);

@@ -3,8 +3,7 @@ import { hasBoxes } from '../../../model/boxes.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
 import type { IconName } from '../../kit/icons.ts';
-import type { Action } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Action, Workbench } from '../../state/workbench.ts';
 
 export const SKIN_STYLES: readonly (readonly [SkinStyle, string])[] = [
   ['textured', 'Textured'],

@@ -7,7 +7,7 @@
  *     hover     the tool may light something up, and say which cursor
  */
 import { CLICK_PIXELS } from '../../../view/camera-travel.ts';
-import { waitOutDrag } from '../../shell/keys.ts';
+import { waitOutDrag } from '../../kit/keyboard.ts';
 
 /** A press that moved further was a drag: for tools as for the camera. */
 export { CLICK_PIXELS };

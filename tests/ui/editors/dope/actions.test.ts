@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { shownClip } from '../../../../src/model/document.ts';
 import { channelsInView, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
-import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 
 /** Keys in channels 3 and 4, of the hips, and 6, of the knee. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { copiedPose } from '../../../../src/ui/editors/poses/copied.ts';
-import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 const rig = () => skeleton(['hip', -1], ['arm_l', 0], ['arm_r', 0]);

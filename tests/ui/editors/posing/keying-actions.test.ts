@@ -4,8 +4,7 @@ import type { Character } from '../../../../src/model/document.ts';
 import { dofState, toggleKey } from '../../../../src/ui/editors/inspector/dof-mark.ts';
 import { KEYING_ACTIONS } from '../../../../src/ui/editors/posing/keying-actions.ts';
 import { autoKey, jointDofs } from '../../../../src/ui/editors/posing/pose-edits.ts';
-import { runAction } from '../../../../src/ui/shell/actions.ts';
-import { isEnabled } from '../../../../src/ui/state/action.ts';
+import { isEnabled, runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

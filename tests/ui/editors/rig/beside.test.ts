@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
-import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 

@@ -12,7 +12,7 @@ import {
   startAt,
   toggleShown,
 } from '../../../../src/ui/editors/takes/play.ts';
-import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
 import { comparedIn, drawnDocument, withoutTwin } from '../../../../src/ui/state/takes.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';

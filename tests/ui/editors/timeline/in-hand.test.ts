@@ -1,7 +1,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { shownClip } from '../../../../src/model/document.ts';
 import { channelsInView, keysInHand, selectedKeys, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
-import { ACTIONS, runAction } from '../../../../src/ui/shell/actions.ts';
+import { ACTIONS } from '../../../../src/ui/shell/actions.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { shownClip } from '../../../../src/model/document.ts';
 import { keysInHand, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
 import { selectedText } from '../../../../src/ui/editors/timeline/key-edits.ts';
-import { runAction } from '../../../../src/ui/shell/actions.ts';
+import { runAction } from '../../../../src/ui/state/action.ts';
 import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../../builders.ts';
 

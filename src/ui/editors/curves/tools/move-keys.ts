@@ -17,8 +17,7 @@ import {
   takeInHand,
 } from '../../timeline/in-hand.ts';
 import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
-import type { Hit } from '../scene/scene.ts';
-import { type CurveLine, lineOf } from '../scene/scene.ts';
+import { type CurveLine, type Hit, lineOf } from '../scene/scene.ts';
 import { type CurveSpace, pixelsPerUnit, timeAt, xOf, yOf } from '../scene/space.ts';
 import { deltaText } from './readout-text.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';

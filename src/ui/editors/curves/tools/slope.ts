@@ -8,8 +8,7 @@ import { keySlope } from '../../../../evaluate/slopes.ts';
 import type { HandleMode } from '../../../state/timeline.ts';
 import { editOfTake, selectedKeys, takeInHand } from '../../timeline/in-hand.ts';
 import { slopeFromHandle } from '../scene/handles.ts';
-import type { Hit } from '../scene/scene.ts';
-import { lineOf } from '../scene/scene.ts';
+import { type Hit, lineOf } from '../scene/scene.ts';
 import { slopeText } from './readout-text.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 

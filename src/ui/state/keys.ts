@@ -1,12 +1,10 @@
 /** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
 
 import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focus.ts';
-import { type Action, actionLabel, isEnabled } from '../state/action.ts';
-import { actionFor, type FocusKind, shortcutsOf, swallows } from '../state/shortcuts.ts';
-import type { Workbench } from '../state/workbench.ts';
-import { actionsOf } from './actions.ts';
-
-export const isMac = /mac|iphone|ipad/i.test(globalThis.navigator?.userAgent ?? '');
+import { isMac } from '../kit/keyboard.ts';
+import { actionsOf, tryAction } from './action.ts';
+import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
+import type { Workbench } from './workbench.ts';
 
 /** Listens until the signal says otherwise. */
 export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
@@ -14,19 +12,6 @@ export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
   letGoOfClicked(signal);
   window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
 }
-
-/**
- * For a listener in the capture phase while something is dragged: the keyboard waits, for what is deleted or undone under
- * the hand can't be dragged on. Escape and what is only held go on.
- */
-export function waitOutDrag(event: KeyboardEvent): void {
-  if (event.key === 'Escape') return;
-  // Alt would open the browser's menu.
-  event.preventDefault();
-  if (!MODIFIERS.includes(event.key)) event.stopPropagation();
-}
-
-const MODIFIERS = ['Alt', 'Control', 'Shift', 'Meta'];
 
 /** Runs the action that the key means, unless the focused control, a panel or a dialog has it. */
 export function handleKey(wb: Workbench, event: KeyboardEvent): void {
@@ -46,20 +31,6 @@ export function handleKey(wb: Workbench, event: KeyboardEvent): void {
   event.preventDefault();
   if (event.repeat && !action.repeats) return;
   tryAction(wb, action);
-}
-
-/** Runs it if it can run; a refusal becomes a message. */
-export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
-  if (!isEnabled(wb, action)) return;
-  const failed = (error: unknown) => {
-    const why = error instanceof Error ? error.message : String(error);
-    wb.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
-  };
-  try {
-    action.run(wb, args)?.catch(failed);
-  } catch (error) {
-    failed(error);
-  }
 }
 
 /** Whether the focus is in text that is there to be copied, or some of it is selected. */

@@ -1,0 +1,21 @@
+/** How actions are ordered for whoever looks for one: menus, and the headings of the `?` page. */
+
+/** The menus, left to right. */
+export const MENUS = ['Open', 'Save', 'Samples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'] as const;
+export type MenuName = (typeof MENUS)[number];
+
+/** The headings of the `?` page. */
+export const GROUPS = [
+  'Files',
+  'Edit',
+  'Select',
+  'Pose',
+  'Rig',
+  'Keys',
+  'Curves',
+  'Play',
+  'Camera',
+  'Draw',
+  'Page',
+] as const;
+export type GroupName = (typeof GROUPS)[number];
