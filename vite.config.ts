@@ -3,8 +3,9 @@
  * build/, which is not published with the page), and the tests' projects.
  */
 import { chmodSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
 import type { Plugin, UserConfig } from 'vite';
-import { defineConfig } from 'vitest/config';
+import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config';
 import { givenFiles } from './src/cli/given-files.ts';
 
 const page: UserConfig = {
@@ -50,6 +51,30 @@ function executable(file: string): Plugin {
   return { name: 'marrow-executable', closeBundle: () => chmodSync(file, 0o755) };
 }
 
+const QUICK = ['tests/**/*.test.ts'];
+const DEEP = ['tests/**/*.deep.test.ts'];
+const BROWSER = ['tests/e2e/**/*.test.ts'];
+
+/** The projects run one after the other. @param order where among them, from 0 */
+function tests(
+  name: string,
+  include: string[],
+  order: number,
+  own: TestProjectInlineConfiguration['test'],
+): TestProjectInlineConfiguration {
+  return {
+    extends: true,
+    test: {
+      name,
+      include,
+      pool: 'threads',
+      maxWorkers: availableParallelism(),
+      sequence: { groupOrder: order },
+      ...own,
+    },
+  };
+}
+
 export default defineConfig(({ mode }) => {
   const building = mode === 'cli' ? command : page;
   return {
@@ -61,29 +86,15 @@ export default defineConfig(({ mode }) => {
     test: {
       reporters: ['default', './tests/helpers/count-reporter.ts'],
       projects: [
-        {
-          extends: true,
-          test: {
-            name: 'unit',
-            include: ['tests/**/*.test.ts'],
-            exclude: ['tests/e2e/**'],
-            sequence: { groupOrder: 0 },
-            // Properties try hundreds of cases, which takes a busy machine longer than it takes this one.
-            testTimeout: 30_000,
-          },
-        },
-        {
-          extends: true,
-          test: {
-            name: 'browser',
-            include: ['tests/e2e/**/*.test.ts'],
-            // One browser at a time, after everything else: some of these tests look at how long things take.
-            sequence: { groupOrder: 1 },
-            fileParallelism: false,
-            testTimeout: 120_000,
-            hookTimeout: 60_000,
-          },
-        },
+        // Quick, and the first to tell. No test leaves anything behind in what it imports: a worker imports it once.
+        // Their properties try hundreds of cases, which takes a busy machine longer than it takes this one.
+        tests('unit', QUICK, 0, { exclude: [...DEEP, ...BROWSER], isolate: false, testTimeout: 30_000 }),
+        // The same of properties over many cases and files, which take longer than all the others together.
+        tests('deep', DEEP, 1, { isolate: false, testTimeout: 60_000 }),
+        // Two browsers draw in software: more than that get in each other's way.
+        tests('browser', BROWSER, 2, { maxWorkers: 2, testTimeout: 120_000, hookTimeout: 60_000 }),
+        // Benchmarks only, each alone in a process of its own.
+        tests('bench', [], 3, { pool: 'forks', maxWorkers: 1 }),
       ],
     },
   };
