@@ -1,16 +1,13 @@
 /** How many vertices each joint moves: those that have an attachment to it with a weight other than 0. */
+
+import { perObject } from './per-object.ts';
 import { bindingCount, type Skin, vertexCount } from './skin.ts';
 
-const counted = new WeakMap<Skin, Uint32Array>();
+const counted = perObject(count);
 
 /** One pass over the skin's attachments, once a skin. A vertex that names a joint twice is one vertex. */
 export function movedVertices(skin: Skin, joint: number): number {
-  let counts = counted.get(skin);
-  if (!counts) {
-    counts = count(skin);
-    counted.set(skin, counts);
-  }
-  return counts[joint] ?? 0;
+  return counted(skin)[joint] ?? 0;
 }
 
 function count(skin: Skin): Uint32Array {

@@ -1,13 +1,14 @@
 /** How large a character is, for whatever counts in its lengths: sliders, steps of the keyboard. */
-import type { Skeleton } from './skeleton.ts';
 
-const reaches = new WeakMap<Skeleton, number>();
+import { perObject } from './per-object.ts';
+import type { Skeleton } from './skeleton.ts';
 
 /** How far the farthest joint can be from the root; a sensible number also for one joint. */
 export function reachOf(skeleton: Skeleton | undefined): number {
-  if (!skeleton?.joints.length) return 1;
-  const known = reaches.get(skeleton);
-  if (known !== undefined) return known;
+  return skeleton?.joints.length ? reachOfJoints(skeleton) : 1;
+}
+
+const reachOfJoints = perObject((skeleton: Skeleton) => {
   const far = new Float64Array(skeleton.joints.length);
   let reach = 0;
   skeleton.joints.forEach(({ parent, offset, box }, j) => {
@@ -15,10 +16,8 @@ export function reachOf(skeleton: Skeleton | undefined): number {
     far[j] = own + (parent < 0 ? 0 : far[parent]);
     reach = Math.max(reach, far[j], Math.hypot(box.max[0] - box.min[0], box.max[1] - box.min[1]));
   });
-  const result = reach > 0 && Number.isFinite(reach) ? reach : 1;
-  reaches.set(skeleton, result);
-  return result;
-}
+  return reach > 0 && Number.isFinite(reach) ? reach : 1;
+});
 
 /** About a hundredth of that, as a power of ten. */
 export function lengthStep(skeleton: Skeleton | undefined): number {

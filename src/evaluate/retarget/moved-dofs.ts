@@ -3,26 +3,25 @@
  * the other joints, and the character's own take the morphs.
  */
 import type { Character, Driver } from '../../model/document.ts';
+import { perPair } from '../../model/per-object.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 
-const known = new WeakMap<Driver, { readonly skeleton: Skeleton; readonly dofs: ReadonlySet<number> }>();
+const dofsMoved = perPair(({ pairs }: Driver, skeleton: Skeleton): ReadonlySet<number> => {
+  const { firstDof, travel } = compileSkeleton(skeleton);
+  const dofs = new Set(travel);
+  for (const { target } of pairs) {
+    for (let d = firstDof[target]; d < firstDof[target + 1]; d++) dofs.add(d);
+  }
+  return dofs;
+});
 
 /**
  * Which of a character's joint DOFs another's take moves: those of joints that follow one, and those that carry the
  * character. Undefined where nothing else moves the character. Made once for a driver.
  */
 export function movedDofs({ driver, skeleton }: Character): ReadonlySet<number> | undefined {
-  if (!driver || !skeleton) return undefined;
-  const made = known.get(driver);
-  if (made?.skeleton === skeleton) return made.dofs;
-  const { firstDof, travel } = compileSkeleton(skeleton);
-  const dofs = new Set(travel);
-  for (const { target } of driver.pairs) {
-    for (let d = firstDof[target]; d < firstDof[target + 1]; d++) dofs.add(d);
-  }
-  known.set(driver, { skeleton, dofs });
-  return dofs;
+  return driver && skeleton && dofsMoved(driver, skeleton);
 }
 
 /**

@@ -2,7 +2,10 @@
  * How the viewport takes the hand, shared by its tools, the inspector and the keys. Beside the document: what is pinned
  * or locked is in there (`model/ik.ts`).
  */
+import type { PoseByNames } from '../../model/pose-by-names.ts';
 import { type Observable, observable } from '../kit/observable.ts';
+import { IkHand } from './ik-hand.ts';
+import { RigHand } from './rig-hand.ts';
 
 /**
  * `fk`: joints turn one by one. `ik`: points are pinned and dragged, and the joints follow. `rig`: the skeleton itself is
@@ -37,6 +40,13 @@ export interface BesideDof {
   shown(): void;
 }
 
+/** A pose by names, so that it goes onto other characters too. */
+export interface CopiedPose {
+  readonly pose: PoseByNames;
+  /** The name of the character that it was copied from. */
+  readonly from: string;
+}
+
 export class Posing {
   readonly mode: Observable<PosingMode> = observable<PosingMode>('fk');
   /** What the mode's tool puts beside the switch of modes (`mode-bar.ts`); the tool takes it away when it leaves. */
@@ -46,4 +56,10 @@ export class Posing {
   /** While pins hold: what they make of a change of that DOF; undefined where it is no matter of theirs. */
   beside: ((characterId: string, dof: number) => BesideDof | undefined) | undefined;
   readonly rigSkin: Observable<RigSkin> = observable<RigSkin>('stays');
+  readonly ik = new IkHand();
+  readonly rig = new RigHand();
+  /** The pose that was copied on this page, until another is. */
+  readonly copied: Observable<CopiedPose | undefined> = observable<CopiedPose | undefined>(undefined);
+  /** Characters posed while another's take moves them, each with that other: what was said of them is said once. */
+  readonly toldToFollow = new Set<string>();
 }

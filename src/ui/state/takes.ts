@@ -5,6 +5,7 @@
 import type { TakeRef } from '../../edit/commands/takes.ts';
 import type { Alignment } from '../../evaluate/distance.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { perObject } from '../../model/per-object.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
 export const TAKE_COLUMNS = ['name', 'character', 'duration', 'frames', 'rate', 'start', 'x', 'z', 'file'] as const;
@@ -101,18 +102,17 @@ export function withoutTwin(characterId: string): string {
   return characterId.endsWith(TWIN) ? characterId.slice(0, -TWIN.length) : characterId;
 }
 
-const twins = new WeakMap<Character, Map<number, Character>>();
+/** A character as it is with each of its takes shown, by the index of the take. */
+const showingEach = perObject((character: Character) =>
+  character.clips.map((_, shownClip) => ({ ...character, shownClip })),
+);
 
 /** The character showing that take: the same object for the same character. */
 function playing(document: Document, { characterId, clip }: TakeRef): Character | undefined {
   const character = findCharacter(document, characterId);
   if (!character?.clips[clip]) return undefined;
   if (character.shownClip === clip) return character;
-  const known = twins.get(character) ?? new Map<number, Character>();
-  twins.set(character, known);
-  const made = known.get(clip) ?? { ...character, shownClip: clip };
-  known.set(clip, made);
-  return made;
+  return showingEach(character)[clip];
 }
 
 /** The document as it is drawn: with a character twice, where two of its takes are compared. */

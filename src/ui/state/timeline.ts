@@ -4,6 +4,8 @@
  * that is kept in the browser does, so it is plain data.
  */
 import type { CopiedKeys } from '../../edit/keys/clipboard.ts';
+import type { Character } from '../../model/document.ts';
+import type { ChannelKeys, Selection } from '../../model/session.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 import type { TimeWindow } from '../kit/time-window.ts';
 import { Takes } from './takes.ts';
@@ -102,6 +104,14 @@ export interface TimelineTab {
   recolour(): void;
 }
 
+/** Channels in view, and what they follow from. */
+export interface ChannelsInView {
+  readonly character: Character;
+  readonly selection: Selection;
+  readonly view: TimelineView;
+  readonly channels: readonly number[];
+}
+
 export class Timeline {
   readonly view: Observable<TimelineView> = observable(DEFAULT_TIMELINE_VIEW);
   /** Keys follow every DOF that is changed by hand. Not remembered: found on by surprise, it would be a trap. */
@@ -116,6 +126,8 @@ export class Timeline {
   copied: CopiedKeys | undefined;
   /** The tab in view; none while the panel is folded. */
   tab: TimelineTab | undefined;
+  /** What `editors/timeline/in-hand.ts` found last: every row and menu entry asks for the same. */
+  readonly last: { keys?: readonly ChannelKeys[]; inView?: ChannelsInView } = {};
 
   change(change: Partial<TimelineView>): void {
     this.view.update((now) => ({ ...now, ...change }));

@@ -11,6 +11,7 @@
 
 import { boneEnds } from '../../../model/bone-ends.ts';
 import { restPose } from '../../../model/dofs.ts';
+import { perObject } from '../../../model/per-object.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton, worldMatrices } from '../../kinematics.ts';
 import { pointAt } from '../set-up.ts';
@@ -19,9 +20,7 @@ import { pointAt } from '../set-up.ts';
 const MOST = 60;
 
 /** By the character's DOF, without morphs: at least 1. What carries the whole is as unwilling as the root's turn. */
-export function inertia(skeleton: Skeleton): Float64Array {
-  const known = lists.get(skeleton);
-  if (known) return known;
+export const inertia = perObject((skeleton: Skeleton): Float64Array => {
   const compiled = compileSkeleton(skeleton);
   const { parent, firstDof, jointCount, travel } = compiled;
   const dofs = Float64Array.from(restPose(skeleton, 0));
@@ -53,8 +52,5 @@ export function inertia(skeleton: Skeleton): Float64Array {
     for (let j = 0; j < jointCount; j++) list.fill(1 + (MOST * moments[j]) / most, firstDof[j], firstDof[j + 1]);
     for (const dof of travel) list[dof] = 1 + MOST;
   }
-  lists.set(skeleton, list);
   return list;
-}
-
-const lists = new WeakMap<Skeleton, Float64Array>();
+});

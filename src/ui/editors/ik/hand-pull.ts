@@ -19,7 +19,6 @@ import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
-import { ikInHand } from './in-hand.ts';
 
 /** What is taken hold of. */
 export interface Grip {
@@ -61,7 +60,7 @@ export class HandPull {
     parts: NonNullable<ReturnType<typeof partsOf>>,
   ) {
     const { skeleton, dofs, world, placement } = parts;
-    const { targets } = ikInHand(wb);
+    const { targets } = wb.posing.ik;
     this.start = dofs.slice();
     invertAffine(placement, 0, this.toOwn, 0);
     const own = pointAt(world, grip.joint, grip.point);
@@ -80,7 +79,7 @@ export class HandPull {
     );
     this.edit = new HandEdit(wb.store, wb.messages, () => this.holdsStill);
     this.rest = wb.viewport.holdTravel(character.id);
-    ikInHand(wb).wantsRoot.set(false);
+    wb.posing.ik.wantsRoot.set(false);
     this.command = { ...setDofs, label: () => `Drag ${jointName(character.skeleton, joint)}` };
   }
 
@@ -106,7 +105,7 @@ export class HandPull {
     const [x, y, z] = pointAt(this.toOwn, 0, world);
     pull.to(x, y, z);
     this.show(written.filter((dof) => pull.dofs[dof] !== start[dof]));
-    ikInHand(wb).wantsRoot.set(pull.wantsRoot);
+    wb.posing.ik.wantsRoot.set(pull.wantsRoot);
     wb.viewport.requestRender();
   }
 
@@ -148,7 +147,7 @@ export class HandPull {
     const targets = new Map(this.targets);
     const own = index < 0 ? undefined : targets.get(setup.pins[index].id);
     if (own) targets.set(setup.pins[index].id, { ...own, position: pull.target(index) });
-    ikInHand(wb).targets.leave(character.id, setup, facts.dofs, targets, pull.hindrance);
+    wb.posing.ik.targets.leave(character.id, setup, facts.dofs, targets, pull.hindrance);
     wb.viewport.requestRender();
   }
 
@@ -156,7 +155,7 @@ export class HandPull {
   cancel(): void {
     this.edit.cancel();
     this.rest();
-    ikInHand(this.wb).wantsRoot.set(false);
+    this.wb.posing.ik.wantsRoot.set(false);
     this.wb.viewport.requestRender();
   }
 

@@ -6,7 +6,6 @@ import { currentCharacter, runAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
-import { ikInHand } from './in-hand.ts';
 
 /** Made once; it follows the page while it is shown. */
 export function ikControls(wb: Workbench): HTMLElement {
@@ -30,7 +29,7 @@ export function ikControls(wb: Workbench): HTMLElement {
   keepTooltip(wb, hold, 'ik.holdPins', () => 'Hold the pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
   const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
-  const inHand = ikInHand(wb);
+  const inHand = wb.posing.ik;
   const show = () => {
     const character = currentCharacter(wb);
     const setup = character?.skeleton && ikOf(character);

@@ -13,8 +13,9 @@ import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { inField } from '../../kit/number-text.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
+import type { PinRef } from '../../state/ik-hand.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { ikInHand, type PinRef, selectedPin } from './in-hand.ts';
+import { selectedPin } from './in-hand.ts';
 import { changePin, freeRoot, letGo, selectPin, stiffen } from './pin-edits.ts';
 import { pointName } from './pin-picture.ts';
 
@@ -89,7 +90,7 @@ export class IkFolder {
       this.bend(chosen === 'stiff' ? USUAL_STIFFNESS : chosen);
     });
     this.list.addEventListener('keydown', (event) => this.onKey(event));
-    ikInHand(wb).selected.subscribe(() => this.update());
+    wb.posing.ik.selected.subscribe(() => this.update());
     wb.posing.mode.subscribe(() => this.update());
   }
 
@@ -177,7 +178,7 @@ export class IkFolder {
       next?.querySelector<HTMLElement>('.ik-pin-name')?.focus();
     });
     const made = element('li', { class: 'ik-pin', 'data-pin': String(ref.pin) }, choose, weight.element, turn, free);
-    const { pointedAt } = ikInHand(wb);
+    const { pointedAt } = wb.posing.ik;
     made.addEventListener('pointerenter', () => pointedAt.set(ref));
     made.addEventListener('pointerleave', () => pointedAt.set(undefined));
     return {

@@ -19,7 +19,7 @@ import { depthText } from './depth-text.ts';
 import type { Grip } from './hand-pull.ts';
 import { ikControls } from './ik-controls.ts';
 import { IkLabels } from './ik-labels.ts';
-import { ikInHand, keepInHand } from './in-hand.ts';
+import { keepInHand } from './in-hand.ts';
 import { PinDrag } from './pin-drag.ts';
 import { letGo, pinAt, selectPin } from './pin-edits.ts';
 import { PinNudge } from './pin-nudge.ts';
@@ -58,7 +58,7 @@ class IkTool implements ModeTool {
       const shown = paintPins(wb, painter, this.now);
       labels.show(shown, shown.length ? pinsInPicture(wb).places : []);
     });
-    const { selected, pointedAt, targets } = ikInHand(wb);
+    const { selected, pointedAt, targets } = wb.posing.ik;
     labels.enter();
     this.readout = new Readout(wb.viewportElement);
     this.controls ??= ikControls(wb);
@@ -126,7 +126,7 @@ class IkTool implements ModeTool {
       return true;
     }
     // On the ground, or with Shift on a joint: it picks.
-    ikInHand(this.wb).selected.set(undefined);
+    this.wb.posing.ik.selected.set(undefined);
     return false;
   }
 

@@ -8,7 +8,6 @@ import { findCharacter } from '../../../model/document.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import { type Grip, HandPull, type PullState } from './hand-pull.ts';
-import { ikInHand } from './in-hand.ts';
 
 /** A finger that stays for so long presses long. */
 export const LONG_PRESS_MS = 500;
@@ -172,7 +171,7 @@ export class PinDrag implements CanvasDrag {
     this.hand = HandPull.begin(wb, this.grip);
     this.refused = this.hand === undefined;
     if (!this.hand) return false;
-    ikInHand(wb).hasDragged.set(true);
+    wb.posing.ik.hasDragged.set(true);
     this.from = this.hand.anchor;
     this.last = this.from;
     this.standBeside(press);

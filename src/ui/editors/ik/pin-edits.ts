@@ -5,8 +5,8 @@ import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { attempt } from '../../state/attempt.ts';
+import type { PinRef } from '../../state/ik-hand.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { ikInHand, type PinRef } from './in-hand.ts';
 
 /**
  * Pins a point. It is not selected by that: arrow keys, which turn the view, would move it from then on.
@@ -22,14 +22,14 @@ export function pinAt(wb: Workbench, characterId: string, joint: number, point: 
 
 export function letGo(wb: Workbench, { characterId, pin }: PinRef): void {
   attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: [pin] }));
-  const { selected } = ikInHand(wb);
+  const { selected } = wb.posing.ik;
   const now = selected.get();
   if (now?.characterId === characterId && now.pin === pin) selected.set(undefined);
 }
 
 export function letAllGo(wb: Workbench, characterId: string): void {
   attempt(wb.messages, () => wb.store.apply(clearPins, { characterId }));
-  ikInHand(wb).selected.set(undefined);
+  wb.posing.ik.selected.set(undefined);
 }
 
 /** Pins a joint where one would expect it, or lets go of all that is pinned of it. */
@@ -42,7 +42,7 @@ export function togglePin(wb: Workbench, character: Character, joint: number): v
     pinAt(wb, characterId, joint, defaultPinPoint(skeleton, joint, shownSkin(character)).point);
     // By keys: they are to go on with it.
     const made = ikOf(findCharacter(wb.store.document, characterId) ?? character).pins.at(-1);
-    if (made) ikInHand(wb).selected.set({ characterId, pin: made.id });
+    if (made) wb.posing.ik.selected.set({ characterId, pin: made.id });
   }
 }
 
@@ -51,7 +51,7 @@ export function togglePin(wb: Workbench, character: Character, joint: number): v
  * @param placement the copy of the character that it was picked in; absent where that does not matter, as in a list
  */
 export function selectPin(wb: Workbench, ref: PinRef, joint: number, placement?: number): void {
-  ikInHand(wb).selected.set(ref);
+  wb.posing.ik.selected.set(ref);
   wb.store.select({ characterId: ref.characterId, ...(placement !== undefined && { placement }), joint });
 }
 

@@ -5,7 +5,7 @@
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { HandPull, type PullState } from './hand-pull.ts';
-import { ikInHand, selectedPin } from './in-hand.ts';
+import { selectedPin } from './in-hand.ts';
 import { letGo } from './pin-edits.ts';
 
 /** CSS pixels a press. */
@@ -55,7 +55,7 @@ export class PinNudge {
       this.hand = HandPull.begin(wb, { characterId: character.id, placement, joint, point, pin: pin.id });
       this.goal = this.hand?.anchor;
       this.pin = pin.id;
-      ikInHand(wb).hasDragged.set(true);
+      wb.posing.ik.hasDragged.set(true);
     }
     const { hand, goal } = this;
     if (!hand || !goal) return true;

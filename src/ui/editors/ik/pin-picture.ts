@@ -9,11 +9,11 @@ import type { Pin } from '../../../model/ik.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { reachOf } from '../../../model/reach.ts';
 import type { PinColor, PinPainter } from '../../../view/pins/pin-overlay.ts';
+import type { PinRef } from '../../state/ik-hand.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { gapText } from './gap-text.ts';
 import type { PullState } from './hand-pull.ts';
 import type { Label } from './ik-labels.ts';
-import { ikInHand, type PinRef } from './in-hand.ts';
 import {
   inWorld,
   naturalPoints,
@@ -65,7 +65,7 @@ export function paintPins(wb: Workbench, painter: PinPainter, hand: HandNow): La
 function paintPin(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pin: Pin, hand: HandNow): Label[] {
   const { character, placement } = seen;
   const at = inWorld(seen, pin.joint, pin.point);
-  const { selected, pointedAt } = ikInHand(wb);
+  const { selected, pointedAt } = wb.posing.ik;
   const is = (ref: PinRef | undefined) => ref?.characterId === character.id && ref.pin === pin.id;
   const { pull, hoveredPin } = hand;
   const isPulled = pull?.grip.characterId === character.id && pull.grip.pin === pin.id;
@@ -197,7 +197,7 @@ function paintPull(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pull:
 /** What an earlier drag could not reach. */
 function paintLeft(wb: Workbench, painter: PinPainter, seen: SeenSkeleton): Label[] {
   const { character, skeleton, dofs, toWorld, world } = seen;
-  const { targets } = ikInHand(wb);
+  const { targets } = wb.posing.ik;
   const left = targets.leftOf(character.id, dofs);
   if (!left) return [];
   const near = IS_THERE * reachOf(skeleton);

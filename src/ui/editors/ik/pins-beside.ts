@@ -18,7 +18,6 @@ import type { BesideDof, DofValue } from '../../state/posing.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
-import { ikInHand } from './in-hand.ts';
 
 /** Undefined where no pin holds anything beside that DOF. */
 export function besidePins(wb: Workbench, characterId: string, dof: number): BesideDof | undefined {
@@ -32,7 +31,7 @@ export function besidePins(wb: Workbench, characterId: string, dof: number): Bes
   if (plays) standStill(wb);
   const facts = wb.viewport.character(characterId);
   if (!facts) return undefined;
-  const held = ikInHand(wb).targets.targetsOf(characterId, ikOf(character), facts.dofs, facts.worlds);
+  const held = wb.posing.ik.targets.targetsOf(characterId, ikOf(character), facts.dofs, facts.worlds);
   return new PinsBeside(wb, character, character.skeleton, dof, facts.dofs.slice(0, count), held);
 }
 
@@ -85,7 +84,7 @@ class PinsBeside implements BesideDof {
     const facts = wb.viewport.character(character.id);
     if (!facts || !problem) return;
     const { binding, bindingCount } = problem.result;
-    ikInHand(wb).targets.leave(character.id, ikOf(character), facts.dofs, this.held, {
+    wb.posing.ik.targets.leave(character.id, ikOf(character), facts.dofs, this.held, {
       binding: Array.from(binding.subarray(0, bindingCount)),
       holders: [],
       locks: [],

@@ -15,7 +15,6 @@ import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { gapText } from './gap-text.ts';
-import { ikInHand } from './in-hand.ts';
 
 /** One undo step; says so where nothing better is found. */
 export function solvePins(wb: Workbench, character: Character): void {
@@ -24,7 +23,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   standStill(wb);
   const facts = wb.viewport.character(id);
   if (!skeleton || !facts || setup.pins.length === 0) return;
-  const { targets } = ikInHand(wb);
+  const { targets } = wb.posing.ik;
   const held = targets.targetsOf(id, setup, facts.dofs, facts.worlds);
   const dofs = facts.dofs.slice();
   const problem = ikProblem(skeleton, ikPinsOf(setup, held), dofs, {

@@ -14,7 +14,6 @@ import { onDemand } from '../../state/on-demand.ts';
 import { splitter } from '../../state/splitter.ts';
 import type { PartKind, Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
-import { rigState } from '../rig/rig-state.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import {
   characterKey,
@@ -152,7 +151,7 @@ export function outliner(wb: Workbench): HTMLElement {
     const others = now.document.characters !== before.document.characters && now.selection.characterId === undefined;
     if (now.selection !== before.selection || others) showSelection(now);
   });
-  rigState(wb).renameAsked.subscribe(() => {
+  wb.posing.rig.renameAsked.subscribe(() => {
     const { focused } = tree;
     if (focused?.kind === 'joint') startRename(focused);
   });

@@ -8,7 +8,6 @@ import { findAction, runAction } from '../../state/action.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { possibleParents } from '../rig/parents.ts';
-import { rigState } from '../rig/rig-state.ts';
 
 const edits = () => import('../rig/rig-edits.ts');
 
@@ -83,7 +82,7 @@ export function jointEntries(
     doing('Add a child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild')),
     item('Add joints by clicking', () => {
       select();
-      rigState(wb).adding.set(true);
+      wb.posing.rig.adding.set(true);
     }),
     doing('Mirror the branch across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x')),
     ...(isRoot ? [] : [parents]),

@@ -3,7 +3,6 @@ import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Action, Workbench } from '../../state/workbench.ts';
-import { copiedPose } from './copied.ts';
 
 const MENU = 'Edit/Pose';
 const edits = () => import('./pose-edits.ts');
@@ -30,14 +29,14 @@ export const POSE_ACTIONS: readonly Action[] = [
     id: 'pose.paste',
     name: 'Paste pose',
     label(wb) {
-      const from = copiedPose(wb).get()?.from;
+      const from = wb.posing.copied.get()?.from;
       return from === undefined || from === currentCharacter(wb)?.name ? 'Paste pose' : `Paste pose of ${from}`;
     },
     group: 'Edit',
     menu: MENU,
     section: 1,
     shortcuts: ['Ctrl+Shift+V'],
-    enabled: (wb) => hasCharacter(wb) && copiedPose(wb).get() !== undefined,
+    enabled: (wb) => hasCharacter(wb) && wb.posing.copied.get() !== undefined,
     run: async (wb) => (await edits()).pasteCopied(wb),
   },
   {

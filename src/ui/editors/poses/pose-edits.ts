@@ -17,7 +17,6 @@ import { selectedJointOf } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
-import { copiedPose } from './copied.ts';
 
 /** Of the pose shown. */
 export function copyPose(wb: Workbench): void {
@@ -26,14 +25,14 @@ export function copyPose(wb: Workbench): void {
   const values = new Float64Array(dofCountOf(character));
   poseAt(character, wb.transport.get().timeSeconds, values);
   const pose = poseByNames(character, { name: character.name, values: Array.from(values) });
-  copiedPose(wb).set({ pose, from: character.name });
+  wb.posing.copied.set({ pose, from: character.name });
   wb.messages.note(`Copied the pose of ${character.name}.`);
 }
 
 /** Says what did not fit. */
 export function pasteCopied(wb: Workbench): void {
   const character = currentCharacter(wb);
-  const copied = copiedPose(wb).get();
+  const copied = wb.posing.copied.get();
   if (!character || !copied) return;
   attempt(wb.messages, () => {
     wb.store.apply(pastePose, { characterId: character.id, pose: copied.pose, ...moment(wb) });

@@ -6,7 +6,6 @@ import type { Observable } from '../../kit/observable.ts';
 import { findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { copiedPose } from './copied.ts';
 
 /** How a click takes a pose on. */
 export interface PoseOptions {
@@ -74,7 +73,7 @@ export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTML
     for (const refresh of refreshing) refresh();
   };
   wb.store.subscribe(oncePerFrame(show));
-  copiedPose(wb).subscribe(show);
+  wb.posing.copied.subscribe(show);
   options.subscribe(show);
   show();
   return element(

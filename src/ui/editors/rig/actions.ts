@@ -4,7 +4,6 @@ import { currentCharacter } from '../../state/action.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import type { Action, Workbench } from '../../state/workbench.ts';
-import { rigState } from './rig-state.ts';
 
 const edits = () => import('./rig-edits.ts');
 
@@ -57,12 +56,12 @@ export const RIG_ACTIONS: readonly Action[] = [
     menu: 'Rig',
     section: 1,
     shortcuts: ['Shift+A'],
-    checked: (wb) => rigState(wb).adding.get(),
+    checked: (wb) => wb.posing.rig.adding.get(),
     run(wb) {
-      rigState(wb).adding.update((on) => !on);
+      wb.posing.rig.adding.update((on) => !on);
       const character = currentCharacter(wb);
       // There is something for the first click to hang on, and one sees what.
-      if (rigState(wb).adding.get() && character?.skeleton && !hasJoint(wb)) {
+      if (wb.posing.rig.adding.get() && character?.skeleton && !hasJoint(wb)) {
         wb.store.select({ characterId: character.id, joint: 0 });
       }
     },
@@ -82,7 +81,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     run(wb) {
       // The name is typed in its row.
       if (!isPanelOpen(wb.settings.get(), 'outliner')) openPanel(wb, 'outliner', true);
-      rigState(wb).renameAsked.update((times) => times + 1);
+      wb.posing.rig.renameAsked.update((times) => times + 1);
     },
   }),
   ...(['x', 'y', 'z'] as const).map((axis: Axis) =>
@@ -127,8 +126,8 @@ export const RIG_ACTIONS: readonly Action[] = [
     group: 'Rig',
     menu: 'Rig',
     section: 4,
-    checked: (wb) => rigState(wb).children.get() === 'stay',
-    run: (wb) => rigState(wb).children.update((now) => (now === 'stay' ? 'follow' : 'stay')),
+    checked: (wb) => wb.posing.rig.children.get() === 'stay',
+    run: (wb) => wb.posing.rig.children.update((now) => (now === 'stay' ? 'follow' : 'stay')),
   }),
   inRig({
     id: 'rigging.worldAxes',
@@ -137,8 +136,8 @@ export const RIG_ACTIONS: readonly Action[] = [
     group: 'Rig',
     menu: 'Rig',
     section: 4,
-    checked: (wb) => rigState(wb).axes.get() === 'world',
-    run: (wb) => rigState(wb).axes.update((now) => (now === 'world' ? 'parent' : 'world')),
+    checked: (wb) => wb.posing.rig.axes.get() === 'world',
+    run: (wb) => wb.posing.rig.axes.update((now) => (now === 'world' ? 'parent' : 'world')),
   }),
   inRig({
     id: 'rigging.filePose',

@@ -5,10 +5,10 @@ import { type IconName, icon } from '../../kit/icons.ts';
 import type { Observable } from '../../kit/observable.ts';
 import { runAction } from '../../state/action.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
+import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
-import { RIG_CHILDREN, type RigChildren, rigState } from './rig-state.ts';
 
 const SKIN_TEXT: Readonly<Record<RigSkin, readonly [text: string, tip: string]>> = {
   stays: ['stays', 'The skin stays where it is, and is bound anew (bind mode)'],
@@ -21,7 +21,7 @@ const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: s
 
 /** Made once; it follows the page while it is shown. */
 export function rigControls(wb: Workbench): HTMLElement {
-  const state = rigState(wb);
+  const state = wb.posing.rig;
   const adding = keepsFocusElsewhere(
     button('Add joints', { class: 'tool' }, wideOrNarrow('Add joints', 'joint', '+'), () =>
       runAction(wb, 'rigging.addJoints'),
@@ -61,7 +61,7 @@ export function hintText(wb: Pick<Workbench, 'store' | 'posing'>): string {
   const { document, selection } = wb.store;
   const isAny = document.characters.some((c) => c.skeleton);
   const hasJoint = selection.joint !== undefined;
-  if (rigState(wb).adding.get()) {
+  if (wb.posing.rig.adding.get()) {
     if (!isAny) return 'Click where the first joint stands.';
     if (!hasJoint) return 'Click the joint that the new one hangs on.';
     return 'Click adds a joint; on a joint, it branches. Esc ends.';

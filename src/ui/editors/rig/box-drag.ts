@@ -18,7 +18,6 @@ import { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { SNAP_PIXELS } from './joint-drags.ts';
-import { rigState } from './rig-state.ts';
 import type { Rigged } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
@@ -32,7 +31,7 @@ export function dragFace(
 ): CanvasDrag {
   const { axis, side } = face;
   const { eye } = wb.viewport;
-  const { readout } = rigState(wb);
+  const { readout } = wb.posing.rig;
   const { box } = skeleton.joints[joint];
   const hand = new SteadyHand(at);
   const edit = new HandEdit(wb.store, wb.messages);

@@ -24,7 +24,6 @@ import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
-import { rigState } from './rig-state.ts';
 import { inSpaceOf, pivotOf, type Rigged, scaleOf, spaceOfOffset } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
@@ -48,7 +47,7 @@ function dragJoint(
 ): CanvasDrag {
   const hand = new SteadyHand(at);
   const { character } = rigged;
-  const state = rigState(wb);
+  const state = wb.posing.rig;
   const { skeleton } = character;
   const edit = new HandEdit(wb.store, wb.messages);
   const letTravel = wb.viewport.holdTravel(character.id);
@@ -107,7 +106,7 @@ export function dragAlong(wb: Workbench, rigged: Rigged, joint: number, axis: Ax
   const { eye } = wb.viewport;
   const start = pivotOf(rigged, joint);
   const space = spaceOfOffset(rigged, joint);
-  const inWorld = rigState(wb).axes.get() === 'world';
+  const inWorld = wb.posing.rig.axes.get() === 'world';
   const direction: Vec3 = inWorld
     ? [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0]
     : [space[4 * axis], space[4 * axis + 1], space[4 * axis + 2]];

@@ -14,7 +14,6 @@ import { selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { nameNote } from './joint-names.ts';
-import { rigState } from './rig-state.ts';
 import { pivotOf, riggedNow } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 
@@ -31,7 +30,7 @@ export function newSkeleton(wb: Workbench): void {
   const waiting = waitingCharacter(wb);
   start(wb, waiting ? middleOf(waiting) : FIRST);
   wb.posing.mode.set('rig');
-  rigState(wb).adding.set(true);
+  wb.posing.rig.adding.set(true);
   const rigged = riggedNow(wb);
   if (waiting) wb.viewport.reveal(waiting.id);
   // At once: a click on the way there would place a joint by a view that is gone the next moment.

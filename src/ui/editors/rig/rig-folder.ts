@@ -41,7 +41,6 @@ import { nameNote } from './joint-names.ts';
 import { limitRow } from './limit-rows.ts';
 import { motionRows, motionShape } from './motion-rows.ts';
 import { possibleParents } from './parents.ts';
-import { rigState } from './rig-state.ts';
 import { rigging } from './rigging-args.ts';
 
 type Joints = Skeleton['joints'];
@@ -155,7 +154,7 @@ export class RigFolder {
         'Offset',
         step,
         () => this.now()?.offset,
-        (offset) => this.preview(setOffset, { ...this.args(), offset, children: rigState(this.wb).children.get() }),
+        (offset) => this.preview(setOffset, { ...this.args(), offset, children: this.wb.posing.rig.children.get() }),
       ),
     );
   }

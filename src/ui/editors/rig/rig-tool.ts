@@ -23,13 +23,12 @@ import { partAt } from './hits.ts';
 import { dragAlong, dragFreely, placeForChild } from './joint-drags.ts';
 import { jointOfOtherCopy } from './other-copies.ts';
 import { startSkeletonAt } from './rig-edits.ts';
-import { rigState } from './rig-state.ts';
 import { type Rigged, riggedNow } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 
 export function rigTool(wb: Workbench): ModeTool {
   const { store, viewport } = wb;
-  const state = rigState(wb);
+  const state = wb.posing.rig;
   let overlay: RigOverlay | undefined;
   let stops: (() => void)[] = [];
   let pointer: CanvasPointer | undefined;

@@ -3,6 +3,7 @@ import type { TakeRef } from '../../../edit/commands/takes.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../../model/document.ts';
 import { sameName, stemOf } from '../../../model/files.ts';
+import { perObject } from '../../../model/per-object.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
 import { followsText, movesText } from '../retarget/moved-text.ts';
 
@@ -35,14 +36,15 @@ export interface TakeRow extends TakeRef {
 
 export const takeKey = ({ characterId, clip }: TakeRef) => `${characterId}/${clip}`;
 
-const known = new WeakMap<Character, readonly TakeRow[]>();
+const rowsOf = perObject((character: Character): readonly TakeRow[] =>
+  character.clips.map((_, clip) => rowOf(character, clip)),
+);
 
 /** In the document's order. Rows of characters that did not change are the same objects. */
 export function takeRows(document: Document): TakeRow[] {
   const movers = new Set(document.characters.map(({ driver }) => driver?.sourceId));
   return document.characters.flatMap((character) => {
-    const rows = known.get(character) ?? character.clips.map((_, clip) => rowOf(character, clip));
-    known.set(character, rows);
+    const rows = rowsOf(character);
     if (!movers.has(character.id)) return rows;
     const note = movesText(document, character);
     return rows.map((row) => (row.clip === character.shownClip ? { ...row, note } : row));

@@ -9,6 +9,7 @@ import { type Character, shownClip } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { Morph } from '../../../model/morph.ts';
+import { perPair } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
 import { type DofUnit, dofsOf, type Skeleton } from '../../../model/skeleton.ts';
 import type { TimelineView } from '../../state/timeline.ts';
@@ -37,16 +38,11 @@ export function isAnimated({ keyCount, sampleCount }: ListedChannel): boolean {
 /** What of the timeline's settings decides the list. */
 export type ListSettings = Pick<TimelineView, 'list' | 'pinned' | 'filter'>;
 
-const dofLists = new WeakMap<Skeleton, { readonly morphs: readonly Morph[]; readonly dofs: readonly CharacterDof[] }>();
+const dofLists = perPair((skeleton: Skeleton, morphs: readonly Morph[]) => characterDofs(skeleton, morphs));
 
 /** The DOFs of a character, made once for a skeleton. */
 export function dofsFor({ skeleton, morphs }: Character): readonly CharacterDof[] {
-  if (!skeleton) return characterDofs(skeleton, morphs);
-  const known = dofLists.get(skeleton);
-  if (known?.morphs === morphs) return known.dofs;
-  const dofs = characterDofs(skeleton, morphs);
-  dofLists.set(skeleton, { morphs, dofs });
-  return dofs;
+  return skeleton ? dofLists(skeleton, morphs) : characterDofs(skeleton, morphs);
 }
 
 /**

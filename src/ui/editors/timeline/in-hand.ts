@@ -10,10 +10,9 @@ import { NO_KEYS, unionKeys } from '../../../edit/keys/selection.ts';
 import { type Command, type Edit, withKeys } from '../../../edit/store.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
-import type { ChannelKeys, Selection } from '../../../model/session.ts';
+import type { ChannelKeys } from '../../../model/session.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
-import type { TimelineView } from '../../state/timeline.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { drawnChannels, listedChannels } from './channels.ts';
 import { keyedChannels } from './dope-rows.ts';
@@ -43,13 +42,11 @@ export function keysInHand(wb: Workbench): readonly ChannelKeys[] {
   const inView = new Set(channelsInView(wb));
   const keys = selected.filter((k) => inView.has(k.channel));
   if (keys.length === selected.length) return selected;
-  const before = lastInHand.get(wb);
-  if (before?.length === keys.length && before.every((k, i) => k === keys[i])) return before;
-  lastInHand.set(wb, keys);
+  const { last } = wb.timeline;
+  if (last.keys?.length === keys.length && last.keys.every((k, i) => k === keys[i])) return last.keys;
+  last.keys = keys;
   return keys;
 }
-
-const lastInHand = new WeakMap<Workbench, readonly ChannelKeys[]>();
 
 /** A command about the keys in hand, after which those that are selected out of view are so still. */
 export function aboutKeysInHand<A>(wb: Workbench, command: Command<A, Edit>): Command<A, Edit> {
@@ -91,26 +88,17 @@ export function channelsInView(wb: Workbench): readonly number[] {
   if (!character) return [];
   const { selection } = wb.store;
   const view = wb.timeline.view.get();
-  const last = lastInView.get(wb);
-  if (last?.character === character && last.selection === selection && last.view === view) return last.channels;
+  const { last } = wb.timeline;
+  const { inView } = last;
+  if (inView?.character === character && inView.selection === selection && inView.view === view) return inView.channels;
   // The dope sheet draws every key there is, or those of the names that are looked for.
   const channels =
     view.tab === 'dope'
       ? keyedChannels(character, view.filter)
       : drawnChannels(listedChannels(character, selection, view), view);
-  lastInView.set(wb, { character, selection, view, channels });
+  last.inView = { character, selection, view, channels };
   return channels;
 }
-
-const lastInView = new WeakMap<
-  Workbench,
-  {
-    readonly character: Character;
-    readonly selection: Selection;
-    readonly view: TimelineView;
-    readonly channels: readonly number[];
-  }
->();
 
 /** Channels that a tool for whole channels takes: those with selected keys, else those in view. */
 export function channelsInHand(wb: Workbench): readonly number[] {

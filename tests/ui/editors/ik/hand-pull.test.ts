@@ -5,7 +5,6 @@ import { setHidden } from '../../../../src/edit/commands/spaces.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { HandPull } from '../../../../src/ui/editors/ik/hand-pull.ts';
-import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { clip, documentOf } from '../../builders.ts';
 import { apart, BODY_JOINT, body, FORE_L, FORE_R, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
 
@@ -124,7 +123,7 @@ describe('a hand that drags a point', () => {
     go(hand, [20, 0, 0]);
     expect(hand.state.gaps.map(({ joint }) => joint)).toEqual([HAND_L]);
     hand.finish();
-    const { targets } = ikInHand(wb);
+    const { targets } = wb.posing.ik;
     const dofs = Float64Array.from(pose());
     const [{ ik }] = wb.store.document.characters;
     const left = targets.leftOf('c1', dofs);
@@ -163,7 +162,7 @@ describe('a hand that drags a point', () => {
     const kept = body();
     page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
     const { wb } = page;
-    const { wantsRoot } = ikInHand(wb);
+    const { wantsRoot } = wb.posing.ik;
     const hand = begin();
     go(hand, [0, 0.5, 0]);
     expect(hand.state.hindrance).toMatchObject({ canMove: false, rootStays: true });
@@ -179,7 +178,7 @@ describe('a hand that drags a point', () => {
     page.stop();
     const kept = body();
     page = ikPage(documentOf({ ...kept, ik: { pins: [], stiff: [], rootIsFree: false } }));
-    const { wantsRoot } = ikInHand(page.wb);
+    const { wantsRoot } = page.wb.posing.ik;
     const { characterId, placement, joint, point } = LEFT_GRIP;
     const hand = begin({ characterId, placement, joint, point });
     go(hand, [-0.4, 0.3, 0]);

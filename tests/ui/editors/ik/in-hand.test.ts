@@ -1,13 +1,13 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { unpin } from '../../../../src/edit/commands/ik.ts';
-import { findPin, ikInHand, keepInHand, selectedPin } from '../../../../src/ui/editors/ik/in-hand.ts';
+import { findPin, keepInHand, selectedPin } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { HAND_L, HAND_R, ikPage } from './ik-page.ts';
 
 let page: ReturnType<typeof ikPage>;
 beforeEach(() => {
   page = ikPage();
   const { wb } = page;
-  ikInHand(wb).selected.set({ characterId: 'c1', pin: 1 });
+  wb.posing.ik.selected.set({ characterId: 'c1', pin: 1 });
   wb.store.select({ characterId: 'c1', joint: HAND_L });
 });
 afterEach(() => page.stop());
@@ -33,7 +33,7 @@ describe('the pin in hand', () => {
   ])('is let go where %s is selected', (_what, selection) => {
     page.wb.store.select(selection);
     keepInHand(page.wb, true);
-    expect(ikInHand(page.wb).selected.get()).toBeUndefined();
+    expect(page.wb.posing.ik.selected.get()).toBeUndefined();
   });
 
   it('stays through a change of the document while something else has been selected all along', () => {

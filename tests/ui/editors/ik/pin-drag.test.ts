@@ -1,5 +1,4 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { LONG_PRESS_MS, PinDrag } from '../../../../src/ui/editors/ik/pin-drag.ts';
 import type { CanvasPointer } from '../../../../src/ui/editors/viewport/canvas-tools.ts';
 import { channel, clip, documentOf } from '../../builders.ts';
@@ -64,7 +63,7 @@ describe('a drag of a point', () => {
 
   it('leaves selection, keys and the pin in hand as they were where it is cancelled', () => {
     const { store } = page.wb;
-    const { selected } = ikInHand(page.wb);
+    const { selected } = page.wb.posing.ik;
     const before = { characterId: 'c1', joint: HAND_L, keys: KEYS };
     store.select(before);
     selected.set({ characterId: 'c1', pin: 1 });

@@ -1,5 +1,4 @@
 import { afterEach, beforeEach, expect, it } from 'vitest';
-import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { selectPin } from '../../../../src/ui/editors/ik/pin-edits.ts';
 import { HAND_L, ikPage } from './ik-page.ts';
 
@@ -14,7 +13,7 @@ it('selects a pin and its joint, in the copy that it was picked in', () => {
   const ref = { characterId: 'c1', pin: 1 };
   selectPin(wb, ref, HAND_L, 2);
   expect(wb.store.selection).toEqual({ characterId: 'c1', placement: 2, joint: HAND_L });
-  expect(ikInHand(wb).selected.get()).toBe(ref);
+  expect(wb.posing.ik.selected.get()).toBe(ref);
 });
 
 it('leaves the copy that is worked on as it is where none was picked', () => {

@@ -1,5 +1,4 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { PinNudge } from '../../../../src/ui/editors/ik/pin-nudge.ts';
 import { apart, HAND_L, HAND_R, ikPage } from './ik-page.ts';
 
@@ -11,7 +10,7 @@ let nudge: PinNudge;
 beforeEach(() => {
   page = ikPage();
   nudge = new PinNudge(page.wb);
-  ikInHand(page.wb).selected.set({ characterId: 'c1', pin: 1 });
+  page.wb.posing.ik.selected.set({ characterId: 'c1', pin: 1 });
 });
 afterEach(() => {
   nudge.finish();
@@ -65,7 +64,7 @@ describe('arrow keys', () => {
 
   it('begin another step with another pin', () => {
     press('ArrowLeft');
-    ikInHand(page.wb).selected.set({ characterId: 'c1', pin: 2 });
+    page.wb.posing.ik.selected.set({ characterId: 'c1', pin: 2 });
     press('ArrowUp');
     nudge.finish();
     expect(apart(page.placeOf(HAND_L), [2.95, 0, 0])).toBeLessThan(THERE);
@@ -85,7 +84,7 @@ describe('arrow keys', () => {
   it('are left to others without a pin in hand, or with Ctrl', () => {
     expect(press('ArrowLeft', { ctrlKey: true })).toBe(false);
     expect(press('a')).toBe(false);
-    ikInHand(page.wb).selected.set(undefined);
+    page.wb.posing.ik.selected.set(undefined);
     expect(press('ArrowLeft')).toBe(false);
     expect(steps()).toBe(0);
   });
@@ -95,6 +94,6 @@ it('lets the pin go by Delete, after what was moved', () => {
   press('ArrowLeft');
   expect(press('Delete')).toBe(true);
   expect(page.wb.store.document.characters[0].ik?.pins.map(({ id }) => id)).toEqual([2]);
-  expect(ikInHand(page.wb).selected.get()).toBeUndefined();
+  expect(page.wb.posing.ik.selected.get()).toBeUndefined();
   expect(steps()).toBe(2);
 });

@@ -1,6 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
-import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { besidePins } from '../../../../src/ui/editors/ik/pins-beside.ts';
 import { documentOf } from '../../builders.ts';
 import { apart, body, FORE_L, HAND_L, HAND_R, ikPage } from './ik-page.ts';
@@ -64,7 +63,7 @@ describe('a DOF set while pins hold', () => {
 
   it('lets what could not hold still be seen, from where it should be', () => {
     slide(TY, steps(5));
-    const left = ikInHand(page.wb).targets.leftOf('c1', Float64Array.from(page.pose()));
+    const left = page.wb.posing.ik.targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([3, 0, 0]);
   });
 

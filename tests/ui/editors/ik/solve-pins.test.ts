@@ -1,7 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { setStiffness } from '../../../../src/edit/commands/ik.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
-import { ikInHand } from '../../../../src/ui/editors/ik/in-hand.ts';
 import { solvePins } from '../../../../src/ui/editors/ik/solve-pins.ts';
 import { documentOf } from '../../builders.ts';
 import { apart, body, FORE_L, HAND_L, HAND_R, ikPage, pin } from './ik-page.ts';
@@ -20,7 +19,7 @@ function wantLeftHandAt(position: Vec3): void {
   const { wb } = page;
   const [{ ik }] = wb.store.document.characters;
   const targets = new Map([[1, { position }]]);
-  ikInHand(wb).targets.leave('c1', { pins: ik?.pins ?? [] }, Float64Array.from(page.pose()), targets, {
+  wb.posing.ik.targets.leave('c1', { pins: ik?.pins ?? [] }, Float64Array.from(page.pose()), targets, {
     binding: [],
     holders: [],
     locks: [],
@@ -57,7 +56,7 @@ describe('solving all pins', () => {
     wantLeftHandAt([30, 0, 0]);
     solve();
     expect(said()).toMatch(/^hand_[lr] is as near as it can be: out of reach\.$/);
-    const left = ikInHand(wb).targets.leftOf('c1', Float64Array.from(page.pose()));
+    const left = wb.posing.ik.targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([30, 0, 0]);
   });
 

@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { copiedPose } from '../../../../src/ui/editors/poses/copied.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
@@ -12,7 +11,7 @@ describe('poses by menus and keys', () => {
     const { wb } = workbench(documentOf(character({ id: 'c1', skeleton: rig(), pose }), other));
     expect(() => runAction(wb, 'pose.paste')).toThrow();
     await runAction(wb, 'pose.copy');
-    expect(copiedPose(wb).get()?.pose.root).toEqual([1, 0, 0]);
+    expect(wb.posing.copied.get()?.pose.root).toEqual([1, 0, 0]);
     wb.store.select({ characterId: 'c2' });
     await runAction(wb, 'pose.paste');
     expect(wb.store.document.characters[1].pose[0]).toBe(1);

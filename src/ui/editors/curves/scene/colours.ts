@@ -8,6 +8,7 @@
  * same arithmetic here for canvases, which can't read custom properties.
  */
 import type { AxisLetter } from '../../../../model/dof-axis.ts';
+import { perPair } from '../../../../model/per-object.ts';
 
 /** Colours that can be mixed, and the custom properties that hold them. */
 export const BASE_COLOURS = {
@@ -72,22 +73,13 @@ export function cssColour({ base, with: other, part }: LineColour): string {
 /** `#rrggbb`, mixed as CSS does. @param palette each base colour as `#rrggbb` */
 export function mixed(colour: LineColour, palette: Readonly<Record<BaseColour, string>>): string {
   const own = palette[colour.base];
-  if (colour.part === 0) return own;
-  let known = mixtures.get(palette);
-  if (!known) {
-    known = new WeakMap();
-    mixtures.set(palette, known);
-  }
-  let made = known.get(colour);
-  if (made === undefined) {
-    made = mixOklab(own, palette[colour.with], colour.part);
-    known.set(colour, made);
-  }
-  return made;
+  return colour.part === 0 ? own : mixture(palette, colour);
 }
 
-/** By palette: a hundred lines ask at every frame. */
-const mixtures = new WeakMap<object, WeakMap<LineColour, string>>();
+/** Kept: a hundred lines ask at every frame. */
+const mixture = perPair((palette: Readonly<Record<BaseColour, string>>, { base, with: other, part }: LineColour) =>
+  mixOklab(palette[base], palette[other], part),
+);
 
 type Triple = readonly [number, number, number];
 
