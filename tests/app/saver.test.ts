@@ -1,12 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { saveCharacter } from '../../src/app/saving.ts';
+import { renameClip } from '../../src/edit/commands/clips.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import type { Character } from '../../src/model/document.ts';
-import { character, clip, skeleton } from '../helpers/builders.ts';
+import { character, clip, skeleton, skin } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
 
 const SKEL = saveCharacter(character(), 'skel')[0].text;
 const ANIM = saveCharacter(character({ clips: [clip('hero_walk', new Array(9).fill(0.5))] }), 'anim')[0].text;
+const SKIN = saveCharacter(character({ skins: [skin()] }), 'skin')[0].text;
 const HERO = { 'hero.skel': SKEL, 'hero_walk.anim': ANIM };
 
 const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
@@ -33,6 +35,39 @@ describe('saving what changed', () => {
     const page = await pageWith(HERO);
     await page.saver.saveChanged();
     expect(said(page)).toBe('Everything is saved. Save as… writes copies.');
+  });
+
+  it('writes a take that has another name into a file of that name, and under its own name into its own', async () => {
+    const page = await pageWith(HERO);
+    page.disk.picks = 'as suggested';
+    page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_run' });
+    expect(page.names()).toEqual(['hero_run.anim']);
+    page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_walk' });
+    page.change(longer);
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual([]);
+    expect(page.text('hero_walk.anim')).toContain('range 0 7');
+    page.store.apply(renameClip, { characterId: 'c1', clip: 0, name: 'hero_run' });
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['hero_run.anim']);
+    expect(page.names()).toEqual([]);
+  });
+
+  it('writes each part into its own file, and a part made here beside them', async () => {
+    const page = await pageWith({ ...HERO, 'hero_run.anim': ANIM, 'other/hero.skin': SKIN });
+    page.disk.picks = 'as suggested';
+    page.change((c) => ({
+      ...c,
+      clips: [clip('hero_new', [1]), ...c.clips].map((own) => ({ ...own, range: [0, 4] })),
+    }));
+    await page.saver.saveChanged();
+    expect(page.disk.asked).toEqual(['hero_new.anim']);
+    for (const name of ['hero_walk.anim', 'hero_run.anim', 'hero_new.anim']) {
+      expect(page.text(name)).toContain('range 0 4');
+    }
+    expect(page.text('hero.skin')).toBe(SKIN);
+    expect(page.text('hero.skel')).toBe(SKEL);
+    expect(said(page)).toBe('Saved hero_walk.anim, hero_run.anim, hero_new.anim.');
   });
 
   it('writes pose and limits into the skeleton’s file', async () => {
