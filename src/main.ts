@@ -101,7 +101,7 @@ window.addEventListener('unhandledrejection', ({ reason }) =>
 
 const named = filesInQuery(location.search);
 const opening = named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample();
-void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(store, unsaved, handles) }, opening);
+void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles) }, opening);
 
 /** A character that walks, so that there is something to look at. */
 function openSample() {

@@ -5,10 +5,10 @@
 import { type DiskFile, diskFileOf } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import type { Character } from '../model/document.ts';
-import { fileNameOf, type Part, partsOf, sourceOf } from './parts.ts';
+import type { Part } from '../model/part.ts';
 
 /** One entry, plain: handles and files survive a structured clone. */
-export type KeptDiskFile = readonly [key: string, file: DiskFile];
+export type KeptDiskFile = readonly [path: string, file: DiskFile];
 
 export class DiskHandles {
   private readonly files = new Map<string, DiskFile>();
@@ -28,31 +28,18 @@ export class DiskHandles {
   }
 
   /** Where a part lies. */
-  ofPart(character: Character, part: Part): DiskFile | undefined {
-    return this.files.get(keyOf(character, part));
+  ofPart({ file }: Part): DiskFile | undefined {
+    return file && this.files.get(file.path);
   }
 
-  /** A part has been saved there. */
-  setPart(character: Character, part: Part, file: DiskFile): void {
-    this.files.set(keyOf(character, part), file);
-  }
-
-  /**
-   * Another character has that id from now on.
-   * @param paths of files that were the former one's
-   */
-  forget(characterId: string, paths: readonly string[]): void {
-    for (const path of paths) this.files.delete(path);
-    for (const key of [...this.files.keys()]) if (key.startsWith(`${characterId}:`)) this.files.delete(key);
+  /** @param path of a part's file, which has been saved there */
+  set(path: string, file: DiskFile): void {
+    this.files.set(path, file);
   }
 
   /** Every file that a character came from or was saved to, each once; a zip stands for what is in it. */
   ofCharacter(character: Character): readonly DiskFile[] {
-    const found = new Set<DiskFile>();
-    const take = (file: DiskFile | undefined) => file && found.add(file);
-    for (const { path } of character.sources) take(this.files.get(path) ?? this.zipOf(path));
-    for (const part of partsOf(character)) take(this.ofPart(character, part));
-    return [...found];
+    return [...new Set(character.sources.flatMap(({ path }) => this.files.get(path) ?? this.zipOf(path) ?? []))];
   }
 
   entries(): readonly KeptDiskFile[] {
@@ -61,7 +48,7 @@ export class DiskHandles {
 
   restore(entries: readonly KeptDiskFile[]): void {
     this.files.clear();
-    for (const [key, file] of entries) this.files.set(key, file);
+    for (const [path, file] of entries) this.files.set(path, file);
   }
 
   /** `heroes.zip/hero/hero.skel` is in `heroes.zip`. */
@@ -69,9 +56,4 @@ export class DiskHandles {
     const end = path.toLowerCase().lastIndexOf('.zip/');
     return end < 0 ? undefined : this.files.get(path.slice(0, end + '.zip'.length));
   }
-}
-
-/** The path of its file; what has none goes by its character, for names repeat. */
-function keyOf(character: Character, part: Part): string {
-  return sourceOf(character, part)?.path ?? `${character.id}:${fileNameOf(character, part)}`;
 }

@@ -2,6 +2,7 @@
  * From files to the document: read in the worker, bound together, put in as one step, shown. One opening at a time;
  * the next waits, so that what is dropped last stands last.
  */
+import { deltaTo } from '../edit/delta.ts';
 import { openFiles } from '../edit/open-files.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import { type Store, withKeys } from '../edit/store.ts';
@@ -15,7 +16,6 @@ import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, Stage } from '../ui/state/workbench.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
-import { sameData } from './same-data.ts';
 
 export interface OpeningParts {
   readonly store: Store;
@@ -161,7 +161,7 @@ function selectionAfter(
   // Keys are known by index: they are the same ones only where their channel is.
   const was = shownClipOf(before, kept.id)?.channels ?? [];
   const now = shownClipOf(document, kept.id)?.channels ?? [];
-  const same = keys.filter(({ channel }) => now[channel] !== undefined && sameData(was[channel], now[channel]));
+  const same = keys.filter(({ channel }) => now[channel] && !deltaTo(now[channel], was[channel]));
   return same.length === keys.length ? selection : withKeys(selection, same);
 }
 

@@ -5,13 +5,13 @@
 import type { Store } from '../edit/store.ts';
 import { DiskError, type DiskFile } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
+import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, findCharacter } from '../model/document.ts';
 import { baseName } from '../model/files.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
-import { partsOf } from './parts.ts';
 import type { Unsaved } from './unsaved.ts';
 
 export interface ReloadParts {
@@ -89,5 +89,5 @@ async function changedFiles(
 function editedFiles(character: Character, handles: DiskHandles, unsaved: Unsaved): ReadonlySet<DiskFile | undefined> {
   const parts = partsOf(character);
   const own = unsaved.current().filter(({ characterId }) => characterId === character.id);
-  return new Set(own.map(({ kind, index }) => handles.ofPart(character, parts.filter((p) => p.kind === kind)[index])));
+  return new Set(own.map(({ kind, index }) => handles.ofPart(parts.filter((p) => p.kind === kind)[index])));
 }

@@ -1,21 +1,15 @@
 /** What there is to be written: files, each with the parts that it holds, where it lies, and how it is made. */
 import type { Store } from '../edit/store.ts';
 import type { DiskFile } from '../io/disk-files.ts';
+import { partsOf } from '../model/character-parts.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter } from '../model/document.ts';
+import { fileNameOf, type Part } from '../model/part.ts';
 import type { SaveKind, UnsavedPart } from '../ui/state/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import { distinctNames } from './distinct-names.ts';
-import { fileNameOf, isExport, jointPose, type Part, partKindOf, partsOf, poseToSave, sourceOf } from './parts.ts';
-import {
-  exportCharacter,
-  type LongFile,
-  type SavedFile,
-  saveCharacter,
-  savePart,
-  saveSkeletons,
-  saveTakes,
-} from './saving.ts';
+import { isExport, jointPose, partKindOf, poseToSave } from './parts.ts';
+import { exportCharacter, type LongFile, type SavedFile, saveCharacter, writeParts } from './saving.ts';
 import type { Unsaved } from './unsaved.ts';
 
 export interface JobParts {
@@ -48,7 +42,7 @@ export function changedFiles({ store, unsaved, handles }: JobParts): readonly Jo
   const jobs: Job[] = [];
   for (const changed of unsaved.current()) {
     const owned = find(store.document, changed);
-    if (!owned || jobs.some((job) => job.holds.some((h) => h.part.part === owned.part.part))) continue;
+    if (!owned || jobs.some((job) => job.holds.some((h) => h.part.id === owned.part.id))) continue;
     jobs.push(
       fileOf(store.document, handles, owned.character, owned.part, (c) => poseToSave(c, unsaved.poseInFile(c))),
     );
@@ -90,34 +84,14 @@ function fileOf(
   part: Part,
   poseOf: (c: Character) => readonly number[],
 ): Job {
-  const name = fileNameOf(character, part);
-  const target = handles.ofPart(character, part);
-  if (part.kind === 'bvh') {
-    const roots = takesBeside(document, character, part);
-    return {
-      name,
-      holds: roots.map(({ character: c, take }) => ({ character: c, part: { kind: 'bvh', part: take }, pose: [] })),
-      target,
-      write: (called) => saveTakes(called, roots),
-    };
-  }
-  if (part.kind !== 'skel') {
-    const holds = [{ character, part, pose: [] }];
-    return { name, holds, target, write: (called) => savePart(part, called, []) };
-  }
-  const roots = rootsBeside(document, character, part).map((root) => ({
-    ...root,
-    pose: poseOf(root.character),
-  }));
+  const owned = partsBeside(document, character, part).map(
+    (own): Owned => ({ ...own, pose: own.part.kind === 'skel' ? poseOf(own.character) : [] }),
+  );
   return {
-    name,
-    holds: roots.map(({ character: c, skeleton, pose }) => ({
-      character: c,
-      part: { kind: 'skel', part: skeleton },
-      pose,
-    })),
-    target,
-    write: (called) => saveSkeletons(called, roots),
+    name: fileNameOf(part),
+    holds: owned,
+    target: handles.ofPart(part),
+    write: (called) => writeParts(called, owned),
   };
 }
 
@@ -138,29 +112,15 @@ function find(document: Document, { characterId, kind, index }: UnsavedPart) {
   return character && part && { character, part };
 }
 
-/** The takes of one `.bvh`, in their order: one character each. */
-function takesBeside(document: Document, character: Character, part: Extract<Part, { kind: 'bvh' }>) {
-  const path = sourceOf(character, part)?.path;
-  const roots: { readonly character: Character; readonly take: typeof part.part }[] = [];
-  for (const other of document.characters) {
-    for (const own of partsOf(other)) {
-      if (own.kind !== 'bvh') continue;
-      const isBeside = path !== undefined && other !== character && sourceOf(other, own)?.path === path;
-      if (own.part === part.part || isBeside) roots.push({ character: other, take: own.part });
-    }
-  }
-  return roots;
-}
-
-/** The skeletons of one `.skel`, in their order: one character each. */
-function rootsBeside(document: Document, character: Character, part: Part) {
-  const path = sourceOf(character, part)?.path;
-  const roots: { readonly character: Character; readonly skeleton: NonNullable<Character['skeleton']> }[] = [];
-  for (const other of document.characters) {
-    const { skeleton } = other;
-    if (!skeleton) continue;
-    const isBeside = path !== undefined && sourceOf(other, { kind: 'skel', part: skeleton })?.path === path;
-    if (other === character || isBeside) roots.push({ character: other, skeleton });
-  }
-  return roots;
+/** All parts of the file that one is in, in the document's order: a `.skel` or `.bvh` of several roots has one for each. */
+function partsBeside(document: Document, character: Character, part: Part) {
+  return document.characters.flatMap((other) =>
+    partsOf(other)
+      .filter(
+        (own) =>
+          own.kind === part.kind &&
+          (other === character ? own.id === part.id : own.file !== undefined && own.file.path === part.file?.path),
+      )
+      .map((own) => ({ character: other, part: own })),
+  );
 }

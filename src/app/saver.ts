@@ -6,13 +6,15 @@
  * says which ones wait; giving up a dialog gives up the others too.
  */
 import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
+import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { findCharacter } from '../model/document.ts';
+import { type SourceFile, stemOf } from '../model/files.ts';
+import { fileNameOf, type Part } from '../model/part.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { SaveKind } from '../ui/state/workbench.ts';
-import { fileNameOf, jointPose, partsOf, sourceOf } from './parts.ts';
+import { jointPose } from './parts.ts';
 import { changedFiles, distinctJobs, filesOf, type Job, type JobParts } from './save-jobs.ts';
-import { SavedSources } from './saved-sources.ts';
 import type { FilePiece } from './saving.ts';
 
 /** What of `io` it takes, so that a test can stand in for browser and disk. */
@@ -37,21 +39,10 @@ const STRETCH = 12;
 
 export class Saver {
   private last: Promise<unknown> = Promise.resolve();
-  private readonly sources: SavedSources;
   /** Versions on disk that the person was told of: saving again means it. */
   private readonly warnedOf = new Map<string, string>();
 
-  constructor(private readonly parts: SaverParts) {
-    const { store, handles, unsaved } = parts;
-    this.sources = new SavedSources(store, (path) => handles.has(path));
-    store.onStep(({ document }, { document: before }) => {
-      for (const { id } of document.characters) {
-        if (findCharacter(before, id)) continue;
-        handles.forget(id, this.sources.forget(id));
-        unsaved.forget(id);
-      }
-    });
-  }
+  constructor(private readonly parts: SaverParts) {}
 
   /** Saves all that changed. Never rejects: what goes wrong is a message. */
   saveChanged(): Promise<void> {
@@ -154,7 +145,7 @@ export class Saver {
     target: DiskFile | undefined,
     wantsDialog: boolean,
   ): Promise<string | undefined> {
-    const { disk, handles, unsaved } = this.parts;
+    const { disk, handles, unsaved, store } = this.parts;
     let savedAs = job.name;
     let content: Content;
     let file: Omit<DiskFile, 'path'> | undefined;
@@ -172,15 +163,29 @@ export class Saver {
       content = await make();
       disk.download(job.name, content);
     }
-    // A zip is no file of a part's.
-    if (!(content instanceof Uint8Array)) {
-      for (const { character, part } of this.sources.written(job.holds, savedAs, new Blob([content]).size)) {
-        const path = sourceOf(character, part)?.path ?? target?.path ?? fileNameOf(character, part);
-        if (file) handles.setPart(character, part, { ...file, path });
-      }
+    for (const { character, part, pose } of job.holds) {
+      unsaved.written(part, pose);
+      // A zip is no file of a part's.
+      if (content instanceof Uint8Array || !findCharacter(store.document, character.id)) continue;
+      const own = part.file ?? this.newFile(character.id, part, savedAs, new Blob([content]).size);
+      if (!part.file) unsaved.setFile(character.id, part, own);
+      else if (own.name === savedAs) unsaved.setBytes(character.id, part, new Blob([content]).size);
+      if (file) handles.set(own.path, { ...file, path: own.path });
     }
-    for (const { character, part, pose } of job.holds) unsaved.saved(character.id, part, pose);
     return savedAs;
+  }
+
+  /** Of a part that was made here, which is listed and read again as what came from a file is. */
+  private newFile(characterId: string, part: Part, savedAs: string, bytes: number): SourceFile {
+    const { store, handles } = this.parts;
+    const isKind = savedAs.toLowerCase().endsWith(`.${part.kind}`) || savedAs.toLowerCase().endsWith(`.ax${part.kind}`);
+    const source = { name: savedAs, path: savedAs, bytes };
+    // Most parts are called after their file: one of another name would be read as another part.
+    const isOwn = isKind && (part.kind === 'skel' || part.kind === 'pose' || stemOf(source) === part.name);
+    const name = isOwn ? savedAs : fileNameOf(part);
+    // By its path a file is known: two of one name, of which nobody knows where they lie, are kept apart.
+    const isOpen = store.document.characters.some(({ sources }) => sources.some(({ path }) => path === name));
+    return { name, path: isOpen || handles.has(name) ? `${characterId}/${name}` : name, bytes };
   }
 
   /** Gives the file's new version. */
@@ -206,7 +211,7 @@ export class Saver {
       if (!(error instanceof DiskError) || !error.isGone) throw error;
       // Asking the same place again would fail for ever.
       const { handle: _gone, version: _old, ...rest } = target;
-      for (const { character, part } of holds) handles.setPart(character, part, rest);
+      for (const { part } of holds) if (part.file) handles.set(part.file.path, rest);
       throw new DiskError(`${error.message} Save again to choose another place.`);
     }
   }

@@ -9,22 +9,13 @@ import { animOf, bvhOf, hasOwnRate, inPose, skelOf } from '../edit/convert/chara
 import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
 import { writeFile } from '../formats/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
+import { partsOf } from '../model/character-parts.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
 import type { FileContent } from '../model/files.ts';
+import { newFileName, type Part } from '../model/part.ts';
 import type { Rig } from '../model/rig.ts';
-import type { Skeleton } from '../model/skeleton.ts';
-import {
-  type BvhTake,
-  type FormatKind,
-  isExport,
-  jointPose,
-  nameOf,
-  type Part,
-  partKindOf,
-  partsOf,
-  posesByNames,
-} from './parts.ts';
+import { type FormatKind, isExport, jointPose, partKindOf, posesByNames } from './parts.ts';
 
 export interface SavedFile {
   readonly name: string;
@@ -56,12 +47,10 @@ export function saveCharacter(
   if (kind === 'rig') return [write(`${character.name}.rig`, { kind, rig: rigOf(character) })];
   if (isExport(character, kind)) return exportCharacter(character, kind, options).map(asText);
   const parts = partsOf(character).filter((p) => p.kind === partKindOf(kind));
-  return parts.map((part) => {
-    const name = nameOf(character, part);
-    return part.kind === 'bvh'
-      ? asText(saveTakes(name, [{ character, take: part.part }], options))
-      : write(name, contentOf(part, jointPose(character)));
-  });
+  const pose = jointPose(character);
+  return parts.map((part) =>
+    inOnePiece(newFileName(part), writeParts(newFileName(part), [{ character, part, pose }], options)),
+  );
 }
 
 /** Copies in a format that is not its own. */
@@ -103,20 +92,50 @@ function haveOwnRates({ clips, driver }: Character): boolean {
   return clips.length > 0 && clips.every(hasOwnRate);
 }
 
+/** A part with whose it is, and the pose that goes into a skeleton's file: one value for each DOF of its joints. */
+export interface Owned {
+  readonly character: Character;
+  readonly part: Part;
+  readonly pose: readonly number[];
+}
+
 /**
- * Takes as one `.bvh`, each a root of its own.
- * @throws Error, in a sentence, where roots of one file have no longer the same frames
+ * Parts as one file: several skeletons or takes, each a root of its own, or a single part of another kind.
+ * @throws Error, in a sentence, where roots of one `.bvh` have no longer the same frames
  */
-export function saveTakes(
+export function writeParts(
   name: string,
-  roots: readonly { readonly character: Character; readonly take: BvhTake }[],
-  { framesPerSecond }: ExportOptions = {},
-): LongFile {
-  const made = roots.map(({ character: { driver: _, ...character }, take }) => {
+  owned: readonly Owned[],
+  options: ExportOptions = {},
+): Omit<SavedFile, 'name'> | Omit<LongFile, 'name'> {
+  const [{ part }] = owned;
+  switch (part.kind) {
+    case 'bvh':
+      return writeTakes(name, owned, options);
+    case 'skel': {
+      const skeletons = owned.flatMap(({ part: own, pose }) =>
+        own.kind === 'skel' ? [inPose(own.content, pose)] : [],
+      );
+      return write(name, { kind: 'skel', skeletons });
+    }
+    case 'skin':
+      return write(name, { kind: 'skin', skin: part.content });
+    case 'morph':
+      return write(name, { kind: 'morph', morph: part.content });
+    case 'anim':
+      return write(name, { kind: 'anim', clip: part.content });
+    case 'pose':
+      return write(name, { kind: 'pose', poses: posesByNames(part.content) });
+  }
+}
+
+function writeTakes(name: string, roots: readonly Owned[], { framesPerSecond }: ExportOptions): LongFile {
+  const made = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
+    if (part.kind !== 'bvh') return [];
     // The take itself, whatever else moves the character just now.
-    const rate = take.clip && hasOwnRate(take.clip) ? undefined : framesPerSecond;
-    const [figure] = bvhOf({ ...character, clips: take.clip ? [take.clip] : [], shownClip: take.clip ? 0 : -1 }, rate);
-    return figure;
+    const { clip } = part.content;
+    const rate = clip && hasOwnRate(clip) ? undefined : framesPerSecond;
+    return bvhOf({ ...character, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 }, rate);
   });
   const figures = made.map(({ figure }) => figure);
   if (!fitOneBvh(figures)) {
@@ -136,6 +155,10 @@ export function saveTakes(
   };
 }
 
+function inOnePiece(name: string, file: Omit<SavedFile, 'name'> | Omit<LongFile, 'name'>): SavedFile {
+  return 'text' in file ? { ...file, name } : asText({ ...file, name });
+}
+
 function asText({ name, pieces, diagnostics }: LongFile): SavedFile {
   const decoder = new TextDecoder();
   let text = '';
@@ -147,34 +170,6 @@ function asLong({ name, text, diagnostics }: SavedFile): LongFile {
   return { name, pieces: [text], diagnostics: () => diagnostics };
 }
 
-/** One part as the text of its file; a skeleton in the pose given, one value for each DOF of its joints. */
-export function savePart(part: Exclude<Part, { kind: 'bvh' }>, name: string, pose: readonly number[]): SavedFile {
-  return write(name, contentOf(part, pose));
-}
-
-/** Several skeletons as one file, each a root of its own. */
-export function saveSkeletons(
-  name: string,
-  roots: readonly { readonly skeleton: Skeleton; readonly pose: readonly number[] }[],
-): SavedFile {
-  return write(name, { kind: 'skel', skeletons: roots.map(({ skeleton, pose }) => inPose(skeleton, pose)) });
-}
-
-function contentOf({ kind, part }: Exclude<Part, { kind: 'bvh' }>, pose: readonly number[]): FileContent {
-  switch (kind) {
-    case 'skel':
-      return { kind, skeletons: [inPose(part, pose)] };
-    case 'skin':
-      return { kind, skin: part };
-    case 'morph':
-      return { kind, morph: part };
-    case 'anim':
-      return { kind, clip: part };
-    case 'pose':
-      return { kind, poses: posesByNames(part) };
-  }
-}
-
 /** Takes content of a kind that has a format: all but textures. */
 function write(name: string, content: FileContent): SavedFile {
   const written = writeFile(content, name);
@@ -183,12 +178,13 @@ function write(name: string, content: FileContent): SavedFile {
 }
 
 function rigOf(character: Character): Rig {
-  const { name, skeleton, skins, shownSkin, morphs, clips, shownClip } = character;
+  const { name, skins, shownSkin, morphs, clips, shownClip } = character;
+  const skeleton = partsOf(character).find(({ kind }) => kind === 'skel');
   const skin = skins[shownSkin];
   const clip = clips[shownClip];
   return {
     name,
-    ...(skeleton && { skeleton: nameOf(character, { kind: 'skel', part: skeleton }) }),
+    ...(skeleton && { skeleton: newFileName(skeleton) }),
     ...(skin && { skin: `${skin.name}.skin` }),
     morphs: morphs.map((morph) => `${morph.name}.morph`),
     ...(clip && { animation: `${clip.name}.anim` }),

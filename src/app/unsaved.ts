@@ -1,43 +1,43 @@
 /**
- * What is not saved: each part of each character against what was last read from, or written to, its file. By identity
- * first and by content where that differs, so that undoing back to what was saved is as good as saved.
+ * What is not saved: each part whose revision is not the one that was last read from, or written to, its file. Undoing
+ * back to what was saved brings that revision back.
  *
  * A skeleton's file holds the pose of its joints too, which the document keeps beside the skeleton; see `poseToSave`.
  */
 import { addPoses } from '../edit/pose/library.ts';
 import type { Store } from '../edit/store.ts';
+import { partsOf } from '../model/character-parts.ts';
 import type { Character } from '../model/document.ts';
-import { findCharacter } from '../model/document.ts';
 import { filePose, rootDofCount } from '../model/dofs.ts';
-import { type ParsedFile, sameName } from '../model/files.ts';
+import { type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
+import { fileNameOf, mapMarks, NO_MARKS, type Part, type PartFile, type PartKind } from '../model/part.ts';
 import { type Observable, observable } from '../ui/kit/observable.ts';
-import type { PartKind, UnsavedPart } from '../ui/state/workbench.ts';
-import { fileNameOf, type Part, partsOf, posesByNames, poseToSave } from './parts.ts';
-import { sameData } from './same-data.ts';
+import type { UnsavedPart } from '../ui/state/workbench.ts';
+import { poseToSave } from './parts.ts';
 
-/** What of a character is in files. Parts are those of documents, by identity, so keeping them costs nothing more. */
+/** What of a character is in files: plain data, to be kept with a session and given back with it. */
 export interface SavedCharacter {
   readonly characterId: string;
-  readonly parts: readonly Part[];
+  /** Whether each of its parts is saved, in the order of `partsOf`. */
+  readonly parts: readonly boolean[];
   /** In the skeleton's file: one value for each DOF of its joints. */
   readonly pose: readonly number[];
 }
 
-/** All there is to know of what is saved: plain data, to be kept with a session and given back with it. */
-export interface SavedMarks {
-  readonly characters: readonly SavedCharacter[];
-}
-
-/** With the verdicts on parts that were compared with it already. */
-interface Baseline extends SavedCharacter {
-  readonly isSaved: WeakMap<object, boolean>;
+/** What of a part is on disk. */
+interface SavedPart {
+  readonly revision: number;
+  /** Of the joints, where it is a skeleton. */
+  readonly pose: readonly number[];
+  /** That a part which was made here was saved as. */
+  readonly file?: PartFile;
 }
 
 export class Unsaved {
   /** Follows the document at the end of the task that changed it; `current` is up to date at any time. */
   readonly parts: Observable<readonly UnsavedPart[]> = observable<readonly UnsavedPart[]>([]);
-  /** By character, those that are gone too: undo brings them back. */
-  private readonly baselines = new Map<string, Baseline>();
+  /** By a part's id; of those that are gone too: undo brings them back. */
+  private readonly saved = new Map<number, SavedPart>();
   private lists = new WeakMap<Character, readonly UnsavedPart[]>();
   /** Files that an earlier opening had no use for: a later one may. */
   private waiting: readonly ParsedFile[] = [];
@@ -66,10 +66,11 @@ export class Unsaved {
     const given = [...files, ...this.waiting];
     const fresh = new Set<object>(given.flatMap(contentOf));
     for (const character of this.store.document.characters) {
-      const read = partsOf(character).filter((part) =>
-        part.kind === 'pose' ? isLibraryOf(character, given) : piecesOf(part).every((piece) => fresh.has(piece)),
-      );
-      if (read.length) this.mark(character, read, filePoseOfJoints(character));
+      for (const part of partsOf(character)) {
+        const isRead =
+          part.kind === 'pose' ? isLibraryOf(character, given) : piecesOf(part).every((piece) => fresh.has(piece));
+        if (isRead) this.mark(part, filePoseOfJoints(character));
+      }
     }
     this.waiting = this.store.document.unused.map(({ file }) => file);
     return replaced.map(({ source }) => source.name);
@@ -79,61 +80,74 @@ export class Unsaved {
    * A part was written as it was then.
    * @param pose of the joints, as written; only for a skeleton
    */
-  saved(characterId: string, part: Part, pose: readonly number[] = []): void {
-    const character = findCharacter(this.store.document, characterId);
-    if (character) this.mark(character, [part], pose);
+  written(part: Part, pose: readonly number[] = []): void {
+    this.mark(part, pose);
   }
 
-  /** Another character has that id from now on: nothing of it is in a file yet. */
-  forget(characterId: string): void {
-    if (!this.baselines.delete(characterId)) return;
-    this.lists = new WeakMap();
-    this.refreshSoon();
+  /**
+   * A part that was made here is that file's from now on. That is no step of anyone's, and undoing what was done before
+   * the saving does not take the file off the disk: it stays the part's.
+   */
+  setFile(characterId: string, part: Part, source: SourceFile): void {
+    const known = this.saved.get(part.id);
+    const file = { kind: part.kind, source, holds: part.name };
+    this.saved.set(part.id, { revision: 0, pose: [], ...known, file });
+    this.change(characterId, (c) => withFile(c, part.id, file));
+  }
+
+  /** Its file is of that length now. */
+  setBytes(characterId: string, { id, file }: Part, bytes: number): void {
+    if (!file || file.bytes === bytes) return;
+    this.change(characterId, (c) => {
+      const source = { ...file, bytes };
+      const sources = c.sources.map((s) => (s.path === file.path ? source : s));
+      const parts = mapMarks(c.parts ?? NO_MARKS, (mark) =>
+        mark.id === id && mark.file ? { ...mark, file: { ...mark.file, source } } : mark,
+      );
+      return { ...c, sources, parts };
+    });
   }
 
   /** The pose that the file of a character's skeleton has. */
   poseInFile(character: Character): readonly number[] {
-    const baseline = this.baselines.get(character.id);
+    const pose = this.saved.get(character.parts?.skeleton?.id ?? 0)?.pose;
     const own = filePoseOfJoints(character);
-    return baseline && baseline.pose.length === own.length ? baseline.pose : own;
+    return pose?.length === own.length ? pose : own;
   }
 
-  snapshot(): SavedMarks {
-    return { characters: [...this.baselines.values()].map(({ isSaved: _, ...saved }) => saved) };
+  snapshot(): readonly SavedCharacter[] {
+    return this.store.document.characters.map((character) => ({
+      characterId: character.id,
+      parts: partsOf(character).map((part) => this.isSaved(part)),
+      pose: this.poseInFile(character),
+    }));
   }
 
-  /** Instead of all marks so far; the parts have to be those of the document for the marks to be cheap. */
-  restore({ characters }: SavedMarks): void {
-    this.baselines.clear();
-    for (const saved of characters) this.baselines.set(saved.characterId, { ...saved, isSaved: new WeakMap() });
+  /** The marks of the document that the store has just taken over. */
+  restore(characters: readonly SavedCharacter[]): void {
+    for (const character of this.store.document.characters) {
+      const kept = characters.find(({ characterId }) => characterId === character.id);
+      partsOf(character).forEach((part, i) => {
+        if (kept?.parts[i]) this.mark(part, kept.pose);
+        else if (kept && part.kind === 'skel') this.saved.set(part.id, { revision: 0, pose: kept.pose });
+      });
+    }
     this.waiting = this.store.document.unused.map(({ file }) => file);
     this.lists = new WeakMap();
     this.refreshSoon();
   }
 
-  private mark(character: Character, now: readonly Part[], pose: readonly number[]): void {
-    const before = this.baselines.get(character.id);
-    const present = new Set<object>(partsOf(character).map(({ part }) => part));
-    // What these take the place of goes; two parts of one name are both kept while both are there.
-    const others = (before?.parts ?? []).filter(
-      (old) =>
-        !now.some((n) => n.part === old.part) &&
-        (present.has(old.part) || !now.some((n) => n.kind === old.kind && n.part.name === old.part.name)),
-    );
-    this.baselines.set(character.id, {
-      characterId: character.id,
-      parts: [...others, ...now],
-      pose: now.some(({ kind }) => kind === 'skel') ? pose : (before?.pose ?? []),
-      isSaved: new WeakMap(),
-    });
+  private mark({ id, revision, kind }: Part, pose: readonly number[]): void {
+    const file = this.saved.get(id)?.file;
+    this.saved.set(id, { revision, pose: kind === 'skel' ? pose : [], ...(file && { file }) });
     this.lists = new WeakMap();
     this.refreshSoon();
   }
 
-  /**
-   * Not at once: an opening changes the document first and tells of its files then, and comparing the old file of a
-   * million vertices with the new one would be for nothing.
-   */
+  private isSaved({ id, revision }: Part): boolean {
+    return this.saved.get(id)?.revision === revision;
+  }
+
   private refreshSoon(): void {
     if (this.isStale) return;
     this.isStale = true;
@@ -143,35 +157,44 @@ export class Unsaved {
   private refresh(): void {
     if (!this.isStale) return;
     this.isStale = false;
+    this.giveFilesBack();
     const now = this.store.document.characters.flatMap((character) => this.listOf(character));
     const before = this.parts.get();
-    if (now.length !== before.length || !now.every((part, i) => sameData(part, before[i]))) this.parts.set(now);
+    if (now.length !== before.length || !now.every((part, i) => isSame(part, before[i]))) this.parts.set(now);
+  }
+
+  /** Undo may have led to before a part was saved first. */
+  private giveFilesBack(): void {
+    for (const { id, parts = NO_MARKS } of this.store.document.characters) {
+      mapMarks(parts, (mark) => {
+        const file = mark.file ? undefined : this.saved.get(mark.id)?.file;
+        if (file) this.change(id, (c) => withFile(c, mark.id, file));
+        return mark;
+      });
+    }
+  }
+
+  /** Changes a character without a step. */
+  private change(characterId: string, edit: (character: Character) => Character): void {
+    const { document } = this.store;
+    this.store.amend({
+      ...document,
+      characters: document.characters.map((c) => (c.id === characterId ? edit(c) : c)),
+    });
   }
 
   private listOf(character: Character): readonly UnsavedPart[] {
     const known = this.lists.get(character);
     if (known) return known;
-    const baseline = this.baselines.get(character.id);
     const counts: Record<PartKind, number> = { skel: 0, skin: 0, morph: 0, anim: 0, bvh: 0, pose: 0 };
     const list: UnsavedPart[] = [];
     for (const part of partsOf(character)) {
       const index = counts[part.kind]++;
-      if (baseline && this.isSaved(baseline, part) && (part.kind !== 'skel' || this.isPoseSaved(character))) continue;
-      list.push({ characterId: character.id, kind: part.kind, index, name: fileNameOf(character, part) });
+      if (this.isSaved(part) && (part.kind !== 'skel' || this.isPoseSaved(character))) continue;
+      list.push({ characterId: character.id, kind: part.kind, index, name: fileNameOf(part) });
     }
     this.lists.set(character, list);
     return list;
-  }
-
-  private isSaved({ parts, isSaved }: Baseline, own: Part): boolean {
-    const { kind, part } = own;
-    let saved = isSaved.get(part);
-    if (saved === undefined) {
-      const alike = parts.filter((p) => p.kind === kind && p.part.name === part.name);
-      saved = alike.some((p) => p.part === part) || alike.some((p) => sameData(contentInFile(p), contentInFile(own)));
-      isSaved.set(part, saved);
-    }
-    return saved;
   }
 
   private isPoseSaved(character: Character): boolean {
@@ -180,28 +203,34 @@ export class Unsaved {
   }
 }
 
-/** What of a part was read from files, as the very objects. */
-function piecesOf({ kind, part }: Part): readonly object[] {
-  if (kind !== 'bvh') return [part];
-  return part.clip ? [part.skeleton, part.clip] : [part.skeleton];
+function withFile(character: Character, id: number, file: PartFile): Character {
+  const { sources, parts = NO_MARKS } = character;
+  const isListed = sources.some(({ path }) => path === file.source.path);
+  return {
+    ...character,
+    sources: isListed ? sources : [...sources, file.source],
+    parts: mapMarks(parts, (mark) => (mark.id === id ? { ...mark, file } : mark)),
+  };
 }
 
-/** What the file of a part holds: a `.bvh` says neither what of it is played nor how between its frames. */
-function contentInFile({ kind, part }: Part): unknown {
-  if (kind === 'pose') return posesByNames(part);
-  if (kind !== 'bvh' || !part.clip?.samples) return part;
-  const { interpolation: _, ...samples } = part.clip.samples;
-  return { ...part, clip: { ...part.clip, range: [], samples } };
+function isSame(a: UnsavedPart, b: UnsavedPart): boolean {
+  return a.characterId === b.characterId && a.kind === b.kind && a.index === b.index && a.name === b.name;
+}
+
+/** What of a part was read from files, as the very objects. */
+function piecesOf({ kind, content }: Part): readonly object[] {
+  if (kind !== 'bvh') return [content];
+  return content.clip ? [content.skeleton, content.clip] : [content.skeleton];
 }
 
 /** Whether a character's poses are those of one of these files that it has, and no others. */
 function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolean {
-  const { poses: _, ...without } = character;
+  const { poses: library, ...without } = character;
   return files.some(
     (file) =>
       file.kind === 'pose' &&
-      character.sources.includes(file.source) &&
-      sameData(addPoses(without, file.poses).poses, character.poses),
+      character.parts?.poses?.file?.source === file.source &&
+      addPoses(without, file.poses).poses?.length === library?.length,
   );
 }
 

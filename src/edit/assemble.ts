@@ -1,10 +1,12 @@
 /** Putting a character together from the files that belong to it, and telling what among its parts does not fit. */
 import { checkClip, checkMorph, checkSkin } from '../evaluate/binding.ts';
 import { guessSharedSpace } from '../evaluate/space.ts';
+import type { ChannelClip } from '../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, DEFAULT_PLACEMENT, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../model/dofs.ts';
-import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName, stemOf } from '../model/files.ts';
+import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
+import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../model/part.ts';
 import { positionsMeant, positionsTaken, withPositions } from '../model/position-channels.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { carriedOver, lostOver } from './carried-over.ts';
@@ -25,6 +27,7 @@ export function newCharacter(id: string, name: string): Character {
     placements: [DEFAULT_PLACEMENT],
     timeOffsetSeconds: 0,
     sources: [],
+    parts: NO_MARKS,
   };
 }
 
@@ -45,19 +48,20 @@ export function withPart(character: Character, file: ParsedFile, before: Charact
   const next = { ...character, sources: [...character.sources.filter((s) => !replaced(s)), file.source] };
   switch (file.kind) {
     case 'skin': {
-      const at = replacedIndex(next.skins, before?.skins, file.skin.name);
-      return { ...next, skins: put(next.skins, at, file.skin), shownSkin: at < 0 ? next.skins.length : at };
+      const { name } = file.skin;
+      const at = replacedIndex(next.skins, before?.skins, name);
+      const parts = withMark(next, 'skins', at, { kind: 'skin', source: file.source, holds: name });
+      return { ...next, parts, skins: put(next.skins, at, file.skin), shownSkin: at < 0 ? next.skins.length : at };
     }
     case 'morph': {
-      const at = replacedIndex(next.morphs, before?.morphs, file.morph.name);
+      const { name } = file.morph;
+      const at = replacedIndex(next.morphs, before?.morphs, name);
+      const parts = withMark(next, 'morphs', at, { kind: 'morph', source: file.source, holds: name });
       const pose = at < 0 ? [...next.pose, 0] : next.pose;
-      return { ...withoutUnkeyed(next), morphs: put(next.morphs, at, file.morph), pose };
+      return { ...withoutUnkeyed(next), parts, morphs: put(next.morphs, at, file.morph), pose };
     }
-    case 'anim': {
-      const at = replacedIndex(next.clips, before?.clips, file.clip.name);
-      const clips = put(next.clips, at, file.clip);
-      return { ...withoutUnkeyed(next), clips, shownClip: at < 0 ? next.clips.length : at };
-    }
+    case 'anim':
+      return withClip(withoutUnkeyed(next), file.clip, { kind: 'anim', source: file.source }, before);
     case 'skel':
     case 'bvh':
     case 'rig':
@@ -65,6 +69,26 @@ export function withPart(character: Character, file: ParsedFile, before: Charact
     case 'texture':
       return next;
   }
+}
+
+/** With a clip from a file, which is shown. */
+function withClip(
+  character: Character,
+  clip: ChannelClip,
+  file: Omit<PartFile, 'holds'>,
+  before: Character | undefined,
+): Character {
+  const { clips } = character;
+  const at = replacedIndex(clips, before?.clips, clip.name);
+  const parts = withMark(character, 'clips', at, { ...file, holds: clip.name });
+  return { ...character, parts, clips: put(clips, at, clip), shownClip: at < 0 ? clips.length : at };
+}
+
+/** The marks with that of a part from a file, in the place of another or behind the others where `at` is -1. */
+function withMark(character: Character, key: 'skins' | 'morphs' | 'clips', at: number, file: PartFile): PartMarks {
+  const { parts = NO_MARKS } = character;
+  const marks = character[key].map((_, i) => parts[key][i] ?? UNMARKED);
+  return { ...parts, [key]: put(marks, at, readAs(marks[at], file)) };
 }
 
 interface Named {
@@ -107,17 +131,18 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
 export function withFigure(
   character: Character,
   figure: Figure,
+  file: Omit<PartFile, 'holds'>,
   before: Character | undefined,
   together: readonly Figure[] = [figure],
 ): Character {
   const { skeleton, clip } = figure;
-  const fitted = withSkeleton(character, skeleton);
+  const { parts = NO_MARKS } = character;
+  const mark = readAs(parts.skeleton, { ...file, holds: skeleton.name });
+  const fitted = { ...withSkeleton(character, skeleton), parts: { ...parts, skeleton: mark } };
   const next = !isBvh({ skeleton })
     ? fitted
     : { ...fitted, space: before?.space ?? guessSharedSpace(together.map(asMeant)) };
-  if (!clip) return next;
-  const at = replacedIndex(next.clips, before?.clips, clip.name);
-  return { ...next, clips: put(next.clips, at, clip), shownClip: at < 0 ? next.clips.length : at };
+  return clip ? withClip(next, clip, file, before) : next;
 }
 
 /** As its file's writer saw it: of a figure that falls in on itself no size can be told. */
@@ -130,46 +155,40 @@ function asMeant({ skeleton, clip }: Figure): Figure {
 export function checkParts(before: Character | undefined, after: Character): Diagnostic[] {
   const problems: Diagnostic[] = [];
   const newSkeleton = before?.skeleton !== after.skeleton;
+  const { parts = NO_MARKS } = after;
+  const called = (mark: PartMark | undefined, otherwise: string) => mark?.file?.source.name ?? otherwise;
   if (before && newSkeleton && after.skeleton) {
-    const source = after.sources.find(({ name }) => /\.(skel|axskel|bvh)$/i.test(name));
-    problems.push(...lostOver(before, after, source?.name ?? `${after.skeleton.name}.skel`));
+    problems.push(...lostOver(before, after, called(parts.skeleton, `${after.skeleton.name}.skel`)));
   }
   if (newSkeleton && after.skeleton && positionsTaken(after.skeleton) === 'replace') {
     if (positionsMeant(after.skeleton, shownClip(after)) === 'add') {
       const message =
         'Position channels stay at 0 where OFFSETs do not, as if they were meant to be added to OFFSET: ' +
         'if the figure falls in on itself, set "Positions" in the character’s folder to that.';
-      const assumed = 'they replace it';
-      problems.push(
-        withoutPlace('info', 'positions-near-zero', message, fileOf(after, after.skeleton, '.bvh'), assumed),
-      );
+      const file = called(parts.skeleton, `${after.skeleton.name}.bvh`);
+      problems.push(withoutPlace('info', 'positions-near-zero', message, file, 'they replace it'));
     }
   }
-  for (const skin of after.skins) {
+  after.skins.forEach((skin, i) => {
     const isNew = !before?.skins.includes(skin);
-    const file = fileOf(after, skin, '.skin');
+    const file = called(parts.skins[i], `${skin.name}.skin`);
     if (after.skeleton && (isNew || newSkeleton)) problems.push(...checkSkin(skin, after.skeleton, file));
     const texture = skin.material?.texture;
     if (isNew && texture !== undefined && !after.textures.some((t) => sameName(t.name, baseName(texture)))) {
       const message = `The texture "${texture}" that the skin names was not among the files given.`;
       problems.push(withoutPlace('warning', 'texture-not-given', message, file, 'drawn untextured'));
     }
-  }
+  });
   const skin = shownSkin(after);
-  for (const morph of after.morphs) {
+  after.morphs.forEach((morph, i) => {
     const isNew = !before?.morphs.includes(morph) || (skin && !before.skins.includes(skin));
-    if (skin && isNew) problems.push(...checkMorph(morph, skin, fileOf(after, morph, '.morph')));
-  }
+    if (skin && isNew) problems.push(...checkMorph(morph, skin, called(parts.morphs[i], `${morph.name}.morph`)));
+  });
   const clip = shownClip(after);
   const needsAnother = newSkeleton && jointDofCount(before?.skeleton) !== jointDofCount(after.skeleton);
   if (clip && after.skeleton && (needsAnother || !before?.clips.includes(clip))) {
-    problems.push(...checkClip(clip, after.skeleton, after.morphs.length, fileOf(after, clip, '.anim')));
+    const file = called(parts.clips[after.shownClip], `${clip.name}.anim`);
+    problems.push(...checkClip(clip, after.skeleton, after.morphs.length, file));
   }
   return problems;
-}
-
-/** The file that a part came from. */
-function fileOf({ sources }: Character, { name }: Named, ending: string): string {
-  const source = sources.find((s) => stemOf(s) === name && s.name.toLowerCase().endsWith(ending));
-  return source?.name ?? `${name}${ending}`;
 }

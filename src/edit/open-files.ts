@@ -136,12 +136,13 @@ class Opening {
       // Several roots are several characters; what else is in the group belongs to the first.
       const own = root === 0 ? parts : parts.filter((p) => p === skeletonFile);
       let next = before ?? this.make(group.name ?? figure?.skeleton.name ?? stemOf(parts[0].source));
-      if (figure) {
+      if (figure && (skeletonFile?.kind === 'skel' || skeletonFile?.kind === 'bvh')) {
         // What waited was called after its clip or skin.
         const name = next.skeleton ? next.name : (group.name ?? figure.skeleton.name);
         next = withFigure(
           { ...next, name },
           figure,
+          { kind: skeletonFile.kind, source: skeletonFile.source },
           before,
           figures.flatMap((f) => f ?? []),
         );

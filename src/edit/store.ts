@@ -12,6 +12,7 @@ import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
 import { followSources } from './drivers.ts';
 import { History, type State } from './history.ts';
+import { withoutNumbers, withParts } from './parts.ts';
 
 /** A change to the document, by name: menu entry, undo entry and scripted call in one. */
 export interface Command<Args, Result extends Document | Edit = Document> {
@@ -74,6 +75,9 @@ export class Store {
   private gesture: (Gesture & { readonly unfinished: Unfinished }) | undefined;
   private readonly listeners = new Set<Listener>();
   private readonly stepListeners = new Set<Listener>();
+  /** Ids and revisions of parts: not of the document, for undo must not give one out again. */
+  private counted = 0;
+  private readonly count = () => ++this.counted;
 
   constructor(document: Document = EMPTY_DOCUMENT) {
     this.present = { document, selection: NOTHING_SELECTED };
@@ -115,7 +119,7 @@ export class Store {
   apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     this.settle();
     const before = this.present;
-    const next = stateAfter(before, command.run(before.document, args));
+    const next = this.stateAfter(before, command.run(before.document, args));
     this.step(command.label(before.document, args), next);
     this.tellStep(next, before);
   }
@@ -126,8 +130,20 @@ export class Store {
    */
   replace(label: string, next: State): void {
     this.settle();
-    const document = followSources(this.document, next.document);
+    const document = this.followed(this.document, next.document);
     this.step(label, document === next.document ? next : { ...next, document });
+  }
+
+  /** A document of another page: the same as `replace`, or as `amend` where it is no step. */
+  adopt(label: string | undefined, { document, selection }: State): void {
+    this.settle();
+    const next = { document: this.followed(EMPTY_DOCUMENT, withoutNumbers(document)), selection };
+    if (label !== undefined) {
+      this.step(label, next);
+      return;
+    }
+    this.history.rebase(this.present, next);
+    this.become(next);
   }
 
   /** Ends a gesture that is under way: a drag is committed, what is only being tried is put back. */
@@ -157,7 +173,7 @@ export class Store {
         // From what was selected at first: keys that a drag has passed over come back as it goes on.
         const selection = this.selection === previewed ? before.selection : this.selection;
         if (!isOpen()) return;
-        const next = stateAfter({ document: before.document, selection }, change);
+        const next = this.stateAfter({ document: before.document, selection }, change);
         previewed = next.selection;
         this.become(next);
       },
@@ -176,7 +192,7 @@ export class Store {
 
   /** Changes the document without a step of its own, for what is fleeting in it: undo goes on from before. */
   amend(document: Document): void {
-    const next = stateAfter(this.present, document);
+    const next = this.stateAfter(this.present, document);
     // The middle of a gesture is no place to go back to.
     if (!this.gesture) this.history.rebase(this.present, next);
     this.become(next);
@@ -199,6 +215,15 @@ export class Store {
     const after = this.history.redo(this.present);
     if (after) this.become(after);
     return after !== undefined;
+  }
+
+  /** What a change entails: drivers follow their sources, and parts are numbered. */
+  private followed(before: Document, after: Document): Document {
+    return withParts(before, followSources(before, after), this.count);
+  }
+
+  private stateAfter(before: State, change: Document | Edit): State {
+    return stateAfter(before, change, this.followed(before.document, documentIn(change)));
   }
 
   private step(label: string, next: State): void {
@@ -233,8 +258,8 @@ export function documentIn(change: Document | Edit): Document {
 }
 
 /** A document with what is selected in it after a change: what the change says, and else what is still there. */
-function stateAfter(before: State, change: Document | Edit): State {
-  const kept = stateKept(before, change);
+function stateAfter(before: State, change: Document | Edit, document: Document): State {
+  const kept = stateKept(before, change, document);
   const selected = isEdit(change) ? change.selected : undefined;
   if (!selected || kept.document === before.document) return kept;
   return { document: kept.document, selection: withJoint(kept.selection, selected) };
@@ -249,9 +274,8 @@ function withJoint(selection: Selection, { characterId, joint }: SelectedJoint):
 }
 
 /** A document with what is still selected in it. */
-function stateKept({ document: before, selection }: State, change: Document | Edit): State {
+function stateKept({ document: before, selection }: State, change: Document | Edit, document: Document): State {
   const edit = isEdit(change) ? change : undefined;
-  const document = followSources(before, documentIn(change));
   const { characterId } = selection;
   // Nothing stays selected of a character that is gone.
   if (characterId === undefined) return { document, selection };

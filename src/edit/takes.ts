@@ -83,20 +83,11 @@ export function uniqueTakeName(character: Character, name: string): string {
   }
 }
 
-/**
- * The file that a take would be saved over if it were called so, where that file is not its own. Which file was whose
- * is not known once their names differ; but the only take without a file has the only file without a take for its own,
- * so that a take can have its name back.
- */
-export function fileInTheWay(character: Character, take: ChannelClip, name: string): SourceFile | undefined {
-  if (sameName(take.name, name)) return undefined;
-  const files = takeFiles(character);
-  const found = files.find((file) => sameName(stemOf(file), name));
-  const isOf = (clip: ChannelClip) => (file: SourceFile) => sameName(stemOf(file), clip.name);
-  const withoutFile = character.clips.filter((clip) => !files.some(isOf(clip)));
-  const withoutTake = files.filter((file) => !character.clips.some((clip) => isOf(clip)(file)));
-  const isOwn = withoutFile.length === 1 && withoutFile[0] === take && withoutTake.length === 1;
-  return isOwn && withoutTake[0] === found ? undefined : found;
+/** The file that a take would be saved over if it were called so, where that file is not its own. */
+export function fileInTheWay(character: Character, take: number, name: string): SourceFile | undefined {
+  if (sameName(character.clips[take].name, name)) return undefined;
+  const found = takeFiles(character).find((file) => sameName(stemOf(file), name));
+  return found?.path === character.parts?.clips[take]?.file?.source.path ? undefined : found;
 }
 
 function takeFiles({ sources }: Character): readonly SourceFile[] {

@@ -7,6 +7,7 @@ import type { ChannelClip } from './clip.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { IkSetup } from './ik.ts';
 import type { Morph } from './morph.ts';
+import type { PartMarks } from './part.ts';
 import type { NamedPose } from './poses.ts';
 import type { JointPair, RetargetOptions } from './retarget.ts';
 import type { Skeleton } from './skeleton.ts';
@@ -57,6 +58,8 @@ export interface Character {
   readonly poses?: readonly NamedPose[];
   /** The files it came from. */
   readonly sources: readonly SourceFile[];
+  /** Which part is which (`part.ts`). Commands leave it alone: the store keeps it up with the parts themselves. */
+  readonly parts?: PartMarks;
 }
 
 /**

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange } from '../../src/edit/commands/clips.ts';
 import { rangeOfKeys } from '../../src/edit/takes.ts';
 import { keylessChannel } from '../../src/model/clip.ts';
-import { character, clip, documentOf } from '../helpers/builders.ts';
+import { character, clip, clipsFrom, documentOf } from '../helpers/builders.ts';
 
 const walk = clip('walk', [1, 2], [0, 1]);
 const run = clip('run', [3], [0, 2]);
@@ -78,15 +78,17 @@ describe('clip.rename', () => {
     const file = (name: string) => ({ name, path: `in/${name}`, bytes: 1 });
     const rename = (document: typeof two, clip: number, name: string) =>
       renameClip.run(document, { characterId: 'c1', clip, name });
-    const opened = { ...two, characters: [{ ...own, sources: [file('walk.anim'), file('Run.anim')] }] };
+    const parts = clipsFrom('in/walk.anim', 'in/Run.anim');
+    const opened = { ...two, characters: [{ ...own, sources: [file('walk.anim'), file('Run.anim')], parts }] };
     const strolling = rename(opened, 0, 'stroll');
     expect(() => rename(strolling, 1, 'Walk')).toThrow('walk.anim is another take’s file');
     // Its own name it can have back, in any case.
     expect(names(rename(strolling, 0, 'walk'))).toEqual(['walk', 'run']);
     expect(names(rename(opened, 1, 'RUN'))).toEqual(['walk', 'RUN']);
-    // With two takes without files nobody knows whose it was.
+    // Beside a take that has no file it is still its own.
     const made = createClip.run(strolling, { characterId: 'c1', range: [0, 1], name: 'new' });
     expect(() => rename(made, 2, 'walk')).toThrow('another take’s file');
+    expect(names(rename(made, 0, 'walk'))).toEqual(['walk', 'run', 'new']);
   });
 });
 

@@ -117,7 +117,7 @@ describe('hidden characters', () => {
     store.apply(setHidden, { ids: ['c1', 'c2'], hidden: true });
     expect(store.document.characters.map((c) => c.isHidden)).toEqual([true, true]);
     store.apply(setHidden, { ids: ['c2'], hidden: false });
-    expect(store.document.characters[1]).toEqual(two);
+    expect(store.document.characters[1]).toMatchObject(two);
     const { document } = store;
     store.apply(setHidden, { ids: ['c2'], hidden: false });
     expect(store.document).toBe(document);

@@ -4,6 +4,7 @@ import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from
 import { filePose } from '../../src/model/dofs.ts';
 import type { FileContent, ParsedFile } from '../../src/model/files.ts';
 import type { Morph } from '../../src/model/morph.ts';
+import { NO_MARKS, type PartMark, type PartMarks, UNMARKED } from '../../src/model/part.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import type { Skin } from '../../src/model/skin.ts';
 
@@ -92,6 +93,20 @@ export function documentOf(...characters: Character[]): Document {
 
 export function file(path: string, content: FileContent): ParsedFile {
   return { ...content, source: { path, name: path.slice(path.lastIndexOf('/') + 1), bytes: 1 } };
+}
+
+/** Marks of clips that were read from these files; undefined for one that was made here. */
+export function clipsFrom(...paths: (string | undefined)[]): PartMarks {
+  const markOf = (path: string | undefined): PartMark => {
+    if (path === undefined) return UNMARKED;
+    const name = path.slice(path.lastIndexOf('/') + 1);
+    const kind = name.endsWith('.bvh') ? 'bvh' : 'anim';
+    return {
+      ...UNMARKED,
+      file: { kind, source: { name, path, bytes: 1 }, holds: name.slice(0, name.lastIndexOf('.')) },
+    };
+  };
+  return { ...NO_MARKS, clips: paths.map(markOf) };
 }
 
 export const skelFile = (path: string, ...skeletons: Skeleton[]) => file(path, { kind: 'skel', skeletons });

@@ -9,10 +9,12 @@ import { KeptFiles } from './kept-files.ts';
 import { knownSkins } from './known-skins.ts';
 import type { Given, Origins } from './origins.ts';
 import { Pieces } from './pieces.ts';
-import { cardOf, type KeptState, type SessionState } from './session-state.ts';
+import { cardOf, type KeptState, SESSION_VERSION, type SessionState } from './session-state.ts';
 
 /** The session's own record. */
 export interface SessionHead {
+  /** Absent: 1. */
+  readonly version?: number;
   /** What the tree's `part`s refer to. */
   readonly files: readonly HeadFile[];
   readonly tree: Encoded;
@@ -110,7 +112,11 @@ export class Keeper {
     const { tree, files, arrays, given } = this.encode(state);
     const filePlan = this.files.plan(given);
     const piecePlan = this.pieces.plan(arrays);
-    const head: SessionHead = { files: files.map((f) => ({ given: f.given.id, path: f.path })), tree };
+    const head: SessionHead = {
+      version: SESSION_VERSION,
+      files: files.map((f) => ({ given: f.given.id, path: f.path })),
+      tree,
+    };
     const write: SessionWrite = {
       card: cardOf(this.id, state, savedAtMs),
       head,

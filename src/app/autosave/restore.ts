@@ -13,6 +13,7 @@ import { Keeper, type SessionHead } from './keeper.ts';
 import { givenOf, type Origins } from './origins.ts';
 import { fill, piecesOf } from './pieces.ts';
 import type { KeptState, SessionState } from './session-state.ts';
+import { fromVersion1 } from './version-1.ts';
 
 export interface ReadOptions {
   readonly signal: AbortSignal;
@@ -53,7 +54,8 @@ export async function readSession(
   });
   const arrays = await readArrays(id, store, head);
   options.signal.throwIfAborted();
-  const { knownSkins = [], ...state } = decode(head.tree, files, arrays) as KeptState;
+  const kept = decode(head.tree, files, arrays) as KeptState;
+  const { knownSkins = [], ...state } = head.version === undefined ? fromVersion1(kept) : kept;
   if (state.document.characters.some(({ driver }) => driver)) await import('../../evaluate/retarget/driving.ts');
   for (const { skin, facts, morphs } of knownSkins) adoptSkinFacts(skin, facts, morphs);
   return {

@@ -1,30 +1,16 @@
 /** What saving knows of the session: which parts are as their files have them, and where the files lie. */
-import type { Store } from '../../edit/store.ts';
-import { findCharacter } from '../../model/document.ts';
 import type { DiskHandles, KeptDiskFile } from '../disk-handles.ts';
-import type { SavedMarks, Unsaved } from '../unsaved.ts';
+import type { Unsaved } from '../unsaved.ts';
 import type { SavingMarks } from './autosave.ts';
+import type { KeptMarks } from './session-state.ts';
 
-interface Kept {
-  readonly marks: SavedMarks;
-  readonly disk: readonly KeptDiskFile[];
-}
-
-export function savingMarks(store: Store, unsaved: Unsaved, handles: DiskHandles): SavingMarks {
+export function savingMarks(unsaved: Unsaved, handles: DiskHandles): SavingMarks {
   return {
-    snapshot(): Kept {
-      const { document } = store;
-      const marks = unsaved.snapshot();
-      return {
-        // Of characters that are gone only undo knows, which is not kept.
-        marks: { ...marks, characters: marks.characters.filter((c) => findCharacter(document, c.characterId)) },
-        disk: handles.entries().flatMap(keptFile),
-      };
-    },
+    snapshot: (): KeptMarks => ({ saved: unsaved.snapshot(), disk: handles.entries().flatMap(keptFile) }),
     restore(kept) {
       // Our own snapshot, or none.
-      const { marks, disk } = (kept ?? {}) as Partial<Kept>;
-      if (marks) unsaved.restore(marks);
+      const { saved, disk } = (kept ?? {}) as Partial<KeptMarks>;
+      if (saved) unsaved.restore(saved);
       if (disk) handles.restore(disk);
     },
     subscribe: (listener) => {

@@ -9,6 +9,8 @@ import type { Selection } from '../../model/session.ts';
 import type { TimelineView } from '../../ui/state/timeline.ts';
 import type { CameraView } from '../../view/camera.ts';
 import type { KnownSkin } from '../../worker/protocol.ts';
+import type { KeptDiskFile } from '../disk-handles.ts';
+import type { SavedCharacter } from '../unsaved.ts';
 
 export interface SessionState {
   readonly document: Document;
@@ -20,14 +22,22 @@ export interface SessionState {
   readonly saving?: unknown;
 }
 
+/** What saving has to know: which parts differ from their files, and where those are. */
+export interface KeptMarks {
+  readonly saved: readonly SavedCharacter[];
+  readonly disk: readonly KeptDiskFile[];
+}
+
 /** What is written: the state, and what would take long to work out again. */
 export interface KeptState extends SessionState {
   /** Earlier pages kept none. */
   readonly knownSkins?: readonly KnownSkin[];
 }
 
-/** Of the records' form and of everything in them: another one is not read. */
-export const SESSION_VERSION = 1;
+/** Of the records' form and of everything in them. */
+export const SESSION_VERSION = 2;
+/** Those that can be read: others may be by the page that wrote them. */
+export const READABLE_VERSIONS: readonly number[] = [1, SESSION_VERSION];
 
 export function cardOf(id: string, { document }: SessionState, savedAtMs: number): SessionCard {
   const characters = document.characters.map(

@@ -85,7 +85,7 @@ export const renameClip: Command<OfTake & { readonly name: string }> = {
       if (take.name === next) return c;
       const other = c.clips.find((o) => o !== take && sameName(o.name, next));
       if (other) throw new CommandError(`${c.name} has a take "${other.name}" already.`);
-      const file = fileInTheWay(c, take, next);
+      const file = fileInTheWay(c, index, next);
       if (file) throw new CommandError(`${file.name} is another take’s file: saving "${next}" would write over it.`);
       return withTake(c, index, { ...take, name: next });
     }),

@@ -44,7 +44,7 @@ export function addPoses(character: Character, added: readonly PoseByNames[]): C
 }
 
 /**
- * Poses of a character that has another skeleton now; what is new in it is at rest.
+ * Poses of a character that has another skeleton now; what is new in it is at rest. The very same where none is another.
  * @param to of each joint before, its index after; -1 where it is gone
  */
 export function movedPoses(
@@ -54,8 +54,11 @@ export function movedPoses(
   to: ArrayLike<number>,
 ): readonly NamedPose[] {
   const all = characterDofs(after.skeleton, after.morphs);
-  return poses.map((pose) => {
-    const { values } = takePose(after, poseByNames(before, pose), to);
-    return { ...pose, values: all.map((dof, index) => values.get(index) ?? dof.rest) };
+  const moved = poses.map((pose) => {
+    const taken = takePose(after, poseByNames(before, pose), to).values;
+    const values = all.map((dof, index) => taken.get(index) ?? dof.rest);
+    const isSame = values.length === pose.values.length && values.every((value, d) => value === pose.values[d]);
+    return isSame ? pose : { ...pose, values };
   });
+  return moved.every((pose, i) => pose === poses[i]) ? poses : moved;
 }

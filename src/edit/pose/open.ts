@@ -2,6 +2,7 @@
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { type ParsedFile, sameName } from '../../model/files.ts';
+import { NO_MARKS, readAs, UNMARKED } from '../../model/part.ts';
 import { takePose } from './by-names.ts';
 import { addPoses, withPoses } from './library.ts';
 
@@ -53,5 +54,11 @@ export function givePoses(character: Character, { poses, source }: PoseFile) {
   const isReadAgain = kept.length > 0 && others.length === 0;
   const next = addPoses(isReadAgain ? withPoses(character, []) : character, poses);
   const sources = [...character.sources.filter((own) => !kept.includes(own) || others.includes(own)), source];
-  return { character: { ...next, sources }, diagnostics };
+  // A library that comes from several files is in none of them.
+  const { poses: mark, ...marks } = character.parts ?? NO_MARKS;
+  const read =
+    others.length === 0
+      ? readAs(mark, { kind: 'pose', source, holds: character.name })
+      : { ...UNMARKED, ...(mark && { id: mark.id }) };
+  return { character: { ...next, sources, parts: { ...marks, poses: read } }, diagnostics };
 }

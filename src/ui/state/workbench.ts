@@ -5,6 +5,7 @@
 
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
+import type { PartKind } from '../../model/part.ts';
 import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../kit/icons.ts';
 import type { Observable } from '../kit/observable.ts';
@@ -125,9 +126,6 @@ export interface Loading {
 /** `skel` is the hierarchy form, `axskel` the axis-angle form. */
 export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
 export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
-
-/** Kinds of files whose content can be changed here. */
-export type PartKind = 'skel' | 'skin' | 'morph' | 'anim' | 'bvh' | 'pose';
 
 /** A part of a character that is not as it was opened, or last saved. */
 export interface UnsavedPart {

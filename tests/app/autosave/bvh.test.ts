@@ -2,12 +2,12 @@ import { describe, expect, it } from 'vitest';
 import { Keeper } from '../../../src/app/autosave/keeper.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { readSession } from '../../../src/app/autosave/restore.ts';
-import { partsOf } from '../../../src/app/parts.ts';
 import { Unsaved } from '../../../src/app/unsaved.ts';
 import { openFiles } from '../../../src/edit/open-files.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
 import { writeBvh } from '../../../src/formats/bvh/write.ts';
+import { partsOf } from '../../../src/model/character-parts.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
 import { DEFAULT_TIMELINE_VIEW } from '../../../src/ui/state/timeline.ts';
@@ -79,11 +79,11 @@ describe('a kept session with motion capture', () => {
     const { state } = await again(store);
     const next = new Store();
     const marks = new Unsaved(next);
-    next.replace('Restore', { document: state.document, selection: NOTHING_SELECTED });
+    next.adopt('Restore', { document: state.document, selection: NOTHING_SELECTED });
     // Our own snapshot, as it was kept.
     marks.restore(state.saving as ReturnType<Unsaved['snapshot']>);
     expect(marks.current()).toMatchObject([{ kind: 'bvh', name: 'walk.bvh' }]);
-    expect(partsOf(state.document.characters[0])[0]).toMatchObject({ kind: 'bvh', part: { name: 'walk' } });
+    expect(partsOf(state.document.characters[0])[0]).toMatchObject({ kind: 'bvh', name: 'walk' });
     expect(state.document.characters[0].clips[0].samples?.values).toEqual(values);
   });
 });

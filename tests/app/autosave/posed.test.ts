@@ -41,14 +41,14 @@ async function page(edit: (store: Store) => void) {
   const kept = memoryStore();
   const camera = { target: [0, 1, 0], azimuth: 0.5, polar: 1, distance: 3 } as const;
   const rest = { selection: NOTHING_SELECTED, transport: DEFAULT_PLAYBACK, timeline: DEFAULT_TIMELINE_VIEW, camera };
-  const saving = savingMarks(store, unsaved, new DiskHandles()).snapshot();
+  const saving = savingMarks(unsaved, new DiskHandles()).snapshot();
   await new Keeper('s', kept, origins).save({ document: store.document, ...rest, saving }, 1);
   const reading = { signal: new AbortController().signal, onProgress: () => undefined };
   const { state } = await readSession('s', kept, worker, new Origins(1000), reading);
   const next = new Store();
-  next.replace('Restore', { document: state.document, selection: NOTHING_SELECTED });
+  next.adopt('Restore', { document: state.document, selection: NOTHING_SELECTED });
   const nextUnsaved = new Unsaved(next);
-  savingMarks(next, nextUnsaved, new DiskHandles()).restore(state.saving);
+  savingMarks(nextUnsaved, new DiskHandles()).restore(state.saving);
   return { before: store.document.characters[0], after: next.document.characters[0], unsaved: nextUnsaved };
 }
 

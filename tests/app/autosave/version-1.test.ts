@@ -13,8 +13,8 @@ import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { Store } from '../../../src/edit/store.ts';
 import type { SessionCard } from '../../../src/io/session-store.ts';
 import type { Character } from '../../../src/model/document.ts';
-import { observable } from '../../../src/ui/observable.ts';
-import { Timeline } from '../../../src/ui/timeline/timeline.ts';
+import { observable } from '../../../src/ui/kit/observable.ts';
+import { Timeline } from '../../../src/ui/state/timeline.ts';
 import { parse } from '../../../src/worker/parse.ts';
 import type { GivenBlob } from '../../../src/worker/protocol.ts';
 import { memoryStore } from './memory-store.ts';
@@ -62,7 +62,7 @@ async function restored() {
     transport: observable(DEFAULT_PLAYBACK),
     timeline: new Timeline(),
     viewport: { cameraView: state.camera },
-    saving: savingMarks(store, unsaved, handles),
+    saving: savingMarks(unsaved, handles),
   };
   putBack(state, parts, false);
   const change = (edit: (character: Character) => Character, index: number) =>

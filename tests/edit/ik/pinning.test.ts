@@ -89,7 +89,7 @@ describe('letting go', () => {
     store.apply(pinPoint, TIP);
     store.apply(clearPins, of);
     expect(store.undoLabel).toBe('Let all pins go');
-    expect(store.document.characters[0]).toEqual(before);
+    expect(store.document.characters[0]).toMatchObject(before);
     expect(store.document.characters[0]).not.toHaveProperty('ik');
   });
 });

@@ -3,6 +3,7 @@ import { removeCopy, renameCharacter, showClip, showSkin } from '../../../edit/c
 import { duplicateClip, removeClip, renameClip } from '../../../edit/commands/clips.ts';
 import { setHidden } from '../../../edit/commands/spaces.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
+import type { PartKind } from '../../../model/part.ts';
 import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
@@ -12,7 +13,7 @@ import { attempt } from '../../state/attempt.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { splitter } from '../../state/splitter.ts';
-import type { PartKind, Workbench } from '../../state/workbench.ts';
+import type { Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import {

@@ -1,8 +1,6 @@
 /** The takes of a document as rows of a table: one for each take of each character. */
 import type { TakeRef } from '../../../edit/commands/takes.ts';
-import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../../model/document.ts';
-import { sameName, stemOf } from '../../../model/files.ts';
 import { perObject } from '../../../model/per-object.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
 import { followsText, movesText } from '../retarget/moved-text.ts';
@@ -74,15 +72,9 @@ function rowOf(character: Character, index: number): TakeRow {
     startSeconds: range[0] - character.timeOffsetSeconds,
     x: position[0],
     z: position[2],
-    file: fileOf(character, clip),
+    // That of its earlier name too: there it came from.
+    file: character.parts?.clips[index]?.file?.source.path ?? '',
   };
-}
-
-/** Which of a character's files a take came from: the one of its name; of the motion files there are, the only one. */
-function fileOf({ sources, clips }: Character, clip: ChannelClip): string {
-  const motion = sources.filter(({ name }) => /\.(anim|bvh)$/i.test(name));
-  const own = motion.find((source) => sameName(stemOf(source), clip.name));
-  return (own ?? (motion.length === 1 && clips.length === 1 ? motion[0] : undefined))?.path ?? '';
 }
 
 /** Those that are looked for, in the order asked for. Of equal ones the document's first comes first. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { ChannelClip } from '../../../../src/model/clip.ts';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
 import { listedTakes, takeRows } from '../../../../src/ui/editors/takes/rows.ts';
-import { character, clip, documentOf } from '../../../helpers/builders.ts';
+import { character, clip, clipsFrom, documentOf } from '../../../helpers/builders.ts';
 
 const sampled = (name: string, frameCount: number): ChannelClip => ({
   ...clip(name, [], [0, (frameCount - 1) / 50]),
@@ -16,7 +16,6 @@ const sampled = (name: string, frameCount: number): ChannelClip => ({
     interpolation: 'linear',
   },
 });
-const file = (path: string) => ({ name: path.slice(path.lastIndexOf('/') + 1), path, bytes: 1 });
 
 const document = documentOf(
   character({
@@ -24,14 +23,14 @@ const document = documentOf(
     name: 'walk_10',
     clips: [sampled('walk_10', 11)],
     shownClip: 0,
-    sources: [file('day1/walk_10.bvh')],
+    parts: clipsFrom('day1/walk_10.bvh'),
   }),
   character({
     id: 'c2',
     name: 'wasp',
     clips: [clip('walk_2', [0]), clip('sting', [0], [0, 3])],
     shownClip: 1,
-    sources: [file('wasp.skel'), file('walk_2.anim'), file('sting.anim')],
+    parts: clipsFrom('walk_2.anim', 'sting.anim'),
     placements: [{ ...DEFAULT_PLACEMENT, position: [2, 0, -1] }],
     timeOffsetSeconds: 0.5,
   }),

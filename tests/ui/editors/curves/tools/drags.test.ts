@@ -161,9 +161,10 @@ describe('dragging keys', () => {
     const clips = [...walker.clips, clip([0, 2], channel(0, 1, 2))];
     const document = { ...wb.store.document, characters: [{ ...walker, clips, shownClip: 1 }] };
     wb.store.replace('Another take', { document, selection: wb.store.selection });
+    const put = wb.store.document;
     made.move(at(from.x + 50, from.y));
     made.end(at(from.x + 50, from.y), true);
-    expect(wb.store.document).toBe(document);
+    expect(wb.store.document).toBe(put);
     expect(wb.store.undoLabel).toBe('Another take');
   });
 

@@ -1,0 +1,122 @@
+/**
+ * Which part is which after a change: the one place where parts are numbered. Commands replace content and know nothing
+ * of parts; whoever puts a part from a file in (`project/open`) says which file, in marks that lie as its lists do.
+ *
+ * Marks are in the document, so undo brings an earlier revision back with the content that it is of.
+ */
+import type { ChannelClip } from '../model/clip.ts';
+import { type Character, type Document, findCharacter, isBvh } from '../model/document.ts';
+import { characterDofs } from '../model/dofs.ts';
+import { mapMarks, NO_MARKS, type PartMark, type PartMarks, UNMARKED } from '../model/part.ts';
+import { haveSameNames } from './pose/same-joints.ts';
+
+/** Gives a number that it has never given before. */
+export type Count = () => number;
+
+/** The document with every part marked; the same object where all are. */
+export function withParts(before: Document, after: Document, count: Count): Document {
+  if (before === after) return after;
+  let changed = false;
+  const characters = after.characters.map((now) => {
+    const was = findCharacter(before, now.id);
+    if (was === now) return now;
+    const parts = marksOf(was, now, count);
+    if (parts === now.parts) return now;
+    changed = true;
+    return { ...now, parts };
+  });
+  return changed ? { ...after, characters } : after;
+}
+
+/** A document of another page, whose numbers are not this one's: to be numbered anew. */
+export function withoutNumbers(document: Document): Document {
+  const bare = ({ file }: PartMark): PartMark => (file ? { ...UNMARKED, file } : UNMARKED);
+  const characters = document.characters.map((c) => ({ ...c, parts: mapMarks(c.parts ?? NO_MARKS, bare) }));
+  return { ...document, characters };
+}
+
+function marksOf(was: Character | undefined, now: Character, count: Count): PartMarks {
+  const before = was?.parts ?? NO_MARKS;
+  const said = now.parts ?? NO_MARKS;
+  // What nobody said anything of is what a command has made of the character before.
+  const isSaid = now.parts !== undefined && now.parts !== was?.parts;
+  const numbered = (mark: PartMark): PartMark =>
+    mark.id && mark.revision ? mark : { ...mark, id: mark.id || count(), revision: mark.revision || count() };
+  const changed = (mark: PartMark): PartMark => ({ ...mark, revision: count() });
+  const list = <T extends Named>(key: 'skins' | 'morphs' | 'clips', a: readonly T[], b: readonly T[]) => {
+    const marks = isSaid ? b.map((_, i) => said[key][i] ?? UNMARKED) : followed(a, before[key], b);
+    return sameItems(marks.map(numbered), said[key]);
+  };
+  const one = (key: 'skeleton' | 'poses', a: object | undefined, b: object | undefined): PartMark | undefined => {
+    if (!b) return undefined;
+    const mark = said[key] ?? UNMARKED;
+    return numbered(a && a !== b && mark === before[key] ? { ...mark, revision: 0 } : mark);
+  };
+
+  const skeleton = one('skeleton', was?.skeleton, now.skeleton);
+  const skins = list('skins', was?.skins ?? [], now.skins);
+  const morphs = list('morphs', was?.morphs ?? [], now.morphs);
+  let clips = list('clips', was?.clips ?? [], now.clips);
+  let poses = one('poses', was?.poses, now.poses);
+  if (was && was.skeleton !== now.skeleton && isBvh(now)) {
+    // A `.bvh` holds the skeleton with each of its takes.
+    clips = clips.map((mark) => (before.clips.includes(mark) && mark.file?.kind !== 'anim' ? changed(mark) : mark));
+  }
+  if (was && poses && poses === before.poses && !arePosedAlike(was, now)) poses = changed(poses);
+
+  const parts: PartMarks = { ...(skeleton && { skeleton }), skins, morphs, clips, ...(poses && { poses }) };
+  const isSame =
+    skeleton === said.skeleton &&
+    skins === said.skins &&
+    morphs === said.morphs &&
+    clips === said.clips &&
+    poses === said.poses;
+  return isSame && now.parts ? now.parts : parts;
+
+  /** Content that is there still keeps its mark; other content in its place is another revision of the part. */
+  function followed<T extends Named>(a: readonly T[], marks: readonly PartMark[], b: readonly T[]): PartMark[] {
+    if (a === b) return [...marks];
+    const places = new Map(a.map((content, i) => [content, i]));
+    const left = new Set(a.keys());
+    const kept = b.map((content) => {
+      const place = places.get(content);
+      return place !== undefined && left.delete(place) ? place : -1;
+    });
+    return b.map((content, i) => {
+      if (kept[i] >= 0) return marks[kept[i]] ?? UNMARKED;
+      const named = [...left].find((place) => a[place].name === content.name);
+      const place = named ?? (a.length === b.length && left.has(i) ? i : undefined);
+      if (place === undefined) return UNMARKED;
+      left.delete(place);
+      const mark = marks[place] ?? UNMARKED;
+      return holdsTheSame(a[place], content) && mark.file?.kind === 'bvh' ? mark : { ...mark, revision: 0 };
+    });
+  }
+}
+
+interface Named {
+  readonly name: string;
+}
+
+/** A list of marks where another is not what was there already. */
+function sameItems(list: readonly PartMark[], known: readonly PartMark[]): readonly PartMark[] {
+  return list.length === known.length && list.every((mark, i) => mark === known[i]) ? known : list;
+}
+
+/** Whether two clips are one to a `.bvh`, which says neither what of it is played nor how between its frames. */
+function holdsTheSame(a: Named & Partial<ChannelClip>, b: Named & Partial<ChannelClip>): boolean {
+  if (!a.samples || !b.samples || a.name !== b.name || a.channels !== b.channels) return false;
+  const { interpolation: _a, ...before } = a.samples;
+  const { interpolation: _b, ...after } = b.samples;
+  const keys = Object.keys({ ...before, ...after }) as (keyof typeof before)[];
+  return keys.every((key) => before[key] === after[key]);
+}
+
+/** Whether poses of one are written as poses of the other: their joints, DOFs and morphs are called alike. */
+function arePosedAlike(a: Character, b: Character): boolean {
+  if (a.skeleton === b.skeleton && a.morphs === b.morphs) return true;
+  return (
+    haveSameNames(a.skeleton?.joints ?? [], b.skeleton?.joints ?? []) &&
+    haveSameNames(characterDofs(a.skeleton, a.morphs), characterDofs(b.skeleton, b.morphs))
+  );
+}

@@ -1,0 +1,40 @@
+/** A character taken apart into what is saved by itself (`part.ts`). */
+import { type Character, isBvh } from './document.ts';
+import { NO_MARKS, type Part, type PartContents, type PartKind, type PartMark, UNMARKED } from './part.ts';
+
+/** All that a character is made of, in the order in which one would open it. */
+export function partsOf(character: Character): readonly Part[] {
+  const { name, skeleton, skins, morphs, clips, poses, parts = NO_MARKS } = character;
+  const takes = skeleton && isBvh(character) ? skeleton : undefined;
+  const captured: Part[] = [];
+  const animations: Part[] = [];
+  clips.forEach((clip, i) => {
+    const mark = parts.clips[i];
+    if (takes && !isFrom(mark, 'anim', clip.name)) {
+      captured.push(part('bvh', clip.name, { skeleton: takes, clip }, mark));
+    } else animations.push(part('anim', clip.name, clip, mark));
+  });
+  // Without a take, the skeleton alone is one.
+  if (takes && captured.length === 0) captured.push(part('bvh', takes.name, { skeleton: takes }, parts.skeleton));
+  return [
+    ...captured,
+    ...(skeleton && !takes ? [part('skel', skeleton.name, skeleton, parts.skeleton)] : []),
+    ...skins.map((skin, i) => part('skin', skin.name, skin, parts.skins[i])),
+    ...morphs.map((morph, i) => part('morph', morph.name, morph, parts.morphs[i])),
+    ...animations,
+    ...(poses ? [part('pose', name, { ...(skeleton && { skeleton }), morphs, poses }, parts.poses)] : []),
+  ];
+}
+
+function part<K extends PartKind>(kind: K, name: string, content: PartContents[K], mark = UNMARKED): Part {
+  const { id, revision, file } = mark;
+  const own = isFrom(mark, kind, name) ? file?.source : undefined;
+  // One of the union's members, which TypeScript can't tell of a generic kind.
+  return { kind, id, revision, name, content, ...(own && { file: own }) } as Part;
+}
+
+/** Skeletons and poses are called differently from their files; the others go by the names of theirs. */
+function isFrom(mark: PartMark | undefined, kind: PartKind, name: string): boolean {
+  const { file } = mark ?? {};
+  return file?.kind === kind && (kind === 'skel' || kind === 'pose' || file.holds === name);
+}
