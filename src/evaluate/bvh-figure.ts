@@ -16,10 +16,11 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
 import type { Figure } from '../model/files.ts';
+import { bvhChannelsOf, dofsOf, isOfBvh, stretches } from '../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../model/samples.ts';
-import { type BvhChannel, dofsOf, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
+import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
-import { type JointPlan, MATRIX_CHANNELS, planJoints, scales } from './bvh-joints.ts';
+import { type JointPlan, MATRIX_CHANNELS, planJoints } from './bvh-joints.ts';
 import { rotationPart, zxyAngles } from './euler-angles.ts';
 import { keyFrames } from './key-frames.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
@@ -41,7 +42,9 @@ const END_SITE = /^end[ _]?site$/i;
 /** Whether a joint of `.skel` stands for an End Site of BVH: a leaf below another joint that never moves. */
 export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
   const { motion, name, parent } = joints[j];
-  return motion.kind === 'fixed' && END_SITE.test(name) && parent >= 0 && joints[j + 1]?.parent !== j;
+  return (
+    !isOfBvh(motion) && dofsOf(motion).length === 0 && END_SITE.test(name) && parent >= 0 && joints[j + 1]?.parent !== j
+  );
 }
 
 /**
@@ -100,7 +103,7 @@ class Figuring {
   ) {
     const { joints } = skeleton;
     this.plans = planJoints(skeleton);
-    this.isScaled = joints.some(({ motion }) => scales(motion));
+    this.isScaled = joints.some(({ motion }) => stretches(motion));
     this.kept = joints.flatMap((_, j) => (standsForEndSite(skeleton, j) ? [] : [j]));
     this.local = new Float64Array(16 * joints.length);
     this.world = new Float64Array(16 * joints.length);
@@ -125,7 +128,7 @@ class Figuring {
       const { endSites, parent, name, box } = skeleton.joints[j];
       const ends = [...(endSites ?? []), ...(tips.get(j) ?? []), ...(leaves.get(j) ?? [])];
       return {
-        name: name || (skeleton.joints[j].motion.kind === 'bvh' ? '' : `joint${j}`),
+        name: name || (isOfBvh(skeleton.joints[j].motion) ? '' : `joint${j}`),
         parent: numbers.get(parent) ?? -1,
         offset: offsets[j],
         box,
@@ -202,9 +205,8 @@ class Figuring {
     return skeleton.joints.map(({ parent, motion }, j) => {
       const plan = plans[j];
       // A joint of BVH keeps its channels, in their order; a root that something else carries gets what it lacks.
-      if (motion.kind === 'bvh' && !plan.isScaled && (parent >= 0 || rootDofCount(skeleton) === 0)) {
-        return motion.channels;
-      }
+      const own = bvhChannelsOf(motion);
+      if (own && !plan.isScaled && (parent >= 0 || rootDofCount(skeleton) === 0)) return own;
       const positions = parent < 0 || moving.has(j) ? POSITIONS : [];
       const turns = plan.angles ? plan.angles.map(({ channel }) => channel) : MATRIX_CHANNELS;
       return [...positions, ...turns];
@@ -279,7 +281,7 @@ class Figuring {
     const info = (code: string, message: string, assumed: string) =>
       found.push(withoutPlace('info', code, message, file, assumed));
     if (isScaled) {
-      const names = skeleton.joints.filter(({ motion }) => scales(motion)).map(({ name }) => name || '(no name)');
+      const names = skeleton.joints.filter(({ motion }) => stretches(motion)).map(({ name }) => name || '(no name)');
       const message = `BVH can't hold the scale or shear of ${names.join(', ')}.`;
       info('scale-not-held', message, 'joints stand where they stood, without it');
     }

@@ -8,8 +8,8 @@
  * Scales and shears BVH can't hold. From a joint that has some down, frames are taken from the world matrices with
  * scale and shear left out: joints stand where they stood, with position channels where bones change their length.
  */
-import type { BvhChannel, Joint, Motion, Skeleton } from '../model/skeleton.ts';
-import { eulerDofs } from './euler-dofs.ts';
+import { axisOf, bvhChannelsOf, dofsOf, factorsOf, pitchOf, stretches } from '../model/joint-types.ts';
+import type { BvhChannel, CompoundDof, Dof, Joint, Motion, Skeleton } from '../model/skeleton.ts';
 
 export interface JointPlan {
   /** DOFs among the joint's own, in the order of the channels; absent where angles come from the matrix. */
@@ -28,74 +28,39 @@ export const MATRIX_CHANNELS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];
 export function planJoints({ joints }: Skeleton): readonly JointPlan[] {
   const plans: JointPlan[] = [];
   for (const joint of joints) {
-    const isScaled = scales(joint.motion) || (plans[joint.parent]?.isScaled ?? false);
+    const isScaled = stretches(joint.motion) || (plans[joint.parent]?.isScaled ?? false);
     plans.push(isScaled ? { isScaled, mayMove: true } : planOf(joint));
   }
   return plans;
 }
 
-/** Whether any joint has what BVH can't hold. */
-export function scales(motion: Motion): boolean {
-  if (motion.kind === 'scale' || motion.kind === 'shear') return true;
-  return motion.kind === 'compound' && motion.dofs.some((name) => name.startsWith('s'));
-}
-
+/** Of a joint that neither scales nor shears. */
 function planOf({ motion }: Joint): JointPlan {
-  const plain = { isScaled: false, mayMove: false };
-  switch (motion.kind) {
-    case 'bvh': {
-      const angles = motion.channels.flatMap((channel, dof) =>
-        channel.startsWith('r') ? [{ channel, dof, sign: 1 }] : [],
-      );
-      const positions = motion.channels.filter((channel) => channel.startsWith('t'));
-      return { ...plain, mayMove: positions.length > 0, angles, positions };
-    }
-    case 'ball':
-      return { ...plain, ...eulerPlan(motion) };
-    case 'free':
-      return { ...plain, ...eulerPlan(motion), mayMove: true };
-    case 'hinge': {
-      const angle = alongAxis(motion.axis);
-      return angle ? { ...plain, angles: [angle] } : plain;
-    }
-    case 'universal': {
-      // `xy` is Ry·Rx; DOFs are in the order of the axes.
-      const [first, second] = motion.order;
-      const dof = (axis: string) => ('xyz'.indexOf(axis) < 'xyz'.indexOf(axis === first ? second : first) ? 0 : 1);
-      const angle = (axis: string) => ({ channel: `r${axis}` as BvhChannel, dof: dof(axis), sign: 1 });
-      return { ...plain, angles: [angle(second), angle(first)] };
-    }
-    case 'prismatic':
-    case 'translational':
-      return { ...plain, mayMove: true, angles: [] };
-    case 'fixed':
-      return { ...plain, angles: [] };
-    case 'compound': {
-      const angles = motion.dofs.flatMap((name, dof) =>
-        name === 'rx' || name === 'ry' || name === 'rz' ? [{ channel: name, dof, sign: 1 }] : [],
-      );
-      // The rotations are multiplied in their order, whatever translations stand between them.
-      return { ...plain, mayMove: motion.dofs.some((name) => name.startsWith('t')), angles };
-    }
-    case 'screw': {
-      const angle = alongAxis(motion.axis);
-      const mayMove = motion.pitch !== 0;
-      return angle ? { ...plain, mayMove, angles: [angle] } : { ...plain, mayMove };
-    }
-    case 'quaternion':
-    case 'scale':
-    case 'shear':
-      return plain;
+  const dofs = dofsOf(motion);
+  const mayMove = dofs.some(({ unit }) => unit === 'length') || pitchOf(motion) !== 0;
+  const base = { isScaled: false, mayMove };
+  const factors = factorsOf(motion);
+  if (!factors) {
+    const angles = anglesAboutAxis(motion, dofs);
+    return { ...base, ...(angles && { angles }) };
   }
+  const names = dofs.map(({ name }) => name);
+  const angles = factors.filter(isRotation).map((channel) => ({ channel, dof: names.indexOf(channel), sign: 1 }));
+  const positions = bvhChannelsOf(motion)?.filter((channel) => channel.startsWith('t'));
+  return { ...base, angles, ...(positions && { positions }) };
 }
 
-/** `xyz` is Rz·Ry·Rx: the channels are the letters from the last to the first. */
-function eulerPlan(motion: Motion): Pick<JointPlan, 'angles'> {
-  const euler = eulerDofs(motion);
-  if (!euler) return {};
-  // Letters of the order are axes.
-  const axes = [...euler.order].reverse() as ('x' | 'y' | 'z')[];
-  return { angles: axes.map((axis) => ({ channel: `r${axis}` as const, dof: euler[axis], sign: 1 })) };
+function isRotation(name: CompoundDof): name is 'rx' | 'ry' | 'rz' {
+  return name.startsWith('r');
+}
+
+/** The channels of a joint with an axis: none where it only slides. Undefined where its angle is none of them. */
+function anglesAboutAxis(motion: Motion, dofs: readonly Dof[]): JointPlan['angles'] {
+  const axis = axisOf(motion);
+  if (!axis) return undefined;
+  if (!dofs.some(({ unit }) => unit === 'angle')) return [];
+  const angle = alongAxis(axis);
+  return angle && [angle];
 }
 
 /** The one channel of a rotation about x, y or z, or against one of them. */

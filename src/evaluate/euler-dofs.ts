@@ -1,5 +1,6 @@
 /** Which of a joint's DOFs are angles that can be told to turn it: all of a rotation's, or each by itself. */
-import { type CompoundDof, dofsOf, type EulerOrder, type Motion } from '../model/skeleton.ts';
+import { dofsOf, factorsOf, pitchOf, stretches } from '../model/joint-types.ts';
+import type { EulerOrder, Motion } from '../model/skeleton.ts';
 
 /** Where among a joint's DOFs the Euler angles are that make up its whole rotation. */
 export interface EulerDofs {
@@ -10,30 +11,26 @@ export interface EulerDofs {
   readonly order: EulerOrder;
 }
 
-/** None where a joint turns about fewer than three axes, or not by such angles. */
+/**
+ * The three rotations of a joint, with nothing between them; undefined where it turns about fewer than three axes, or not
+ * by such angles.
+ */
 export function eulerDofs(motion: Motion): EulerDofs | undefined {
-  switch (motion.kind) {
-    case 'ball':
-      return { x: 0, y: 1, z: 2, order: motion.order };
-    case 'bvh':
-      return listedAngles(motion.channels);
-    case 'free':
-      return { x: 3, y: 4, z: 5, order: motion.order };
-    case 'compound': {
-      // With anything between them they are no rotation of their own.
-      const angles = motion.dofs.flatMap((name, i) => (name.startsWith('r') ? [i] : []));
-      return angles.length === 3 && angles[2] - angles[0] === 2 ? listedAngles(motion.dofs) : undefined;
-    }
-    default:
-      return undefined;
-  }
+  const turns = (factorsOf(motion) ?? []).flatMap((name, i) => (name.startsWith('r') ? [i] : []));
+  return turns.length === 3 && turns[2] - turns[0] === 2 ? listedAngles(motion) : undefined;
 }
 
-/** Rotations listed as they are multiplied from left to right: the last one is applied first. */
-function listedAngles(names: readonly CompoundDof[]): EulerDofs | undefined {
-  const [x, y, z] = (['rx', 'ry', 'rz'] as const).map((name) => names.indexOf(name));
-  if (x < 0 || y < 0 || z < 0) return undefined;
-  const axes = names.filter((name) => name.startsWith('r')).map((name) => name[1]);
+/** The three rotations of a joint that does nothing else but translate, before, between or behind them. */
+export function rigidEulerDofs(motion: Motion): EulerDofs | undefined {
+  return stretches(motion) ? undefined : listedAngles(motion);
+}
+
+/** Rotations as they are multiplied from left to right: the last one is applied first. */
+function listedAngles(motion: Motion): EulerDofs | undefined {
+  const axes = (factorsOf(motion) ?? []).filter((name) => name.startsWith('r')).map((name) => name[1]);
+  if (axes.length !== 3) return undefined;
+  const names = dofsOf(motion).map(({ name }) => name);
+  const [x, y, z] = ['rx', 'ry', 'rz'].map((name) => names.indexOf(name));
   // The three letters of a permutation, which is what the orders are.
   return { x, y, z, order: axes.reverse().join('') as EulerOrder };
 }
@@ -61,6 +58,6 @@ export function appliedDofs({ x, y, z, order }: EulerDofs): readonly [number, nu
 /** Of each DOF of a joint, whether a whole turn more of it changes nothing. */
 export function turningDofs(motion: Motion): readonly boolean[] {
   // A turn of a screw goes somewhere.
-  const turns = motion.kind !== 'screw' || motion.pitch === 0;
+  const turns = pitchOf(motion) === 0;
   return dofsOf(motion).map(({ unit }) => turns && unit === 'angle');
 }

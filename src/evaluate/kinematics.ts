@@ -9,8 +9,9 @@
 import { multiplyAffine } from '../math/mat4.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
+import { dofsOf, offsetBesideDofs, takesLimits } from '../model/joint-types.ts';
 import { perObject } from '../model/per-object.ts';
-import { dofsOf, type Joint, type Motion, type Skeleton, takesLimits, UNLIMITED } from '../model/skeleton.ts';
+import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { appliedDofs, eulerDofs } from './euler-dofs.ts';
 import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
@@ -97,17 +98,6 @@ function turnsOf(motion: Motion, first: number): readonly number[] {
 function translationDofs(joint: Joint): Int32Array {
   const dofs = dofsOf(joint.motion);
   return Int32Array.from(['tx', 'ty', 'tz'], (name) => dofs.findIndex((dof) => dof.name === name));
-}
-
-/** What of a joint's offset is left beside position channels that replace it. */
-function offsetBesideDofs({ offset, motion }: Joint): readonly number[] {
-  if (motion.kind !== 'bvh' || motion.positions === 'add') return offset;
-  const [x, y, z] = offset;
-  return [
-    motion.channels.includes('tx') ? 0 : x,
-    motion.channels.includes('ty') ? 0 : y,
-    motion.channels.includes('tz') ? 0 : z,
-  ];
 }
 
 /** Clamps the joints' DOFs to their limits, in place. Root translation and morph weights have none. */

@@ -1,5 +1,6 @@
 /** Which DOFs of a skeleton the samples of a clip drive, sorted by how each of them gets from one frame to the next. */
 import { firstDofs } from '../model/dofs.ts';
+import { quaternionDofs } from '../model/joint-types.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { CompiledClip } from './compiled-clip.ts';
 import { appliedDofs, eulerDofs, renamedAxes, turningDofs } from './euler-dofs.ts';
@@ -72,11 +73,10 @@ function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJo
         axes.push(...renamed.axes);
       }
     }
-    if (motion.kind === 'quaternion')
-      take(
-        [0, 1, 2, 3].map((i) => first[j] + i),
-        quaternions,
-      );
+    take(
+      quaternionDofs(motion).map((d) => first[j] + d),
+      quaternions,
+    );
     turningDofs(motion).forEach((turns, i) => {
       if (turns && !done.has(first[j] + i)) take([first[j] + i], angles);
     });

@@ -6,12 +6,14 @@
  * whose translation changes over the clip, by a 20th at least of the most that any of these joints' does: noise on a root
  * that stands is no travel.
  */
+
 import { type ChannelClip, isSampled } from '../model/clip.ts';
 import { type Character, type Space, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
+import { dofsOf } from '../model/joint-types.ts';
 import { perPair } from '../model/per-object.ts';
 import { columnOf } from '../model/samples.ts';
-import { dofsOf, type Skeleton } from '../model/skeleton.ts';
+import type { Skeleton } from '../model/skeleton.ts';
 import type { CompiledSkeleton } from './kinematics.ts';
 import { upAxis } from './space.ts';
 

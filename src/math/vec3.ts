@@ -61,6 +61,18 @@ export function cross(a: Vec3, b: Vec3): Vec3 {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
+/** The other way; 0 stays 0, and is never −0. */
+export function negated([x, y, z]: Vec3): Vec3 {
+  return [-x + 0, -y + 0, -z + 0];
+}
+
+/** On the other side of a plane across an axis: `across` is 0, 1 or 2 for x, y or z. */
+export function reflected(v: Vec3, across: number): Vec3 {
+  // −0 is no place of its own.
+  const at = (k: number) => (k === across ? -v[k] + 0 : v[k]);
+  return [at(0), at(1), at(2)];
+}
+
 /** Of length 1; undefined where it has no direction. */
 export function unit(a: Vec3): Vec3 | undefined {
   const length = Math.hypot(...a);

@@ -2,7 +2,9 @@
  * What the axis-angle form of `.skel` can hold: hinges with a bone each, every child at its parent's tip, and nothing
  * else about them. Names are none of its business; they are lost, and the writer says so.
  */
+
 import { tipOf } from './bone-ends.ts';
+import { jointTypeOf } from './joint-types.ts';
 import { DEFAULT_BOX, isUnlimited, type Joint, type Skeleton } from './skeleton.ts';
 
 /**
@@ -19,7 +21,7 @@ export function axisAngleObstacle({ joints }: Skeleton): string | undefined {
 
 function obstacleOf(joints: readonly Joint[], j: number): string | undefined {
   const { motion, length, offset, parent, limits, couples, endSites } = joints[j];
-  if (motion.kind !== 'hinge') return 'is no hinge';
+  if (!jointTypeOf(motion).isAxisAngle) return 'is no hinge';
   if (length === undefined) return 'has no bone length';
   const [x, y, z] = (joints[parent] && tipOf(joints[parent])) ?? [0, 0, 0];
   if (offset[0] !== x || offset[1] !== y || offset[2] !== z) {

@@ -3,12 +3,14 @@
  * thing, and joints read from them carry a stand-in that nobody meant: they are drawn as bones, and no size is measured
  * by it. A joint with a bone of its own has a box only where someone set one.
  */
+
 import { hasOwnBox } from './axis-angle.ts';
+import { isOfBvh } from './joint-types.ts';
 import type { Joint, Skeleton } from './skeleton.ts';
 
 export function hasBox(joint: Joint): boolean {
   if (joint.length !== undefined && !hasOwnBox(joint)) return false;
-  return joint.motion.kind !== 'bvh';
+  return !isOfBvh(joint.motion);
 }
 
 /** Whether every joint has one: what has none is seen as a bone only. */

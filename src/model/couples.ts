@@ -3,8 +3,9 @@
  * out, and put in an order in which each follows what is settled already.
  */
 import { firstDofs } from './dofs.ts';
+import { dofsOf } from './joint-types.ts';
 import { perObject } from './per-object.ts';
-import { dofsOf, type Skeleton } from './skeleton.ts';
+import type { Skeleton } from './skeleton.ts';
 
 /** DOF `dof` is gain · φ + offset of DOF `follows`. */
 export interface DofCouple {

@@ -2,10 +2,12 @@
  * The document: everything that is saved and undone. Plain immutable data; parts that did not change keep their
  * identity from one document to the next, which is how the view knows what to rebuild.
  */
+
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from './clip.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';
 import type { IkSetup } from './ik.ts';
+import { isOfBvh } from './joint-types.ts';
 import type { Morph } from './morph.ts';
 import type { PartMarks } from './part.ts';
 import type { NamedPose } from './poses.ts';
@@ -156,7 +158,7 @@ export function shownClip(character: Character): ChannelClip | undefined {
 
 /** Whether a character is a figure of BVH as it stands: what is kept of it is what its file holds. */
 export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
-  return skeleton?.joints.every(({ motion }) => motion.kind === 'bvh') ?? false;
+  return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;
 }
 
 export function findCharacter(document: Document, id: string | undefined): Character | undefined {

@@ -2,7 +2,9 @@
  * The axis that a DOF goes by the colour of, red, green or blue, wherever it is drawn: the one of its name, and for a
  * DOF whose name says none the one that its joint's own axis lies along.
  */
+
 import type { CharacterDof } from './dofs.ts';
+import { axisOf } from './joint-types.ts';
 import type { Motion, Skeleton } from './skeleton.ts';
 
 export type AxisLetter = 'x' | 'y' | 'z';
@@ -22,9 +24,10 @@ export function dofAxis(motion: Motion | undefined, name: string): AxisLetter | 
   if (shear) return LETTERS.find((letter) => letter !== shear[1] && letter !== shear[2]);
   const named = /^[trsq]([xyz])$/.exec(name)?.[1];
   if (named) return LETTERS.find((letter) => letter === named);
-  if (!motion || !('axis' in motion) || (motion.kind === 'scale' && motion.mode === 'uniform')) return undefined;
-  const length = Math.hypot(...motion.axis);
-  return LETTERS.find((_, k) => Math.abs(motion.axis[k]) >= length * (1 - ALONG));
+  const axis = motion && axisOf(motion);
+  if (!axis) return undefined;
+  const length = Math.hypot(...axis);
+  return LETTERS.find((_, k) => Math.abs(axis[k]) >= length * (1 - ALONG));
 }
 
 /** The same for one of a character's DOFs; none for weights of morphs. */

@@ -7,16 +7,8 @@
  *
  * Sliders, commands, channels and the mixer's track all address a DOF by its index in this list.
  */
-import {
-  type Dof,
-  type DofUnit,
-  dofsOf,
-  type Limit,
-  movesByItself,
-  type Skeleton,
-  takesLimits,
-  UNLIMITED,
-} from './skeleton.ts';
+import { carriesCharacter, dofsOf, takesLimits } from './joint-types.ts';
+import { type Dof, type DofUnit, type Limit, type Skeleton, UNLIMITED } from './skeleton.ts';
 
 const ROOT_TRANSLATION: readonly Dof[] = [
   { name: 'tx', unit: 'length', rest: 0 },
@@ -40,7 +32,7 @@ const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_IN
 /** The root translation as a character with that skeleton has it: none where its root joint moves by itself. */
 export function rootDofs(skeleton: Skeleton | undefined): readonly Dof[] {
   const root = skeleton?.joints[0];
-  return root && movesByItself(root.motion) ? NONE : ROOT_TRANSLATION;
+  return root && carriesCharacter(root.motion) ? NONE : ROOT_TRANSLATION;
 }
 
 const NONE: readonly Dof[] = [];

@@ -5,11 +5,12 @@
  */
 import type { ChannelClip } from './clip.ts';
 import { firstDofs } from './dofs.ts';
-import type { BvhChannel, BvhMotion, Joint, Skeleton } from './skeleton.ts';
+import { dofsOf, positionsOf, withParameter } from './joint-types.ts';
+import type { BvhMotion, Joint, Skeleton } from './skeleton.ts';
 
 export type Positions = BvhMotion['positions'];
 
-const AXES: readonly BvhChannel[] = ['tx', 'ty', 'tz'];
+const TRANSLATIONS: readonly string[] = ['tx', 'ty', 'tz'];
 /** Frames that are looked at, evenly over the clip. */
 const MOST_FRAMES = 16;
 /** Channels that stay below this part of their OFFSET's length stay at 0. */
@@ -17,17 +18,13 @@ const NOTHING = 0.05;
 
 /** Whether any joint has position channels, which can mean one thing or the other. */
 export function hasPositions({ joints }: Skeleton): boolean {
-  return joints.some(positionsOf);
-}
-
-function positionsOf({ motion }: Joint): boolean {
-  return motion.kind === 'bvh' && AXES.some((name) => motion.channels.includes(name));
+  return joints.some(({ motion }) => positionsOf(motion));
 }
 
 /** What the skeleton's position channels are taken as now; undefined where it has none. */
 export function positionsTaken({ joints }: Skeleton): Positions | undefined {
-  const motion = joints.find(positionsOf)?.motion;
-  return motion?.kind === 'bvh' ? motion.positions : undefined;
+  const motion = joints.find((joint) => positionsOf(joint.motion))?.motion;
+  return motion && positionsOf(motion);
 }
 
 /**
@@ -36,11 +33,10 @@ export function positionsTaken({ joints }: Skeleton): Positions | undefined {
  */
 export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined): Positions {
   const first = firstDofs(skeleton);
-  const tellers = skeleton.joints.flatMap((joint, j) => {
-    const { motion, offset, parent } = joint;
+  const tellers = skeleton.joints.flatMap(({ motion, offset, parent }, j) => {
     const length = Math.hypot(...offset);
-    if (parent < 0 || motion.kind !== 'bvh' || !positionsOf(joint) || !(length > 0)) return [];
-    const dofs = motion.channels.flatMap((name, i) => (name.startsWith('t') ? [first[j] + i] : []));
+    if (parent < 0 || !positionsOf(motion) || !(length > 0)) return [];
+    const dofs = dofsOf(motion).flatMap(({ unit }, i) => (unit === 'length' ? [first[j] + i] : []));
     return [{ dofs, length, moves: false }];
   });
   const samples = clip?.samples;
@@ -61,11 +57,11 @@ export function withPositions(skeleton: Skeleton, positions: Positions): Skeleto
   let changed = false;
   const joints = skeleton.joints.map((joint): Joint => {
     const { motion, pose } = joint;
-    if (motion.kind !== 'bvh' || motion.positions === positions || !positionsOf(joint)) return joint;
+    if ((positionsOf(motion) ?? positions) === positions) return joint;
     changed = true;
     return {
       ...joint,
-      motion: { ...motion, positions },
+      motion: withParameter(motion, 'positions', positions),
       pose: pose.map((value, i) => value + shiftOf(joint, i, positions)),
     };
   });
@@ -81,8 +77,8 @@ export function poseForPositions(skeleton: Skeleton, pose: readonly number[], po
   const first = firstDofs(skeleton);
   skeleton.joints.forEach((joint, j) => {
     const { motion } = joint;
-    if (motion.kind !== 'bvh' || motion.positions === positions) return;
-    motion.channels.forEach((_, i) => {
+    if ((positionsOf(motion) ?? positions) === positions) return;
+    dofsOf(motion).forEach((_, i) => {
       next[first[j] + i] += shiftOf(joint, i, positions);
     });
   });
@@ -91,7 +87,7 @@ export function poseForPositions(skeleton: Skeleton, pose: readonly number[], po
 
 /** What is to be added to a value of a joint's channel when it is taken so from now on. */
 function shiftOf({ motion, offset }: Joint, channel: number, positions: Positions): number {
-  const axis = motion.kind === 'bvh' ? AXES.indexOf(motion.channels[channel]) : -1;
+  const axis = TRANSLATIONS.indexOf(dofsOf(motion)[channel].name);
   if (axis < 0) return 0;
   return positions === 'add' ? -offset[axis] : offset[axis];
 }

@@ -64,8 +64,8 @@ export interface Limit {
 }
 
 /**
- * How a joint moves. What is said of it stays as written (axes of any length, but not of none); `evaluate/motions.ts`
- * holds each kind's rule.
+ * How a joint moves. What is said of it stays as written (axes of any length, but not of none); `joint-types.ts` has a
+ * record of each kind, `evaluate/motions.ts` its matrix.
  */
 export type Motion =
   | { readonly kind: 'ball'; readonly order: EulerOrder }
@@ -135,72 +135,6 @@ export const DEFAULT_BOX: Box = { min: [-0.1, -0.1, -0.1], max: [0.1, 0.1, 0.1] 
 export const DEFAULT_MOTION: Motion = { kind: 'ball', order: 'xyz' };
 /** What the course's files mean by "no limit"; shown as unlimited. */
 export const UNLIMITED: Limit = { min: -100000, max: 100000 };
-
-/** `rx` is an angle, `sy` a scale, `qw` a part of a quaternion: the first letter tells them apart. */
-function dof(name: string): Dof {
-  if (name.startsWith('r')) return { name, unit: 'angle', rest: 0 };
-  if (name.startsWith('t')) return { name, unit: 'length', rest: 0 };
-  return { name, unit: 'factor', rest: name.startsWith('s') || name === 'qw' ? 1 : 0 };
-}
-
-function list(...names: readonly string[]): readonly Dof[] {
-  return names.map(dof);
-}
-
-const R = list('r');
-const T = list('t');
-const S = list('s');
-const RX_RY_RZ = list('rx', 'ry', 'rz');
-const TX_TY_TZ = list('tx', 'ty', 'tz');
-const FREE = [...TX_TY_TZ, ...RX_RY_RZ];
-const SX_SY_SZ = list('sx', 'sy', 'sz');
-const QUATERNION = list('qx', 'qy', 'qz', 'qw');
-const SHEAR = list('hxy', 'hxz', 'hyz');
-const NONE = list();
-
-/** The DOFs of a motion, in the order in which poses, limits and channels list them. */
-export function dofsOf(motion: Motion): readonly Dof[] {
-  switch (motion.kind) {
-    case 'ball':
-      return RX_RY_RZ;
-    case 'hinge':
-    case 'screw':
-      return R;
-    case 'universal':
-      return RX_RY_RZ.filter(({ name }) => motion.order.includes(name[1]));
-    case 'quaternion':
-      return QUATERNION;
-    case 'prismatic':
-      return T;
-    case 'translational':
-      return TX_TY_TZ;
-    case 'free':
-      return FREE;
-    case 'scale':
-      return motion.mode === 'xyz' ? SX_SY_SZ : S;
-    case 'shear':
-      return SHEAR;
-    case 'fixed':
-      return NONE;
-    case 'compound':
-      return motion.dofs.map(dof);
-    case 'bvh':
-      return motion.channels.map(dof);
-  }
-}
-
-/** Whether a joint as the root carries the whole character by its own DOFs, and needs no root translation. */
-export function movesByItself(motion: Motion): boolean {
-  if (motion.kind === 'free') return true;
-  return motion.kind === 'bvh' && TRANSLATIONS.every((name) => motion.channels.includes(name));
-}
-
-const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
-
-/** Whether a motion's DOFs take limits. Those of a quaternion are no quantities of their own: they stay as they are. */
-export function takesLimits(motion: Motion): boolean {
-  return motion.kind !== 'quaternion';
-}
 
 export function isUnlimited(limit: Limit): boolean {
   return limit.min <= UNLIMITED.min && limit.max >= UNLIMITED.max;

@@ -3,8 +3,9 @@ import { describe, expect, it } from 'vitest';
 import { direction } from '../../src/evaluate/motions/axis.ts';
 import { jointMotion } from '../../src/evaluate/motions.ts';
 import { determinant3 } from '../../src/math/mat4.ts';
+import { dofsOf } from '../../src/model/joint-types.ts';
 import { skelMotionOf } from '../../src/model/skel-motion.ts';
-import { dofsOf, type Motion } from '../../src/model/skeleton.ts';
+import type { Motion } from '../../src/model/skeleton.ts';
 import { bvhMotion, motion } from '../formats/arbitraries.ts';
 import { expectClose } from '../helpers/close.ts';
 

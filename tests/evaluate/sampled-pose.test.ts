@@ -5,15 +5,9 @@ import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { keylessChannel } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { rootDofCount } from '../../src/model/dofs.ts';
+import { dofsOf } from '../../src/model/joint-types.ts';
 import { INTERPOLATIONS, type Interpolation, RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
-import {
-  type BvhChannel,
-  dofsOf,
-  EULER_ORDERS,
-  type EulerOrder,
-  type Motion,
-  UNLIMITED,
-} from '../../src/model/skeleton.ts';
+import { type BvhChannel, EULER_ORDERS, type EulerOrder, type Motion, UNLIMITED } from '../../src/model/skeleton.ts';
 import { character, clip, joint } from '../helpers/builders.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { evenly } from '../helpers/evenly.ts';

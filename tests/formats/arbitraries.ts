@@ -3,6 +3,7 @@ import fc from 'fast-check';
 import { radiansOf } from '../../src/formats/skel/degrees.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED, type Tangents } from '../../src/model/clip.ts';
+import { dofsOf } from '../../src/model/joint-types.ts';
 import type { Morph, MorphRows } from '../../src/model/morph.ts';
 import type { Rig } from '../../src/model/rig.ts';
 import {
@@ -11,7 +12,6 @@ import {
   COMPOUND_DOFS,
   type Couple,
   DEFAULT_BOX,
-  dofsOf,
   EULER_ORDERS,
   type Joint,
   type Motion,

@@ -2,8 +2,9 @@
 import { keylessChannel } from '../../src/model/clip.ts';
 import { rootDofCount } from '../../src/model/dofs.ts';
 import type { Figure } from '../../src/model/files.ts';
+import { dofsOf } from '../../src/model/joint-types.ts';
 import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
-import { type BvhChannel, dofsOf, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
+import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import { joint } from './builders.ts';
 
 export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: Partial<Joint> = {}): Joint {

@@ -4,10 +4,11 @@ import { type ChannelClip, EXTRAPOLATIONS, FIXED, TANGENT_KINDS } from '../../sr
 import { couplesOf } from '../../src/model/couples.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
 import { characterDofs } from '../../src/model/dofs.ts';
+import { dofsOf } from '../../src/model/joint-types.ts';
 import type { Morph } from '../../src/model/morph.ts';
 import type { Samples } from '../../src/model/samples.ts';
 import type { Selection } from '../../src/model/session.ts';
-import { dofsOf, type Skeleton } from '../../src/model/skeleton.ts';
+import type { Skeleton } from '../../src/model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
 
 /** As `expect`, but cheap enough to be asked ten thousand times. */

@@ -5,11 +5,12 @@ import { describe, expect, it } from 'vitest';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { readMorph } from '../../src/formats/morph/read.ts';
 import { readRig } from '../../src/formats/rig/read.ts';
-import { JOINT_TYPES, jointTypeOfMotion } from '../../src/formats/skel/joint-types.ts';
+import { SKEL_TYPES } from '../../src/formats/skel/joint-types.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { readSkin } from '../../src/formats/skin/read.ts';
 import type { Diagnostic } from '../../src/model/diagnostic.ts';
 import { firstDofs, jointDofCount } from '../../src/model/dofs.ts';
+import { jointTypeOf } from '../../src/model/joint-types.ts';
 import { SCALE_MODES } from '../../src/model/skeleton.ts';
 import type { Sample } from '../../src/samples/sample.ts';
 import { filesOf, makeSamples, type SampleEntry, sampleFolder } from '../../src/samples/samples.ts';
@@ -162,8 +163,8 @@ describe('joint types', () => {
   const { skeleton, clip } = sample;
 
   it('are all there, every mode of a scale, a coupled DOF and a bone with a length too', () => {
-    const types = new Set(skeleton.joints.map(({ motion }) => jointTypeOfMotion(motion)));
-    expect(types).toEqual(new Set(JOINT_TYPES));
+    const types = new Set(skeleton.joints.map(({ motion }) => jointTypeOf(motion).keyword));
+    expect(types).toEqual(new Set(SKEL_TYPES.map(({ keyword }) => keyword)));
     const modes = skeleton.joints.flatMap(({ motion }) => (motion.kind === 'scale' ? [motion.mode] : []));
     expect(new Set(modes)).toEqual(new Set(SCALE_MODES));
     expect(skeleton.joints.some((joint) => joint.couples)).toBe(true);

@@ -5,15 +5,16 @@
  *
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
+
 import { openFiles } from '../../edit/open-files.ts';
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { typeName } from '../../formats/skel/joint-types.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
+import { jointTypeOf } from '../../model/joint-types.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Command } from '../io.ts';
 import { loadFiles } from '../load.ts';
@@ -176,7 +177,7 @@ function poseCharacter(character: Character, asked: Asked, withVertices: boolean
     index,
     name: joint.name,
     parent: joint.parent,
-    type: typeName(joint.motion),
+    type: jointTypeOf(joint.motion).keyword,
     dofs: compiled ? Array.from(values.subarray(compiled.firstDof[index], compiled.firstDof[index + 1])) : [],
     world: world ? Array.from(world.subarray(16 * index, 16 * index + 16)) : [],
     ...(world && joint.length !== undefined && { tip: tipPosition(joint.length, world, index) }),

@@ -3,7 +3,8 @@
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
-import { type Couple, dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import type { Couple, Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { boundAnew } from '../rig/apply.ts';

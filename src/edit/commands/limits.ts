@@ -4,7 +4,8 @@
  */
 import type { Document } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
-import { dofsOf, type Limit, UNLIMITED } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import { type Limit, UNLIMITED } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Command, CommandError } from '../store.ts';

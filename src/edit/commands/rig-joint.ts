@@ -5,7 +5,8 @@ import { tipOf } from '../../model/bone-ends.ts';
 import type { Character, Document } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
-import { dofsOf, type Joint, type Motion, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf, positionsOf, turnsJoint } from '../../model/joint-types.ts';
+import type { Joint, Motion, Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { calledIn, findJoint, rigged, secondsOf, withJoint } from '../rig/apply.ts';
@@ -94,7 +95,7 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
         ? turnedAs(next, character, shownAt(character, seconds), index, index, seconds)
         : next;
       // A position that replaced its offset is one, and no way from it.
-      if (index === 0 || !replaces(joint.motion) || replaces(motion)) return turned;
+      if (index === 0 || positionsOf(joint.motion) !== 'replace' || positionsOf(motion) === 'replace') return turned;
       const pivot = pivotOf(shownAt(character, seconds), index);
       return withPivots(turned, characterId, new Map([[index, pivot]]), seconds);
     });
@@ -121,15 +122,7 @@ export function keysLostBy(
 function turnsAnew({ after, dofs }: JointMap, index: number): boolean {
   const { motion } = after.joints[index];
   const first = firstDofs(after)[index];
-  return dofsOf(motion).every(
-    ({ unit }, d) => !(unit === 'angle' || motion.kind === 'quaternion') || dofs[first + d].from < 0,
-  );
-}
-
-function replaces(motion: Motion): boolean {
-  return (
-    motion.kind === 'bvh' && motion.positions === 'replace' && motion.channels.some((name) => name.startsWith('t'))
-  );
+  return dofsOf(motion).every((dof, d) => !turnsJoint(dof) || dofs[first + d].from < 0);
 }
 
 /** The box drawn for a joint, in its own space; min above max occurs in files, and is taken here too. */

@@ -17,17 +17,10 @@ import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Channel, type ChannelClip, keylessChannel } from '../../model/clip.ts';
 import { filePose, firstDofs, rootDofCount } from '../../model/dofs.ts';
+import { dofsOf, isOfBvh, offsetBesideDofs } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
 import { skelMotionOf } from '../../model/skel-motion.ts';
-import {
-  type Box,
-  dofsOf,
-  isUnlimited,
-  type Joint,
-  type Limit,
-  type Skeleton,
-  UNLIMITED,
-} from '../../model/skeleton.ts';
+import { type Box, isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import { type KeyOptions, keyedClip } from './keys-of-samples.ts';
 
 export interface SkelFigure {
@@ -68,7 +61,7 @@ function dofCount({ joints }: Skeleton): number {
 
 function make(skeleton: Skeleton): SkelFigure {
   const identity = () => Array.from({ length: rootDofCount(skeleton) + dofCount(skeleton) }, (_, c) => c);
-  if (!skeleton.joints.some(({ motion }) => motion.kind === 'bvh')) return { skeleton, channelMap: identity() };
+  if (!skeleton.joints.some(({ motion }) => isOfBvh(motion))) return { skeleton, channelMap: identity() };
   const thickness = THICKNESS * extentOf(skeleton);
   const boxes = boxesOf(skeleton, thickness);
   const joints: Joint[] = [];
@@ -94,16 +87,13 @@ function make(skeleton: Skeleton): SkelFigure {
 
 function skelJoint(joint: Joint, box: Box): Joint {
   const { endSites: _, ...rest } = joint;
-  const { motion } = joint;
-  if (motion.kind !== 'bvh') return rest;
-  const { motion: to, dofMap } = skelMotionOf(motion);
-  const replaces = (name: 'tx' | 'ty' | 'tz') => motion.positions === 'replace' && motion.channels.includes(name);
-  const [x, y, z] = joint.offset;
+  if (!isOfBvh(joint.motion)) return rest;
+  const { motion, dofMap } = skelMotionOf(joint.motion);
   return {
     ...rest,
     box,
-    motion: to,
-    offset: [replaces('tx') ? 0 : x, replaces('ty') ? 0 : y, replaces('tz') ? 0 : z],
+    motion,
+    offset: offsetBesideDofs(joint),
     limits: dofMap.map((d) => limitOf(joint, d)),
     pose: dofMap.map((d) => joint.pose[d] ?? 0),
   };
@@ -126,9 +116,7 @@ function channelMapOf(from: Skeleton, to: Skeleton, origins: readonly number[]):
   const map = Array.from({ length: rootDofCount(to) }, (_, c) => (c < own ? c : -1));
   origins.forEach((j) => {
     if (j < 0) return;
-    const { motion } = from.joints[j];
-    const dofMap = motion.kind === 'bvh' ? skelMotionOf(motion).dofMap : dofsOf(motion).map((_, d) => d);
-    map.push(...dofMap.map((d) => starts[j] + d));
+    map.push(...skelMotionOf(from.joints[j].motion).dofMap.map((d) => starts[j] + d));
   });
   return map;
 }

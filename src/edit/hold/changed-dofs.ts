@@ -1,6 +1,8 @@
 /** Which DOFs a hold has changed: only those are keyed. */
+
 import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
 import { characterDofs } from '../../model/dofs.ts';
+import { quaternionDofs } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { HeldFrames } from './frames.ts';
 
@@ -31,8 +33,7 @@ function largestChange({ own, held, width }: HeldFrames, dof: number): number {
 
 function keepQuaternionsWhole({ joints }: Skeleton, { firstDof }: CompiledSkeleton, isChanged: boolean[]): void {
   joints.forEach(({ motion }, j) => {
-    if (motion.kind !== 'quaternion') return;
-    const isAny = [0, 1, 2, 3].some((k) => isChanged[firstDof[j] + k]);
-    if (isAny) isChanged.fill(true, firstDof[j], firstDof[j] + 4);
+    const parts = quaternionDofs(motion).map((d) => firstDof[j] + d);
+    if (parts.some((dof) => isChanged[dof])) for (const dof of parts) isChanged[dof] = true;
   });
 }

@@ -22,6 +22,7 @@ import { slerpWeight } from '../../math/slerp.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
+import { quaternionDofs } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Steps } from '../samples/steps.ts';
 import { calm } from './calm.ts';
@@ -188,8 +189,9 @@ function apart(a: Float64Array, b: Float64Array): number {
 /** q and −q turn alike, but the way between them is no short one: each frame's takes the side of the one before. */
 function keepSigns({ joints }: Skeleton, { firstDof }: CompiledSkeleton, held: Float64Array, width: number): void {
   joints.forEach(({ motion }, j) => {
-    if (motion.kind !== 'quaternion') return;
-    for (let o = width + firstDof[j]; o < held.length; o += width) {
+    const [x] = quaternionDofs(motion);
+    if (x === undefined) return;
+    for (let o = width + firstDof[j] + x; o < held.length; o += width) {
       let along = 0;
       for (let k = o; k < o + 4; k++) along += held[k] * held[k - width];
       if (along < 0) for (let k = o; k < o + 4; k++) held[k] = -held[k];

@@ -2,9 +2,11 @@
  * q and −q turn alike, but the way from one key to the next is the short one only where they point the same way: a key
  * of a quaternion joint takes the sign that is nearer to the key before it.
  */
+
 import type { Channel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
+import { quaternionDofs } from '../../model/joint-types.ts';
 import { sameTime } from './same-time.ts';
 
 /**
@@ -20,14 +22,13 @@ export function withNearerSigns(
   values: ReadonlyMap<number, number>,
   time: number,
 ): ReadonlyMap<number, number> {
-  if (!skeleton?.joints.some(({ motion }) => motion.kind === 'quaternion')) return values;
+  if (!skeleton?.joints.some(({ motion }) => quaternionDofs(motion).length)) return values;
   const first = firstDofs(skeleton);
   const signed = new Map(values);
   let changed = false;
   skeleton.joints.forEach(({ motion }, joint) => {
-    if (motion.kind !== 'quaternion') return;
-    const parts = [0, 1, 2, 3].map((i) => first[joint] + i);
-    if (!parts.every((dof) => values.has(dof))) return;
+    const parts = quaternionDofs(motion).map((d) => first[joint] + d);
+    if (!parts.length || !parts.every((dof) => values.has(dof))) return;
     if (!parts.some((dof) => keyBefore(channels[dof], time) >= 0)) return;
     const along = parts.reduce((sum, dof) => sum + (values.get(dof) ?? 0) * valueBefore(channels[dof], time), 0);
     if (!(along < 0)) return;

@@ -2,10 +2,12 @@
  * A pose between two: rotations along the shortest arc at an even pace (Shoemake 1985), three Euler angles by way of their
  * quaternion and back to those that are nearest to where they began; everything else straight on.
  */
+
 import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { slerpWeight } from '../../math/slerp.ts';
 import { firstDofs } from '../../model/dofs.ts';
+import { quaternionDofs } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 
 /**
@@ -25,7 +27,8 @@ export function blendPoses(
   const first = firstDofs(skeleton);
   skeleton.joints.forEach(({ motion }, j) => {
     const euler = eulerDofs(motion);
-    if (motion.kind === 'quaternion') blendQuaternions(from, to, share, first[j], out);
+    const [x] = quaternionDofs(motion);
+    if (x !== undefined) blendQuaternions(from, to, share, first[j] + x, out);
     if (!euler) return;
     const applied = appliedDofs(euler).map((dof) => first[j] + dof);
     blendEulers(from, to, share, applied, renamedAxes(euler.order).sign, out);

@@ -4,9 +4,10 @@
  */
 import type { Character } from '../../model/document.ts';
 import { characterDofs, firstDofs, rootDofCount } from '../../model/dofs.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import type { NamedPose } from '../../model/poses.ts';
-import { dofsOf, type Joint } from '../../model/skeleton.ts';
+import type { Joint } from '../../model/skeleton.ts';
 import { haveSameNames, sameNames } from './same-joints.ts';
 
 type Posed = Pick<Character, 'skeleton' | 'morphs'>;

@@ -5,7 +5,8 @@
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import { multiply3 } from '../../evaluate/retarget/rotations.ts';
 import { withoutRoundOff } from '../../math/round-off.ts';
-import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import type { JointMaps } from './reflection-maps.ts';
 
 /** Away from the pose of reference, each DOF by another amount. */

@@ -16,9 +16,11 @@
  * In most skeletons that is a sign for each DOF: signs are found by trying them, whatever the kind of joint is, and are
  * exact to the last bit. Others are fitted (`fit-local.ts`).
  */
+
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { filePose, restPose } from '../../model/dofs.ts';
+import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { type Partners, partnersAcross, sizeOf } from './partners.ts';
@@ -90,9 +92,8 @@ function restValues(skeleton: Skeleton): Float64Array {
   const values = Float64Array.from(restPose(skeleton, 0));
   const { firstDof } = compileSkeleton(skeleton);
   skeleton.joints.forEach(({ motion, offset }, j) => {
-    if (motion.kind !== 'bvh' || motion.positions !== 'replace') return;
-    motion.channels.forEach((name, d) => {
-      if (name.startsWith('t')) values[firstDof[j] + d] = offset['xyz'.indexOf(name[1])];
+    dofsOf(motion).forEach(({ name }, d) => {
+      if (replacesOffset(motion, name)) values[firstDof[j] + d] = offset['xyz'.indexOf(name[1])];
     });
   });
   return values;

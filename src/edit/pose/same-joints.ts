@@ -4,7 +4,8 @@
  * same, case and what a program puts before it don't count. Joints that have no name, or another one now, are known by
  * their place.
  */
-import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import { plainName } from './sides.ts';
 
 interface Named {

@@ -1,13 +1,8 @@
 /** Arguments of the commands of rigging, checked; each refuses with a `CommandError` that says what was expected. */
 import type { Vec3 } from '../../math/vec3.ts';
-import {
-  AXIS_PAIRS,
-  type BvhChannel,
-  COMPOUND_DOFS,
-  EULER_ORDERS,
-  type Motion,
-  SCALE_MODES,
-} from '../../model/skeleton.ts';
+import type { Parameter, ParameterValues } from '../../model/joint-types/parameters.ts';
+import { MOTION_KINDS, parametersOf } from '../../model/joint-types.ts';
+import type { Motion } from '../../model/skeleton.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { CommandError } from '../store.ts';
 
@@ -27,58 +22,32 @@ export function jointName(value: unknown): string {
   throw new CommandError('The name of a joint has to be a text.');
 }
 
-const KINDS: readonly Motion['kind'][] = [
-  'ball',
-  'hinge',
-  'universal',
-  'quaternion',
-  'prismatic',
-  'translational',
-  'free',
-  'screw',
-  'scale',
-  'shear',
-  'fixed',
-  'compound',
-  'bvh',
-];
-
-const BVH_CHANNELS: readonly BvhChannel[] = ['tx', 'ty', 'tz', 'rx', 'ry', 'rz'];
-
 /** A motion with what its kind takes, and nothing else. */
 export function checkedMotion(motion: Motion): Motion {
-  const kind = oneOf(motion?.kind, KINDS, 'The type of a joint');
-  // Only fields of its kind are asked for, whatever else the value that was given has.
+  const kind = oneOf(motion?.kind, MOTION_KINDS, 'The type of a joint');
+  // Only parameters of its kind are asked for, whatever else the value that was given has.
   const given = motion as unknown as Readonly<Record<string, unknown>>;
-  switch (kind) {
-    case 'ball':
-    case 'free':
-      return { kind, order: oneOf(given.order, EULER_ORDERS, 'The order') };
-    case 'universal':
-      return { kind, order: oneOf(given.order, AXIS_PAIRS, 'The order') };
-    case 'hinge':
-    case 'prismatic':
-      return { kind, axis: axisOf(given.axis) };
-    case 'screw':
-      return { kind, axis: axisOf(given.axis), pitch: finiteNumber(given.pitch, 'The pitch') };
-    case 'scale':
-      return { kind, mode: oneOf(given.mode, SCALE_MODES, 'The mode'), axis: axisOf(given.axis) };
-    case 'compound':
-      return { kind, dofs: eachOnce(given.dofs, COMPOUND_DOFS, 'The DOFs of a compound joint') };
-    case 'bvh': {
-      const positions = oneOf(given.positions, ['replace', 'add'] as const, 'What position channels mean');
-      return { kind, channels: eachOnce(given.channels, BVH_CHANNELS, 'The channels'), positions };
-    }
-    case 'quaternion':
-    case 'translational':
-    case 'shear':
-    case 'fixed':
-      return { kind };
+  const values = parametersOf({ kind }).map(([name, parameter]) => [name, checkedParameter(given[name], parameter)]);
+  // All parameters of its kind, each with a value of its own type.
+  return { kind, ...Object.fromEntries(values) } as Motion;
+}
+
+function checkedParameter(value: unknown, parameter: Parameter): ParameterValues[Parameter['type']] {
+  const { subject } = parameter;
+  switch (parameter.type) {
+    case 'choice':
+      return oneOf(value, parameter.choices, subject);
+    case 'list':
+      return eachOnce(value, parameter.choices, subject);
+    case 'axis':
+      return checkedAxis(value, subject);
+    case 'number':
+      return finiteNumber(value, subject);
   }
 }
 
-function axisOf(value: unknown): Vec3 {
-  const axis = vector(value, 'The axis');
+function checkedAxis(value: unknown, subject: string): Vec3 {
+  const axis = vector(value, subject);
   if (axis.every((part) => part === 0)) throw new CommandError('An axis has to have a direction; 0 0 0 has none.');
   return axis;
 }

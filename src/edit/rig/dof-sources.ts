@@ -2,7 +2,7 @@
  * DOFs of one skeleton as DOFs of the next: by joint, and within a joint by name. What carries the whole character is
  * the root translation in one and the root's own DOFs in another:
  *
- *     root translation tx ty tz   ⇄   tx ty tz of a root that moves by itself (`movesByItself`)
+ *     root translation tx ty tz   ⇄   tx ty tz of a root that moves by itself (`carriesCharacter`)
  *
  * What is called otherwise and does the same is the same too (`same-dof.ts`).
  *
@@ -10,7 +10,8 @@
  * by what the offset does, or come to be counted from it.
  */
 import { firstDofs, rootDofs } from '../../model/dofs.ts';
-import { dofsOf, isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
+import { isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import { sameDof, timesSign } from './same-dof.ts';
 import type { Likeness } from './tree.ts';
 
@@ -84,8 +85,7 @@ function indexOf({ motion }: Joint, name: string, first: number): number {
 /** Of the offset, what a DOF's values have in them. */
 function offsetWithin({ motion, offset }: Joint, name: string): number {
   const axis = TRAVEL.indexOf(name);
-  if (axis < 0 || motion.kind !== 'bvh' || motion.positions === 'add') return 0;
-  return motion.channels.some((channel) => channel === name) ? offset[axis] : 0;
+  return axis >= 0 && replacesOffset(motion, name) ? offset[axis] : 0;
 }
 
 /** Where a joint is on the axis of a DOF while that is 0. */
@@ -95,9 +95,8 @@ function baseOf(joint: Joint, name: string): number {
 
 /** Where a new root is on an axis while the root translation is 0. */
 function standOf(joint: Joint, name: string): number {
-  const own = dofsOf(joint.motion).findIndex((dof) => dof.name === name);
-  const isWithin = own >= 0 && joint.motion.kind === 'bvh' && joint.motion.positions === 'replace';
-  return isWithin ? (joint.pose[own] ?? 0) : joint.offset[TRAVEL.indexOf(name)];
+  if (!replacesOffset(joint.motion, name)) return joint.offset[TRAVEL.indexOf(name)];
+  return joint.pose[dofsOf(joint.motion).findIndex((dof) => dof.name === name)] ?? 0;
 }
 
 function shiftOf(before: Joint, after: Joint, name: string): number {

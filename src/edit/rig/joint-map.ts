@@ -8,7 +8,8 @@
  */
 import { axisAngleObstacle, inHierarchyForm } from '../../model/axis-angle.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
-import { type Couple, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import type { Couple, Joint, Skeleton } from '../../model/skeleton.ts';
 import { type DofSource, dofSources, fittedJoint } from './dof-sources.ts';
 import { type SameDof, sameDof, timesSign } from './same-dof.ts';
 import { type Branch, type Likeness, listJoints } from './tree.ts';

@@ -2,7 +2,7 @@
 import { isSampled } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
-import { dofsOf } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import type { JointMap } from './joint-map.ts';
 
 /** `3 keys of r`, `7 keys and the samples of ry and rz`; undefined where nothing goes. */

@@ -8,7 +8,7 @@
  * place has to be quite near to where it is looked for; else a joint beside a leg would be taken for the other leg.
  */
 import { withoutRoundOff } from '../../math/round-off.ts';
-import type { Vec3 } from '../../math/vec3.ts';
+import { reflected, type Vec3 } from '../../math/vec3.ts';
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
@@ -18,7 +18,7 @@ import { CommandError } from '../store.ts';
 import { called } from './apply.ts';
 import { changedJoints, changedTree, type JointMap } from './joint-map.ts';
 import { mirroredCouples } from './mirrored-couples.ts';
-import { mirroredLimit, mirroredMotion, reflected, reflectedBox } from './mirrored-motion.ts';
+import { mirroredLimit, mirroredMotion, reflectedBox } from './mirrored-motion.ts';
 import { freeName, mirroredName } from './names.ts';
 import { withSkeletonChanged } from './remap.ts';
 import { type Branch, branchesOf, listJoints } from './tree.ts';

@@ -5,7 +5,8 @@
  *
  * What is outside of the branch is followed on its own other side, or itself where it has none.
  */
-import { type Couple, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import type { Couple, Joint, Skeleton } from '../../model/skeleton.ts';
 import { mirroredMotion } from './mirrored-motion.ts';
 
 /** A joint's other side: its index after, and the signs of its DOFs there. */

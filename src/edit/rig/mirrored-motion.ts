@@ -11,8 +11,9 @@
  *
  * Angles about x, y and z keep their sign about the axis across and lose it about the others, whatever their order.
  */
-import type { Vec3 } from '../../math/vec3.ts';
-import { type Box, dofsOf, type Limit, type Motion } from '../../model/skeleton.ts';
+import { dot, negated, reflected } from '../../math/vec3.ts';
+import { axisParameter, dofsOf, isSameType, jointTypeOf, stretches, withParameter } from '../../model/joint-types.ts';
+import type { Box, Limit, Motion } from '../../model/skeleton.ts';
 
 export interface MirroredMotion {
   readonly motion: Motion;
@@ -25,44 +26,25 @@ export interface MirroredMotion {
  * @param like the motion of the joint that is there already: an axis goes the way that its does
  */
 export function mirroredMotion(motion: Motion, across: number, like?: Motion): MirroredMotion {
-  const mirrored = plainlyMirrored(motion, across);
-  const signs = dofsOf(motion).map(({ name }) => signOf(motion, name, across));
-  const isAgainst =
-    like?.kind === mirrored.kind && 'axis' in like && 'axis' in mirrored && dot(like.axis, mirrored.axis) < 0;
+  const mirrored = jointTypeOf(motion).mirrored(motion, across);
+  const dofs = dofsOf(motion);
+  const signs = dofs.map(({ name }) => signOf(name, across));
+  const axis = axisParameter(mirrored);
+  const theirs = like && isSameType(like, mirrored) ? axisParameter(like) : undefined;
+  if (!axis || !theirs || !(dot(axis, theirs) < 0)) return { motion: mirrored, signs };
   // Against its axis, everything is the same with the other sign. Scales don't know which way theirs goes.
-  if (isAgainst && mirrored.kind === 'scale') return { motion: { ...mirrored, axis: like.axis }, signs };
-  if (isAgainst) return { motion: { ...mirrored, axis: negated(mirrored.axis) }, signs: signs.map((sign) => -sign) };
-  return { motion: mirrored, signs };
+  if (stretches(motion)) return { motion: withParameter(mirrored, 'axis', theirs), signs };
+  return { motion: withParameter(mirrored, 'axis', negated(axis)), signs: signs.map((sign) => -sign) };
 }
 
-function plainlyMirrored(motion: Motion, across: number): Motion {
-  switch (motion.kind) {
-    case 'hinge':
-      return { ...motion, axis: negated(reflected(motion.axis, across)) };
-    case 'screw':
-      return { ...motion, axis: negated(reflected(motion.axis, across)), pitch: -motion.pitch + 0 };
-    case 'prismatic':
-    case 'scale':
-      return { ...motion, axis: reflected(motion.axis, across) };
-    default:
-      return motion;
-  }
-}
-
-function signOf({ kind }: Motion, name: string, across: number): number {
+function signOf(name: string, across: number): number {
   const axis = 'xyz'[across];
-  // Their axis is mirrored instead.
-  if (kind === 'hinge' || kind === 'screw' || kind === 'prismatic' || kind === 'scale') return 1;
-  if (kind === 'shear') return name.includes(axis) ? -1 : 1;
+  // About or along an axis of the joint's own, which is mirrored instead.
+  if (name.length === 1) return 1;
+  if (name.startsWith('h')) return name.includes(axis) ? -1 : 1;
   if (name.startsWith('t')) return name[1] === axis ? -1 : 1;
   if (name.startsWith('r') || name.startsWith('q')) return name[1] === axis || name === 'qw' ? 1 : -1;
   return 1;
-}
-
-export function reflected(v: Vec3, across: number): Vec3 {
-  // −0 is no place of its own.
-  const at = (k: number) => (k === across ? -v[k] + 0 : v[k]);
-  return [at(0), at(1), at(2)];
 }
 
 export function reflectedBox({ min, max }: Box, across: number): Box {
@@ -74,12 +56,4 @@ export function reflectedBox({ min, max }: Box, across: number): Box {
 
 export function mirroredLimit(limit: Limit, sign: number): Limit {
   return sign > 0 ? limit : { min: -limit.max + 0, max: -limit.min + 0 };
-}
-
-function negated([x, y, z]: Vec3): Vec3 {
-  return [-x + 0, -y + 0, -z + 0];
-}
-
-function dot(a: Vec3, b: Vec3): number {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

@@ -2,11 +2,11 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
 import { type Character, isBvh, shownSkin } from '../../model/document.ts';
+import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
 import {
   type BvhChannel,
   DEFAULT_BOX,
   DEFAULT_MOTION,
-  dofsOf,
   type Joint,
   type Motion,
   type Skeleton,
@@ -36,7 +36,7 @@ export function newChild(character: Character, skeleton: Skeleton, parent: numbe
     const end: Vec3 = at.some((v) => v !== 0) ? at : [0, typicalLength(character, skeleton), 0];
     return { ...withMotion(plain, rotationsLike(above.motion)), endSites: [end] };
   }
-  if (skeleton.form === 'axis-angle' && above.motion.kind === 'hinge') {
+  if (skeleton.form === 'axis-angle' && jointTypeOf(above.motion).isAxisAngle) {
     return { ...withMotion(plain, above.motion), length: above.length ?? 0 };
   }
   return withMotion(plain, DEFAULT_MOTION);
@@ -48,9 +48,9 @@ function withMotion(joint: Omit<Joint, 'motion' | 'limits' | 'pose'>, motion: Mo
 }
 
 function rotationsLike(motion: Motion): Motion {
-  const own = motion.kind === 'bvh' ? motion.channels.filter((name) => name.startsWith('r')) : [];
+  const own = bvhChannelsOf(motion)?.filter((name) => name.startsWith('r')) ?? [];
   const channels: readonly BvhChannel[] = own.length === 3 ? own : ['rz', 'rx', 'ry'];
-  return { kind: 'bvh', channels, positions: motion.kind === 'bvh' ? motion.positions : 'replace' };
+  return { kind: 'bvh', channels, positions: positionsOf(motion) ?? 'replace' };
 }
 
 /**

@@ -8,7 +8,8 @@ import { invertAffine, isSingular } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
-import { dofsOf, type Joint } from '../../model/skeleton.ts';
+import { dofsOf, isOfBvh, turnsJoint } from '../../model/joint-types.ts';
+import type { Joint } from '../../model/skeleton.ts';
 import { requireCharacter } from '../characters.ts';
 import { setDofs } from '../commands/pose.ts';
 import { CommandError, documentIn } from '../store.ts';
@@ -118,9 +119,7 @@ export function turnedAs(
   const { motion } = skeleton.joints[joint];
   const shown = shownAt(character, timeSeconds);
   const { firstDof } = shown.compiled;
-  const turning = dofsOf(motion).flatMap(({ unit }, d) =>
-    unit === 'angle' || motion.kind === 'quaternion' ? [firstDof[joint] + d] : [],
-  );
+  const turning = dofsOf(motion).flatMap((dof, d) => (turnsJoint(dof) ? [firstDof[joint] + d] : []));
   // By keys, samples, or another's take.
   if (turning.some((dof) => isDriven(character, dof))) return document;
   const clamps = character.clampsToLimits;
@@ -132,7 +131,7 @@ export function turnedAs(
       .filter(({ index, value }) => value !== shown.dofs[index]);
     if (dofs.length) next = documentIn(setDofs.run(document, { characterId: before.id, dofs, timeSeconds }));
   }
-  return motion.kind === 'bvh' ? next : turnedInFile(next, before, joint, origin, turning);
+  return isOfBvh(motion) ? next : turnedInFile(next, before, joint, origin, turning);
 }
 
 /** The same in the file's pose, which limits don't change. */

@@ -1,8 +1,9 @@
 /** The channels and samples of a clip in the order of other DOFs. */
 import { type Channel, type ChannelClip, isSampled, keylessChannel, type Tangents } from '../../model/clip.ts';
 import { rootDofs } from '../../model/dofs.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE, type Samples } from '../../model/samples.ts';
-import { type DofUnit, dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import type { DofUnit, Skeleton } from '../../model/skeleton.ts';
 import { type DofSource, valueAfter } from './dof-sources.ts';
 import type { JointMap } from './joint-map.ts';
 import { timesSign } from './same-dof.ts';

@@ -9,7 +9,8 @@
 import { compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import { restPose, rootDofCount } from '../../model/dofs.ts';
-import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import { type Attachments, bindingCount, type Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 
@@ -126,12 +127,11 @@ export function restAtOffsets(skeleton: Skeleton): number[] {
   const values = restPose(skeleton, 0);
   let d = rootDofCount(skeleton);
   for (const { motion, offset } of skeleton.joints) {
-    if (motion.kind === 'bvh' && motion.positions === 'replace') {
-      motion.channels.forEach((name, i) => {
-        if (name.startsWith('t')) values[d + i] = offset['xyz'.indexOf(name[1])];
-      });
-    }
-    d += dofsOf(motion).length;
+    const dofs = dofsOf(motion);
+    dofs.forEach(({ name }, i) => {
+      if (replacesOffset(motion, name)) values[d + i] = offset['xyz'.indexOf(name[1])];
+    });
+    d += dofs.length;
   }
   return values;
 }

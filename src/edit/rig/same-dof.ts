@@ -4,7 +4,8 @@
  *
  *     r of a hinge or screw about ±x, ±y or ±z   ⇄   ± rx, ry or rz
  */
-import { dofsOf, type Motion } from '../../model/skeleton.ts';
+import { axisOf, dofsOf } from '../../model/joint-types.ts';
+import type { Motion } from '../../model/skeleton.ts';
 
 export interface SameDof {
   readonly name: string;
@@ -34,9 +35,10 @@ function has(motion: Motion, name: string): boolean {
 
 /** What turning about its axis is called elsewhere, for an axis along x, y or z. */
 function turnOf(motion: Motion): SameDof | undefined {
-  if (motion.kind !== 'hinge' && motion.kind !== 'screw') return undefined;
-  const along = [0, 1, 2].filter((k) => motion.axis[k] !== 0);
+  const axis = has(motion, 'r') ? axisOf(motion) : undefined;
+  if (!axis) return undefined;
+  const along = [0, 1, 2].filter((k) => axis[k] !== 0);
   if (along.length !== 1) return undefined;
   const [k] = along;
-  return { name: `r${'xyz'[k]}`, sign: motion.axis[k] < 0 ? -1 : 1 };
+  return { name: `r${'xyz'[k]}`, sign: axis[k] < 0 ? -1 : 1 };
 }

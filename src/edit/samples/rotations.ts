@@ -8,10 +8,12 @@
  *
  *     sin β = σ·R[i][k]      α = atan2(−σ·R[j][k], R[k][k])      γ = atan2(−σ·R[i][j], R[i][i])
  */
+
 import { writeNearestForm } from '../../evaluate/euler-angles.ts';
+import { appliedDofs, renamedAxes, rigidEulerDofs } from '../../evaluate/euler-dofs.ts';
 import { turnedNear } from '../../math/euler.ts';
 import { firstDofs } from '../../model/dofs.ts';
-import { dofsOf, type Motion, type Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 
 /** A joint that turns about three axes. */
 export interface JointRotation {
@@ -26,30 +28,13 @@ export interface JointRotation {
 export function jointRotations(skeleton: Skeleton): JointRotation[] {
   const starts = firstDofs(skeleton);
   return skeleton.joints.flatMap(({ motion }, joint) => {
-    const letters = productOf(motion);
-    if (letters?.length !== 3) return [];
-    const names = dofsOf(motion).map((dof) => dof.name);
-    const [a, b, c] = letters.map((letter) => starts[joint] + names.indexOf(`r${letter}`));
-    const [i, j, k] = letters.map((letter) => 'xyz'.indexOf(letter));
+    const euler = rigidEulerDofs(motion);
+    if (!euler) return [];
+    // The last one applied is the first from the left.
+    const [k, j, i] = renamedAxes(euler.order).axes;
+    const [c, b, a] = appliedDofs(euler).map((dof) => starts[joint] + dof);
     return [{ joint, channels: [a, b, c], axes: [i, j, k] }];
   });
-}
-
-/** The axes that a motion turns about, as it multiplies them from the left; undefined where it is no such product. */
-function productOf(motion: Motion): readonly string[] | undefined {
-  switch (motion.kind) {
-    case 'ball':
-    case 'free':
-      // Orders name what is applied first.
-      return [...motion.order].reverse();
-    case 'bvh':
-      return motion.channels.filter((name) => name.startsWith('r')).map((name) => name[1]);
-    case 'compound':
-      if (motion.dofs.some((name) => name.startsWith('s'))) return undefined;
-      return motion.dofs.filter((name) => name.startsWith('r')).map((name) => name[1]);
-    default:
-      return undefined;
-  }
 }
 
 /** Each angle within half a turn of the one before it, in place. */

@@ -3,7 +3,8 @@
  * What is given by people is checked here, once; the solver trusts its numbers.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf, positionsOf } from '../../model/joint-types.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import { type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 
 /** A unit quaternion, x y z w. */
@@ -50,7 +51,7 @@ export function ikStiffness(skeleton: Skeleton, freeRoot: boolean): Float64Array
   const { firstDof, travel, jointCount } = compileSkeleton(skeleton);
   const stiffness = new Float64Array(firstDof[jointCount]).fill(1);
   skeleton.joints.forEach(({ motion }, j) => {
-    if (motion.kind !== 'bvh') return;
+    if (!positionsOf(motion)) return;
     dofsOf(motion).forEach(({ unit }, k) => {
       if (unit === 'length') stiffness[firstDof[j] + k] = Infinity;
     });

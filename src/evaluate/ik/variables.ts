@@ -6,7 +6,8 @@
  * by the square root of its stiffness. Damping then holds back each as it should.
  */
 import { jointDofCount } from '../../model/dofs.ts';
-import { dofsOf, isUnlimited, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import { isUnlimited, type Skeleton } from '../../model/skeleton.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 
 export interface IkVariables {

@@ -10,8 +10,8 @@ import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import type { Selection } from '../../model/session.ts';
-import { dofsOf } from '../../model/skeleton.ts';
 import { silentChannels } from '../retarget/moved-dofs.ts';
 
 /** A channel's key times, and what is taken off them to have the transport's. */

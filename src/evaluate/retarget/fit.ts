@@ -12,9 +12,9 @@
  * derivatives, fewer rounds, and a word about its step at every limit.)
  */
 import { eulerNear, turnedNear } from '../../math/euler.ts';
+import { dofsOf, quaternionDofs } from '../../model/joint-types.ts';
 import type { Joint } from '../../model/skeleton.ts';
-import { dofsOf } from '../../model/skeleton.ts';
-import { eulerDofs, type RenamedAxes, renamedAxes } from '../euler-dofs.ts';
+import { eulerDofs, type RenamedAxes, renamedAxes, rigidEulerDofs } from '../euler-dofs.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import { quaternionOf } from './rotations.ts';
 
@@ -42,17 +42,14 @@ export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, cl
   const first = skeleton.firstDof[j];
   const at = first - skeleton.firstDof[0];
   const dofs = dofsOf(joint.motion);
-  const isQuaternion = joint.motion.kind === 'quaternion';
+  const isQuaternion = quaternionDofs(joint.motion).length > 0;
   const angles = dofs.flatMap(({ unit }, d) => (unit === 'angle' ? [d] : []));
   if (!angles.length && !isQuaternion) return undefined;
   const bound = (limits: Float64Array, none: number) =>
     Float64Array.from(angles, (d) => (clamps ? limits[at + d] : none));
   // What translates in between changes nothing about how a compound turns; what scales does.
-  const { motion } = joint;
-  const names = dofs.map(({ name }) => name);
-  const isRigid = motion.kind === 'compound' && !names.some((name) => name.startsWith('s'));
-  const euler = isRigid ? eulerDofs({ ...motion, dofs: motion.dofs.filter(turns) }) : eulerDofs(motion);
-  const at3 = euler && [euler.x, euler.y, euler.z].map((d) => (isRigid ? d : angles.indexOf(d)));
+  const euler = rigidEulerDofs(joint.motion) ?? eulerDofs(joint.motion);
+  const at3 = euler && [euler.x, euler.y, euler.z].map((d) => angles.indexOf(d));
   const renaming = euler && renamedAxes(euler.order);
   return {
     first,
@@ -64,8 +61,6 @@ export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, cl
     ...(renaming && { euler: { ...renaming, applied: renaming.axes.map((axis) => at3?.[axis] ?? 0) } }),
   };
 }
-
-const turns = (name: string) => name.startsWith('r');
 
 /** Scratch, never escapes. */
 const q = new Float64Array(4);

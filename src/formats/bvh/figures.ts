@@ -2,8 +2,9 @@
 import { type ChannelClip, keylessChannel } from '../../model/clip.ts';
 import { rootDofCount } from '../../model/dofs.ts';
 import type { Figure } from '../../model/files.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import { RADIANS_PER_DEGREE, rangeOfSamples, type Samples } from '../../model/samples.ts';
-import { dofsOf, type Skeleton } from '../../model/skeleton.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
 import type { Root } from './hierarchy.ts';
 import type { Motion } from './motion.ts';
 

@@ -13,8 +13,9 @@
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import type { Figure } from '../../model/files.ts';
+import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../../model/samples.ts';
-import { type BvhChannel, dofsOf, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton.ts';
 import type { WriteResult } from '../reader.ts';
 import { LONGEST_DECIMAL, putDecimal } from '../write-decimal.ts';
 import { Text } from '../write-text.ts';
@@ -104,8 +105,9 @@ function writeTree(text: Text, joints: readonly Joint[]): void {
 }
 
 function channelsOf({ name, motion }: Joint): readonly BvhChannel[] {
-  if (motion.kind === 'bvh') return motion.channels;
-  throw new Error(`${name || 'A joint'} is no joint of BVH, but ${motion.kind}: make it one first.`);
+  const channels = bvhChannelsOf(motion);
+  if (channels) return channels;
+  throw new Error(`${name || 'A joint'} is no joint of BVH, but a ${jointTypeOf(motion).keyword}: make it one first.`);
 }
 
 /** Where the numbers of one column of the file come from: value · factor + plus, at every `width`th value. */
@@ -142,7 +144,7 @@ function columnsOf({ skeleton, clip }: Figure): readonly Column[] {
 
 function addedTo({ joints }: Skeleton, j: number, name: string): number {
   const { motion, offset } = joints[j];
-  return motion.kind === 'bvh' && motion.positions === 'add' ? offset['xyz'.indexOf(name[1])] : 0;
+  return positionsOf(motion) === 'add' ? offset['xyz'.indexOf(name[1])] : 0;
 }
 
 const UTF8 = new TextEncoder();

@@ -4,7 +4,8 @@
  */
 import { couplesOf } from '../../model/couples.ts';
 import { firstDofs } from '../../model/dofs.ts';
-import { type Couple, dofsOf, type Joint } from '../../model/skeleton.ts';
+import { dofsOf } from '../../model/joint-types.ts';
+import type { Couple, Joint } from '../../model/skeleton.ts';
 import { oneToken } from '../../model/written-names.ts';
 import { number, type Part } from '../grammar.ts';
 import type { Keywords, Mark, Tokens } from '../tokens.ts';

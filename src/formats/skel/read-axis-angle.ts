@@ -17,7 +17,7 @@ import { looksNumeric, type Part } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { radiansOf } from './degrees.ts';
-import { jointTypeOf } from './joint-types.ts';
+import { skelTypeOf } from './joint-types.ts';
 
 /**
  * Whether the first token of a file, at hand, begins this form: it is a number, or is meant for one. In a file that is
@@ -25,7 +25,7 @@ import { jointTypeOf } from './joint-types.ts';
  */
 export function beginsAxisAngle(t: Tokens): boolean {
   if (t.kind !== 'word') return false;
-  return looksNumeric(t) || (/\.axskel$/i.test(t.fileName) && !jointTypeOf(t.keyword()));
+  return looksNumeric(t) || (/\.axskel$/i.test(t.fileName) && !skelTypeOf(t.keyword()));
 }
 
 /** A joint whose children have not all come yet. */

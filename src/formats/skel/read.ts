@@ -10,15 +10,14 @@
  * which come in any order, is checked at the joint's `}`; what names other joints, at the end of the tree.
  */
 import type { Vec3 } from '../../math/vec3.ts';
+import { dofsOf, takesLimits } from '../../model/joint-types.ts';
 import {
   DEFAULT_BOX,
-  dofsOf,
   isUnlimited,
   type Joint,
   type Limit,
   type Motion,
   type Skeleton,
-  takesLimits,
   UNLIMITED,
 } from '../../model/skeleton.ts';
 import { braceTooMany, number, numberRun, openBrace, type Part, skipStrange, stemOf } from '../grammar.ts';
@@ -26,7 +25,7 @@ import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { couple, type OpenCouple, resolveCouples } from './couples.ts';
-import { JOINT_TYPES, type JointType, jointTypeOf, LIMIT_TOKENS, readOwn } from './joint-types.ts';
+import { LIMIT_TOKENS, readOwn, SKEL_TYPES, type SkelType, skelTypeOf } from './joint-types.ts';
 import { numberToken, vectorToken } from './own-tokens.ts';
 import { axisAngleTree, beginsAxisAngle } from './read-axis-angle.ts';
 
@@ -45,7 +44,7 @@ const LIMITS_BY_TOKEN = new Map(Object.entries(LIMIT_TOKENS).map(([dof, token]) 
 const KEYWORDS = new Set([
   ...['offset', 'boxmin', 'boxmax', 'pose', 'limit', 'length', 'couple'],
   ...LIMITS_BY_TOKEN.keys(),
-  ...JOINT_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...tokens.keys()]),
+  ...SKEL_TYPES.flatMap(({ keyword, tokens }) => [keyword, ...tokens.keys()]),
 ]);
 
 /** More numbers than any joint has DOFs: a pose is kept that far, and only counted beyond. */
@@ -56,7 +55,7 @@ interface OpenJoint {
   readonly index: number;
   readonly parent: number;
   readonly name: string;
-  readonly type: JointType;
+  readonly type: SkelType;
   readonly place: Mark;
   offset: Vec3;
   boxMin: Vec3;
@@ -77,7 +76,7 @@ function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
       braceTooMany(t);
       continue;
     }
-    const type = jointTypeOf(t.keyword());
+    const type = skelTypeOf(t.keyword());
     if (type) {
       if (roots.length === 1) {
         const message = 'A second root: a skeleton has one, so each root becomes a skeleton of its own.';
@@ -94,12 +93,12 @@ function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
 }
 
 /** A root and all below it. Its joint type is at hand. */
-function* tree(t: Tokens, rootType: JointType): Part<readonly Joint[]> {
+function* tree(t: Tokens, rootType: SkelType): Part<readonly Joint[]> {
   const joints: Joint[] = [];
   let count = 0;
   const stack: OpenJoint[] = [];
   const couples: OpenCouple[] = [];
-  const open = function* (type: JointType): Part<void> {
+  const open = function* (type: SkelType): Part<void> {
     stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1));
   };
   yield* open(rootType);
@@ -111,7 +110,7 @@ function* tree(t: Tokens, rootType: JointType): Part<readonly Joint[]> {
     } else if (kind === 'end') t.failAtEnd(joint.place, describe(joint));
     else {
       const word = t.keyword();
-      const type = jointTypeOf(word);
+      const type = skelTypeOf(word);
       if (type) yield* open(type);
       else if (!(yield* token(t, joint, word, couples)))
         yield* skipStrange(t, describe(joint), 'a joint or its tokens');
@@ -121,7 +120,7 @@ function* tree(t: Tokens, rootType: JointType): Part<readonly Joint[]> {
 }
 
 /** `[NAME] "{"` */
-function* head(t: Tokens, type: JointType, index: number, parent: number): Part<OpenJoint> {
+function* head(t: Tokens, type: SkelType, index: number, parent: number): Part<OpenJoint> {
   const place = t.mark();
   let name = '';
   if ((yield* t.next()) === 'word') name = t.text();
@@ -177,7 +176,7 @@ function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]
   }
   const own = joint.type.tokens.get(word);
   if (!own) return false;
-  joint.motion = yield* readOwn(t, own, joint.motion, KEYWORDS);
+  joint.motion = yield* readOwn(t, word, own, joint.motion, KEYWORDS);
   return true;
 }
 

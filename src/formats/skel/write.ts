@@ -3,20 +3,13 @@
  * order uses the classic tokens only, so that other tools read it.
  */
 import { axisAngleObstacle, savesAsAxisAngle } from '../../model/axis-angle.ts';
+import { dofsOf } from '../../model/joint-types.ts';
 import { skelSkeleton } from '../../model/skel-motion.ts';
-import {
-  type Box,
-  DEFAULT_BOX,
-  dofsOf,
-  type Joint,
-  type Limit,
-  type Skeleton,
-  UNLIMITED,
-} from '../../model/skeleton.ts';
+import { type Box, DEFAULT_BOX, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import type { WriteResult } from '../reader.ts';
 import { Text } from '../write-text.ts';
 import { coupleTargets } from './couples.ts';
-import { jointTypeOfMotion, LIMIT_TOKENS, ownLines } from './joint-types.ts';
+import { keywordOf, LIMIT_TOKENS, ownLines } from './joint-types.ts';
 import { writeAxisAngleTree } from './write-axis-angle.ts';
 
 /** Every skeleton is a root of its own. `fileName` is what diagnostics name. */
@@ -51,7 +44,7 @@ function writeTree(text: Text, joints: readonly Joint[]): void {
   joints.forEach((joint, index) => {
     while (open.length > 0 && open.at(-1) !== joint.parent) closeJoint(text, open);
     const depth = open.length;
-    text.line(depth, `${jointTypeOfMotion(joint.motion).keyword}${text.name(joint.name, 'joint')} {`);
+    text.line(depth, `${keywordOf(joint.motion)}${text.name(joint.name, 'joint')} {`);
     writeTokens(text, depth + 1, joint, targets);
     open.push(index);
   });

@@ -2,7 +2,8 @@
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Channel } from '../../model/clip.ts';
 import { restPose } from '../../model/dofs.ts';
-import { dofsOf, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
+import { dofsOf, takesLimits } from '../../model/joint-types.ts';
+import { type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
 import { held, type KeyRow, keyed } from '../motion/keys.ts';
 import { encodePng } from '../paint/png.ts';
 import type { Sample } from '../sample.ts';
@@ -70,7 +71,7 @@ function buildJoints(): Skeleton {
       motion,
       limits: dofs.map(({ rest }) => {
         const { min, max } = limit(rest);
-        return motion.kind === 'quaternion' ? UNLIMITED : { min: tidy(min), max: tidy(max) };
+        return takesLimits(motion) ? { min: tidy(min), max: tidy(max) } : UNLIMITED;
       }),
       pose: dofs.map(({ rest }) => rest),
       ...(length !== undefined && { length }),

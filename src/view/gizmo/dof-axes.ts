@@ -23,7 +23,8 @@ import {
 } from '../../math/vec3.ts';
 import { dofAxis } from '../../model/dof-axis.ts';
 import { rootDofCount } from '../../model/dofs.ts';
-import { dofsOf, type Motion, type Skeleton, takesLimits } from '../../model/skeleton.ts';
+import { dofsOf, takesLimits } from '../../model/joint-types.ts';
+import type { Motion, Skeleton } from '../../model/skeleton.ts';
 
 /**
  * turn: about the axis; a screw's too. slide: along it. stretch: along it, whatever happens across. grow: alike in all

@@ -8,7 +8,8 @@ import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { determinant3, invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import { transformVector, unit, type Vec3 } from '../../math/vec3.ts';
 import { coupleOf } from '../../model/couples.ts';
-import { dofsOf, type EulerOrder, type Joint, type Skeleton } from '../../model/skeleton.ts';
+import { dofsOf, quaternionDofs } from '../../model/joint-types.ts';
+import type { EulerOrder, Joint, Skeleton } from '../../model/skeleton.ts';
 import { frameOf } from './dof-axes.ts';
 
 /** The DOFs of a joint that make up a whole rotation, as indices into the character's. */
@@ -25,7 +26,10 @@ export function freeTurn(skeleton: Skeleton, joint: number): FreeTurn | undefine
   const { motion } = skeleton.joints[joint];
   const first = compileSkeleton(skeleton).firstDof[joint];
   const euler = eulerDofs(motion);
-  if (!euler) return motion.kind === 'quaternion' ? { joint, dofs: [0, 1, 2, 3].map((d) => first + d) } : undefined;
+  if (!euler) {
+    const dofs = quaternionDofs(motion).map((d) => first + d);
+    return dofs.length ? { joint, dofs } : undefined;
+  }
   const dofs = [euler.x, euler.y, euler.z].map((d) => first + d);
   if (dofs.some((dof) => coupleOf(skeleton, dof))) return undefined;
   return { joint, dofs, order: euler.order };
@@ -137,5 +141,5 @@ export class Turning {
 
 /** Whether a joint has DOFs that only turn it together: those of a quaternion. */
 export function turnsOnlyFreely({ motion }: Pick<Joint, 'motion'>): boolean {
-  return motion.kind === 'quaternion';
+  return quaternionDofs(motion).length > 0;
 }

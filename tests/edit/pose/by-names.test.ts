@@ -4,7 +4,8 @@ import { openFiles } from '../../../src/edit/open-files.ts';
 import { poseByNames, takePose } from '../../../src/edit/pose/by-names.ts';
 import { addPoses, freePoseName, nextPoseName } from '../../../src/edit/pose/library.ts';
 import { characterDofs } from '../../../src/model/dofs.ts';
-import { dofsOf, type Joint, type Motion } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
+import type { Joint, Motion } from '../../../src/model/skeleton.ts';
 import { character, documentOf, file, joint, morph } from '../../helpers/builders.ts';
 
 const named = (parent: number, name: string, motion?: Motion): Joint => {

@@ -6,7 +6,8 @@ import { compileSkeleton, settleDofs, worldMatrices } from '../../../src/evaluat
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { filePose, firstDofs, restPose } from '../../../src/model/dofs.ts';
-import { dofsOf, type Motion, type Skeleton } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
+import type { Motion, Skeleton } from '../../../src/model/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 import { anyMotion, middleMotion, rigOf, symmetricRig, turningMotion } from './rigs.ts';

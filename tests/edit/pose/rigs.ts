@@ -1,10 +1,10 @@
 /** Symmetric skeletons, of any kinds of joints, for tests of mirroring. */
 import fc from 'fast-check';
 import type { Vec3 } from '../../../src/math/vec3.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
 import {
   AXIS_PAIRS,
   COMPOUND_DOFS,
-  dofsOf,
   EULER_ORDERS,
   type Joint,
   type Motion,

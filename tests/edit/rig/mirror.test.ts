@@ -9,7 +9,8 @@ import { documentIn } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
 import { firstDofs, restPose } from '../../../src/model/dofs.ts';
-import { dofsOf, type Joint, type Motion, type Skeleton } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
+import type { Joint, Motion, Skeleton } from '../../../src/model/skeleton.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
 import { diceOf, randomBvhMotion, randomMotion, randomValue, seeds } from './random-rig.ts';
 

@@ -6,6 +6,7 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { type Channel, type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { filePose, rootDofCount } from '../../../src/model/dofs.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import {
   AXIS_PAIRS,
@@ -13,7 +14,6 @@ import {
   COMPOUND_DOFS,
   type Couple,
   DEFAULT_BOX,
-  dofsOf,
   EULER_ORDERS,
   type Joint,
   type Limit,

@@ -2,7 +2,8 @@
 import fc from 'fast-check';
 import type { IkPin } from '../../../src/evaluate/ik/pins.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Couple, dofsOf, type Joint, type Motion, type Skeleton } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
+import type { Couple, Joint, Motion, Skeleton } from '../../../src/model/skeleton.ts';
 import { bvhMotion, motion } from '../../formats/arbitraries.ts';
 import { joint } from '../../helpers/builders.ts';
 

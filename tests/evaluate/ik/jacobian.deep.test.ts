@@ -9,7 +9,7 @@ import type { IkProblem } from '../../../src/evaluate/ik/state.ts';
 import { compileSkeleton, settleDofs, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
 import { filePose } from '../../../src/model/dofs.ts';
-import { dofsOf } from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
 import { bvhMotion, motion } from '../../formats/arbitraries.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';

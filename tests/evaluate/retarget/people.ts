@@ -4,9 +4,10 @@ import type { Vec3 } from '../../../src/math/vec3.ts';
 import { type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
 import type { Driver, Space } from '../../../src/model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../../../src/model/dofs.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../../src/model/retarget.ts';
 import type { Samples } from '../../../src/model/samples.ts';
-import { type BvhMotion, dofsOf, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { type BvhMotion, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 
 export const PARTS = [
   'hips',

@@ -5,14 +5,8 @@ import { multiplyAffine } from '../../../src/math/mat4.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import { add, cross, dot, scaled, unit } from '../../../src/math/vec3.ts';
 import { characterDofs } from '../../../src/model/dofs.ts';
-import {
-  type CompoundDof,
-  dofsOf,
-  EULER_ORDERS,
-  type Motion,
-  type Skeleton,
-  UNLIMITED,
-} from '../../../src/model/skeleton.ts';
+import { dofsOf } from '../../../src/model/joint-types.ts';
+import { type CompoundDof, EULER_ORDERS, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { dofAxes } from '../../../src/view/gizmo/dof-axes.ts';
 import { freeTurn, Turning } from '../../../src/view/gizmo/free-turn.ts';
 import { joint } from '../../helpers/builders.ts';

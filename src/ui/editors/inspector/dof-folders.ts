@@ -3,12 +3,11 @@ import type { GUI } from 'lil-gui';
 import type { Character } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
-import { dofsOf } from '../../../model/skeleton.ts';
+import { dofsOf, motionHeading, motionText } from '../../../model/joint-types.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { emptyFolder } from '../../kit/slider.ts';
 import { keyNameOf } from '../posing/unkeyed-values.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
-import { briefMotion, motionText } from './motion-text.ts';
 
 /** Rows of the long list are made as it is scrolled, so many at a time. */
 const CHUNK = 48;
@@ -92,7 +91,7 @@ export class DofFolders {
       : 'Pick a joint in the viewport or the tree to see its DOFs.';
     this.joint.title(joint && index !== undefined ? jointName(character.skeleton, index) : 'Joint');
     // Also where a vertex was picked, whose numbers stand below in place of the joint's.
-    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, briefMotion(joint.motion)));
+    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, motionHeading(joint.motion)));
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
     if (!joint || !character.skeleton || index === undefined) return;
     const first = firstDofs(character.skeleton)[index];

@@ -8,8 +8,9 @@ import { determinant3 } from '../../../math/mat4.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import { firstDofs, rootDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { dofsOf, motionText } from '../../../model/joint-types.ts';
 import { movedVertices } from '../../../model/moved-vertices.ts';
-import { dofsOf, UNLIMITED } from '../../../model/skeleton.ts';
+import { UNLIMITED } from '../../../model/skeleton.ts';
 import { element } from '../../kit/dom.ts';
 import { atMostEvery } from '../../kit/frame.ts';
 import { plural, shown } from '../../kit/number-text.ts';
@@ -18,7 +19,6 @@ import { shownPerUnit, withoutNoise } from '../../state/angles.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { endSiteTables } from './end-site-facts.ts';
 import { FactList, type FactView } from './fact-list.ts';
-import { motionText } from './motion-text.ts';
 import { vertexFacts } from './vertex-facts.ts';
 
 const FOLLOW_EVERY_MS = 100;

@@ -2,11 +2,13 @@
  * The active DOF of the selected joint: the one that its bone turns when it is dragged, and that keys turn. It is chosen
  * by its handle, its button or its slider; the next joint then has that of the same name.
  */
+
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
-import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
+import { type CharacterDof, characterDofs, firstDofs } from '../../../model/dofs.ts';
+import { quaternionDofs } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { type SelectedJoint, selectedJoint } from '../../state/selected-joint.ts';
@@ -26,11 +28,9 @@ export function dofsOfJoint({ character, joint }: SelectedJoint): readonly numbe
 /** Those that can be turned one by one: not what follows another, nor the parts of a quaternion. */
 export function dofsByHand(selected: SelectedJoint): readonly number[] {
   const { skeleton, joint } = selected;
-  const isQuaternion = skeleton.joints[joint].motion.kind === 'quaternion';
-  const own = characterDofs(skeleton, []);
-  return dofsOfJoint(selected).filter(
-    (dof) => !coupleOf(skeleton, dof) && !(isQuaternion && own[dof].name.startsWith('q')),
-  );
+  const first = firstDofs(skeleton)[joint];
+  const parts = quaternionDofs(skeleton.joints[joint].motion).map((d) => first + d);
+  return dofsOfJoint(selected).filter((dof) => !coupleOf(skeleton, dof) && !parts.includes(dof));
 }
 
 /** Undefined where the selected joint has none. */

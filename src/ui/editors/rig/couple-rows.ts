@@ -2,7 +2,8 @@
 import { type SetCouple, setCouple } from '../../../edit/commands/couples.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
-import { type Couple, type Dof, type DofUnit, dofsOf, type Skeleton } from '../../../model/skeleton.ts';
+import { dofsOf } from '../../../model/joint-types.ts';
+import type { Couple, Dof, DofUnit, Skeleton } from '../../../model/skeleton.ts';
 import { button, element } from '../../kit/dom.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { shown } from '../../kit/number-text.ts';

@@ -1,24 +1,26 @@
 /** What a joint's type asks for: order, axis, pitch, mode, DOFs. */
 import type { Vec3 } from '../../../math/vec3.ts';
-import { AXIS_PAIRS, EULER_ORDERS, type Motion, SCALE_MODES } from '../../../model/skeleton.ts';
+import type { Parameter, ParameterValues } from '../../../model/joint-types/parameters.ts';
+import {
+  axisOf,
+  dofsOf,
+  isOfBvh,
+  JOINT_TYPES,
+  MOTION_KINDS,
+  motionOfKind,
+  parameterOf,
+  parametersOf,
+  withParameter,
+} from '../../../model/joint-types.ts';
+import type { Motion } from '../../../model/skeleton.ts';
 import { button, element } from '../../kit/dom.ts';
 import { choiceRow, type FolderContext, type FolderRow, numberRow, textRow, vectorRow } from './folder-rows.ts';
-import { axisOf, MOTION_LABELS, MOTION_TIPS, type MotionKind, motionOfKind, typedCompound } from './motion-choice.ts';
+import { typedList } from './typed-list.ts';
 
-/** The rule's parameters, said in the shape that rows are made for. */
+/** What of a motion rows are made for: its type, its DOFs and whether its axis counts. */
 export function motionShape(motion: Motion): string {
-  switch (motion.kind) {
-    case 'scale':
-      return `${motion.kind} ${motion.mode}`;
-    case 'compound':
-      return `${motion.kind} ${motion.dofs.join(' ')}`;
-    case 'bvh':
-      return `${motion.kind} ${motion.channels.join(' ')}`;
-    case 'universal':
-      return `${motion.kind} ${motion.order}`;
-    default:
-      return motion.kind;
-  }
+  const names = dofsOf(motion).map(({ name }) => name);
+  return [motion.kind, ...names, ...(axisOf(motion) ? ['axis'] : [])].join(' ');
 }
 
 export interface MotionEdits {
@@ -27,13 +29,6 @@ export interface MotionEdits {
   /** Part of one. */
   preview(motion: Motion): void;
 }
-
-const SCALE_LABELS: Readonly<Record<(typeof SCALE_MODES)[number], string>> = {
-  uniform: 'All axes alike',
-  xyz: 'Each axis by itself',
-  axis: 'Along an axis',
-  volume: 'Axis, volume kept',
-};
 
 const PRESETS: readonly (readonly [string, Vec3])[] = [
   ['x', [1, 0, 0]],
@@ -46,106 +41,85 @@ export function motionRows(
   context: FolderContext,
   made: Motion,
   now: () => Motion | undefined,
+  edits: MotionEdits,
+): FolderRow[] {
+  const rows = parametersOf(made).flatMap(([name, parameter]) =>
+    parameter.type === 'axis' && !axisOf(made) ? [] : parameterRows(context, name, parameter, now, edits),
+  );
+  return [kindRow(made, now, edits.set), ...rows];
+}
+
+function parameterRows(
+  context: FolderContext,
+  name: string,
+  parameter: Parameter,
+  now: () => Motion | undefined,
   { set, preview }: MotionEdits,
 ): FolderRow[] {
-  const rows: FolderRow[] = [kindRow(made, now, set)];
-  if (made.kind === 'ball' || made.kind === 'free') {
-    const { kind } = made;
-    const orders = EULER_ORDERS.map((order) => [order, orderText(order)] as const);
-    const read = () => {
-      const motion = now();
-      return motion?.kind === 'ball' || motion?.kind === 'free' ? motion.order : undefined;
-    };
-    rows.push(choiceRow('Order', orders, read, (order) => set({ kind, order })));
+  const { label } = parameter;
+  if (label === undefined) return [];
+  const value = <T extends Parameter['type']>(type: T) => {
+    const motion = now();
+    return motion && parameterOf(motion, name, type);
+  };
+  // As long as the joint is of a type that has such a parameter.
+  const edit = (apply: (motion: Motion) => void) => (next: ParameterValues[Parameter['type']]) => {
+    const motion = now();
+    if (motion && value(parameter.type) !== undefined) apply(withParameter(motion, name, next));
+  };
+  switch (parameter.type) {
+    case 'choice': {
+      const options = parameter.choices.map((choice) => [choice, parameter.describe(choice)] as const);
+      return [choiceRow(label, options, () => value('choice'), edit(set))];
+    }
+    case 'list': {
+      const { choices } = parameter;
+      const title = `Multiplied from left to right; each of ${choices.join(' ')} at most once`;
+      const write = (text: string) => {
+        const list = typedList(text, choices);
+        if (typeof list === 'string') context.wb.messages.note(list, 'warning');
+        else edit(set)(list);
+      };
+      return [textRow(label, () => value('list')?.join(' ') ?? '', write, title)];
+    }
+    case 'axis':
+      return [
+        vectorRow(context, label, 0.01, () => value('axis'), edit(preview), noDirection),
+        presetRow(context, edit(set)),
+      ];
+    case 'number':
+      return [numberRow(context, label, 0.01, () => value('number'), edit(preview))];
   }
-  if (made.kind === 'universal') {
-    const pairs = AXIS_PAIRS.map((order) => [order, orderText(order)] as const);
-    const read = () => {
-      const motion = now();
-      return motion?.kind === 'universal' ? motion.order : undefined;
-    };
-    rows.push(choiceRow('Order', pairs, read, (order) => set({ kind: 'universal', order })));
-  }
-  if (made.kind === 'scale') {
-    const modes = SCALE_MODES.map((mode) => [mode, SCALE_LABELS[mode]] as const);
-    const read = () => {
-      const motion = now();
-      return motion?.kind === 'scale' ? motion.mode : undefined;
-    };
-    rows.push(choiceRow('Mode', modes, read, (mode) => set({ kind: 'scale', mode, axis: axisOf(made) ?? [1, 0, 0] })));
-  }
-  if (axisOf(made) && (made.kind !== 'scale' || made.mode === 'axis' || made.mode === 'volume')) {
-    const withAxis = (axis: Vec3): Motion | undefined => {
-      const motion = now();
-      return motion && 'axis' in motion ? { ...motion, axis } : undefined;
-    };
-    const read = () => {
-      const motion = now();
-      return motion && axisOf(motion);
-    };
-    const write = (axis: Vec3) => {
-      const motion = withAxis(axis);
-      if (motion) preview(motion);
-    };
-    const whyNot = (axis: Vec3) =>
-      axis.every((part) => part === 0)
-        ? 'An axis of 0 0 0 has no direction: type the new one first, or choose x, y or z below.'
-        : undefined;
-    rows.push(vectorRow(context, 'Axis', 0.01, read, write, whyNot));
-    const presets = PRESETS.map(([letter, axis]) =>
-      button(`Axis along ${letter}`, { class: 'plain' }, element('span', { class: `axis-${letter}` }, letter), () => {
-        const motion = withAxis(axis);
-        if (motion) set(motion);
-      }),
-    );
-    const line = element('div', { class: 'rig-row is-second' }, ...presets);
-    context.folder.$children.append(line);
-    rows.push({ line, update() {} });
-  }
-  if (made.kind === 'screw') {
-    const read = () => {
-      const motion = now();
-      return motion?.kind === 'screw' ? motion.pitch : undefined;
-    };
-    const write = (pitch: number) => {
-      const motion = now();
-      if (motion?.kind === 'screw') preview({ ...motion, pitch });
-    };
-    rows.push(numberRow(context, 'Pitch a turn', 0.01, read, write));
-  }
-  if (made.kind === 'compound') {
-    const read = () => {
-      const motion = now();
-      return motion?.kind === 'compound' ? motion.dofs.join(' ') : '';
-    };
-    const title = 'Multiplied from left to right; each of tx ty tz rx ry rz sx sy sz at most once';
-    const write = (text: string) => {
-      const dofs = typedCompound(text);
-      if (typeof dofs === 'string') context.wb.messages.note(dofs, 'warning');
-      else set({ kind: 'compound', dofs });
-    };
-    rows.push(textRow('DOFs', read, write, title));
-  }
-  return rows;
+}
+
+function noDirection(axis: Vec3): string | undefined {
+  return axis.every((part) => part === 0)
+    ? 'An axis of 0 0 0 has no direction: type the new one first, or choose x, y or z below.'
+    : undefined;
+}
+
+function presetRow({ folder }: FolderContext, set: (axis: Vec3) => void): FolderRow {
+  const presets = PRESETS.map(([letter, axis]) =>
+    button(`Axis along ${letter}`, { class: 'plain' }, element('span', { class: `axis-${letter}` }, letter), () =>
+      set(axis),
+    ),
+  );
+  const line = element('div', { class: 'rig-row is-second' }, ...presets);
+  folder.$children.append(line);
+  return { line, update() {} };
 }
 
 function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Motion) => void): FolderRow {
-  // Each name of the table is a kind.
-  const kinds = (Object.keys(MOTION_LABELS) as MotionKind[]).filter((kind) => kind !== 'bvh' || made.kind === 'bvh');
-  const options = kinds.map((kind) => [kind, MOTION_LABELS[kind]] as const);
+  // What a `.bvh` brings is no choice, but for a joint that moves so.
+  const kinds = MOTION_KINDS.filter((kind) => !isOfBvh(JOINT_TYPES[kind].initial) || isOfBvh(made));
   return choiceRow(
     'Type',
-    options,
+    kinds.map((kind) => [kind, JOINT_TYPES[kind].label] as const),
     () => now()?.kind,
     (kind) => {
       const before = now();
-      if (before && kind !== before.kind && kind !== 'bvh') set(motionOfKind(kind, before));
+      if (before && kind !== before.kind && !isOfBvh(JOINT_TYPES[kind].initial)) set(motionOfKind(kind, before));
     },
-    (kind) => MOTION_TIPS[kind],
+    (kind) => JOINT_TYPES[kind].summary,
   );
-}
-
-/** `xyz: x first`. */
-function orderText(order: string): string {
-  return `${order}: ${order[0]} first`;
 }

@@ -18,8 +18,9 @@ import {
 import type { Command, Edit } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { dofsOf, isSameType, takesLimits } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
-import { dofsOf, type Joint, type Motion, type Skeleton, takesLimits } from '../../../model/skeleton.ts';
+import type { Joint, Motion, Skeleton } from '../../../model/skeleton.ts';
 import { button, element } from '../../kit/dom.ts';
 import { emptyFolder } from '../../kit/slider.ts';
 import { attempt } from '../../state/attempt.ts';
@@ -291,7 +292,7 @@ function hangAlike(a: Joints, b: Joints): boolean {
   for (let j = 0; j < a.length; j++) {
     const [was, is] = [a[j], b[j]];
     if (was === is) continue;
-    if (was.name !== is.name || was.parent !== is.parent || was.motion.kind !== is.motion.kind) return false;
+    if (was.name !== is.name || was.parent !== is.parent || !isSameType(was.motion, is.motion)) return false;
   }
   return true;
 }

@@ -8,10 +8,11 @@ import { coupleOf } from '../../../model/couples.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
+import { dofsOf } from '../../../model/joint-types.ts';
 import type { Morph } from '../../../model/morph.ts';
 import { perPair } from '../../../model/per-object.ts';
 import type { Selection } from '../../../model/session.ts';
-import { type DofUnit, dofsOf, type Skeleton } from '../../../model/skeleton.ts';
+import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 
 /** A DOF in the list, with or without a channel that is animated. */

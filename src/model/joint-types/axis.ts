@@ -1,0 +1,70 @@
+/**
+ * Joints that turn about an axis of their own, or slide along it. In a mirror, axes of rotations are pseudovectors: what
+ * turns about `a` turns about −M·a there, while what slides along it slides along M·a.
+ */
+import { negated, reflected } from '../../math/vec3.ts';
+import type { Motion } from '../skeleton.ts';
+import { dofList } from './dof.ts';
+import { AXIS, PITCH, X } from './parameters.ts';
+import type { JointType } from './type.ts';
+
+type MotionOf<K> = Extract<Motion, { readonly kind: K }>;
+
+const R = dofList('r');
+const T = dofList('t');
+
+export const HINGE: JointType<MotionOf<'hinge'>> = {
+  keyword: 'hingejoint',
+  label: 'Hinge',
+  summary: 'a rotation about an axis',
+  format: 'skel',
+  initial: { kind: 'hinge', axis: X },
+  parameters: { axis: AXIS },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: true,
+  dofs: () => R,
+  factors: () => undefined,
+  carriesCharacter: () => false,
+  mirrored: (motion, across) => ({ ...motion, axis: negated(reflected(motion.axis, across)) }),
+  text: ({ axis }) => `hingejoint, axis ${axis.join(' ')}`,
+};
+
+export const PRISMATIC: JointType<MotionOf<'prismatic'>> = {
+  keyword: 'prismaticjoint',
+  label: 'Prismatic',
+  summary: 'moves along an axis',
+  format: 'skel',
+  initial: { kind: 'prismatic', axis: X },
+  parameters: { axis: AXIS },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: () => T,
+  factors: () => undefined,
+  carriesCharacter: () => false,
+  mirrored: (motion, across) => ({ ...motion, axis: reflected(motion.axis, across) }),
+  text: ({ axis }) => `prismaticjoint, axis ${axis.join(' ')}`,
+};
+
+export const SCREW: JointType<MotionOf<'screw'>> = {
+  keyword: 'screwjoint',
+  label: 'Screw',
+  summary: 'turns about an axis and moves along it, as far as the pitch says',
+  format: 'skel',
+  initial: { kind: 'screw', axis: X, pitch: 0 },
+  parameters: { axis: AXIS, pitch: PITCH },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: () => R,
+  factors: () => undefined,
+  carriesCharacter: () => false,
+  // About −M·a it turns the same, and what it advances along M·a is −pitch along that.
+  mirrored: (motion, across) => ({
+    ...motion,
+    axis: negated(reflected(motion.axis, across)),
+    pitch: -motion.pitch + 0,
+  }),
+  text: ({ axis, pitch }) => `screwjoint, axis ${axis.join(' ')}, ${pitch} a turn`,
+};

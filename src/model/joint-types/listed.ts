@@ -1,0 +1,112 @@
+/** Joints whose DOFs are a list: none, x y z, or those that their file names. */
+import type { BvhMotion, CompoundDof, EulerOrder, Motion } from '../skeleton.ts';
+import { dof, dofList } from './dof.ts';
+import { COMPOUND } from './parameters.ts';
+import type { JointType } from './type.ts';
+
+type MotionOf<K> = Extract<Motion, { readonly kind: K }>;
+
+const TRANSLATIONS = ['tx', 'ty', 'tz'] as const;
+const TX_TY_TZ = dofList(...TRANSLATIONS);
+const NONE = dofList();
+
+export const TRANSLATIONAL: JointType<MotionOf<'translational'>> = {
+  keyword: 'translationaljoint',
+  label: 'Translational',
+  summary: 'moves along x y z',
+  format: 'skel',
+  initial: { kind: 'translational' },
+  parameters: {},
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: () => TX_TY_TZ,
+  factors: () => TRANSLATIONS,
+  carriesCharacter: () => false,
+  mirrored: (motion) => motion,
+  text: () => 'translationaljoint',
+};
+
+export const FIXED: JointType<MotionOf<'fixed'>> = {
+  keyword: 'fixedjoint',
+  label: 'Fixed',
+  summary: 'does not move',
+  format: 'skel',
+  initial: { kind: 'fixed' },
+  parameters: {},
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: () => NONE,
+  factors: () => [],
+  carriesCharacter: () => false,
+  mirrored: (motion) => motion,
+  text: () => 'fixedjoint',
+};
+
+export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
+  keyword: 'compoundjoint',
+  label: 'Compound',
+  summary: 'DOFs of your choice, multiplied from left to right',
+  format: 'skel',
+  initial: { kind: 'compound', dofs: [] },
+  parameters: { dofs: COMPOUND },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: ({ dofs }) => dofs.map(dof),
+  factors: ({ dofs }) => dofs,
+  carriesCharacter: () => false,
+  mirrored: (motion) => motion,
+  text: ({ dofs }) => (dofs.length ? `compoundjoint, ${dofs.join(' ')}` : 'compoundjoint without DOFs'),
+};
+
+/** The translation comes first in BVH, wherever its channels are listed. */
+function bvhFactors({ channels }: BvhMotion): readonly CompoundDof[] {
+  return [...channels.filter((name) => name.startsWith('t')), ...channels.filter((name) => name.startsWith('r'))];
+}
+
+export const BVH: JointType<BvhMotion> = {
+  keyword: 'bvh',
+  label: 'Channels of BVH',
+  summary: 'what the .bvh lists for it',
+  format: 'bvh',
+  initial: { kind: 'bvh', channels: [], positions: 'replace' },
+  parameters: {
+    channels: { type: 'list', subject: 'The channels', choices: [...TRANSLATIONS, 'rx', 'ry', 'rz'] },
+    positions: {
+      type: 'choice',
+      subject: 'What position channels mean',
+      choices: ['replace', 'add'],
+      describe: (meaning) => meaning,
+    },
+  },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: ({ channels }) => channels.map(dof),
+  factors: bvhFactors,
+  carriesCharacter: ({ channels }) => TRANSLATIONS.every((name) => channels.includes(name)),
+  mirrored: (motion) => motion,
+  text({ channels, positions }) {
+    if (channels.length === 0) return 'BVH joint without channels';
+    const moves = channels.some((channel) => channel.startsWith('t'));
+    const meaning = positions === 'add' ? ', added to its offset' : ', in place of its offset';
+    return `BVH joint, channels ${channels.join(' ')}${moves ? meaning : ''}`;
+  },
+  heading: ({ channels }) => channels.join(' ') || 'no channels',
+  asSkel({ channels }) {
+    const turns = channels.filter((name) => name.startsWith('r'));
+    const moves = TRANSLATIONS.filter((name) => channels.includes(name));
+    if (channels.length === 0) return { kind: 'fixed' };
+    if (turns.length === 3 && (moves.length === 0 || moves.length === 3)) {
+      // The three letters of a permutation, which is what the orders are.
+      const order = turns
+        .map((name) => name[1])
+        .reverse()
+        .join('') as EulerOrder;
+      return { kind: moves.length ? 'free' : 'ball', order };
+    }
+    return { kind: 'compound', dofs: [...moves, ...turns] };
+  },
+};

@@ -1,0 +1,54 @@
+/** Joints that scale or shear. */
+import { reflected } from '../../math/vec3.ts';
+import type { Motion } from '../skeleton.ts';
+import { dofList } from './dof.ts';
+import { AXIS, MODE, X } from './parameters.ts';
+import type { JointType } from './type.ts';
+
+type MotionOf<K> = Extract<Motion, { readonly kind: K }>;
+type ScaleMotion = MotionOf<'scale'>;
+
+const S = dofList('s');
+const SX_SY_SZ = dofList('sx', 'sy', 'sz');
+const SHEARS = dofList('hxy', 'hxz', 'hyz');
+
+/** Of the other modes the axis is only kept. */
+export function scalesAlongAxis({ mode }: ScaleMotion): boolean {
+  return mode === 'axis' || mode === 'volume';
+}
+
+export const SCALE: JointType<ScaleMotion> = {
+  keyword: 'scalejoint',
+  label: 'Scale',
+  summary: 'grows and shrinks',
+  format: 'skel',
+  initial: { kind: 'scale', mode: 'uniform', axis: X },
+  parameters: { mode: MODE, axis: AXIS },
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  usesAxis: scalesAlongAxis,
+  dofs: ({ mode }) => (mode === 'xyz' ? SX_SY_SZ : S),
+  factors: ({ mode }) => (mode === 'xyz' ? ['sx', 'sy', 'sz'] : undefined),
+  carriesCharacter: () => false,
+  mirrored: (motion, across) => ({ ...motion, axis: reflected(motion.axis, across) }),
+  text: (motion) =>
+    `scalejoint, mode ${motion.mode}${scalesAlongAxis(motion) ? `, axis ${motion.axis.join(' ')}` : ''}`,
+};
+
+export const SHEAR: JointType<MotionOf<'shear'>> = {
+  keyword: 'shearjoint',
+  label: 'Shear',
+  summary: 'leans x y z over each other',
+  format: 'skel',
+  initial: { kind: 'shear' },
+  parameters: {},
+  takesLimits: true,
+  quaternion: [],
+  isAxisAngle: false,
+  dofs: () => SHEARS,
+  factors: () => undefined,
+  carriesCharacter: () => false,
+  mirrored: (motion) => motion,
+  text: () => 'shearjoint',
+};
