@@ -2,9 +2,8 @@
  * How each kind of joint moves: one rule a kind, from a motion to the matrix J(φ) of its DOFs, and to its derivative
  * with respect to each of them.
  *
- * A new kind of joint is one more entry in `MOTION_RULES` (its DOFs are in `model/skeleton.ts`, what it is called in
- * files in `formats/skel/joint-types.ts`); nothing else asks what kind a joint is. A short cut past the rule for the
- * most common kind was tried: it gained nothing, since calls to one and the same function are inlined anyway.
+ * All else about a kind is in its record (`model/joint-types.ts`). A short cut past the rule for the most common kind was
+ * tried: it gained nothing, since calls to one and the same function are inlined anyway.
  */
 import type { Motion } from '../model/skeleton.ts';
 import { prismaticMotion, screwMotion } from './motions/axis.ts';

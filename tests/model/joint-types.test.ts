@@ -109,7 +109,7 @@ describe('the types of joints', () => {
 const MAY_ASK = [/^model\/skeleton\.ts$/, /^model\/joint-types(\.ts$|\/)/, /^evaluate\/motions(\.ts$|\/)/];
 
 /** Kinds whose names nothing else in the program has. */
-const OWN_KINDS = 'hinge|universal|quaternion|prismatic|translational|screw|shear|compound';
+const OWN_KINDS = 'hinge|universal|quaternion|prismatic|translational|screw|compound';
 
 const ASKING: readonly RegExp[] = [
   // motion.kind === 'ball', switch (motion.kind)
