@@ -9,6 +9,7 @@
 import { Box3, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
 import type { Character, Document } from '../model/document.ts';
+import { characterIdOf } from '../model/drawn-id.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
 import { CameraRig, type CameraView, type Side } from './camera.ts';
@@ -189,12 +190,13 @@ export class Viewport {
     if (this.queued === 0 && !this.disposed) this.queued = requestAnimationFrame(this.draw);
   }
 
-  /** What is under a point of the page. */
+  /** What is under a point of the page, by the document's ids. */
   pick(clientX: number, clientY: number): Hit | undefined {
     const scene = this.pickScene();
     if (!scene) return undefined;
     const { left, top } = this.canvas.getBoundingClientRect();
-    return this.picker.pick(scene, clientX - left, clientY - top);
+    const hit = this.picker.pick(scene, clientX - left, clientY - top);
+    return hit && { ...hit, characterId: characterIdOf(hit.characterId) };
   }
 
   /** Marks a joint as the one under the pointer, as a row of a list may ask for; undefined for none. */

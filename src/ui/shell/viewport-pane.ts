@@ -21,7 +21,7 @@ import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
 import { actionsOf, currentCharacter, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
-import { type Comparison, comparedIn, drawnDocument, withoutTwin } from '../state/takes.ts';
+import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
 import { keepTooltip } from '../state/tooltips.ts';
 import type { Workbench } from '../state/workbench.ts';
 import { keptSession } from './kept-session.ts';
@@ -97,7 +97,7 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
       // On the ground the joint is let go of; the character stays the one that is worked on.
       const { characterId } = wb.store.selection;
       const otherwise = characterId === undefined ? NOTHING_SELECTED : { characterId };
-      wb.store.select(hit ? { ...hit, characterId: withoutTwin(hit.characterId) } : otherwise);
+      wb.store.select(hit ?? otherwise);
     },
     signal,
     (isTools) => wb.viewport.takePointer(isTools),

@@ -5,6 +5,7 @@
 import type { TakeRef } from '../../edit/commands/takes.ts';
 import type { Alignment } from '../../evaluate/distance.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
+import { twinOf } from '../../model/drawn-id.ts';
 import { perObject } from '../../model/per-object.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
@@ -87,19 +88,11 @@ export function comparedIn(
   const { first, second } = comparison;
   const [a, b] = [playing(document, first), playing(document, second)];
   if (!a || !b) return undefined;
-  const drawnAs = a.id === b.id ? `${b.id}${TWIN}` : b.id;
+  const drawnAs = a.id === b.id ? twinOf(b.id) : b.id;
   return [
     { character: a, drawnAs: a.id },
     { character: b, drawnAs },
   ];
-}
-
-/** Behind the id of a character that the picture shows twice, with two takes. */
-const TWIN = ' (compared)';
-
-/** The document's character behind one that is drawn. */
-export function withoutTwin(characterId: string): string {
-  return characterId.endsWith(TWIN) ? characterId.slice(0, -TWIN.length) : characterId;
 }
 
 /** A character as it is with each of its takes shown, by the index of the take. */

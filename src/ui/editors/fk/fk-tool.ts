@@ -13,7 +13,6 @@ import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import type { Hit } from '../../../view/viewport.ts';
 import { Readout } from '../../kit/readout.ts';
 import { type SelectedJoint, selectedJoint } from '../../state/selected-joint.ts';
-import { withoutTwin } from '../../state/takes.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseDof, shownDofs } from '../posing/active-dof.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
@@ -95,7 +94,7 @@ class FkTool implements ModeTool {
     // Shift pans where there is nothing to be taken hold of: the bone takes it only for a fine drag once under way.
     if (at.shiftKey) return undefined;
     const hit = wb.viewport.pick(at.clientX, at.clientY);
-    const isOwn = hit?.joint === selected.joint && withoutTwin(hit.characterId) === selected.character.id;
+    const isOwn = hit?.joint === selected.joint && hit.characterId === selected.character.id;
     if (hit && isOwn) return this.dragBone(hit, selected, at);
     return id && this.dragBall(hit, selected, at);
   }
@@ -148,9 +147,7 @@ class FkTool implements ModeTool {
         wb.viewport.canvas.style.cursor = '';
         wb.viewport.requestRender();
         if (!now || !wentNowhere || !under) return;
-        wb.store.select(
-          under === 'nothing' ? { characterId: id } : { ...under, characterId: withoutTwin(under.characterId) },
-        );
+        wb.store.select(under === 'nothing' ? { characterId: id } : under);
       },
     });
   }

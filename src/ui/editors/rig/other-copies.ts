@@ -4,7 +4,6 @@
  */
 import { transformPoint } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
-import { withoutTwin } from '../../state/takes.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { NEAR_JOINT } from './hits.ts';
@@ -21,7 +20,7 @@ export function jointOfOtherCopy(
 ): JointOfCopy | undefined {
   if (character.placements.length < 2 || character.isHidden) return undefined;
   const hit = viewport.pick(at.clientX, at.clientY);
-  if (!hit || hit.vertex !== undefined || withoutTwin(hit.characterId) !== character.id) return undefined;
+  if (!hit || hit.vertex !== undefined || hit.characterId !== character.id) return undefined;
   const { placement } = hit;
   const toScene = viewport.placementOf(character.id, placement);
   const world = viewport.character(character.id)?.worlds;

@@ -13,7 +13,6 @@ import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
-import { withoutTwin } from '../../state/takes.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
@@ -208,7 +207,7 @@ export function rigTool(wb: Workbench): ModeTool {
       const current = currentCharacter(wb);
       if (hit?.joint !== undefined) {
         const { characterId, placement, joint } = hit;
-        store.select({ characterId: withoutTwin(characterId), placement, joint });
+        store.select({ characterId, placement, joint });
       }
       // The character stays the one that is worked on.
       else if (current) store.select({ characterId: current.id });

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { followRange } from '../../../../src/app/follow-range.ts';
 import { renameCharacter } from '../../../../src/edit/commands/characters.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
+import { characterIdOf } from '../../../../src/model/drawn-id.ts';
 import type { Samples } from '../../../../src/model/samples.ts';
 import { compareTakes } from '../../../../src/ui/editors/takes/compare.ts';
 import {
@@ -13,7 +14,7 @@ import {
   toggleShown,
 } from '../../../../src/ui/editors/takes/play.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
-import { comparedIn, drawnDocument, withoutTwin } from '../../../../src/ui/state/takes.ts';
+import { comparedIn, drawnDocument } from '../../../../src/ui/state/takes.ts';
 import { character, clip, documentOf, skeleton } from '../../../helpers/builders.ts';
 import { workbench } from '../../builders.ts';
 
@@ -243,7 +244,7 @@ describe('two takes that are compared', () => {
     const drawn = drawnDocument(wb.store.document, comparison).characters.filter((c) => !c.isHidden);
     expect(drawn.map((c) => c.shownClip)).toEqual([0, 1]);
     expect(new Set(drawn.map((c) => c.id)).size).toBe(2);
-    expect(drawn.map((c) => withoutTwin(c.id))).toEqual(['d', 'd']);
+    expect(drawn.map((c) => characterIdOf(c.id))).toEqual(['d', 'd']);
   });
 
   it('end with one of them', () => {
