@@ -92,7 +92,8 @@ export default defineConfig(({ mode }) => {
         // Their properties try hundreds of cases, which takes a busy machine longer than it takes this one.
         tests('unit', QUICK, 0, { exclude: [...DEEP, ...BROWSER], isolate: false, testTimeout: 30_000 }),
         // The same of properties over many cases and files, which take longer than all the others together.
-        tests('deep', DEEP, 1, { isolate: false, testTimeout: 60_000 }),
+        // Processes instead of threads: some count the CPU time of theirs.
+        tests('deep', DEEP, 1, { pool: 'forks', isolate: false, testTimeout: 60_000 }),
         // Two browsers draw in software: more than that get in each other's way.
         tests('browser', BROWSER, 2, { maxWorkers: 2, testTimeout: 120_000, hookTimeout: 60_000 }),
         // Benchmarks only, each alone in a process of its own.
