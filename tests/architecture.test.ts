@@ -76,7 +76,7 @@ function folderOf(file: string): string {
 }
 
 describe('the folders of src', () => {
-  it('are all accounted for', () => {
+  it('the folders of src are all accounted for', () => {
     const found = new Set(files.map(folderOf).filter((folder) => folder !== ''));
     expect([...found].filter((folder) => !Object.hasOwn(MAY_IMPORT, folder))).toEqual([]);
   });

@@ -54,7 +54,7 @@ describe('the shaders of three.js in the built page', () => {
     expect(leaner(lines(condition, 'a;', '#endif'))).toBe(lines(condition, ERROR('num_spot_lights'), '#endif'));
   });
 
-  it('have no comments and no indentation', () => {
+  it('the shaders of three.js in the built page have no comments and no indentation', () => {
     expect(leaner('\ta; // one\n\n/* two\nthree */\tb;\n')).toBe('a;\nb;');
   });
 });

@@ -40,7 +40,7 @@ describe('a skeleton from the axis-angle form', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('has files in either form, its own first', async () => {
+  it('a skeleton from the axis-angle form has files in either form, its own first', async () => {
     const own = first(await pageWith({ 'arm.axskel': ARM }));
     expect(saveCharacter(own, 'axskel')).toEqual([{ name: 'arm.axskel', text: ARM, diagnostics: [] }]);
     const [tree] = saveCharacter(own, 'skel');
@@ -54,7 +54,7 @@ describe('a skeleton from the axis-angle form', () => {
     expect(saveCharacter(character(), 'axskel')).toEqual([]);
   });
 
-  it('is no more saved by a copy in the other form than before', async () => {
+  it('a skeleton from the axis-angle form is no more saved by a copy in the other form than before', async () => {
     const page = await pageWith({ 'arm.axskel': ARM });
     page.change(posed);
     await page.saver.saveAs(first(page).id, 'skel');
@@ -65,7 +65,7 @@ describe('a skeleton from the axis-angle form', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('is zipped with a rig that finds it', async () => {
+  it('a skeleton from the axis-angle form is zipped with a rig that finds it', async () => {
     const { zipCharacter } = await import('../../src/app/zip-character.ts');
     const { parse } = await import('../../src/worker/parse.ts');
     const page = await pageWith({ 'arm.axskel': ARM });

@@ -27,7 +27,7 @@ const shown = ({ document: { characters, isOpeningSample } }: Store) => ({
 });
 
 describe('the opening sample', () => {
-  it('is there to be looked at, without a step', async () => {
+  it('the opening sample is there to be looked at, without a step', async () => {
     const store = new Store();
     await openerOf(store).open(sample, { asOpeningSample: true });
     expect(shown(store)).toEqual({ names: ['walker'], isOpeningSample: true });

@@ -85,7 +85,7 @@ describe('reloading', () => {
     expect(here.store.selection).toEqual(selection);
   });
 
-  it('is one step for several files, and gives an edit back when undone', async () => {
+  it('reloading is one step for several files, and gives an edit back when undone', async () => {
     const here = await page();
     here.change(longer);
     const edited = here.store.document;
@@ -172,7 +172,7 @@ describe('reloading', () => {
     expect(here.own().sources.filter(({ name }) => name === 'hero.pose')).toHaveLength(1);
   });
 
-  it('says that nothing has changed', async () => {
+  it('reloading says that nothing has changed', async () => {
     const here = await page();
     const before = here.store.document;
     await here.reloadIt();
@@ -202,7 +202,7 @@ describe('reloading', () => {
     expect(here.own().clips[1].channels[0].values[0]).toBe(6);
   });
 
-  it('is for what came from files only, and not for the opening sample', async () => {
+  it('reloading is for what came from files only, and not for the opening sample', async () => {
     const here = await page();
     expect(canReload(here.parts, 'c1')).toBe(true);
     expect(canReload(here.parts, 'c9')).toBe(false);

@@ -21,7 +21,7 @@ describe('what a sample asks to be drawn', () => {
     return { all, names, setNames, store, show, display, open: display.show.bind(display) };
   };
 
-  it('is drawn from then on, until another sample opens', () => {
+  it('what a sample asks to be drawn is drawn from then on, until another sample opens', () => {
     const { names, open, all } = settings();
     open({ names: true });
     expect(names()).toBe(true);
@@ -30,7 +30,7 @@ describe('what a sample asks to be drawn', () => {
     expect(all.get().display).toEqual(DEFAULT_SETTINGS.display);
   });
 
-  it('is put back when any other character opens', () => {
+  it('what a sample asks to be drawn is put back when any other character opens', () => {
     const { names, open, show } = settings();
     show('a');
     open({ names: true });
@@ -40,7 +40,7 @@ describe('what a sample asks to be drawn', () => {
     expect(names()).toBe(false);
   });
 
-  it('is put back when the sample goes, and not when others do', () => {
+  it('what a sample asks to be drawn is put back when the sample goes, and not when others do', () => {
     const { names, open, show, store } = settings();
     show('a');
     open({ names: true });
@@ -52,7 +52,7 @@ describe('what a sample asks to be drawn', () => {
     expect(names()).toBe(false);
   });
 
-  it('is not remembered', () => {
+  it('what a sample asks to be drawn is not remembered', () => {
     const { all, names, setNames, open, display } = settings();
     open({ names: true });
     expect(names()).toBe(true);

@@ -335,7 +335,7 @@ describe('a part that was made here', () => {
     expect(page.text('character.skel')).toBe(first);
   });
 
-  it('has its file still when it is undone and redone', async () => {
+  it('a part that was made here has its file still when it is undone and redone', async () => {
     const page = await withMadeHere(1);
     await page.saver.saveChanged();
     page.store.undo();
@@ -347,14 +347,14 @@ describe('a part that was made here', () => {
     expect(page.text('character.skel')).toContain('rotxlimit');
   });
 
-  it('is listed where it was downloaded, too', async () => {
+  it('a part that was made here is listed where it was downloaded, too', async () => {
     const page = await withMadeHere(1);
     page.disk.picks = undefined;
     await page.saver.saveChanged();
     expect(listed(page)).toEqual([['character.skel']]);
   });
 
-  it('is put back in its place by its file', async () => {
+  it('a part that was made here is put back in its place by its file', async () => {
     const page = await withMadeHere(1);
     await page.saver.saveChanged();
     await page.open([{ path: 'character.skel', blob: new Blob([SKEL]) }]);
@@ -362,7 +362,7 @@ describe('a part that was made here', () => {
     expect(page.store.document.characters[0].skeleton?.joints).toHaveLength(2);
   });
 
-  it('is not taken for a root of another file of that name', async () => {
+  it('a part that was made here is not taken for a root of another file of that name', async () => {
     const page = await pageWith(HERO);
     page.store.apply(createRig, { name: 'hero' });
     page.disk.picks = page.disk.put('hero.skel', '');
@@ -390,7 +390,7 @@ describe('saving as', () => {
     expect(page.text('hero_walk.anim')).toBe(ANIM);
   });
 
-  it('counts poses as saved', async () => {
+  it('saving as counts poses as saved', async () => {
     const page = await pageWith(HERO, false);
     page.change((c) => ({ ...c, poses: [{ name: 'sit', values: [1] }] }));
     await page.saver.saveAs('c1', 'pose');
@@ -398,7 +398,7 @@ describe('saving as', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('says what is not there', async () => {
+  it('saving as says what is not there', async () => {
     const page = await pageWith(HERO);
     await page.saver.saveAs('c1', 'skin');
     expect(page.messages.list.get()[0]?.text).toBe('hero has nothing that could be saved as .skin.');

@@ -31,7 +31,7 @@ describe('saving a character', () => {
     expect(saveCharacter(posed, 'skel')[0].text).toContain('0.25');
   });
 
-  it('has nothing of what is not there', () => {
+  it('saving a character has nothing of what is not there', () => {
     expect(saveCharacter(character({ skeleton: skeleton() }), 'skin')).toEqual([]);
   });
 

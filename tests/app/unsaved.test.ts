@@ -49,11 +49,11 @@ const moved = (own: ChannelClip, by = 1): ChannelClip => ({
 const withClip = (edit: (clip: ChannelClip) => ChannelClip) => (c: Character) => ({ ...c, clips: c.clips.map(edit) });
 
 describe('what is unsaved', () => {
-  it('is nothing of what was opened', () => {
+  it('what is unsaved is nothing of what was opened', () => {
     expect(opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1]))).names()).toEqual([]);
   });
 
-  it('is a clip that was edited, until it is undone', () => {
+  it('what is unsaved is a clip that was edited, until it is undone', () => {
     const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     expect(names()).toEqual(['hero_walk.anim']);
@@ -63,7 +63,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('is a clip that was changed there and back, until that is undone', () => {
+  it('what is unsaved is a clip that was changed there and back, until that is undone', () => {
     const { store, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     change(withClip((c) => moved(c, -1)));
@@ -73,7 +73,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('is nothing that other steps come to after the ones that were saved are undone', () => {
+  it('what is unsaved is nothing that other steps come to after the ones that were saved are undone', () => {
     const { store, unsaved, names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     const save = () => {
       for (const part of partsOf(store.document.characters[0])) if (part.kind === 'anim') unsaved.written(part);
@@ -86,7 +86,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('is a clip made here, and one that has another name now', () => {
+  it('what is unsaved is a clip made here, and one that has another name now', () => {
     const { names, change } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change((c) => ({ ...c, clips: [...c.clips, clip('new', [0])] }));
     expect(names()).toEqual(['new.anim']);
@@ -94,7 +94,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk2.anim', 'new2.anim']);
   });
 
-  it('is told of when a file of its name takes its place', () => {
+  it('what is unsaved is told of when a file of its name takes its place', () => {
     const walk = () => animFile('hero_walk.anim', clip('hero_walk', [1]));
     const { open, names, change } = opened(...hero(), walk());
     expect(open(walk())).toEqual([]);
@@ -105,7 +105,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('is the skeleton when its limits or the pose of its joints change', () => {
+  it('what is unsaved is the skeleton when its limits or the pose of its joints change', () => {
     const { store, names, change, setDof } = opened(...hero());
     setDof(4, 0.5);
     expect(names()).toEqual(['hero.skel']);
@@ -119,7 +119,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('is no skeleton for where the root stands, for a morph, nor for a pose that a take covers', () => {
+  it('what is unsaved is no skeleton for where the root stands, for a morph, nor for a pose that a take covers', () => {
     const { names, change, setDof } = opened(...hero());
     setDof(1, 3);
     setDof(9, 1);
@@ -129,7 +129,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero_walk.anim']);
   });
 
-  it('is nothing for a name, a place, or another take shown', () => {
+  it('what is unsaved is nothing for a name, a place, or another take shown', () => {
     const files = [
       ...hero(),
       animFile('hero_a.anim', clip('hero_a', [1])),
@@ -141,7 +141,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual([]);
   });
 
-  it('is the library of poses, as long as it is in no file or another', () => {
+  it('what is unsaved is the library of poses, as long as it is in no file or another', () => {
     const { store, open, names, change } = opened(...hero());
     store.apply(keepPose, { characterId: 'c1', timeSeconds: 0 });
     expect(names()).toEqual(['hero.pose']);
@@ -165,7 +165,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero.skel', 'kept.pose']);
   });
 
-  it('is the library where a second file of poses was added to it', () => {
+  it('what is unsaved is the library where a second file of poses was added to it', () => {
     const { store, open, names } = opened(...hero());
     const poseFile = (path: string, name: string) =>
       file(path, { kind: 'pose', poses: [poseByNames(store.document.characters[0], { name, values: [1] })] });
@@ -174,7 +174,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['hero.pose']);
   });
 
-  it('is a library that happens to be as in a file that another character has', () => {
+  it('what is unsaved is a library that happens to be as in a file that another character has', () => {
     const { store, open, names } = opened(
       skelFile('hero.skel', skeleton()),
       skelFile('twin.skel', skeleton(2, 'twin')),
@@ -192,7 +192,7 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['twin.pose']);
   });
 
-  it('is told by character, kind and index', () => {
+  it('what is unsaved is told by character, kind and index', () => {
     const other = skelFile('b/other.skel', skeleton(2, 'other'));
     const { unsaved, change } = opened(skelFile('a/hero.skel', skeleton()), other);
     change((c) => ({ ...c, clips: [clip('x', [0])] }), 1);
@@ -210,13 +210,13 @@ describe('what is unsaved', () => {
     expect(names()).toEqual(['walk.anim']);
   });
 
-  it('is nothing of a file that waited for its character', () => {
+  it('what is unsaved is nothing of a file that waited for its character', () => {
     const { names, open } = opened(morphFile('hero_smile.morph', morph('hero_smile')));
     open(skelFile('hero.skel', skeleton()), skinFile('hero.skin', skin()));
     expect(names()).toEqual([]);
   });
 
-  it('is decided anew by what is opened over it, and by taking that back', () => {
+  it('what is unsaved is decided anew by what is opened over it, and by taking that back', () => {
     const { store, names, change, open } = opened(...hero(), animFile('hero_walk.anim', clip('hero_walk', [1])));
     change(withClip((c) => moved(c)));
     open(animFile('hero_walk.anim', clip('hero_walk', [7])));

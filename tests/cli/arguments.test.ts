@@ -48,13 +48,13 @@ describe('arguments', () => {
     ['a short option', ['-t']],
     ['an option without its value', ['--time']],
     ['a flag with a value', ['--json=yes']],
-  ])('refuse %s', (_, args) => {
+  ])('arguments refuse %s', (_, args) => {
     expect(() => parseArguments(args, TYPES)).toThrow(UsageError);
   });
 });
 
 describe('numbers in arguments', () => {
-  it('are read back as every double that JS prints', () => {
+  it('numbers in arguments are read back as every double that JS prints', () => {
     fc.assert(
       fc.property(fc.array(fc.double({ noNaN: true, noDefaultInfinity: true })), (values) => {
         expect(numbersOf('x', values.join(','))).toEqual(values.map((v) => (Object.is(v, -0) ? 0 : v)));
@@ -62,15 +62,18 @@ describe('numbers in arguments', () => {
     );
   });
 
-  it.each(['1.', '-.5', '+2', '1e-3', ' 7 '])('may be written %j', (text) => {
+  it.each(['1.', '-.5', '+2', '1e-3', ' 7 '])('numbers in arguments may be written %j', (text) => {
     expect(numberOf('x', text)).toBe(Number(text));
   });
 
-  it.each(['', 'nan', 'Infinity', '0x10', '1e999', '1.5.2', '12x', '1 2', '.', '1_000'])('are not %j', (text) => {
-    expect(() => numberOf('x', text)).toThrow(UsageError);
-  });
+  it.each(['', 'nan', 'Infinity', '0x10', '1e999', '1.5.2', '12x', '1 2', '.', '1_000'])(
+    'numbers in arguments are not %j',
+    (text) => {
+      expect(() => numberOf('x', text)).toThrow(UsageError);
+    },
+  );
 
-  it('have nothing missing between commas', () => {
+  it('numbers in arguments have nothing missing between commas', () => {
     expect(() => numbersOf('x', '1,,2')).toThrow(UsageError);
     expect(() => numbersOf('x', '1,2,')).toThrow(UsageError);
     expect(numbersOf('x', '')).toEqual([]);

@@ -28,36 +28,42 @@ beforeAll(() => {
 afterAll(() => rmSync(folder, { recursive: true }));
 
 describeShared('marrow pose of axis-angle skeletons, against the reference', () => {
-  it.each(conformance<AxisSkelFk>('axis-skel-fk.json').files)('$file', async ({ file, joints, reach, sets }) => {
-    for (const [set, { angles, tips }] of sets.entries()) {
-      const dofs = set === 0 ? [] : [`--dofs=${angles.map((a) => (a * Math.PI) / 180).join(',')}`];
-      const { characters, diagnostics } = await commandJson<PoseJson>(['pose', file, ...dofs], sharedPath(DATA));
-      expect(diagnostics).toEqual([]);
-      expect(characters[0].joints.map(({ type }) => type)).toEqual(new Array(joints).fill('hingejoint'));
-      expectClose(
-        characters[0].joints.flatMap(({ tip }) => tip ?? []),
-        tips.flat(),
-        1e-6 * reach,
-      );
-    }
-  });
+  it.each(conformance<AxisSkelFk>('axis-skel-fk.json').files)(
+    'marrow pose gives $file as the reference has it',
+    async ({ file, joints, reach, sets }) => {
+      for (const [set, { angles, tips }] of sets.entries()) {
+        const dofs = set === 0 ? [] : [`--dofs=${angles.map((a) => (a * Math.PI) / 180).join(',')}`];
+        const { characters, diagnostics } = await commandJson<PoseJson>(['pose', file, ...dofs], sharedPath(DATA));
+        expect(diagnostics).toEqual([]);
+        expect(characters[0].joints.map(({ type }) => type)).toEqual(new Array(joints).fill('hingejoint'));
+        expectClose(
+          characters[0].joints.flatMap(({ tip }) => tip ?? []),
+          tips.flat(),
+          1e-6 * reach,
+        );
+      }
+    },
+  );
 });
 
 describeShared('marrow info of axis-angle files with something wrong', () => {
-  it.each(['missing-child', 'non-number', 'zero-axis'])('%s is refused, with its line', async (stem) => {
-    const { files, diagnostics } = await commandJson<InfoJson>(
-      ['info', `${stem}.axskel`],
-      sharedPath(`${DATA}/malformed`),
-      1,
-    );
-    expect(files).toMatchObject([{ kind: 'skel', loaded: false }]);
-    expect(diagnostics).toMatchObject([{ severity: 'error', file: `${stem}.axskel`, line: 2 }]);
-  });
+  it.each(['missing-child', 'non-number', 'zero-axis'])(
+    'marrow info refuses %s.axskel, with its line',
+    async (stem) => {
+      const { files, diagnostics } = await commandJson<InfoJson>(
+        ['info', `${stem}.axskel`],
+        sharedPath(`${DATA}/malformed`),
+        1,
+      );
+      expect(files).toMatchObject([{ kind: 'skel', loaded: false }]);
+      expect(diagnostics).toMatchObject([{ severity: 'error', file: `${stem}.axskel`, line: 2 }]);
+    },
+  );
 });
 
 describeShared('marrow convert of axis-angle files', () => {
   it.each(conformance<AxisSkelFk>('axis-skel-fk.json').files)(
-    '$file: there and back is the same bytes',
+    'marrow convert of $file there and back is the same bytes',
     async ({ file }) => {
       copyFileSync(sharedPath(`${DATA}/${file}`), join(folder, file));
       const convert = (...names: string[]) => command(['convert', ...names], folder);

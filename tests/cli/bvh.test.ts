@@ -119,28 +119,31 @@ describeShared('the motion capture of the reference, through the command', () =>
   const { files } = conformance<{ files: Readonly<Record<string, Reference>> }>('bvh-positions.json');
   const SHARED = sharedPath('');
 
-  it.each(Object.entries(files))('%s: counts and positions', async (name, expected) => {
-    const path = `data/bvh/${name}`;
-    const isEnd = expected.nodes.map(([, , channels]) => channels === null);
-    const info = (await commandJson<InfoJson>(['info', path], SHARED)).files[0];
-    const endSites = isEnd.filter((is) => is).length;
-    expect(info).toMatchObject({ joints: isEnd.length - endSites, endSites, dofs: expected.channels });
-    expect(info).toMatchObject({ frames: expected.frames });
-    expect(info.frameTime).toBeCloseTo(expected.frame_time, 9);
+  it.each(Object.entries(files))(
+    'marrow gives counts and positions of %s as the reference has them',
+    async (name, expected) => {
+      const path = `data/bvh/${name}`;
+      const isEnd = expected.nodes.map(([, , channels]) => channels === null);
+      const info = (await commandJson<InfoJson>(['info', path], SHARED)).files[0];
+      const endSites = isEnd.filter((is) => is).length;
+      expect(info).toMatchObject({ joints: isEnd.length - endSites, endSites, dofs: expected.channels });
+      expect(info).toMatchObject({ frames: expected.frames });
+      expect(info.frameTime).toBeCloseTo(expected.frame_time, 9);
 
-    const check = async (options: readonly string[], points: readonly (readonly number[])[]) => {
-      const { characters } = await commandJson<PoseJson>(['pose', path, ...options], SHARED);
-      const joints = characters.flatMap((c) => c.joints.map(({ world }) => world.slice(12, 15)));
-      const ends = characters.flatMap((c) => (c.endSites ?? []).map(({ position }) => position));
-      const got = isEnd.map((is) => (is ? ends.shift() : joints.shift()) ?? [Number.NaN, Number.NaN, Number.NaN]);
-      const off = points.flatMap((point, n) => point.map((x, k) => Math.abs(got[n][k] - x)));
-      for (const each of off) expect(each).toBeLessThanOrEqual(expected.tolerance);
-    };
-    await check([], expected.rest);
-    for (const [frame, points] of Object.entries(expected.positions)) {
-      await check(['--frame', frame], points);
-    }
-  });
+      const check = async (options: readonly string[], points: readonly (readonly number[])[]) => {
+        const { characters } = await commandJson<PoseJson>(['pose', path, ...options], SHARED);
+        const joints = characters.flatMap((c) => c.joints.map(({ world }) => world.slice(12, 15)));
+        const ends = characters.flatMap((c) => (c.endSites ?? []).map(({ position }) => position));
+        const got = isEnd.map((is) => (is ? ends.shift() : joints.shift()) ?? [Number.NaN, Number.NaN, Number.NaN]);
+        const off = points.flatMap((point, n) => point.map((x, k) => Math.abs(got[n][k] - x)));
+        for (const each of off) expect(each).toBeLessThanOrEqual(expected.tolerance);
+      };
+      await check([], expected.rest);
+      for (const [frame, points] of Object.entries(expected.positions)) {
+        await check(['--frame', frame], points);
+      }
+    },
+  );
 });
 
 describe('marrow convert, to .skel and .anim and back', () => {

@@ -101,7 +101,7 @@ describe('marrow info', () => {
     expect(json).toMatchObject({ files: [], diagnostics: [{ code: 'nothing-found' }] });
   });
 
-  it('counts what each file holds', async () => {
+  it('marrow info counts what each file holds', async () => {
     const { files } = await commandJson<InfoJson>(['info', ...HERO], folder);
     expect(files).toMatchObject([
       { name: 'hero.skel', kind: 'skel', joints: 2, dofs: 6, roots: 1 },
@@ -370,7 +370,7 @@ Frame Time: 0.05
     expect(readFileSync(at('beside', 'walk.anim'), 'utf8')).toContain('numchannels 8');
   });
 
-  it('says what it needs', async () => {
+  it('marrow convert of motion capture says what it needs', async () => {
     expect(await convert('walk.bvh', '--to', 'gif')).toMatchObject({ code: 2 });
     expect(await convert('walk.bvh', 'x.bvh', '--fps', '0')).toMatchObject({ code: 2 });
     expect(await convert('walk.bvh', 'x.bvh', '--force')).toMatchObject({ code: 2 });

@@ -76,7 +76,7 @@ describeShared('marrow pose, against the reference', () => {
     }[];
   }
   for (const { skel, names, parents, poses } of conformance<Skeletons>('skel-fk.json').skeletons) {
-    it(`places every joint of ${skel}`, async () => {
+    it(`marrow pose places every joint of ${skel}`, async () => {
       for (const expected of poses) {
         const character = await poseOf([skel], posing(expected));
         expect(character.joints.map((j) => j.name)).toEqual(names);
@@ -97,7 +97,7 @@ describeShared('marrow pose, against the reference', () => {
   }
   for (const file of ['skin-deform.json', 'skin-many-influences.json']) {
     for (const { skel, skin, poses } of conformance<Skins>(file).cases) {
-      it(`deforms every vertex of ${skin}`, async () => {
+      it(`marrow pose deforms every vertex of ${skin}`, async () => {
         for (const expected of poses) {
           const character = await poseOf([skel, skin], ['--vertices', ...posing(expected)]);
           expectJoints(character, expected);
@@ -116,7 +116,7 @@ describeShared('marrow pose, against the reference', () => {
     }[];
   }
   for (const { skel, skin, anim, frames } of conformance<Animations>('anim-pose.json').cases) {
-    it(`plays ${anim} on ${skel}`, async () => {
+    it(`marrow pose plays ${anim} on ${skel}`, async () => {
       const files = [skel, ...(skin ? [skin] : []), anim];
       for (const expected of frames) {
         const character = await poseOf(files, ['--vertices', '--time', String(expected.time)]);
@@ -141,7 +141,7 @@ describeShared('marrow pose, against the reference', () => {
     })[];
   }
   for (const { skel, skin, morphs, vertices, blends, ...posed } of conformance<Morphs>('morph.json').cases) {
-    it(`blends ${morphs.join(' and ')}, with a skeleton and without`, async () => {
+    it(`marrow pose blends ${morphs.join(' and ')}, with a skeleton and without`, async () => {
       for (const expected of blends) {
         const weights = `--morphs=${expected.weights.join(',')}`;
         const character = await poseOf([skel, skin, ...morphs], ['--vertices', weights, ...posing(posed)]);
@@ -169,7 +169,7 @@ describeShared('marrow channels, against the reference', () => {
     }[];
   }
   for (const { anim, numchannels, channels } of conformance<Channels>('channels.json').files) {
-    it(`evaluates ${anim}`, async () => {
+    it(`marrow channels evaluates ${anim}`, async () => {
       for (const { index, times, values, alternatives } of channels) {
         const args = ['channels', anim, '--times', times.join(',')];
         const got = (await commandJson<ChannelsJson>(args, SHARED)).channels;
@@ -199,7 +199,7 @@ describeShared('marrow info, on files with something wrong', () => {
   }
   const folder = sharedPath('data/malformed');
   for (const { file, with: others, expect: expected, lines, what } of conformance<Cases>('diagnostics.json').cases) {
-    it(`${file}: ${what}`, async () => {
+    it(`marrow info on ${file}: ${what}`, async () => {
       const args = ['info', file, ...others, '--json'];
       const { code, out, err } = await command(args, folder);
       const { files, diagnostics } = JSON.parse(out) as InfoJson;

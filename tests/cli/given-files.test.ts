@@ -26,7 +26,7 @@ describe('files given to npm start', () => {
     expect(table.get('/given/1/wasp.skel')).toBe(join(folder, 'a b,c%d', 'wasp.skel'));
   });
 
-  it('are named in the address so that the page reads the same names back', () => {
+  it('files given to npm start are named in the address so that the page reads the same names back', () => {
     const table = tableOf(given('one', 'a b,c%d').files);
     expect(filesInQuery(queryOf(table))).toEqual([...table.keys()].map((address) => address.slice(1)));
   });

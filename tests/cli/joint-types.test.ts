@@ -28,7 +28,7 @@ afterAll(() => rmSync(folder, { recursive: true }));
 
 describeShared('marrow pose of every joint type, against the reference', () => {
   const { tolerance, cases } = conformance<JointTypes>('joint-types.json');
-  it.each(cases)('$name', async ({ skel, sets }) => {
+  it.each(cases)('marrow pose gives $name as the reference has it', async ({ skel, sets }) => {
     writeFileSync(join(folder, 'case.skel'), skel);
     for (const { root_translation: root, dofs, world } of sets) {
       const given = ['pose', 'case.skel', `--root=${root.join(',')}`, `--dofs=${dofs.join(',')}`];

@@ -87,7 +87,7 @@ describe('work', () => {
       expect(await offer(page).getByRole('button', { name: /older/ }).count()).toBe(0);
     }));
 
-  it('is kept to the last moment when its page is reloaded or closed', () =>
+  it('work is kept to the last moment when its page is reloaded or closed', () =>
     withSmallPage(async ({ page, openAnother }) => {
       await openArm(page);
       await setDof(page, 6, 0.25);
@@ -106,7 +106,7 @@ describe('work', () => {
       expect((await dofs(another))[6]).toBe(0.75);
     }));
 
-  it('is not offered where nothing was done', () =>
+  it('work is not offered where nothing was done', () =>
     withSmallPage(async ({ page, openAnother }) => {
       await openArm(page);
       await kept(page);
@@ -195,7 +195,7 @@ describe('work', () => {
 });
 
 describeShared('a character with skin and walk', () => {
-  it('is back with every vertex where it was, edited channels and files alike', () =>
+  it('a character with skin and walk is back with every vertex where it was, edited channels and files alike', () =>
     withSmallPage(async ({ page }) => {
       await ready(page);
       const files = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
@@ -219,7 +219,7 @@ describeShared('a character with skin and walk', () => {
 });
 
 describe('a file that can’t be copied', () => {
-  it('is kept as what was read of it, and comes back with every vertex where it was', () =>
+  it('a file that can’t be copied is kept as what was read of it, and comes back with every vertex where it was', () =>
     withSmallPage(
       async ({ page }) => {
         await ready(page);

@@ -38,7 +38,7 @@ function start(file: string, args: readonly string[]): Promise<Ended> {
 const marrow = (...args: string[]) => start(process.execPath, [BUILT, ...args]);
 
 describe('the built command', () => {
-  it('is a program of its own', () => {
+  it('the built command is a program of its own', () => {
     if (process.platform !== 'win32') accessSync(BUILT, constants.X_OK);
   });
 

@@ -132,7 +132,7 @@ it('draws steps, tangents and extrapolations where the evaluator says', () =>
   }));
 
 describeShared('the sample animation of the course', () => {
-  it('is drawn where the evaluator says', () =>
+  it('the sample animation of the course is drawn where the evaluator says', () =>
     withPage(async ({ page }) => {
       const bytes = sharedBytes('data/cse169/sample.anim');
       await drop('sample.anim', bytes)(page);

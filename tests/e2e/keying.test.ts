@@ -169,7 +169,7 @@ it('makes a take for a sample that has none', () =>
   }));
 
 describeShared('the wasp', () => {
-  it('is animated from nothing', () =>
+  it('the wasp is animated from nothing', () =>
     makeTake({
       files: ['wasp.skel', 'wasp.skin'].map((name) => ({ name, bytes: sharedBytes(`data/cse169/${name}`) })),
       joint: 'head',

@@ -44,7 +44,7 @@ describe('dropping', () => {
       }
     }));
 
-  it('takes a zip', () =>
+  it('dropping takes a zip', () =>
     withPage(async ({ page }) => {
       await ready(page);
       const zip = zipSync({ 'arm/arm.skel': strToU8(ARM), 'arm/arm_raise.anim': strToU8(RAISE) });

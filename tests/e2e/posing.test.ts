@@ -200,7 +200,7 @@ it('blends to a pose once where its picture is double-clicked, and again at a cl
   }));
 
 describeShared('the dragon', () => {
-  it('has a shoulder that stops where its file says', () =>
+  it('the dragon has a shoulder that stops where its file says', () =>
     withPage(async ({ page }) => {
       const bytes = sharedBytes('data/cse169/dragon.skel');
       await dropFiles(page, [{ name: 'dragon.skel', bytes }]);

@@ -157,7 +157,7 @@ describe('saving in place', () => {
       await page.getByText('Everything is saved.').waitFor();
     }));
 
-  it('writes limits into the skeleton', () =>
+  it('saving in place writes limits into the skeleton', () =>
     withHero(async (page) => {
       await page.evaluate(() => window.marrow.run('skeleton.setLimit', { dof: 3, min: -1, max: 1 }));
       await titled(page, '• hero.skel – Marrow');
@@ -179,7 +179,7 @@ describe('saving in place', () => {
       expect(await read(page, 'hero_new.anim')).toContain('range 0 4');
     }));
 
-  it('does not overwrite what was changed on disk meanwhile, unless it is saved again', () =>
+  it('saving in place does not overwrite what was changed on disk meanwhile, unless it is saved again', () =>
     withHero(async (page) => {
       await setRange(page, 3);
       await write(page, 'hero_walk.anim', anim(0.75));
@@ -250,13 +250,13 @@ describe('reloading', () => {
       expect(await height(page)).toBeGreaterThan(before);
     }));
 
-  it('says that nothing has changed', () =>
+  it('reloading says that nothing has changed', () =>
     withHero(async (page) => {
       await menu(page, 'Open', 'Reload from disk');
       await page.getByText('Nothing has changed on disk.').waitFor();
     }));
 
-  it('is what dropping a file of the same name again does, too', () =>
+  it('reloading is what dropping a file of the same name again does, too', () =>
     withPage(async ({ page }) => {
       await firstName(page);
       await dropFiles(page, HERO);

@@ -132,12 +132,12 @@ describe('vertices as the GPU makes them', () => {
     await expectVertices(madeUp(LISTS, [IDENTITY, MOVED, SCALED]));
   });
 
-  it('do so far from the origin', async () => {
+  it('vertices as the GPU makes them do so far from the origin', async () => {
     const what = madeUp(LISTS, [IDENTITY, MOVED, SCALED]);
     await expectVertices({ ...what, pose: what.pose.map((x, d) => (d < 3 ? 20_000 * x : x)) });
   });
 
-  it('do so with four attachments at most', async () => {
+  it('vertices as the GPU makes them do so with four attachments at most', async () => {
     await expectVertices(madeUp(LISTS.slice(0, 5), [MOVED, SCALED, IDENTITY]));
   });
 
@@ -149,7 +149,7 @@ describe('vertices as the GPU makes them', () => {
   it.each([
     ['on the GPU', 0],
     ['on the CPU, past the 2,048 of three.js’s texture', 2100],
-  ])('are morphed before they are skinned, normals too, %s', async (_, idleMorphs) => {
+  ])('vertices as the GPU makes them are morphed before they are skinned, normals too, %s', async (_, idleMorphs) => {
     const what = madeUp(LISTS, [IDENTITY, MOVED, SCALED]);
     const morphs = [
       'positions 2 { 3 1 2 3  6 0 0 1 } normals 1 { 3 0 0 1 }',

@@ -80,7 +80,7 @@ describeShared('the page with the course’s files', () => {
       }
     }));
 
-  it('takes what the address names', () =>
+  it('the page with the course’s files takes what the address names', () =>
     withPage(
       async ({ page }) => {
         await opened(page, 'wasp');

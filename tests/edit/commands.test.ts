@@ -45,14 +45,14 @@ describe('the list of commands', () => {
     expect(listed.map(({ id }) => id)).toEqual([...COMMANDS_BY_ID.keys()]);
   });
 
-  it('is known to the page, which fetches what is not at hand, by exactly its ids', () => {
+  it('the list of commands is known to the page, which fetches what is not at hand, by exactly its ids', () => {
     const fetched = [...COMMANDS_BY_ID.keys()].filter((id) => !COMMANDS_AT_HAND.has(id));
     expect([...FETCHED_IDS].sort()).toEqual(fetched.sort());
   });
 });
 
 describe('every command', () => {
-  it('has a case', () => {
+  it('every command has a case', () => {
     expect(Object.keys(CASES).sort()).toEqual([...COMMANDS_BY_ID.keys()].sort());
   });
 

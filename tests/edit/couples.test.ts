@@ -21,7 +21,7 @@ describe('rig.setCouple', () => {
     expect(shown[7]).toBe(1.25);
   });
 
-  it('is in the .skel that is saved', () => {
+  it('rig.setCouple is in the .skel that is saved', () => {
     const { skeleton: coupled } = couple(document, 1, 'ry', { joint: 0, dof: 'rx' }).characters[0];
     if (!coupled) throw new Error('no skeleton');
     const { value } = readSkel(writeSkel([coupled], 'hero.skel').text, 'hero.skel');
@@ -61,7 +61,7 @@ describe('rig.setCouple', () => {
     expect(() => setCouple.run(document, { characterId: 'c1', joint: 1, dof: 'rx', follows })).toThrow('The gain');
   });
 
-  it('is undone to the very same document', () => {
+  it('rig.setCouple is undone to the very same document', () => {
     const store = new Store(document);
     const follows = { joint: 0, dof: 'rx', gain: 1, offset: 0 };
     store.apply(setCouple, { characterId: 'c1', joint: 2, dof: 'rz', follows });

@@ -45,7 +45,7 @@ describe('the frame rate', () => {
     expect(rateOf(0.0166834)).toBeCloseTo(60 / 1.001, 10);
   });
 
-  it('is as the file has it where that is no usual one', () => {
+  it('the frame rate is as the file has it where that is no usual one', () => {
     expect(rateOf(0.03)).toBe(1 / 0.03);
   });
 
@@ -61,7 +61,7 @@ describe('the frame rate', () => {
 describe('what plays', () => {
   const keyed = character({ id: 'k', clips: [clip('keys', [0, 1])], shownClip: 0 });
 
-  it('has one rate where all that is seen has the same', () => {
+  it('what plays has one rate where all that is seen has the same', () => {
     expect(sharedFrameRate(documentOf(sampled('a', 0.0083333), sampled('b', 1 / 120)))).toBe(120);
     expect(sharedFrameRate(documentOf(sampled('a', 0.01), sampled('b', 0.02)))).toBeUndefined();
     expect(sharedFrameRate(documentOf(sampled('a', 0.01), sampled('b', 0.02, { isHidden: true })))).toBe(100);
@@ -69,7 +69,7 @@ describe('what plays', () => {
     expect(sharedFrameRate(documentOf())).toBeUndefined();
   });
 
-  it('is frames, or keys alone', () => {
+  it('what plays is frames, or keys alone', () => {
     expect(playsSamples(documentOf(keyed))).toBe(false);
     expect(playsSamples(documentOf(keyed, sampled('a', 0.01)))).toBe(true);
   });

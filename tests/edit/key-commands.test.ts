@@ -212,7 +212,7 @@ describe('commands on keys refuse, and change nothing', () => {
       'shows no take',
       () => unifyTangents.run(documentOf(character()), { characterId, keys }),
     ],
-  ])('%s', (_what, sentence, run) => {
+  ])('a command on keys refuses %s, and changes nothing', (_what, sentence, run) => {
     expect(run).toThrow(sentence);
   });
 });
@@ -236,7 +236,7 @@ describe('the Edit menu', () => {
       'Paste 2 keys',
       pasteKeys.label(start, { characterId, copied: copyKeys(walk, keys), timeSeconds: 0, mode: 'merge' }),
     ],
-  ])('says "%s"', (meant, label) => {
+  ])('the Edit menu says "%s"', (meant, label) => {
     expect(label).toBe(meant);
   });
 });

@@ -136,7 +136,7 @@ describe('pose.key over a take', () => {
     expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
   });
 
-  it('is named after what it keys', () => {
+  it('pose.key over a take is named after what it keys', () => {
     const label = (dofs?: number[]) =>
       keyPose.label(documentOf(walking), { characterId: 'c1', timeSeconds: 0, ...(dofs && { dofs }) });
     expect([label(), label([4]), label([6, 7, 8]), label([0, 1, 2, 3, 4, 5]), label([3, 6])]).toEqual([
@@ -201,7 +201,7 @@ describe('keying as it goes on', () => {
     );
   });
 
-  it('is in the file what it is on screen, at all times', () => {
+  it('keying as it goes on is in the file what it is on screen, at all times', () => {
     fc.assert(
       fc.property(session, fc.array(time, { minLength: 1 }), ({ steps }, times) => {
         let document = documentOf(bare);

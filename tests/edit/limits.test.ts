@@ -22,14 +22,14 @@ describe('skeleton.setLimit', () => {
     expect(limited.pose).toBe(only(document).pose);
   });
 
-  it('changes the one joint only', () => {
+  it('skeleton.setLimit changes the one joint only', () => {
     const before = only(document).skeleton?.joints ?? [];
     const after = only(limit(7, -1, 1)).skeleton?.joints ?? [];
     expect(after.map((j, i) => j === before[i])).toEqual([true, false]);
     expect(after[1].limits).toEqual([UNLIMITED, { min: -1, max: 1 }, UNLIMITED]);
   });
 
-  it('is in the .skel that is saved', () => {
+  it('skeleton.setLimit is in the .skel that is saved', () => {
     const limited = only(limit(7, -1, 0.5)).skeleton;
     if (!limited) throw new Error('no skeleton');
     const { value } = readSkel(writeSkel([limited], 'hero.skel').text, 'hero.skel');
@@ -51,7 +51,7 @@ describe('skeleton.setLimit', () => {
 });
 
 describe('skeleton.clearLimit', () => {
-  it('takes them off', () => {
+  it('skeleton.clearLimit takes them off', () => {
     const cleared = clearLimit.run(limit(7, -1, 1), { characterId: 'c1', dof: 7 });
     expect(only(cleared).skeleton?.joints[1].limits).toEqual([UNLIMITED, UNLIMITED, UNLIMITED]);
     expect(clearLimit.run(document, { characterId: 'c1', dof: 7 })).toBe(document);

@@ -102,7 +102,7 @@ describe('files opened together', () => {
     ]);
   });
 
-  it('are bound by a rig, morphs in its order, with what it does not name added after', () => {
+  it('files opened together are bound by a rig, morphs in its order, with what it does not name added after', () => {
     const rig = { name: 'Hero', skeleton: 'bones.skel', skin: 'body.skin', morphs: ['smile.morph', 'blink.morph'] };
     const { document } = open([
       morphFile('blink.morph', morph('blink')),
@@ -154,7 +154,7 @@ describe('files opened together', () => {
     expect(second.opened).toEqual(['c1']);
   });
 
-  it('stand beside what is there', () => {
+  it('files opened together stand beside what is there', () => {
     const { document } = open([skelFile('a.skel', skeleton(2, 'a')), skelFile('b.skel', skeleton(2, 'b'))]);
     const [a, b] = document.characters.map((c) => c.placements[0].position);
     expect(a).toEqual([0, 0, 0]);
@@ -176,7 +176,7 @@ describe('a file that does not fit', () => {
     ]);
   });
 
-  it('changes nothing that was there', () => {
+  it('a file that does not fit changes nothing that was there', () => {
     const before = documentOf(character());
     const result = open([skinFile('hero.skin', skin('hero', 7))], before);
     expect(result.document).toBe(before);
@@ -189,7 +189,7 @@ describe('a file that does not fit', () => {
     expect(result.diagnostics).toMatchObject([{ severity: 'info', code: 'held-back', file: 'hero.skin' }]);
   });
 
-  it('is listed as unused, and taken up when what it waits for comes', () => {
+  it('a file that does not fit is listed as unused, and taken up when what it waits for comes', () => {
     const first = open([morphFile('hero_smile.morph', morph('smile'))]);
     expect(first.document.characters).toEqual([]);
     expect(first.document.unused).toMatchObject([{ file: { source: { name: 'hero_smile.morph' } } }]);
@@ -212,7 +212,7 @@ describe('files that lay unused', () => {
   const tube = open([skelFile('tube.skel', skeleton(2, 'tube'))]).document;
   const waiting = open([morphFile('head1.morph', morph('head1', 99))], tube);
 
-  it('are said, and kept', () => {
+  it('files that lay unused are said, and kept', () => {
     expect(waiting.diagnostics).toMatchObject([{ severity: 'info', code: 'file-unused', file: 'head1.morph' }]);
     expect(waiting.document.unused).toHaveLength(1);
     expect(waiting.document.characters).toBe(tube.characters);
@@ -234,7 +234,7 @@ describe('files that lay unused', () => {
     expect(document.unused).toHaveLength(1);
   });
 
-  it('are still there when the opening sample goes', () => {
+  it('files that lay unused are still there when the opening sample goes', () => {
     const sample = { ...tube, isOpeningSample: true };
     const dropped = open([morphFile('head1.morph', morph('head1'))], sample);
     expect(dropped.document.isOpeningSample).toBe(true);
@@ -278,7 +278,7 @@ describe('files opened later', () => {
     ]);
   });
 
-  it('are two parts where two of one name come together', () => {
+  it('files opened later are two parts where two of one name come together', () => {
     const { document } = open([
       skelFile('hero.skel', skeleton()),
       skinFile('hero.skin', skin()),
@@ -366,7 +366,7 @@ describe('files opened later', () => {
       expect(document.unused).toHaveLength(1);
     });
 
-    it('are not the sample’s where others come with them', () => {
+    it('of poses alone are not the sample’s where others come with them', () => {
       const { document } = open([ofJoints(...own), skelFile('other.skel', skeleton(1, 'tail'))], sample);
       expect(only(document).id).not.toBe('c1');
     });

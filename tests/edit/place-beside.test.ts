@@ -33,7 +33,7 @@ const names = (count: number) => Array.from({ length: count }, (_, i) => `take${
 const takes = (count: number) => names(count).map((name, i) => bvh(name, anywhere(i)));
 
 describe('captures that are dropped at once', () => {
-  it('stand in rows of eight', () => {
+  it('captures that are dropped at once stand in rows of eight', () => {
     const at = standing(open(takes(50)));
     for (let i = 0; i < 50; i++) expect(at[i][1]).toBeCloseTo(at[i - (i % 8)][1], 2);
     const rows = new Set(at.map(([, z]) => z.toFixed(1)));

@@ -13,7 +13,7 @@ import {
 const playing = (more: Partial<Playback>): Playback => ({ ...DEFAULT_PLAYBACK, playing: true, range: [1, 3], ...more });
 
 describe('advance', () => {
-  it('stands still while paused', () => {
+  it('advance stands still while paused', () => {
     const paused = playing({ playing: false, timeSeconds: 2 });
     expect(advance(paused, 1)).toBe(paused);
   });

@@ -26,14 +26,14 @@ describe('pose.setDofs', () => {
     expect(poseOf(set(still, 4, 5))[4]).toBe(5);
   });
 
-  it('does not clamp root translation, morph weights, or a character whose switch is off', () => {
+  it('pose.setDofs does not clamp root translation, morph weights, or a character whose switch is off', () => {
     expect(poseOf(set(still, 1, 1e6))[1]).toBe(1e6);
     expect(poseOf(set(still, 6, 1.5))[6]).toBe(1.5);
     const free = setClamping.run(still, { characterId: 'c1', clamps: false });
     expect(poseOf(set(free, 3, 5))[3]).toBe(5);
   });
 
-  it('names what it sets', () => {
+  it('pose.setDofs names what it sets', () => {
     const label = (index: number) =>
       setDofs.label(still, { characterId: 'c1', dofs: [{ index, value: 0 }], timeSeconds: 0 });
     expect([label(0), label(3), label(6)]).toEqual(['Set tx of hip', 'Set rx of hip', 'Set morph smile']);
@@ -62,7 +62,7 @@ describe('what is set by hand over a clip', () => {
     expect(set(once, 3, shown[3], 1.5).characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [0], values: [2] });
   });
 
-  it('is unkeyed for that moment, where a channel drives it', () => {
+  it('what is set by hand over a clip is unkeyed for that moment, where a channel drives it', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 1.5, dofs: [3], values: [0.25] });
     expect(set(once, 0, 2, 1.5).characters[0].unkeyed).toEqual({
@@ -73,17 +73,17 @@ describe('what is set by hand over a clip', () => {
     expect(set(once, 0, 2, 1.6).characters[0].unkeyed).toEqual({ timeSeconds: 1.6, dofs: [0], values: [2] });
   });
 
-  it('is part of the pose where none does', () => {
+  it('what is set by hand over a clip is part of the pose where none does', () => {
     expect(set(playing, 5, 0, 1.5).characters[0].unkeyed).toBeUndefined();
   });
 
-  it('is no part of the pose, and leaves no trace when it goes', () => {
+  it('what is set by hand over a clip is no part of the pose, and leaves no trace when it goes', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(poseOf(once)).toEqual(poseOf(playing));
     expect(dropUnkeyed(once, 2).characters[0]).toEqual(playing.characters[0]);
   });
 
-  it('goes when time moves on', () => {
+  it('what is set by hand over a clip goes when time moves on', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(dropUnkeyed(once, 1.5)).toBe(once);
     expect(dropUnkeyed(once, 1.6).characters[0].unkeyed).toBeUndefined();
@@ -103,7 +103,7 @@ describe('what is set by hand where a channel has no keys', () => {
   );
   const channelsOf = (document: typeof playing) => document.characters[0].clips[0].channels;
 
-  it('is where the channel stands from then on, at every time', () => {
+  it('what is set by hand where a channel has no keys is where the channel stands from then on, at every time', () => {
     const once = set(playing, 4, 0.75, 1.5);
     expect(once.characters[0].unkeyed).toBeUndefined();
     expect(channelsOf(once)[4].rest).toBe(0.75);

@@ -91,7 +91,7 @@ describe('putting a take onto another character', () => {
     expect(of(s, 't').driver?.source.clip.range[1]).toBeCloseTo(1.1, 12);
   });
 
-  it('does so while one drags, too', () => {
+  it('putting a take onto another character does so while one drags, too', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     const drag = s.begin('Range');
@@ -158,7 +158,7 @@ describe('putting a take onto another character', () => {
     expect(s.document).toBe(document);
   });
 
-  it('has its morphs keyed meanwhile: its own take has the say over them', () => {
+  it('putting a take onto another character has its morphs keyed meanwhile: its own take has the say over them', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     const smile = dofCountOf(of(s, 't')) - 1;
@@ -215,7 +215,7 @@ describe('putting a take onto another character', () => {
       /one joint only/,
     ],
     ['a scale of nothing', { ...ONTO, options: { scale: 0 } }, /above 0/],
-  ])('refuses %s', (_, args, message) => {
+  ])('putting a take onto another character refuses %s', (_, args, message) => {
     const s = store();
     const { document } = s;
     expect(() => s.apply(setRetarget, args)).toThrow(message);
@@ -289,7 +289,7 @@ describe('baking', () => {
     });
   });
 
-  it('takes another rate', () => {
+  it('baking takes another rate', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     s.apply(bakeRetarget, { characterId: 't', framesPerSecond: 20, name: 'dance' });

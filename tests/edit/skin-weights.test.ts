@@ -106,7 +106,7 @@ describe('automatic weights', () => {
     expect(most(drawn(lifted), raised.positions)).toBeLessThan(STILL);
   });
 
-  it('change nothing the second time', () => {
+  it('automatic weights change nothing the second time', () => {
     const document = documentOf(weighted(dressed(arm(0), sleeve())));
     expect(autoWeights.run(document, { characterId: 'c1', timeSeconds: 0 })).toBe(document);
   });
@@ -129,14 +129,14 @@ describe('automatic weights', () => {
     expect(idleOf(dressed(arm(0), sleeve()))).toEqual([]);
   });
 
-  it('are written with their bindings, and read back as they are', () => {
+  it('automatic weights are written with their bindings, and read back as they are', () => {
     const [skin] = weighted(dressed(arm(0), sleeve())).skins;
     const { value } = readSkin(writeSkin(skin).text, 'sleeve.skin');
     expect(value?.attachments).toEqual(skin.attachments);
     expect(value?.bindings).toEqual(skin.bindings);
   });
 
-  it('are refused where there is nothing to do it with', () => {
+  it('automatic weights are refused where there is nothing to do it with', () => {
     const run =
       (who: Character, args = {}) =>
       () =>
@@ -159,7 +159,7 @@ describe('automatic weights of the walker', () => {
   const found = weighted(dressed(skeleton, skin)).skins[0].attachments;
   const made = skin.attachments;
 
-  it('are near what was painted by hand', () => {
+  it('automatic weights of the walker are near what was painted by hand', () => {
     if (!found) throw new Error('no weights');
     const count = skin.positions.length / 3;
     let moved = 0;

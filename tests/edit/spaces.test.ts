@@ -64,7 +64,7 @@ describe('a figure of motion capture that is opened', () => {
 });
 
 describe('the space of a character', () => {
-  it('is set, and undone', () => {
+  it('the space of a character is set, and undone', () => {
     const store = new Store(documentOf(character()));
     store.apply(setSpace, { characterId: 'c1', space: SPACE });
     expect(store.document.characters[0].space).toEqual(SPACE);
@@ -81,7 +81,7 @@ describe('the space of a character', () => {
     { ...SPACE, lift: Number.NaN },
     { ...SPACE, unit: 'own' },
     { ...SPACE, unit: 'own', metres: 0 },
-  ])('refuses what is none: %o', (space) => {
+  ])('the space of a character refuses what is none: %o', (space) => {
     const store = new Store(documentOf(character()));
     // As a script may say it.
     expect(() => store.apply(setSpace, { characterId: 'c1', space: space as Space })).toThrow(CommandError);
@@ -103,14 +103,14 @@ describe('position channels of a character', () => {
     expect(store.document.characters[0].skeleton).toEqual(skeleton);
   });
 
-  it('are refused where there are none', () => {
+  it('position channels of a character are refused where there are none', () => {
     const store = new Store(documentOf(character()));
     expect(() => store.apply(setPositionChannels, { characterId: 'c1', positions: 'add' })).toThrow(CommandError);
   });
 });
 
 describe('hidden characters', () => {
-  it('are several at once, and come back as they were', () => {
+  it('hidden characters are several at once, and come back as they were', () => {
     const one = character();
     const two = character({ id: 'c2' });
     const store = new Store(documentOf(one, two));
@@ -123,14 +123,14 @@ describe('hidden characters', () => {
     expect(store.document).toBe(document);
   });
 
-  it('refuse who is not there', () => {
+  it('hidden characters refuse who is not there', () => {
     const store = new Store(documentOf(character()));
     expect(() => store.apply(setHidden, { ids: ['c9'], hidden: true })).toThrow(CommandError);
   });
 });
 
 describe('what a take plays between frames', () => {
-  it('is set for its samples, whose values stay', () => {
+  it('what a take plays between frames is set for its samples, whose values stay', () => {
     const skeleton = figure();
     const store = new Store(documentOf(captured(skeleton, take(skeleton, [[0, 85, 0]]))));
     store.apply(setInterpolation, { characterId: 'c1', interpolation: 'nearest' });
@@ -139,7 +139,7 @@ describe('what a take plays between frames', () => {
     expect(store.document.characters[0].clips[0].samples?.interpolation).toBe('linear');
   });
 
-  it('is the keys’ own where there are only keys', () => {
+  it('what a take plays between frames is the keys’ own where there are only keys', () => {
     const store = new Store(documentOf(character({ clips: [clip('walk', [0])], shownClip: 0 })));
     expect(() => store.apply(setInterpolation, { characterId: 'c1', interpolation: 'cubic' })).toThrow(CommandError);
   });

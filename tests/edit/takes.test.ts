@@ -50,14 +50,14 @@ describe('takes that are shown', () => {
     expect(showTakes.run(three, { takes: [{ characterId: 'a', clip: 0 }] })).toBe(three);
   });
 
-  it('are one of a character at a time', () => {
+  it('takes that are shown are one of a character at a time', () => {
     const document = documentOf(take('a', [0, 1], { clips: [clip('x', [0]), clip('y', [0])] }));
     const both = [0, 1].map((c) => ({ characterId: 'a', clip: c }));
     expect(() => showTakes.run(document, { takes: both })).toThrow(CommandError);
     expect(() => showTakes.run(document, { takes: [{ characterId: 'a', clip: 2 }] })).toThrow('no take number 2');
   });
 
-  it('are one step, whatever they hide, and undone to the very same document', () => {
+  it('takes that are shown are one step, whatever they hide, and undone to the very same document', () => {
     const store = new Store(three);
     store.apply(showTakes, { takes: [{ characterId: 'b', clip: 0 }], alone: true });
     expect(store.undoLabel).toBe('Play b alone');
@@ -77,7 +77,7 @@ describe('takes in time', () => {
     expect(later.characters[1].timeOffsetSeconds).toBe(-1.5);
   });
 
-  it('get one offset together', () => {
+  it('takes in time get one offset together', () => {
     const next = setTimeOffsets.run(three, { characterIds: ['a', 'c'], seconds: 0.25 });
     expect(next.characters.map((c) => c.timeOffsetSeconds)).toEqual([0.25, 0, 0.25]);
     expect(() => setTimeOffsets.run(three, { characterIds: [], seconds: 1 })).toThrow('No character was given.');
@@ -175,7 +175,7 @@ describe('takes that were compared', () => {
   const end = (now: Document, overlaid: Document) =>
     endOverlay.run(now, { before: document.characters, overlaid: overlaid.characters });
 
-  it('are where they were, and all is seen that was', () => {
+  it('takes that were compared are where they were, and all is seen that was', () => {
     const overlaid = laid(['a', 0], ['b', 0]);
     expect(overlaid).not.toEqual(document);
     expect(end(overlaid, overlaid)).toEqual(document);

@@ -15,7 +15,7 @@ function trial() {
 }
 
 describe('a change that is tried', () => {
-  it('is one step when kept', () => {
+  it('a change that is tried is one step when kept', () => {
     const { store, ended, made, show, name } = trial();
     show('b');
     show('c');
@@ -35,7 +35,7 @@ describe('a change that is tried', () => {
     expect(ended).not.toHaveBeenCalled();
   });
 
-  it('is put back and over when something else changes, and says so once', () => {
+  it('a change that is tried is put back and over when something else changes, and says so once', () => {
     const { store, ended, made, show, name } = trial();
     show('b');
     store.apply(renameCharacter, { characterId: 'c1', name: 'c' });

@@ -190,7 +190,7 @@ const hundred = (...others: readonly string[]) => {
 };
 
 describe('a hundred commands, whichever', () => {
-  it('are all there are that change what files hold', () => {
+  it('a hundred commands, whichever are all there are that change what files hold', () => {
     const registered = [...COMMANDS_BY_ID.keys()].filter((id) => !ABOUT_NO_FILE.includes(id));
     expect([...COMMANDS_HERE].sort()).toEqual(registered.sort());
   });

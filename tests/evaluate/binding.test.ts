@@ -11,7 +11,7 @@ describe('a skin and its skeleton', () => {
     expect(checkSkin(rigid, skeleton(1), 'hero.skin')).toEqual([]);
   });
 
-  it('do not fit when a joint is missing: the first vertex that needs one is named', () => {
+  it('a skin and its skeleton do not fit when a joint is missing: the first vertex that needs one is named', () => {
     const attachments = {
       start: Uint32Array.of(0, 1, 1, 3),
       joints: Uint32Array.of(0, 1, 5),
@@ -42,7 +42,7 @@ describe('a morph and its skin', () => {
     expect(checkMorph(morph('smile', 2), skin(), 'smile.morph')).toEqual([]);
   });
 
-  it('do not fit when a vertex is missing, be it for its normal only', () => {
+  it('a morph and its skin do not fit when a vertex is missing, be it for its normal only', () => {
     const wrong = {
       severity: 'error',
       code: 'vertex-missing',

@@ -73,7 +73,7 @@ describeShared('bounds of the reference skins', () => {
     );
   });
 
-  it('are not much larger than they must be', () => {
+  it('bounds of the reference skins are not much larger than they must be', () => {
     const skeleton = referenceSkeleton(data('cse169/wasp.skel'));
     const dofs = new Float64Array(3 + compileSkeleton(skeleton).dofCount);
     const { bounds, exact } = boxes(referenceSkin(data('cse169/wasp.skin')), skeleton, dofs);
@@ -146,7 +146,7 @@ describe('bounds', () => {
     );
   });
 
-  it('are tight for a skin that moves as one', () => {
+  it('bounds are tight for a skin that moves as one', () => {
     const dofs = Float64Array.of(10, 20, 30, 0, 0, 0);
     const { bounds, exact } = boxes(skin(), { name: 's', joints: [joint(-1)] }, dofs);
     for (let i = 0; i < 6; i++) expect(bounds[i]).toBeCloseTo(exact[i], 10);
@@ -162,7 +162,7 @@ describe('bounds', () => {
     expect(boxes(skin('s', 1, { attachments }), far, new Float64Array(9)).bounds[3]).toBeCloseTo(1, 10);
   });
 
-  it('are inverted for a skin without vertices', () => {
+  it('bounds are inverted for a skin without vertices', () => {
     const empty = { start: Uint32Array.of(0), joints: new Uint32Array(0), weights: new Float64Array(0) };
     const none = skin('s', 0, { positions: new Float64Array(0), normals: new Float64Array(0), attachments: empty });
     expect(boxes(none, undefined, new Float64Array(3)).bounds).toEqual(
@@ -170,7 +170,7 @@ describe('bounds', () => {
     );
   });
 
-  it('are measured once for a skin and its morphs', () => {
+  it('bounds are measured once for a skin and its morphs', () => {
     const model = skin();
     const smile = morph('smile');
     expect(skinBounds(model, [smile])).toBe(skinBounds(model, [smile]));

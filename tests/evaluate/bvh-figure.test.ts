@@ -115,7 +115,7 @@ describe('any character as a figure of BVH', () => {
     });
   });
 
-  it('is the very samples of a take that nobody changed', () => {
+  it('any character as a figure of BVH is the very samples of a take that nobody changed', () => {
     const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['tx', 'ty', 'tz', 'rx'])] }, [[1, 2, 3, 4]]);
     const who = characterOf(own);
     expect(toBvhFigure(who, framesFor(who, 30)).figure.clip).toBe(own.clip);
@@ -136,7 +136,7 @@ describe('any character as a figure of BVH', () => {
     ]);
   });
 
-  it('is one frame of the pose as set where there is no clip', () => {
+  it('any character as a figure of BVH is one frame of the pose as set where there is no clip', () => {
     const who = character({ pose: [5, 0, 0, 0, 0, Math.PI / 2, 0, 0, 0] });
     const { figure } = toBvhFigure(who, framesFor(who, 30));
     expect(figure.clip?.samples?.frameCount).toBe(1);
@@ -161,13 +161,13 @@ function smallestFactor(who: Character): number {
 }
 
 describe('the frames of a clip', () => {
-  it('are as many as fit, with both ends of a range that holds whole ones', () => {
+  it('the frames of a clip are as many as fit, with both ends of a range that holds whole ones', () => {
     expect(framesOf([0, 2.3], 30).frameCount).toBe(70);
     expect(framesOf([1, 1], 30)).toEqual({ startSeconds: 1, frameSeconds: 1 / 30, frameCount: 1 });
     expect(framesOf([-1, 0.99], 1).frameCount).toBe(2);
   });
 
-  it('are the samples’ own where there are some', () => {
+  it('the frames of a clip are the samples’ own where there are some', () => {
     const own = bvhFigure({ name: 'x', joints: [bvhJoint(-1, ['rx'])] }, [[1], [2]], 0.25);
     expect(ownFrames(characterOf(own))).toEqual({ startSeconds: 0, frameSeconds: 0.25, frameCount: 2 });
     expect(ownFrames(character())).toBeUndefined();
@@ -197,7 +197,7 @@ describe('angles of a matrix', () => {
     );
   });
 
-  it('are of a rotation whatever the matrix does besides', () => {
+  it('angles of a matrix are of a rotation whatever the matrix does besides', () => {
     const flat = new Float64Array(16);
     rotationPart(flat, 0);
     expect(Array.from(flat.subarray(0, 11), (v) => v + 0)).toEqual([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);

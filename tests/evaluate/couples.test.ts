@@ -35,7 +35,7 @@ describe('a coupled DOF', () => {
     expect(settled(two, [5, 7], false)).toEqual([5, 10.5]);
   });
 
-  it('is played and posed so', () => {
+  it('a coupled DOF is played and posed so', () => {
     const hero = character({ skeleton: two, pose: [0, 0, 0, 0.25, 7] });
     const out = new Float64Array(5);
     poseAt(hero, 0, out);
@@ -50,7 +50,7 @@ describe('a coupled DOF', () => {
     expect(settled(chain, [9, 0, 0, 9, 0, 5])).toEqual([-2, 0, 0, -1, 0, 5]);
   });
 
-  it('is found by its index, and no other', () => {
+  it('a coupled DOF is found by its index, and no other', () => {
     expect(coupleOf(two, 4)).toEqual({ dof: 4, follows: 3, gain: 2, offset: 0.5 });
     expect(coupleOf(two, 3)).toBeUndefined();
     expect(coupleOf(undefined, 0)).toBeUndefined();
@@ -81,7 +81,7 @@ describe('couples of a skeleton made by hand', () => {
     );
   });
 
-  it('are left out where they go round, with all that follow them', () => {
+  it('couples of a skeleton made by hand are left out where they go round, with all that follow them', () => {
     const round = chain(
       [couple('rx', 1, 'rx')],
       [couple('rx', 0, 'rx')],
@@ -96,7 +96,7 @@ describe('couples of a skeleton made by hand', () => {
     expect(couplesOf(round).ordered).toEqual([{ dof: c + 1, follows: c + 2, gain: 1, offset: 0 }]);
   });
 
-  it('are left out where they name what is not there', () => {
+  it('couples of a skeleton made by hand are left out where they name what is not there', () => {
     expect(couplesOf(chain([couple('rx', 5, 'rx'), couple('sx', 0, 'rx'), couple('ry', 0, 'tx')])).ordered).toEqual([]);
   });
 });

@@ -26,7 +26,7 @@ describe('the slope of a channel', () => {
     );
   });
 
-  it('is that of the tangents at keys, each on its side', () => {
+  it('the slope of a channel is that of the tangents at keys, each on its side', () => {
     fc.assert(
       fc.property(channels(3), (channel) => {
         const curve = compileChannels([channel]);
@@ -71,7 +71,7 @@ describe('the slope of a channel', () => {
     expect(sides(saw('bounce'), -2)).toEqual([3, -3]);
   });
 
-  it('is 0 where there are no keys, and at times that are none', () => {
+  it('the slope of a channel is 0 where there are no keys, and at times that are none', () => {
     expect(sides(compileChannels([keylessChannel(3)]), 1)).toEqual([0, 0]);
     expect(sides(compileChannels([keylessChannel()]), 1)).toEqual([0, 0]);
     expect(sides(saw('linear'), Number.NaN)).toEqual([0, 0]);

@@ -68,19 +68,22 @@ function expectSamples(evaluate: (time: number) => number, samples: Samples, tol
 describeShared('channels against the reference', () => {
   const file = conformance<ChannelsFile>('channels.json');
 
-  it.each(file.files)('$anim', ({ anim, range, numchannels, channels }) => {
-    const clip = referenceClip(anim);
-    expect(clip.range).toEqual(range);
-    expect(clip.channels).toHaveLength(numchannels);
-    const compiled = compileClip(clip);
-    for (const samples of channels) {
-      expect(clip.channels[samples.index].times).toHaveLength(samples.key_count);
-      const evaluate = (t: number) => evaluateChannel(compiled, samples.index, t);
-      expectSamples(evaluate, samples, file.tolerance.float64, `channel ${samples.index}`);
-    }
-  });
+  it.each(file.files)(
+    'channels of $anim have the values of the reference',
+    ({ anim, range, numchannels, channels }) => {
+      const clip = referenceClip(anim);
+      expect(clip.range).toEqual(range);
+      expect(clip.channels).toHaveLength(numchannels);
+      const compiled = compileClip(clip);
+      for (const samples of channels) {
+        expect(clip.channels[samples.index].times).toHaveLength(samples.key_count);
+        const evaluate = (t: number) => evaluateChannel(compiled, samples.index, t);
+        expectSamples(evaluate, samples, file.tolerance.float64, `channel ${samples.index}`);
+      }
+    },
+  );
 
-  it.each(file.synthetic)('$name', (samples) => {
+  it.each(file.synthetic)('a channel of $name has the values of the reference', (samples) => {
     const evaluate = curve(channel(samples.keys, ...samples.extrapolate));
     expectSamples(evaluate, samples, file.tolerance.float64, samples.name);
   });
@@ -108,7 +111,7 @@ const keys = (minLength: number) =>
     );
 
 describe('a channel', () => {
-  it('passes through its keys', () => {
+  it('a channel passes through its keys', () => {
     fc.assert(
       fc.property(keys(1), extrapolation, extrapolation, (ks, before, after) => {
         const evaluate = curve(channel(ks, before, after));
@@ -118,7 +121,7 @@ describe('a channel', () => {
     );
   });
 
-  it('is continuous at its keys', () => {
+  it('a channel is continuous at its keys', () => {
     fc.assert(
       fc.property(keys(2), (ks) => {
         const evaluate = curve(channel(ks));
@@ -127,7 +130,7 @@ describe('a channel', () => {
     );
   });
 
-  it('has its tangents as slopes on both sides of a key', () => {
+  it('a channel has its tangents as slopes on both sides of a key', () => {
     fc.assert(
       fc.property(keys(3), (ks) => {
         const c = channel(ks);
@@ -163,7 +166,7 @@ describe('a channel', () => {
     );
   });
 
-  it('is its own mirror image about both ends with bounce', () => {
+  it('a channel is its own mirror image about both ends with bounce', () => {
     fc.assert(
       fc.property(keys(2), fc.double({ min: 0, max: 200, noNaN: true }), (ks, far) => {
         const [start, stop] = [ks[0][0], ks[ks.length - 1][0]];
@@ -173,7 +176,7 @@ describe('a channel', () => {
     );
   });
 
-  it('is finite at any finite time, and comes back at any other', () => {
+  it('a channel is finite at any finite time, and comes back at any other', () => {
     fc.assert(
       fc.property(keys(0), extrapolation, extrapolation, fc.double(), (ks, before, after, t) => {
         expect(curve(channel(ks, before, after))(t)).toSatisfy(Number.isFinite);
@@ -181,7 +184,7 @@ describe('a channel', () => {
     );
   });
 
-  it('is finite for keys of any size', () => {
+  it('a channel is finite for keys of any size', () => {
     const key = fc.tuple(
       fc.double({ noNaN: true, noDefaultInfinity: true }),
       fc.double({ noNaN: true, noDefaultInfinity: true }),
@@ -211,7 +214,7 @@ describe('a channel', () => {
     }
   });
 
-  it('is 0 without keys', () => {
+  it('a channel is 0 without keys', () => {
     expect(at(channel([], 'linear'), 3)).toBe(0);
   });
 
@@ -275,7 +278,7 @@ describe('a channel', () => {
 });
 
 describe('slopes of keys', () => {
-  it('follow the neighbours', () => {
+  it('slopes of keys follow the neighbours', () => {
     const kinds = (kind: Tangent): Channel =>
       channel(
         [
@@ -295,7 +298,7 @@ describe('slopes of keys', () => {
     expect(resolvedSlopes(kinds(-1.5)).out).toEqual(new Float64Array(4).fill(-1.5));
   });
 
-  it('are 0 for a lone key and along a segment of no length, unless given', () => {
+  it('slopes of keys are 0 for a lone key and along a segment of no length, unless given', () => {
     expect(resolvedSlopes(channel([[0, 3, 'smooth', 'linear']]))).toEqual({
       in: Float64Array.of(0),
       out: Float64Array.of(0),
@@ -318,12 +321,12 @@ describe('a compiled clip', () => {
     channels: [channel([[0, 1]]), channel([]), channel([[0, 3]])],
   };
 
-  it('is made once', () => {
+  it('a compiled clip is made once', () => {
     expect(compileClip(clip)).toBe(compileClip(clip));
     expect(compileClip({ ...clip })).not.toBe(compileClip(clip));
   });
 
-  it('is the same after an edit of one channel as if all of it were compiled anew', () => {
+  it('a compiled clip is the same after an edit of one channel as if all of it were compiled anew', () => {
     const any = fc.record({ ks: keys(0), before: extrapolation, after: extrapolation });
     fc.assert(
       fc.property(fc.array(any, { minLength: 1, maxLength: 5 }), any, fc.nat(), (list, other, at) => {
@@ -338,7 +341,7 @@ describe('a compiled clip', () => {
     );
   });
 
-  it('is the same after an edit anywhere in a long channel as if it were compiled anew', () => {
+  it('a compiled clip is the same after an edit anywhere in a long channel as if it were compiled anew', () => {
     const kinds = ['flat', 'linear', 'smooth', 3] as const;
     const long = Array.from({ length: 700 }, (_, i): Key => [i, (i * 7919) % 13, kinds[i % 4], kinds[(i >> 2) % 4]]);
     const edit = fc.record({ at: fc.nat(699), removed: fc.nat(2), added: fc.nat(2), value: fc.integer() });

@@ -95,43 +95,52 @@ function expectPosed(
 describeShared('skins against the reference', () => {
   for (const name of ['skin-deform.json', 'skin-many-influences.json']) {
     const { tolerance, cases } = conformance<SkinFile>(name);
-    it.each(cases)(`$skin (${name})`, ({ skel, skin: path, poses, vertex_count, triangle_count, max_influences }) => {
-      const model = referenceSkin(path);
-      expect(model.positions).toHaveLength(3 * vertex_count);
-      expect(model.triangles).toHaveLength(3 * triangle_count);
-      const widths = model.attachments?.start.map((s, v, all) => (all[v + 1] ?? s) - s) ?? [];
-      expect(Math.max(...widths)).toBe(max_influences);
-      for (const pose of poses) {
-        const dofs = Float64Array.from([...pose.root_translation, ...pose.pose.flat()]);
-        expectPosed(posed(model, referenceSkeleton(skel), dofs), pose.vertices, pose, tolerance.float64);
-      }
-    });
+    it.each(cases)(
+      `vertices of $skin are those of ${name}`,
+      ({ skel, skin: path, poses, vertex_count, triangle_count, max_influences }) => {
+        const model = referenceSkin(path);
+        expect(model.positions).toHaveLength(3 * vertex_count);
+        expect(model.triangles).toHaveLength(3 * triangle_count);
+        const widths = model.attachments?.start.map((s, v, all) => (all[v + 1] ?? s) - s) ?? [];
+        expect(Math.max(...widths)).toBe(max_influences);
+        for (const pose of poses) {
+          const dofs = Float64Array.from([...pose.root_translation, ...pose.pose.flat()]);
+          expectPosed(posed(model, referenceSkeleton(skel), dofs), pose.vertices, pose, tolerance.float64);
+        }
+      },
+    );
   }
 
   const morphFile = conformance<MorphFile>('morph.json');
-  it.each(morphFile.cases)('$skin with $morphs', ({ skel, skin: path, morphs, vertices, blends, ...pose }) => {
-    const model = referenceSkin(path);
-    const targets = morphs.map(referenceMorph);
-    for (const blend of blends) {
-      const dofs = Float64Array.from([...pose.root_translation, ...pose.pose.flat(), ...blend.weights]);
-      const got = posed(model, referenceSkeleton(skel), dofs, targets);
-      const within = morphFile.tolerance.float64;
-      expectClose(pick(got.blended.positions, vertices), blend.blended_positions.flat(), within, 'blended positions');
-      expectClose(pick(got.blended.normals, vertices), blend.blended_normals.flat(), within, 'blended normals');
-      expectPosed(got, vertices, blend, within);
-    }
-  });
+  it.each(morphFile.cases)(
+    'vertices of $skin with $morphs are those of the reference',
+    ({ skel, skin: path, morphs, vertices, blends, ...pose }) => {
+      const model = referenceSkin(path);
+      const targets = morphs.map(referenceMorph);
+      for (const blend of blends) {
+        const dofs = Float64Array.from([...pose.root_translation, ...pose.pose.flat(), ...blend.weights]);
+        const got = posed(model, referenceSkeleton(skel), dofs, targets);
+        const within = morphFile.tolerance.float64;
+        expectClose(pick(got.blended.positions, vertices), blend.blended_positions.flat(), within, 'blended positions');
+        expectClose(pick(got.blended.normals, vertices), blend.blended_normals.flat(), within, 'blended normals');
+        expectPosed(got, vertices, blend, within);
+      }
+    },
+  );
 
   const animFile = conformance<AnimFile>('anim-pose.json');
-  it.each(animFile.cases.filter((c) => c.skin))('$skin playing $anim', ({ skel, skin: path = '', anim, frames }) => {
-    const played = character({ skeleton: referenceSkeleton(skel), clips: [referenceClip(anim)], shownClip: 0 });
-    const model = referenceSkin(path);
-    for (const frame of frames) {
-      const dofs = new Float64Array(played.pose.length);
-      poseAt(played, frame.time, dofs);
-      expectPosed(posed(model, played.skeleton, dofs), frame.vertices, frame, animFile.tolerance.float64);
-    }
-  });
+  it.each(animFile.cases.filter((c) => c.skin))(
+    'vertices of $skin playing $anim are those of the reference',
+    ({ skel, skin: path = '', anim, frames }) => {
+      const played = character({ skeleton: referenceSkeleton(skel), clips: [referenceClip(anim)], shownClip: 0 });
+      const model = referenceSkin(path);
+      for (const frame of frames) {
+        const dofs = new Float64Array(played.pose.length);
+        poseAt(played, frame.time, dofs);
+        expectPosed(posed(model, played.skeleton, dofs), frame.vertices, frame, animFile.tolerance.float64);
+      }
+    },
+  );
 });
 
 const translated = (x: number, y: number, z: number) => Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1);
@@ -171,7 +180,7 @@ describe('deforming', () => {
     ]);
   });
 
-  it('uses weights as given', () => {
+  it('deforming uses weights as given', () => {
     const attachments = { ...(skin().attachments ?? fail()), weights: Float64Array.of(0.5, 2, 0) };
     expect(run(skin('s', 0, { attachments }), translated(2, 0, 0)).positions).toEqual([1, 0, 0, 6, 0, 0, 0, 0, 0]);
   });
@@ -191,7 +200,7 @@ describe('deforming', () => {
     ]);
   });
 
-  it('may write over its input', () => {
+  it('deforming may write over its input', () => {
     const compiled = compileSkin(skin());
     const positions = compiled.skin.positions.slice();
     const normals = compiled.normals.slice();
@@ -203,7 +212,7 @@ describe('deforming', () => {
     expect(run(skin('s', 1), translated(5, 5, 5)).positions).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
   });
 
-  it('is compiled once', () => {
+  it('deforming is compiled once', () => {
     const model = skin();
     expect(compileSkin(model)).toBe(compileSkin(model));
   });
@@ -237,7 +246,7 @@ describe('computed normals', () => {
     expectClose(normals, [...shared, ...shared, 0, 0, 1, 0, 1, 0, 0, 1, 0], WITHIN.rounding);
   });
 
-  it('have length 1 on any mesh, and are computed once', () => {
+  it('computed normals have length 1 on any mesh, and are computed once', () => {
     const numbers = fc.array(fc.double({ noNaN: true, noDefaultInfinity: true }), { minLength: 15, maxLength: 15 });
     const indices = fc.array(fc.nat(4), { maxLength: 12 });
     fc.assert(

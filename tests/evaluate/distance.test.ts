@@ -34,13 +34,13 @@ function measured(a: Character, b: Character, alignment: Alignment = 'world', fr
 }
 
 describe('the distance of two takes', () => {
-  it('is 0 between a take and itself', () => {
+  it('the distance of two takes is 0 between a take and itself', () => {
     const { values, mean, most, frameCount } = measured(moving([1]), moving([1]));
     expect(frameCount).toBe(11);
     expect([...values, ...mean, ...most].every((d) => d === 0)).toBe(true);
   });
 
-  it('is how far each joint is from its partner in the scene', () => {
+  it('the distance of two takes is how far each joint is from its partner in the scene', () => {
     const d = measured(moving([1, 0, 0]), moving([4, 4, 0]));
     expect([...d.values]).toEqual(new Array(33).fill(5));
     expect([...d.jointMean, ...d.jointMost, ...d.jointRms]).toEqual(new Array(9).fill(5));
@@ -67,7 +67,7 @@ describe('the distance of two takes', () => {
     expect(measured(c, d, 'turned').jointMost[2]).toBeCloseTo(0, 6);
   });
 
-  it('is taken where both takes are, at the finer rate, each with its offset', () => {
+  it('the distance of two takes is taken where both takes are, at the finer rate, each with its offset', () => {
     const sampled: ChannelClip = {
       ...clip('sampled', []),
       range: [0, 1],
@@ -120,7 +120,7 @@ describe('the distance of two takes', () => {
 });
 
 describeShared('the distance of a real take and itself', () => {
-  it('is 0 at the same offset, and that of the motion at another', () => {
+  it('the distance of a real take and itself is 0 at the same offset, and that of the motion at another', () => {
     const { value } = readBvh(sharedBytes('data/bvh/cmu-daz-pirouette.bvh'), 'pirouette.bvh');
     const figure = value?.[0];
     if (!figure?.clip) throw new Error('the file has no motion');

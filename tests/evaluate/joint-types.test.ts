@@ -23,7 +23,7 @@ interface JointTypes {
 
 describeShared('joint types, against the reference', () => {
   const { tolerance, cases } = conformance<JointTypes>('joint-types.json');
-  it.each(cases)('$name', ({ skel, dofs, parents, sets }) => {
+  it.each(cases)('$name has the matrices of the reference', ({ skel, dofs, parents, sets }) => {
     const { value, diagnostics } = readSkel(skel, 'case.skel');
     expect(diagnostics.filter((d) => d.severity !== 'info')).toEqual([]);
     const [skeleton] = value ?? [];

@@ -22,7 +22,7 @@ const every = (seconds: number, count: number, start = 0) =>
   Array.from({ length: count }, (_, k) => start + k * seconds);
 
 describe('the rate of a clip of keys', () => {
-  it('is that of its keys to the last bit, whatever the frame time', () => {
+  it('the rate of a clip of keys is that of its keys to the last bit, whatever the frame time', () => {
     fc.assert(
       fc.property(fc.double({ min: 1e-4, max: 0.1, noNaN: true }), fc.integer({ min: 2, max: 500 }), (dt, count) => {
         const times = every(dt, count);
@@ -32,7 +32,7 @@ describe('the rate of a clip of keys', () => {
     );
   });
 
-  it('is that of the channel with the most keys, where all others are at its frames', () => {
+  it('the rate of a clip of keys is that of the channel with the most keys, where all others are at its frames', () => {
     const times = every(0.01, 101, 1);
     const some = keysAt([1.25, 1.5, 1.51]);
     expect(keyFrames(clipOf([1, 2], some, keysAt(times)))?.frameCount).toBe(101);

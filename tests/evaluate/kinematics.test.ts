@@ -27,7 +27,7 @@ interface FkFile {
 describeShared('forward kinematics against the reference', () => {
   const { tolerance, skeletons } = conformance<FkFile>('skel-fk.json');
 
-  it.each(skeletons)('$skel', ({ skel, joint_count, parents, poses }) => {
+  it.each(skeletons)('world matrices of $skel are those of the reference', ({ skel, joint_count, parents, poses }) => {
     const model = referenceSkeleton(skel);
     const compiled = compileSkeleton(model);
     expect(compiled.jointCount).toBe(joint_count);
@@ -127,7 +127,7 @@ describe('world matrices', () => {
     );
   });
 
-  it('are products of the local ones', () => {
+  it('world matrices are products of the local ones', () => {
     const compiled = compileSkeleton(skeleton(3));
     const dofs = Float64Array.from({ length: 12 }, (_, d) => d / 7);
     const local = new Float64Array(48);
@@ -148,7 +148,7 @@ describe('world matrices', () => {
 });
 
 describe('a compiled skeleton', () => {
-  it('is made once', () => {
+  it('a compiled skeleton is made once', () => {
     const model = skeleton();
     expect(compileSkeleton(model)).toBe(compileSkeleton(model));
   });

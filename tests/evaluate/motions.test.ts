@@ -34,7 +34,7 @@ const posed = fc
   .chain((of) => fc.tuple(fc.constant(of), fc.tuple(...dofsOf(of).map(() => (isPositive(of) ? value : signed)))));
 
 describe('any motion', () => {
-  it('has the derivatives that finite differences have', () => {
+  it('any motion has the derivatives that finite differences have', () => {
     fc.assert(
       fc.property(posed, ([of, values]) => {
         const h = 1e-5;
@@ -53,7 +53,7 @@ describe('any motion', () => {
     );
   });
 
-  it('does nothing with its DOFs at rest', () => {
+  it('any motion does nothing with its DOFs at rest', () => {
     fc.assert(
       fc.property(fc.oneof(motion, bvhMotion), (of) => {
         expectClose(
@@ -84,7 +84,7 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 describe('a scale that keeps the volume', () => {
   const volume: Motion = { kind: 'scale', mode: 'volume', axis: [1, 2, -2] };
 
-  it('keeps it', () => {
+  it('a scale that keeps the volume keeps it', () => {
     fc.assert(
       fc.property(fc.double({ min: 0.01, max: 100, noNaN: true }), (s) => {
         expect(determinant3(at(volume, [s]))).toBeCloseTo(1, 9);
@@ -118,14 +118,14 @@ describe('a quaternion', () => {
     }
   });
 
-  it('turns nothing without a length', () => {
+  it('a quaternion turns nothing without a length', () => {
     expect([...at(quaternion, [0, 0, 0, 0])]).toEqual(IDENTITY);
     expect(derivative(quaternion, [0, 0, 0, 0], 1)).toEqual(new Float64Array(16));
   });
 });
 
 describe('an axis', () => {
-  it('is of length 1 whatever is written, and x where nothing is', () => {
+  it('an axis is of length 1 whatever is written, and x where nothing is', () => {
     expectClose(direction([3e-200, 0, 4e-200]), [0.6, 0, 0.8], 1e-15, 'tiny');
     expectClose(direction([0, -3e200, 4e200]), [0, -0.6, 0.8], 1e-15, 'huge');
     expect(direction([0, -0, 0])).toEqual([1, 0, 0]);
@@ -133,7 +133,7 @@ describe('an axis', () => {
 });
 
 describe('a joint of BVH as one of .skel', () => {
-  it('has the same matrix from the same numbers in another order', () => {
+  it('a joint of BVH as one of .skel has the same matrix from the same numbers in another order', () => {
     fc.assert(
       fc.property(bvhMotion, fc.array(signed, { minLength: 6, maxLength: 6 }), (of, values) => {
         const { motion: made, dofMap } = skelMotionOf(of);
@@ -151,7 +151,7 @@ describe('a joint of BVH as one of .skel', () => {
     );
   });
 
-  it('is the simplest that can do it', () => {
+  it('a joint of BVH as one of .skel is the simplest that can do it', () => {
     const kindOf = (...channels: ('tx' | 'ty' | 'tz' | 'rx' | 'ry' | 'rz')[]) =>
       skelMotionOf({ kind: 'bvh', channels, positions: 'replace' }).motion;
     expect(kindOf()).toEqual({ kind: 'fixed' });

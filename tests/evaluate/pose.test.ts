@@ -31,7 +31,7 @@ function poseOf(c: Character, time: number): number[] {
 describeShared('poses of an animation against the reference', () => {
   const { tolerance, cases } = conformance<AnimFile>('anim-pose.json');
 
-  it.each(cases)('$anim', ({ skel, anim, frames }) => {
+  it.each(cases)('poses of $anim are those of the reference', ({ skel, anim, frames }) => {
     const model = referenceSkeleton(skel);
     const compiled = compileSkeleton(model);
     const played = character({ skeleton: model, clips: [referenceClip(anim)], shownClip: 0 });
@@ -58,11 +58,11 @@ describe('a pose', () => {
     ...more,
   });
 
-  it('is the one set, without a clip', () => {
+  it('a pose is the one set, without a clip', () => {
     expect(poseOf(still, 5)).toEqual(set);
   });
 
-  it('is the clip’s where a channel drives it, morph weights included', () => {
+  it('a pose is the clip’s where a channel drives it, morph weights included', () => {
     expect(poseOf(played([9, 8, 7, -1, -2, -3, 0.5]), 0)).toEqual([9, 8, 7, -1, -2, -3, 0.5]);
   });
 
@@ -71,7 +71,7 @@ describe('a pose', () => {
     expect(poseOf(played([9, 8, 7, -1, -2, -3, 0.5, 44, 55]), 0)).toEqual([9, 8, 7, -1, -2, -3, 0.5]);
   });
 
-  it('is not driven by a clip that waits for a skeleton', () => {
+  it('a pose is not driven by a clip that waits for a skeleton', () => {
     const { skeleton: _none, ...bodyless } = played([9, 8, 7, -1, -2]);
     const face = { ...bodyless, pose: [0, 0, 0, 0.7] };
     expect(poseOf(face, 0)).toEqual([0, 0, 0, 0.7]);

@@ -108,7 +108,7 @@ const bvh = (axes: readonly string[], positions: readonly BvhChannel[] = []): Mo
 });
 
 describe('samples at their frames', () => {
-  it("are the file's own values, however they are interpolated and whatever the joint", () => {
+  it("samples at their frames are the file's own values, however they are interpolated and whatever the joint", () => {
     const anyMotion = fc.constantFrom<Motion>(
       { kind: 'ball', order: 'yzx' },
       bvh(['z', 'x', 'y']),
@@ -139,7 +139,7 @@ describe('samples at their frames', () => {
 });
 
 describe('nearest', () => {
-  it('is the nearer frame, all of it', () => {
+  it('nearest is the nearer frame, all of it', () => {
     const c = take(
       bvh(['z', 'x', 'y'], ['tx', 'ty', 'tz']),
       [
@@ -154,7 +154,7 @@ describe('nearest', () => {
 });
 
 describe('linear', () => {
-  it('is slerp of the rotation that the listed angles make, in every order', () => {
+  it('linear is slerp of the rotation that the listed angles make, in every order', () => {
     fc.assert(
       fc.property(fc.constantFrom(...EULER_ORDERS), row, row, part, (order, from, to, t) => {
         const axes = [...order];
@@ -168,7 +168,7 @@ describe('linear', () => {
     );
   });
 
-  it('is the same of balls and free joints, whose angles stand as x, y, z', () => {
+  it('linear is the same of balls and free joints, whose angles stand as x, y, z', () => {
     fc.assert(
       fc.property(fc.constantFrom(...EULER_ORDERS), row, row, part, (order: EulerOrder, from, to, t) => {
         const turned = (angles: readonly number[]) =>
@@ -189,7 +189,7 @@ describe('linear', () => {
     );
   });
 
-  it('is that of a quaternion joint, whatever the sign and the length of what the frames hold', () => {
+  it('linear is that of a quaternion joint, whatever the sign and the length of what the frames hold', () => {
     const number = evenly(-2, 2);
     const some = fc.tuple(number, number, number, number).filter((q) => Math.hypot(...q) > 0.1);
     fc.assert(
@@ -246,7 +246,7 @@ describe('linear', () => {
     expectClose(degrees(c, 0.75), [-179.5, 0, 0], WITHIN.rounding);
   });
 
-  it('does not see that the file goes from one set of angles to the other', () => {
+  it('linear does not see that the file goes from one set of angles to the other', () => {
     // (z, x, y) and (z + 180°, 180° − x, y + 180°) are one rotation.
     const c = take(bvh(['z', 'x', 'y']), [
       [10, 80, 20],
@@ -350,7 +350,7 @@ describe('cubic', () => {
     );
   });
 
-  it('is smooth in a quaternion joint whose signs jump', () => {
+  it('cubic is smooth in a quaternion joint whose signs jump', () => {
     const plain = [0, 1, 3, 4].map((k) => [Math.sin(k / 9), 0, 0, Math.cos(k / 9)]);
     const c = take({ kind: 'quaternion' }, plain, 'cubic');
     const flipped = take(

@@ -64,7 +64,7 @@ describe('finding the frame of a time', () => {
 });
 
 describe('a column by itself', () => {
-  it('is its own value at every frame, times the scale, however it is interpolated', () => {
+  it('a column by itself is its own value at every frame, times the scale, however it is interpolated', () => {
     fc.assert(
       fc.property(
         someValues,
@@ -89,7 +89,7 @@ describe('a column by itself', () => {
     expect(sampleColumn(column([179, -179]), 0, 0.125)).toBe(89.5);
   });
 
-  it('is cubic without corners, and straight where the samples are on one line', () => {
+  it('a column by itself is cubic without corners, and straight where the samples are on one line', () => {
     const line = column([1, 3, 5, 7, 9], { interpolation: 'cubic' });
     expectClose(
       [0.1, 0.6, 1.3, 1.9].map((t) => sampleColumn(line, 0, t)),
@@ -108,7 +108,7 @@ describe('a column by itself', () => {
     );
   });
 
-  it('has the slope that its values have, on either side of a corner', () => {
+  it('a column by itself has the slope that its values have, on either side of a corner', () => {
     const times = fc.double({ min: -1, max: 7, noNaN: true });
     fc.assert(
       fc.property(someValues, times, fc.constantFrom(...INTERPOLATIONS), (values, time, interpolation) => {
@@ -134,7 +134,7 @@ describe('a column by itself', () => {
     ]);
   });
 
-  it('is what its channel is as a curve, until the channel has keys', () => {
+  it('a column by itself is what its channel is as a curve, until the channel has keys', () => {
     const keyed = { ...keylessChannel(), times: Float64Array.of(0), values: Float64Array.of(7) };
     const tangents = { kinds: Uint8Array.of(0), slopes: Float64Array.of(0) };
     const channels = [keylessChannel(5), keylessChannel(), { ...keyed, tangentsIn: tangents, tangentsOut: tangents }];

@@ -31,7 +31,7 @@ describe('the unit of a figure that does not say', () => {
     expect(guessSpace(skeleton, clip).unit).toBe(unit);
   });
 
-  it('is a person’s height where no unit comes near one', () => {
+  it('the unit of a figure that does not say is a person’s height where no unit comes near one', () => {
     const { skeleton, clip } = standing({ height: 5 });
     const space = guessSpace(skeleton, clip);
     expect(space.unit).toBe('own');
@@ -50,7 +50,7 @@ describe('the unit of a figure that does not say', () => {
     );
   });
 
-  it('is that of the figure standing, though it sits most of the time', () => {
+  it('the unit of a figure that does not say is that of the figure standing, though it sits most of the time', () => {
     const skeleton = figure({ height: 170 });
     // Folded: the head's channels are rotations, so the hips and head come down together.
     const clip = take(
@@ -81,24 +81,24 @@ describe('the ground under a figure', () => {
   it.each([
     ['y', 90],
     ['z', -40],
-  ] as const)('is where its soles are: %s up, %d above the file’s', (up, over) => {
+  ] as const)('the ground under a figure is where its soles are: %s up, %d above the file’s', (up, over) => {
     const { skeleton, clip } = standing({ up }, over);
     expect(guessSpace(skeleton, clip).lift).toBeCloseTo(-over / 100, 3);
   });
 
-  it('is believed where the file’s is as good', () => {
+  it('the ground under a figure is believed where the file’s is as good', () => {
     const { skeleton, clip } = standing({}, 0.5);
     expect(guessSpace(skeleton, clip).lift).toBe(0);
     expect(liftOntoGround(skeleton, clip, { up: 'y', unit: 'centimetres', lift: 0 })).toBeCloseTo(-0.005, 6);
   });
 
-  it('is not where a jump takes it, nor one toe that sank in', () => {
+  it('the ground under a figure is not where a jump takes it, nor one toe that sank in', () => {
     const skeleton = figure();
     const rows = Array.from({ length: 30 }, (_, i) => [0, i < 12 ? 185 : i === 20 ? 60 : 105, 0] as const);
     expect(guessSpace(skeleton, take(skeleton, rows)).lift).toBeCloseTo(-0.2, 3);
   });
 
-  it('is below an empty skeleton nowhere, and nothing breaks', () => {
+  it('the ground under a figure is below an empty skeleton nowhere, and nothing breaks', () => {
     expect(guessSpace({ name: 'none', joints: [] }, undefined)).toEqual({ up: 'y', unit: 'asIs', lift: 0 });
   });
 });
@@ -110,7 +110,7 @@ describe('a space', () => {
     expect([...out]).toEqual([1, 3.5, -2]);
   });
 
-  it('is no change where there is none', () => {
+  it('a space is no change where there is none', () => {
     const out = new Float64Array(3);
     applySpace(undefined, 1, 2, 3, out);
     expect([...out]).toEqual([1, 2, 3]);

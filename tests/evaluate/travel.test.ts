@@ -38,7 +38,7 @@ const travelOf = (space: 'y' | 'z', carrier: number, dofs: readonly number[]) =>
 };
 
 describeShared('captures of studios', () => {
-  it('are carried by the joint that travels', () => {
+  it('captures of studios are carried by the joint that travels', () => {
     const carriers = ['bandai-namco-bow-normal.bvh', 'rokoko-dance.bvh', 'cmu-01_01.bvh'].map((name) => {
       const [{ skeleton, clip }] = sharedFigures(name);
       return clip && skeleton.joints[carrierOf(captured(skeleton, clip))].name;
@@ -49,7 +49,7 @@ describeShared('captures of studios', () => {
 });
 
 describe('the joint that carries a character', () => {
-  it('is the root where it travels, though others do too', () => {
+  it('the joint that carries a character is the root where it travels, though others do too', () => {
     expect(
       carrierIn([
         [0, 0, 0],
@@ -58,7 +58,7 @@ describe('the joint that carries a character', () => {
     ).toBe(0);
   });
 
-  it('is the one below it where the root stands, or only trembles', () => {
+  it('the joint that carries a character is the one below it where the root stands, or only trembles', () => {
     expect(
       carrierIn([
         [0, 0, 0],
@@ -73,7 +73,7 @@ describe('the joint that carries a character', () => {
     ).toBe(1);
   });
 
-  it('is looked for no further than where the skeleton branches', () => {
+  it('the joint that carries a character is looked for no further than where the skeleton branches', () => {
     expect(
       carrierIn([
         [0, 0, 0],
@@ -82,7 +82,7 @@ describe('the joint that carries a character', () => {
     ).toBe(0);
   });
 
-  it('is the root where nothing moves, and where there is no clip', () => {
+  it('the joint that carries a character is the root where nothing moves, and where there is no clip', () => {
     expect(carrierIn([[3, 4, 5]])).toBe(0);
     expect(carrierOf(character({ skeleton: skeleton(3) }))).toBe(0);
     expect(carrierOf(character({ skeleton: skeleton(3), clips: [clip('walk', [0, 1, 2])], shownClip: 0 }))).toBe(0);
@@ -96,7 +96,7 @@ describe('the travel over the ground', () => {
     expect(travelOf('z', 0, [7, 8, 9, 1, 2, 3])).toEqual([7, 8, 0]);
   });
 
-  it('is where the joint is that carries, however it got there', () => {
+  it('the travel over the ground is where the joint is that carries, however it got there', () => {
     // The left foot, below the root's own travel.
     const [x, y, z] = travelOf('y', 3, [7, 8, 9]);
     expect(x).toBeCloseTo(7 + 0.06 * 170, 9);

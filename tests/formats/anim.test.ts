@@ -12,7 +12,7 @@ const channel = (keys: string, extrapolate = 'extrapolate cycle bounce') =>
   animation(`channel {\n${extrapolate}\n${keys}\n}`);
 
 describe('reading .anim', () => {
-  it('reads keys into columns', () => {
+  it('reading .anim reads keys into columns', () => {
     const { value, diagnostics } = channel('keys 3 { 0 1 flat LINEAR\n 0.5 -1 Smooth 2.5\n 1 3 -1e-3 flat }');
     expect(diagnostics).toEqual([]);
     expect(value).toEqual({
@@ -75,7 +75,7 @@ describe('reading .anim', () => {
     }
   });
 
-  it('is constant where no extrapolation is given, and says so once', () => {
+  it('reading .anim is constant where no extrapolation is given, and says so once', () => {
     const { value, diagnostics } = animation(
       'channel { keys 1 { 0 0 flat flat } }\nchannel { keys 1 { 0 0 flat flat } }',
     );

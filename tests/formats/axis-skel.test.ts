@@ -39,16 +39,19 @@ function tipsAt(skeleton: Skeleton, dofs: readonly number[]): number[] {
 }
 
 describeShared('tips of axis-angle skeletons, against the reference', () => {
-  it.each(conformance<AxisSkelFk>('axis-skel-fk.json').files)('$file', ({ file, reach, parent, sets }) => {
-    const { value, diagnostics } = readSkel(sharedBytes(`data/axis-skel/${file}`), file);
-    expect(diagnostics).toEqual([]);
-    const skeleton = value?.[0] as Skeleton;
-    expect(skeleton.joints.map((joint) => joint.parent)).toEqual(parent);
-    sets.forEach(({ angles, tips }, set) => {
-      const pose = set === 0 ? filePose(skeleton, 0) : [0, 0, 0, ...angles.map(radiansOf)];
-      expectClose(tipsAt(skeleton, pose), tips.flat(), 1e-6 * reach);
-    });
-  });
+  it.each(conformance<AxisSkelFk>('axis-skel-fk.json').files)(
+    'tips of $file are where the reference has them',
+    ({ file, reach, parent, sets }) => {
+      const { value, diagnostics } = readSkel(sharedBytes(`data/axis-skel/${file}`), file);
+      expect(diagnostics).toEqual([]);
+      const skeleton = value?.[0] as Skeleton;
+      expect(skeleton.joints.map((joint) => joint.parent)).toEqual(parent);
+      sets.forEach(({ angles, tips }, set) => {
+        const pose = set === 0 ? filePose(skeleton, 0) : [0, 0, 0, ...angles.map(radiansOf)];
+        expectClose(tipsAt(skeleton, pose), tips.flat(), 1e-6 * reach);
+      });
+    },
+  );
 });
 
 describeShared('axis-angle files with something wrong', () => {
@@ -99,7 +102,7 @@ describe('reading the axis-angle form', () => {
     });
   });
 
-  it('is told by content, whatever the file is called', () => {
+  it('reading the axis-angle form is told by content, whatever the file is called', () => {
     expect(readSkel(ARM, 'arm.skel').value).toEqual(axskel(ARM).value);
     expect(axskel('balljoint root {\n}').value?.[0]).not.toHaveProperty('form');
     expect(read('arm.axskel', ARM).value?.kind).toBe('skel');
@@ -224,7 +227,7 @@ describe('writing the axis-angle form', () => {
     );
   });
 
-  it('says that names are lost', () => {
+  it('writing the axis-angle form says that names are lost', () => {
     const { joints } = sound(ARM);
     const named: Skeleton = { name: 'arm', form: 'axis-angle', joints: joints.map((j) => ({ ...j, name: 'x' })) };
     const { text, diagnostics } = writeSkel([named]);

@@ -27,7 +27,7 @@ interface SkeletonCase {
 describeShared('broken files', () => {
   const { cases } = conformance<{ cases: readonly DiagnosticCase[] }>('diagnostics.json');
 
-  it.each(cases)('$file: $what', ({ file, with: others, expect: expected, lines }) => {
+  it.each(cases)('the broken file $file: $what', ({ file, with: others, expect: expected, lines }) => {
     const { value, diagnostics } = read(file, sharedBytes(`data/malformed/${file}`));
     const problems = diagnostics.filter((d) => d.severity !== 'info');
     for (const d of diagnostics) expect(d.file).toBe(file);

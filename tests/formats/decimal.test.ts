@@ -21,7 +21,7 @@ const digits = (max: number) => fc.stringMatching(new RegExp(`^[0-9]{1,${max}}$`
 const double = fc.double({ noNaN: true, noDefaultInfinity: true });
 
 describe('decimals', () => {
-  it('are the very doubles that Number gives, for the shortest text of any double', () => {
+  it('decimals are the very doubles that Number gives, for the shortest text of any double', () => {
     fc.assert(
       fc.property(double, (x) => expectLikeNumber(String(x))),
       { numRuns: 3000 },

@@ -16,7 +16,7 @@ describe('reading .morph', () => {
     });
   });
 
-  it('reads many rows', () => {
+  it('reading .morph reads many rows', () => {
     const rows = Array.from({ length: 9000 }, (_, i) => `${2 * i} ${i} 0 -${i}`).join('\n');
     const { value } = morph(`positions 9000 {\n${rows}\n}`);
     expect(value?.positions.indices[8999]).toBe(17998);

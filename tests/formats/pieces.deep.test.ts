@@ -98,7 +98,7 @@ describe('a file in pieces', () => {
     for (let at = 0; at <= b.length; at++) expect(readInPieces('x.skin', b, [at])).toEqual(whole);
   });
 
-  it('has the same excerpts when a line is far longer than what is shown, or than a piece', () => {
+  it('a file in pieces has the same excerpts when a line is far longer than what is shown, or than a piece', () => {
     const long = fc.tuple(fc.nat(900), fc.constantFrom('a', 'ü', '骨', '\u{1F9B4}'), fc.nat(900));
     const property = fc.property(long, fc.array(fc.nat(6000), { maxLength: 20 }), ([before, filler, after], at) => {
       const b = bytesOf(`balljoint ${filler.repeat(before)} { offset 0 x 0 boo ${filler.repeat(after)}\n}`);

@@ -12,7 +12,7 @@ function placeOf(text: string): string {
 }
 
 describe('lines and columns', () => {
-  it('begin at 1', () => {
+  it('lines and columns begin at 1', () => {
     expect(told(read('x.skel', '? \nballjoint x {}'))).toEqual(['warning keyword-unknown 1:1']);
   });
 
@@ -35,7 +35,7 @@ describe('lines and columns', () => {
     expect(told(read('x.skel', 'balljoint äöü骨\u{1F9B4} { ?\n}'))).toEqual(['warning keyword-unknown 1:19']);
   });
 
-  it('are right after a block of numbers, whatever its line ends', () => {
+  it('lines and columns are right after a block of numbers, whatever its line ends', () => {
     for (const end of ['\n', '\r\n', '\r\r\n', '\r']) {
       const rows = Array.from({ length: 3000 }, (_, i) => `\t${i} 0.5 -1`).join(end);
       const { diagnostics } = read('x.skin', `positions 3000 {${end}${rows}${end}} ?${end}`);
@@ -43,7 +43,7 @@ describe('lines and columns', () => {
     }
   });
 
-  it('are right for a number inside a block of many lines', () => {
+  it('lines and columns are right for a number inside a block of many lines', () => {
     const rows = Array.from({ length: 5000 }, (_, i) => `  0 1 ${i === 4321 ? 7 : 2}`).join('\n');
     const { diagnostics } = read('x.skin', `positions 3 { 0 0 0 1 0 0 0 1 0 }\ntriangles 5000 {\n${rows}\n}`);
     expect(diagnostics.find((d) => d.severity === 'error')).toMatchObject({ line: 4324, column: 7 });
@@ -92,7 +92,7 @@ describe('excerpts', () => {
     expect(excerpt?.caret).toBe(100);
   });
 
-  it('end with the file', () => {
+  it('excerpts end with the file', () => {
     const { diagnostics } = read('x.skel', 'balljoint x { offset 0 nan');
     expect(diagnostics.map((d) => d.excerpt)).toEqual([
       { text: 'balljoint x { offset 0 nan', caret: 23 },

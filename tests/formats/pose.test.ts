@@ -49,7 +49,7 @@ describe('.pose', () => {
     );
   });
 
-  it('is written as a person would', () => {
+  it('.pose is written as a person would', () => {
     const poses: readonly PoseByNames[] = [
       {
         name: 'low over the ground',
@@ -109,7 +109,7 @@ describe('.pose', () => {
     ['pose a {\njoint hip {\nrx ten\n}\n}', 'not-a-number', 3],
     ['pose a {\njoint hip {\nrx NaN\n}\n}', 'not-a-number', 3],
     ['pose a {\nroot 1 2\n}', 'number-expected', 3],
-  ])('refuses %j, naming the line', (text, code, line) => {
+  ])('.pose refuses %j, naming the line', (text, code, line) => {
     const { value, diagnostics } = read(text);
     expect(value).toBeUndefined();
     const [first] = diagnostics.filter(({ severity }) => severity === 'error');

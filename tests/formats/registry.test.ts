@@ -12,11 +12,11 @@ describe('the list of formats', () => {
     expect(formatOf('head.bmp')).toBeUndefined();
   });
 
-  it('has each extension once', () => {
+  it('the list of formats has each extension once', () => {
     expect(new Set(READABLE_EXTENSIONS).size).toBe(READABLE_EXTENSIONS.length);
   });
 
-  it('has a writer for each', () => {
+  it('the list of formats has a writer for each', () => {
     const contents: readonly FileContent[] = [
       { kind: 'skel', skeletons: [] },
       { kind: 'skin', skin: skin() },
@@ -30,7 +30,7 @@ describe('the list of formats', () => {
     for (const content of contents) expect(writeFile(content, `x.${content.kind}`)?.diagnostics).toEqual([]);
   });
 
-  it('writes no picture', () => {
+  it('the list of formats writes no picture', () => {
     const texture = { name: 'a.png', mime: 'image/png', bytes: new Uint8Array(0) };
     expect(writeFile({ kind: 'texture', texture }, 'a.png')).toBeUndefined();
   });

@@ -20,7 +20,7 @@ describe('reading .rig', () => {
     expect(rig(text.replaceAll('{ ', '{').replaceAll(' }', '}'))).toEqual({ value: expected, diagnostics: [] });
   });
 
-  it('takes each part as optional', () => {
+  it('reading .rig takes each part as optional', () => {
     expect(rig('rig x { }')).toEqual({ value: { name: 'x', morphs: [] }, diagnostics: [] });
     expect(rig('RIG { Skin a.skin }').value).toEqual({ name: 'hero', skin: 'a.skin', morphs: [] });
   });
@@ -39,7 +39,7 @@ describe('reading .rig', () => {
     expect(rig(`rig x {\n${line}\n}`).value?.skeleton).toBe(skeleton);
   });
 
-  it('takes morphs with blanks', () => {
+  it('reading .rig takes morphs with blanks', () => {
     expect(rig('rig x {\nmorphs 4 { "a b" my first.morph c.morph\nmy second\n}\n}').value?.morphs).toEqual([
       'a b',
       'my first.morph',
@@ -82,7 +82,7 @@ describe('reading .rig', () => {
 });
 
 describe('writing .rig', () => {
-  it('writes what the course writes', () => {
+  it('writing .rig writes what the course writes', () => {
     const text = 'rig wasp {\n\tskeleton wasp.skel\n\tskin wasp.skin\n\tmorphs 0 {\n\t}\n}\n';
     const { value } = rig(text);
     expect(value && writeRig(value).text).toBe(text);

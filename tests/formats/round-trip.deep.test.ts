@@ -26,7 +26,7 @@ function expectRoundTrip(fileName: string, content: FileContent): void {
 describe('any model that is written and read', () => {
   const RUNS = { numRuns: 400 };
 
-  it('is the same skeleton', () => {
+  it('any model that is written and read is the same skeleton', () => {
     const several = fc
       .array(arbitrary.skeleton, { minLength: 1, maxLength: 3 })
       .map((all) => all.map((s, i) => ({ ...s, name: i === 0 ? 'x' : `x_${i + 1}` })));
@@ -36,28 +36,28 @@ describe('any model that is written and read', () => {
     );
   });
 
-  it('is the same skin', () => {
+  it('any model that is written and read is the same skin', () => {
     fc.assert(
       fc.property(arbitrary.skin, (skin) => expectRoundTrip('x.skin', { kind: 'skin', skin })),
       RUNS,
     );
   });
 
-  it('is the same morph', () => {
+  it('any model that is written and read is the same morph', () => {
     fc.assert(
       fc.property(arbitrary.morph, (morph) => expectRoundTrip('x.morph', { kind: 'morph', morph })),
       RUNS,
     );
   });
 
-  it('is the same clip', () => {
+  it('any model that is written and read is the same clip', () => {
     fc.assert(
       fc.property(arbitrary.clip, (clip) => expectRoundTrip('x.anim', { kind: 'anim', clip })),
       RUNS,
     );
   });
 
-  it('is the same rig', () => {
+  it('any model that is written and read is the same rig', () => {
     fc.assert(
       fc.property(arbitrary.rig, (rig) => expectRoundTrip('x.rig', { kind: 'rig', rig })),
       RUNS,
@@ -74,7 +74,7 @@ describeShared('a file at hand that is read and written', () => {
 });
 
 describe('a name that a format can not hold', () => {
-  it('is written as one that reads back the same from then on', () => {
+  it('a name that a format can not hold is written as one that reads back the same from then on', () => {
     const name = fc.string({ unit: 'binary', minLength: 1, maxLength: 8 });
     fc.assert(
       fc.property(name, name, (rigName, skin) => {

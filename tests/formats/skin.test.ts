@@ -13,7 +13,7 @@ const BINDINGS = 'bindings 2 {\nmatrix { 1 0 0 0 1 0 0 0 1 0 0 0 }\nmatrix { 1 0
 const BLOCKS = [POSITIONS, NORMALS, WEIGHTS, TRIANGLES, BINDINGS];
 
 describe('reading .skin', () => {
-  it('reads every block', () => {
+  it('reading .skin reads every block', () => {
     const texcoords = 'texcoords 3 { 0 0 1 0 0 1 }\n';
     const { value, diagnostics } = skin(`${BLOCKS.join('')}${texcoords}material face { texture head.bmp }`);
     expect(diagnostics).toEqual([]);
@@ -42,7 +42,7 @@ describe('reading .skin', () => {
     expect(skin([TRIANGLES, BINDINGS, NORMALS, WEIGHTS, POSITIONS].join('')).value).toEqual(expected);
   });
 
-  it('has no attachments without skinweights, and no normals without normals', () => {
+  it('reading .skin has no attachments without skinweights, and no normals without normals', () => {
     const { value, diagnostics } = skin(POSITIONS + TRIANGLES);
     expect(value).toEqual({
       name: 'hero',

@@ -3,11 +3,11 @@ import { describe, expect, it } from 'vitest';
 import { filesInQuery } from '../../src/io/address.ts';
 
 describe('files named in the address', () => {
-  it('are separated by commas', () => {
+  it('files named in the address are separated by commas', () => {
     expect(filesInQuery('?files=a.skel,b/c.skin')).toEqual(['a.skel', 'b/c.skin']);
   });
 
-  it('are none without the key', () => {
+  it('files named in the address are none without the key', () => {
     expect(filesInQuery('')).toEqual([]);
     expect(filesInQuery('?file=a&files=')).toEqual([]);
   });

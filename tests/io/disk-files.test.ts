@@ -74,7 +74,7 @@ async function drop(...items: { kind: string }[]) {
 }
 
 describe('a drop', () => {
-  it('gives files with their handles', async () => {
+  it('a drop gives files with their handles', async () => {
     const { handle: own } = handle('a.skel', 'x');
     const [given] = await drop(item(new File(['x'], 'a.skel', { lastModified: 5 }), { handle: own }));
     expect(given).toMatchObject({ path: 'a.skel', handle: own, version: '5 1' });
@@ -136,7 +136,7 @@ describe('dialogs', () => {
     }
   });
 
-  it('are not everywhere', () => {
+  it('dialogs are not everywhere', () => {
     vi.stubGlobal('window', {});
     expect(asksWhereToSave()).toBe(false);
   });
@@ -166,7 +166,7 @@ describe('writing', () => {
     ['NotFoundError', 'It is not where it was: moved, renamed or deleted.', true],
     ['NoModificationAllowedError', 'Another program, or another tab, is writing it just now.', false],
     ['QuotaExceededError', 'There is no room left for it.', false],
-  ])('says %s in a sentence', async (name, message, isGone) => {
+  ])('writing says %s in a sentence', async (name, message, isGone) => {
     const { handle: own } = handle('a.anim', 'old', name);
     const error = await writeTo(own, 'new').catch((e: unknown) => e);
     expect(error).toBeInstanceOf(DiskError);
@@ -210,7 +210,7 @@ describe('reading again', () => {
     expect(again).toMatchObject({ path: 'given/a b.skel', address, version: '"2"' });
   });
 
-  it('has nowhere to go for content of a script', () => {
+  it('reading again has nowhere to go for content of a script', () => {
     expect(diskFileOf({ path: 'a.skel', blob: new Blob(['x']) })).toBeUndefined();
   });
 });

@@ -30,7 +30,7 @@ const lockedBeta = fc
 const lockedAngles = fc.tuple(angle, lockedBeta, angle);
 
 describe('the quaternion of Euler angles', () => {
-  it('is the product of the three about the axes, x applied first', () => {
+  it('the quaternion of Euler angles is the product of the three about the axes, x applied first', () => {
     const multiply = (p: readonly number[], q: readonly number[]) => [
       p[3] * q[0] + p[0] * q[3] + p[1] * q[2] - p[2] * q[1],
       p[3] * q[1] + p[1] * q[3] + p[2] * q[0] - p[0] * q[2],
@@ -64,7 +64,7 @@ it('two quaternions at once are those of each set of angles, near each other or 
 });
 
 describe('the Euler angles of a quaternion', () => {
-  it('are angles of it, in gimbal lock too, wherever they are looked for', () => {
+  it('the Euler angles of a quaternion are angles of it, in gimbal lock too, wherever they are looked for', () => {
     fc.assert(
       fc.property(fc.oneof(anyAngles, lockedAngles), fc.oneof(anyAngles, lockedAngles), (angles, from) => {
         const q = quaternion(angles);
@@ -74,7 +74,7 @@ describe('the Euler angles of a quaternion', () => {
     );
   });
 
-  it('are those that it was made of, if they are looked for there', () => {
+  it('the Euler angles of a quaternion are those that it was made of, if they are looked for there', () => {
     fc.assert(
       fc.property(anyAngles, (angles) => {
         // Beside gimbal lock the angles themselves are uncertain.
@@ -100,7 +100,7 @@ describe('the Euler angles of a quaternion', () => {
     );
   });
 
-  it('are nearer than the other set and than any turned by whole turns', () => {
+  it('the Euler angles of a quaternion are nearer than the other set and than any turned by whole turns', () => {
     fc.assert(
       fc.property(anyAngles, anyAngles, (angles, from) => {
         const square = (set: ArrayLike<number>) => from.reduce((sum, x, i) => sum + (set[i] - x) ** 2, 0);

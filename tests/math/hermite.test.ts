@@ -12,7 +12,7 @@ function cubic(v0: number, m0: number, v1: number, m1: number, h: number): numbe
 const number = fc.double({ min: -100, max: 100, noNaN: true });
 
 describe('a Hermite cubic', () => {
-  it('has the values and slopes given at both ends', () => {
+  it('a Hermite cubic has the values and slopes given at both ends', () => {
     fc.assert(
       fc.property(
         number,

@@ -16,7 +16,7 @@ describe('withoutRoundOff', () => {
     expect(withoutRoundOff(value, size)).toBe(rounded);
   });
 
-  it('is off by no more than half of the 15th digit', () => {
+  it('withoutRoundOff is off by no more than half of the 15th digit', () => {
     const numbers = fc.double({ min: -1e3, max: 1e3, noNaN: true });
     fc.assert(
       fc.property(numbers, fc.double({ min: 1e-3, max: 1e3, noNaN: true }), (value, size) => {

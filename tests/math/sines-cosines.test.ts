@@ -20,7 +20,7 @@ function expectTrue(angles: readonly number[]): void {
 }
 
 describe('sines and cosines of a row of angles', () => {
-  it('are true to the last digits, however often the angle goes round', () => {
+  it('sines and cosines of a row of angles are true to the last digits, however often the angle goes round', () => {
     const angle = fc.oneof(
       fc.double({ min: -7, max: 7, noNaN: true }),
       fc.double({ min: -1e5, max: 1e5, noNaN: true }),
@@ -36,7 +36,7 @@ describe('sines and cosines of a row of angles', () => {
     expectTrue([1e5, -1e5, 1e5 + 1e-10, 1e300, -1e300]);
   });
 
-  it('keep the sign of nothing', () => {
+  it('sines and cosines of a row of angles keep the sign of nothing', () => {
     expect([...of([0, -0]).sines]).toEqual([0, -0]);
   });
 

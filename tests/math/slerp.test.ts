@@ -4,7 +4,7 @@ import { slerpWeight } from '../../src/math/slerp.ts';
 import { evenly } from '../helpers/evenly.ts';
 
 describe('the weights of slerp', () => {
-  it('are sin(t·θ) / sin θ to thirteen digits, by series and by sines', () => {
+  it('the weights of slerp are sin(t·θ) / sin θ to thirteen digits, by series and by sines', () => {
     const part = evenly(0, 1);
     // Densest about the angle where one takes over from the other, 0.2 rad.
     const angle = fc.oneof(evenly(1e-3, Math.PI / 2), evenly(0.15, 0.25));
@@ -22,7 +22,7 @@ describe('the weights of slerp', () => {
     for (const cosine of [1, 1 + 2 ** -52, 1 - 2 ** -53]) expect(slerpWeight(0.3, cosine)).toBeCloseTo(0.3, 15);
   });
 
-  it('are exact at both ends', () => {
+  it('the weights of slerp are exact at both ends', () => {
     for (const cosine of [1, 0.99, 0.98, 0.5, 0]) {
       expect(slerpWeight(0, cosine)).toBe(0);
       expect(slerpWeight(1, cosine)).toBeCloseTo(1, 14);

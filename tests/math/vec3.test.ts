@@ -22,13 +22,13 @@ const vector: fc.Arbitrary<Vec3> = fc.tuple(coordinate, coordinate, coordinate);
 const direction = vector.filter((v) => Math.hypot(...v) > 1e-3).map((v) => scaled(v, 1 / Math.hypot(...v)));
 
 describe('three numbers', () => {
-  it('are added, as often as one says, and taken away', () => {
+  it('three numbers are added, as often as one says, and taken away', () => {
     expect(add([1, 2, 3], [10, 20, 30])).toEqual([11, 22, 33]);
     expect(add([1, 2, 3], [10, 20, 30], 2)).toEqual([21, 42, 63]);
     expect(subtract([1, 2, 3], [10, 20, 30])).toEqual([-9, -18, -27]);
   });
 
-  it('have a cross product at right angles to both, by the right-hand rule', () => {
+  it('three numbers have a cross product at right angles to both, by the right-hand rule', () => {
     expect(cross([1, 0, 0], [0, 1, 0])).toEqual([0, 0, 1]);
     fc.assert(
       fc.property(vector, vector, (a, b) => {
@@ -41,14 +41,14 @@ describe('three numbers', () => {
     );
   });
 
-  it('have a length of 1 where they have a direction', () => {
+  it('three numbers have a length of 1 where they have a direction', () => {
     expect(unit([0, -4, 0])).toEqual([0, -1, 0]);
     expect(unit([0, 0, 0])).toBeUndefined();
     expect(unit([Infinity, 0, 0])).toBeUndefined();
     expect(unit([Number.NaN, 0, 0])).toBeUndefined();
   });
 
-  it('have another direction across', () => {
+  it('three numbers have another direction across', () => {
     fc.assert(
       fc.property(direction, (axis) => {
         const across = acrossOf(axis);
@@ -68,7 +68,7 @@ describe('three numbers', () => {
     expect(transformVector(m.slice(16), [1, 2, 3])).toEqual([-2, 2, 3]);
   });
 
-  it('are made a vector of length 1 in place, however long or short', () => {
+  it('three numbers are made a vector of length 1 in place, however long or short', () => {
     for (const size of [1e-160, 1e-3, 1, 1e300]) {
       const a = Float64Array.of(9, 3 * size, 0, -4 * size);
       expect(normalizeAt(a, 1)).toBe(true);

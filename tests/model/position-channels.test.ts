@@ -14,11 +14,11 @@ import { figure, take } from '../helpers/mocap.ts';
 describe('what position channels mean', () => {
   const everywhere = figure({ positionsEverywhere: true });
 
-  it('is to replace OFFSETs where they repeat them', () => {
+  it('what position channels mean is to replace OFFSETs where they repeat them', () => {
     expect(positionsMeant(everywhere, take(everywhere, [[0, 90, 0]]))).toBe('replace');
   });
 
-  it('is to be added to OFFSETs where they stay at 0', () => {
+  it('what position channels mean is to be added to OFFSETs where they stay at 0', () => {
     expect(positionsMeant(everywhere, take(everywhere, [[0, 90, 0]], 0))).toBe('add');
   });
 
@@ -56,7 +56,7 @@ describe('another meaning of position channels', () => {
     expect(withPositions(before, 'replace')).toBe(before);
   });
 
-  it('is nothing to a skeleton without such channels', () => {
+  it('another meaning of position channels is nothing to a skeleton without such channels', () => {
     const plain = skeleton();
     expect(hasPositions(plain)).toBe(false);
     expect(positionsTaken(plain)).toBeUndefined();

@@ -138,7 +138,7 @@ function skinTests(sample: Sample, skin: NonNullable<Sample['skin']>): void {
 }
 
 describe('tangents', () => {
-  it('has every kind of extrapolation and every kind of tangent', () => {
+  it('tangents has every kind of extrapolation and every kind of tangent', () => {
     const { clip } = samples.find((s) => s.id === 'tangents') ?? samples[0];
     const moving = clip.channels.filter((c) => c.times.length > 1);
     expect(moving.map((c) => c.extrapolateOut)).toEqual(['linear', 'constant', 'cycle', 'bounce', 'cycle_offset']);
@@ -153,7 +153,7 @@ describe('tangents', () => {
 });
 
 describe('cube', () => {
-  it('is one joint', () => {
+  it('cube is one joint', () => {
     expect(samples.find((s) => s.id === 'cube')?.skeleton.joints.length).toBe(1);
   });
 });
@@ -162,7 +162,7 @@ describe('joint types', () => {
   const sample = samples.find((s) => s.id === 'joints') ?? samples[0];
   const { skeleton, clip } = sample;
 
-  it('are all there, every mode of a scale, a coupled DOF and a bone with a length too', () => {
+  it('the joint types are all there, every mode of a scale, a coupled DOF and a bone with a length too', () => {
     const types = new Set(skeleton.joints.map(({ motion }) => jointTypeOf(motion).keyword));
     expect(types).toEqual(new Set(SKEL_TYPES.map(({ keyword }) => keyword)));
     const modes = skeleton.joints.flatMap(({ motion }) => (motion.kind === 'scale' ? [motion.mode] : []));

@@ -73,7 +73,7 @@ describe('the walker', () => {
     ['_r', 0.5],
   ] as const;
 
-  it('has at least 20 joints, 2,000 vertices and three morphs', () => {
+  it('the walker has at least 20 joints, 2,000 vertices and three morphs', () => {
     expect(walker.skeleton.joints.length).toBeGreaterThanOrEqual(20);
     expect((walker.skin?.positions.length ?? 0) / 3).toBeGreaterThanOrEqual(2000);
     expect(walker.morphs.length).toBeGreaterThanOrEqual(3);
@@ -123,7 +123,7 @@ describe('the walker', () => {
     }
   });
 
-  it('has no vertex that slides over the ground, and none under it', () => {
+  it('the walker has no vertex that slides over the ground, and none under it', () => {
     const { skin } = walker;
     if (!skin) throw new Error('no skin');
     const near = [...Array(skin.positions.length / 3).keys()].filter((v) => skin.positions[3 * v + 1] < 0.2);
@@ -151,7 +151,7 @@ describe('the walker', () => {
     }
   });
 
-  it('has knees that never straighten fully nor jump', () => {
+  it('the walker has knees that never straighten fully nor jump', () => {
     const rates: number[] = [];
     const step = 0.005;
     for (const suffix of ['_l', '_r']) {

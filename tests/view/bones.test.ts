@@ -48,7 +48,7 @@ describe('the box around bones', () => {
 });
 
 describe('the matrices of bones in their parents', () => {
-  it('are those of the pose, whenever one asks', () => {
+  it('the matrices of bones in their parents are those of the pose, whenever one asks', () => {
     const bones = new Bones({ name: 'made', joints: [joint(-1), joint(0)] });
     const pose = new Float64Array(9);
     bones.pose(pose);

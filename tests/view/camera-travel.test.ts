@@ -43,14 +43,14 @@ describe('a move of the camera', () => {
 describe('a press', () => {
   const at = (clientX: number, buttons = 1) => ({ clientX, clientY: 50, buttons });
 
-  it('is a click as far as a hand trembles, and a drag from there on', () => {
+  it('a press is a click as far as a hand trembles, and a drag from there on', () => {
     const press = new PressWatch();
     press.press(at(100));
     expect(press.isDrag(at(100 + CLICK_PIXELS))).toBe(false);
     expect(press.isDrag(at(101 + CLICK_PIXELS))).toBe(true);
   });
 
-  it('is none while no button is down', () => {
+  it('a press is none while no button is down', () => {
     const press = new PressWatch();
     expect(press.isDrag(at(200))).toBe(false);
     press.press(at(100));

@@ -37,7 +37,7 @@ describe('the name of a character', () => {
     expect(y).toBeGreaterThan(260);
   });
 
-  it('goes with it', () => {
+  it('the name of a character goes with it', () => {
     const there = place([
       [1, 0],
       [1, 2],
@@ -49,7 +49,7 @@ describe('the name of a character', () => {
     expect(there?.map((v, i) => v - (here?.[i] ?? 0))).toEqual([expect.closeTo(100, 6), expect.closeTo(-100, 6)]);
   });
 
-  it('is left out where the character is a dot, or out of the picture', () => {
+  it('the name of a character is left out where the character is a dot, or out of the picture', () => {
     expect(
       place([
         [0, 0],

@@ -125,7 +125,7 @@ describeShared('a character in the picture, against the reference', () => {
 });
 
 describe('a character in the picture', () => {
-  it('has bones in their hierarchy, by index, whatever their names', () => {
+  it('a character in the picture has bones in their hierarchy, by index, whatever their names', () => {
     const own = skeleton(3);
     const nameless = { ...own, joints: own.joints.map((j) => ({ ...j, name: '' })) };
     const view = shown(character({ skeleton: nameless, pose: filePose(nameless, 0) }));
@@ -188,7 +188,7 @@ describe('a character in the picture', () => {
     expect([...view.vertices().subarray(0, 3)]).toEqual([1, 3, 3]);
   });
 
-  it('has a box around joints and their boxes where there is no skin', () => {
+  it('a character in the picture has a box around joints and their boxes where there is no skin', () => {
     const view = shown(character({ skeleton: skeleton(2) }));
     const box = view.bounds(new Box3());
     expectClose([...box.min, ...box.max], [-0.1, 0.9, -0.1, 0.1, 2.1, 0.1], WITHIN.rounding);
@@ -225,7 +225,7 @@ describe('a character in the picture', () => {
     expectClose(view.bounds(new Box3()).min.toArray(), [3, 5, 5], WITHIN.rounding);
   });
 
-  it('is culled by where it is now', () => {
+  it('a character in the picture is culled by where it is now', () => {
     const model = character({ skins: [skin()], clips: [clip('go', [100])], shownClip: 0 });
     const view = shown(model);
     const { boundingSphere } = view.skinnedMeshes[0];

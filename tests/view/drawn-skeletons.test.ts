@@ -23,14 +23,14 @@ function posed(characterId: string, of = figure(), placements = 1): PosedSkeleto
 }
 
 describe('the nodes of a skeleton', () => {
-  it('are its joints, and after them its End Sites', () => {
+  it('the nodes of a skeleton are its joints, and after them its End Sites', () => {
     const { count, jointCount, owners, ends } = nodesFor(figure({ height: 100 }));
     expect([jointCount, count]).toEqual([6, 9]);
     expect([...owners]).toEqual([1, 3, 5]);
     expect([...ends.subarray(0, 3)]).toEqual([0, 15, 0]);
   });
 
-  it('are no End Sites where their joint is already', () => {
+  it('the nodes of a skeleton are no End Sites where their joint is already', () => {
     const [root] = figure().joints;
     expect(nodesFor({ name: 'none', joints: [{ ...root, endSites: [[0, 0, 0]] }] }).count).toBe(1);
   });
@@ -39,12 +39,12 @@ describe('the nodes of a skeleton', () => {
 describe('instances of skeletons', () => {
   const drawn = layOut([posed('a', figure(), 2), posed('b', skeleton(3))]);
 
-  it('are one for each node of each placement', () => {
+  it('instances of skeletons are one for each node of each placement', () => {
     expect(instancesOf(drawn)).toBe(2 * 9 + 3);
     expect(instancesOf([])).toBe(0);
   });
 
-  it('are found by joint, and give it back', () => {
+  it('instances of skeletons are found by joint, and give it back', () => {
     for (const [characterId, placement, joint] of [
       ['a', 0, 5],
       ['a', 1, 0],
@@ -74,13 +74,13 @@ describe('the joints of two skeletons', () => {
   const [root, ...others] = skeleton(3).joints.map((joint, j) => ({ ...joint, name: `j${j}` }));
   const whole = { name: 'whole', joints: [root, ...others] };
 
-  it('are the same wherever they stand and however they move', () => {
+  it('the joints of two skeletons are the same wherever they stand and however they move', () => {
     const moved = others.map((joint) => ({ ...joint, offset: [9, 9, 9] as const }));
     expect(haveSameJoints(whole, { name: 'moved', joints: [root, ...moved] })).toBe(true);
     expect(haveSameJoints(undefined, undefined)).toBe(true);
   });
 
-  it('are others where one is more, fewer, called otherwise or hung up elsewhere', () => {
+  it('the joints of two skeletons are others where one is more, fewer, called otherwise or hung up elsewhere', () => {
     const [second, third] = others;
     for (const joints of [
       [root, second],

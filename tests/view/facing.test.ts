@@ -20,7 +20,7 @@ function rewound(which: readonly boolean[]): Uint32Array {
 }
 
 describe('the facing of a skin', () => {
-  it('is the file’s own, and its own array, where that is consistent', () => {
+  it('the facing of a skin is the file’s own, and its own array, where that is consistent', () => {
     const { triangles, turned } = facing(OUTWARD);
     expect(triangles).toBe(OUTWARD);
     expect(turned).toEqual(UNTURNED);
@@ -67,7 +67,7 @@ describe('the facing of a skin', () => {
     expect([...triangles]).toEqual([0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3]);
   });
 
-  it('is the same in whatever order the triangles of a strip come and are joined', () => {
+  it('the facing of a skin is the same in whatever order the triangles of a strip come and are joined', () => {
     const count = 24;
     const positions = Float64Array.from({ length: 3 * (count + 2) }, (_, i) => [Math.floor(i / 6), 0, 0][i % 3]);
     for (let v = 1; v < count + 2; v += 2) positions[3 * v + 1] = 1;

@@ -22,7 +22,7 @@ function cameraAt(azimuth: number, height: number, distance: number, aspect: num
 }
 
 describe('framing', () => {
-  it('has every corner of a box of any size in the picture, from any side', () => {
+  it('framing has every corner of a box of any size in the picture, from any side', () => {
     const size = fc.double({ min: 0, max: 1, noNaN: true });
     const angle = fc.double({ min: -1.5, max: 1.5, noNaN: true });
     fc.assert(
@@ -94,7 +94,7 @@ describe('framing', () => {
     );
   });
 
-  it('has the axes of a camera from its angles', () => {
+  it('framing has the axes of a camera from its angles', () => {
     const m = new Float64Array(12);
     lookingFrom(0.7, 1.1, m);
     const { elements } = cameraAt(0.7, Math.PI / 2 - 1.1, 3, 1).matrixWorld;
@@ -128,7 +128,7 @@ describe('framing', () => {
     expect(distanceForHalfHeight(4 * TAN, TAN)).toBeCloseTo(4, 12);
   });
 
-  it('turns the short way round', () => {
+  it('framing turns the short way round', () => {
     expect(shortTurn(3, -3)).toBeCloseTo(2 * Math.PI - 6, 12);
     expect(shortTurn(-3, 3)).toBeCloseTo(6 - 2 * Math.PI, 12);
     expect(shortTurn(0.5, 1)).toBeCloseTo(0.5, 12);

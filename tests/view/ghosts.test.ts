@@ -19,7 +19,7 @@ function roots(ghosts: Ghosts, nodes: number): number[][] {
 }
 
 describe('how far apart ghosts are', () => {
-  it('is seconds, or frames of the clip, or of the transport where the clip has none', () => {
+  it('how far apart ghosts are is seconds, or frames of the clip, or of the transport where the clip has none', () => {
     const mocap = captured(figure(), take(figure(), [[0, 85, 0]]));
     const keyed = character({ clips: [clip('walk', [0])], shownClip: 0 });
     const frames: Display = { ...ON, ghostStepIn: 'frames', ghostStep: 3 };
@@ -30,11 +30,11 @@ describe('how far apart ghosts are', () => {
 });
 
 describe('which ghosts there are', () => {
-  it('is before and after, and never now', () => {
+  it('which ghosts there are is before and after, and never now', () => {
     expect(ghostSteps(ON, 5, 0.1, [0, 10])).toEqual([-2, -1, 1, 2]);
   });
 
-  it('is none outside of the played range, its ends included', () => {
+  it('which ghosts there are is none outside of the played range, its ends included', () => {
     expect(ghostSteps(ON, 0.1, 0.1, [0, 10])).toEqual([-1, 1, 2]);
     expect(ghostSteps(ON, 10, 0.1, [0, 10])).toEqual([-2, -1]);
     expect(ghostSteps(ON, 0, 0, [0, 10])).toEqual([]);
@@ -67,7 +67,7 @@ describe('ghosts', () => {
     }
   });
 
-  it('are gone where there is no character, and cost two draw calls however many they are', () => {
+  it('ghosts are gone where there is no character, and cost two draw calls however many they are', () => {
     const ghosts = new Ghosts();
     ghosts.fill(walking, { ...ON, ghostsBefore: 20, ghostsAfter: 20, ghostStep: 0.01 }, 0.5, [0, 1], 30);
     expect(ghosts.object.children).toHaveLength(2);

@@ -17,7 +17,7 @@ describe('the grid', () => {
     expect(roundSpacing(atLeast)).toBe(spacing);
   });
 
-  it('is never finer than asked for, and never more than 2.5 times as coarse', () => {
+  it('the grid is never finer than asked for, and never more than 2.5 times as coarse', () => {
     fc.assert(
       fc.property(fc.double({ min: 1e-12, max: 1e12, noNaN: true }), (atLeast) => {
         const spacing = roundSpacing(atLeast);
@@ -27,7 +27,7 @@ describe('the grid', () => {
     );
   });
 
-  it('has a spacing of 1 where the camera sees nothing', () => {
+  it('the grid has a spacing of 1 where the camera sees nothing', () => {
     for (const size of [0, -1, Number.NaN, Infinity]) expect(roundSpacing(size)).toBe(1);
   });
 
@@ -35,7 +35,7 @@ describe('the grid', () => {
     expect([1, 2, 5, 0.1, 0.02, 500].map((s) => s / subdivisions(s))).toEqual([0.2, 0.5, 1, 0.02, 0.005, 100]);
   });
 
-  it('writes numbers as people do', () => {
+  it('the grid writes numbers as people do', () => {
     expect([-2, -1, 0, 1, 3].map((i) => gridLabel(i, 0.05))).toEqual(['-0.10', '-0.05', '0', '0.05', '0.15']);
     expect(gridLabel(3, 0.1)).toBe('0.3');
     expect(gridLabel(7, 20)).toBe('140');

@@ -29,13 +29,13 @@ describe('the box of a joint', () => {
     expect(at(out, 0.5, 0.5, 0.5)).toEqual([9, 4, 3]);
   });
 
-  it('is drawn all the same where min > max', () => {
+  it('the box of a joint is drawn all the same where min > max', () => {
     const out = boxOf({ min: [1, 2, 3], max: [-1, -2, -3] });
     expect(at(out, 0.5, 0.5, 0.5)).toEqual([1, 2, 3]);
     expect(new Matrix4().fromArray(out).determinant()).toBeGreaterThan(0);
   });
 
-  it('has a thickness, hardly any, where it is flat', () => {
+  it('the box of a joint has a thickness, hardly any, where it is flat', () => {
     const out = boxOf({ min: [-1, 0.5, -1], max: [1, 0.5, 1] });
     expect(new Matrix4().fromArray(out).determinant()).toBeGreaterThan(0);
     expect(at(out, 0, 0.5, 0)).toEqual([0, 0.5005, 0]);
@@ -69,7 +69,7 @@ describe('the bone between two joints', () => {
     );
   });
 
-  it('is nothing between joints at one place', () => {
+  it('the bone between two joints is nothing between joints at one place', () => {
     const out = new Float32Array(16).fill(9);
     boneMatrix(Float64Array.from([...IDENTITY, ...IDENTITY]), 0, 16, 1, out, 0);
     expect(at(out, 1, 1, 1)).toEqual([0, 0, 0]);
@@ -77,7 +77,7 @@ describe('the bone between two joints', () => {
 });
 
 describe('the axes of a joint', () => {
-  it('are of one length, whatever the joint’s scale, and keep its mirroring', () => {
+  it('the axes of a joint are of one length, whatever the joint’s scale, and keep its mirroring', () => {
     const world = Float64Array.from(new Matrix4().makeScale(-3, 0.1, 2).setPosition(1, 1, 1).elements);
     const out = new Float32Array(16);
     axesMatrix(world, 0, 0.5, out, 0);
@@ -101,14 +101,14 @@ describe('sizes of joints', () => {
     joints: [joint(-1), joint(0, { offset: [0, scale, 0] }), joint(1, { offset: [0, 0.1 * scale, 0] })],
   });
 
-  it('grow with the skeleton', () => {
+  it('sizes of joints grow with the skeleton', () => {
     const small = jointSizes(chain(0.01));
     const large = jointSizes(chain(100));
     expect(large.radii[0] / small.radii[0]).toBeCloseTo(1e4, -1);
     expect(large.axis / small.axis).toBeCloseTo(1e4, 3);
   });
 
-  it('are small at the end of a short bone', () => {
+  it('sizes of joints are small at the end of a short bone', () => {
     const { radii } = jointSizes(chain(1));
     expect(radii[2]).toBeLessThanOrEqual(0.1 * 0.22 + 1e-6);
   });
@@ -149,7 +149,7 @@ describe('sizes of joints', () => {
     expect(sizes.radii[0]).toBeGreaterThan(0);
   });
 
-  it('are above 0 where everything is at one point', () => {
+  it('sizes of joints are above 0 where everything is at one point', () => {
     const point = joint(-1, { box: { min: [0, 0, 0], max: [0, 0, 0] } });
     expect(jointSizes({ name: '', joints: [point] }).radii[0]).toBeGreaterThan(0);
   });

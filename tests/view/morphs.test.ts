@@ -56,7 +56,7 @@ describe.each([
 });
 
 describe('morphs', () => {
-  it('are three.js’s own targets while there are few', () => {
+  it('morphs are three.js’s own targets while there are few', () => {
     const { geometry, made } = morphed(0);
     expect(geometry.morphTargetsRelative).toBe(true);
     expect(geometry.morphAttributes.position).toHaveLength(2);

@@ -20,12 +20,12 @@ describe('ids in a picture', () => {
     );
   });
 
-  it('are taken from the pixel nearest the centre', () => {
+  it('ids in a picture are taken from the pixel nearest the centre', () => {
     expect(nearestId(picture(5, { 0: 7, 13: 8 }), 5, 5, any)).toBe(8);
     expect(nearestId(picture(5, { 12: 3, 13: 8 }), 5, 5, any)).toBe(3);
   });
 
-  it('are nothing where nothing was drawn, or too far away', () => {
+  it('ids in a picture are nothing where nothing was drawn, or too far away', () => {
     expect(nearestId(picture(5, {}), 5, 5, any)).toBe(0);
     expect(nearestId(picture(5, { 0: 7 }), 5, 2, any)).toBe(0);
   });
@@ -34,7 +34,7 @@ describe('ids in a picture', () => {
     expect(nearestId(picture(5, { 12: 3, 0: 7 }), 5, 5, (id) => id > 5)).toBe(7);
   });
 
-  it('tell what they stand for', () => {
+  it('ids in a picture tell what they stand for', () => {
     const runs = new IdRuns<string>();
     expect(runs.add(10, 'joints')).toBe(1);
     expect(runs.add(0, 'none')).toBe(11);

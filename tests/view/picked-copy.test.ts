@@ -5,7 +5,7 @@ import { PickedCopy } from '../../src/view/picked-copy.ts';
 const wasp = { id: 'c1', placements: [DEFAULT_PLACEMENT, DEFAULT_PLACEMENT, DEFAULT_PLACEMENT] };
 
 describe('the copy that is worked on', () => {
-  it('is the first until another is picked', () => {
+  it('the copy that is worked on is the first until another is picked', () => {
     const picked = new PickedCopy();
     expect(picked.of(wasp)).toBe(0);
     picked.follow({ characterId: 'c1', placement: 2, joint: 4 });
@@ -20,7 +20,7 @@ describe('the copy that is worked on', () => {
     expect(picked.of(wasp)).toBe(1);
   });
 
-  it('is the first again of another character, and of one that comes back', () => {
+  it('the copy that is worked on is the first again of another character, and of one that comes back', () => {
     const picked = new PickedCopy();
     picked.follow({ characterId: 'c1', placement: 1 });
     picked.follow({ characterId: 'c2' });
@@ -29,7 +29,7 @@ describe('the copy that is worked on', () => {
     expect(picked.of(wasp)).toBe(0);
   });
 
-  it('is the first where the one that was picked is gone', () => {
+  it('the copy that is worked on is the first where the one that was picked is gone', () => {
     const picked = new PickedCopy();
     picked.follow({ characterId: 'c1', placement: 2 });
     expect(picked.of({ ...wasp, placements: [DEFAULT_PLACEMENT] })).toBe(0);

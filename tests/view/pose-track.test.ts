@@ -30,7 +30,7 @@ function player(shown: ChannelClip, more: Partial<Parameters<typeof character>[0
 }
 
 describe('the track of a character', () => {
-  it('is exact before 0, past the end and far past it', () => {
+  it('the track of a character is exact before 0, past the end and far past it', () => {
     const played = player(playing([channel([0, 1], [0, 2])]));
     for (const [time, value] of [
       [-3, -6],
@@ -45,7 +45,7 @@ describe('the track of a character', () => {
     }
   });
 
-  it('does not depend on the clip having a range from 0, or one at all', () => {
+  it('the track of a character does not depend on the clip having a range from 0, or one at all', () => {
     for (const range of [
       [0, 1],
       [-7, -3],

@@ -23,14 +23,14 @@ function shown(...characters: (typeof near)[]): ShownCharacters {
 }
 
 describe('the characters in the picture', () => {
-  it('are framed where they stand, in metres', () => {
+  it('the characters in the picture are framed where they stand, in metres', () => {
     const { content } = shown(near, far);
     expect(content.max.y).toBeCloseTo(1.7, 6);
     expect(content.min.y).toBeCloseTo(0, 6);
     expect(content.max.x).toBeCloseTo(10.102, 6);
   });
 
-  it('are neither drawn nor framed while they are hidden, and posed all the same', () => {
+  it('the characters in the picture are neither drawn nor framed while they are hidden, and posed all the same', () => {
     const all = shown(near, { ...far, isHidden: true });
     expect(all.posedSkeletons(new Map()).map((p) => p.characterId)).toEqual(['near']);
     expect(all.content.max.x).toBeLessThan(1);

@@ -54,7 +54,7 @@ function seen(mesh: InstancedMesh): number[] {
 }
 
 describe('a skeleton without boxes', () => {
-  it('is drawn as balls and bones, End Sites included', () => {
+  it('a skeleton without boxes is drawn as balls and bones, End Sites included', () => {
     const [balls, bones] = calls(drawn([figure()]));
     expect(seen(balls)).toHaveLength(9);
     // One to each joint but the root, one to each End Site.
@@ -104,7 +104,7 @@ describe('a skeleton without boxes', () => {
     expect(seen(bones).every((i) => i < 9)).toBe(true);
   });
 
-  it('is not drawn where boxes are hidden, but for the bones that were asked for', () => {
+  it('a skeleton without boxes is not drawn where boxes are hidden, but for the bones that were asked for', () => {
     expect(calls(drawn([figure()], { boxes: 'hidden' }))).toHaveLength(0);
     expect(calls(drawn([figure()], { boxes: 'hidden', bones: true }))).toHaveLength(2);
   });
@@ -136,7 +136,7 @@ describe('a joint with a bone of its own', () => {
   const lower = joint(0, { motion: hinge, pose: [0], offset: [0, 2, 0], length: 1 });
   const arm: Skeleton = { name: 'arm', joints: [upper, lower] };
 
-  it('is drawn as bones to its tip, and picked there', () => {
+  it('a joint with a bone of its own is drawn as bones to its tip, and picked there', () => {
     const drawing = drawn([arm]);
     const [balls, bones] = calls(drawing);
     expect([seen(balls), seen(bones)]).toEqual([
@@ -148,7 +148,7 @@ describe('a joint with a bone of its own', () => {
     expect(drawing.boneOwner(2)).toEqual({ characterId: 'c0', placement: 0, joint: 1 });
   });
 
-  it('has its box drawn where one is set', () => {
+  it('a joint with a bone of its own has its box drawn where one is set', () => {
     const boxed = { ...lower, box: { min: [0, 0, 0], max: [0.5, 1, 0.5] } as const };
     const [edges, faces, balls] = calls(drawn([{ name: 'arm', joints: [upper, boxed] }]));
     expect([seen(edges), seen(faces)]).toEqual([[1], [1]]);
@@ -167,13 +167,13 @@ describe('a skeleton whose boxes nobody made', () => {
   };
   const boxed: Skeleton = { ...cubes, joints: cubes.joints.map((j, i) => (i > 0 ? { ...j, box } : j)) };
 
-  it('is drawn as bones too, as long as most of them are as they came', () => {
+  it('a skeleton whose boxes nobody made is drawn as bones too, as long as most of them are as they came', () => {
     const asBoxes = kindsOf(boxed);
     expect(kindsOf(cubes)).toBe(asBoxes + 2);
     expect(kindsOf({ ...cubes, joints: cubes.joints.map((j, i) => (i > 1 ? { ...j, box } : j)) })).toBe(asBoxes + 2);
   });
 
-  it('is left alone under a skin, and where no boxes are asked for', () => {
+  it('a skeleton whose boxes nobody made is left alone under a skin, and where no boxes are asked for', () => {
     expect(kindsOf(cubes, { hasSkin: true }, { boxes: 'wire' })).toBe(
       kindsOf(boxed, { hasSkin: true }, { boxes: 'wire' }),
     );

@@ -34,7 +34,7 @@ describe('a skin packed for the GPU', () => {
     );
   });
 
-  it('has no texture where four are enough, and hangs on the root without any', () => {
+  it('a skin packed for the GPU has no texture where four are enough, and hangs on the root without any', () => {
     const model = many([0, 1, 4]);
     expect(runThrough(packSkin(model, model.positions, 9, true)).attachmentTexture).toBeUndefined();
     const { attachments: _, ...bare } = skin();
@@ -77,7 +77,7 @@ describe('a skin packed for the GPU', () => {
 });
 
 describe('the wire of a skin', () => {
-  it('has each edge once, whichever way round the triangles go', () => {
+  it('the wire of a skin has each edge once, whichever way round the triangles go', () => {
     const triangles = fc
       .array(fc.tuple(fc.nat(9), fc.nat(9), fc.nat(9)), { maxLength: 30 })
       .map((all) => Uint32Array.from(all.flat()));
@@ -101,7 +101,7 @@ describe('the wire of a skin', () => {
 });
 
 describe('the influence of a joint', () => {
-  it('is the sum of its weights, vertex by vertex', () => {
+  it('the influence of a joint is the sum of its weights, vertex by vertex', () => {
     const model = many([0, 1, 4]);
     const out = new Float32Array(3);
     influenceOf(model, 0, out);
@@ -112,7 +112,7 @@ describe('the influence of a joint', () => {
     expect([...out]).toEqual([0, 0, 0]);
   });
 
-  it('is all of a skin without weights for the root, and none for others', () => {
+  it('the influence of a joint is all of a skin without weights for the root, and none for others', () => {
     const { attachments: _, ...bare } = skin();
     const out = new Float32Array(3);
     influenceOf(bare, 0, out);

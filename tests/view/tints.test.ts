@@ -37,7 +37,7 @@ function painted(tints: Tints): Color[] {
 const like = (css: string) => new Color(css).getHexString();
 
 describe('two characters that are compared', () => {
-  it('have their joints in two colours, and others in the joints’ own', () => {
+  it('two characters that are compared have their joints in two colours, and others in the joints’ own', () => {
     const { bone, comparedFirst, comparedSecond } = STAGE_THEMES.dark;
     const both = painted(
       new Map([
@@ -51,7 +51,7 @@ describe('two characters that are compared', () => {
     expect(new Set(painted(new Map()).map((c) => c.getHexString()))).toEqual(new Set([like(bone)]));
   });
 
-  it('have their skins dyed, and as they were afterwards', () => {
+  it('two characters that are compared have their skins dyed, and as they were afterwards', () => {
     const view = new CharacterView();
     view.setTint('comparedFirst');
     view.show(character({ skins: [skin()] }), { ...DEFAULT_DISPLAY, skin: 'solid' }, undefined);

@@ -55,7 +55,7 @@ describe('WorkerClient', () => {
     expect(await second).toBe(other);
   });
 
-  it('passes progress on', async () => {
+  it('WorkerClient passes progress on', async () => {
     const { made, workers } = client();
     const seen: number[] = [];
     const job = made.run('parse', { files: [] }, { onProgress: (p) => seen.push(p.bytesDone) });
@@ -94,7 +94,7 @@ describe('WorkerClient', () => {
     expect(workers).toHaveLength(2);
   });
 
-  it('does not begin what was cancelled before', async () => {
+  it('WorkerClient does not begin what was cancelled before', async () => {
     const { made, workers } = client();
     await expect(
       made.run('parse', { files: [] }, { signal: AbortSignal.abort(new Error('too late')) }),

@@ -66,7 +66,7 @@ describe('the parse job', () => {
     expect(diagnostics[0].message).toContain('the file was moved');
   });
 
-  it('tells how far it is', async () => {
+  it('the parse job tells how far it is', async () => {
     const seen: Progress[] = [];
     await parse({ files: [given('a.skel', skel), given('b.skel', skel)] }, (p) => seen.push(p));
     expect(seen[0]).toMatchObject({ label: 'a.skel', bytesTotal: 2 * skel.length });

@@ -41,7 +41,7 @@ function thereAndBack(session: unknown, origins = new Origins(), files: readonly
 }
 
 describe('encoding a session', () => {
-  it('gives back any plain data', () => {
+  it('encoding a session gives back any plain data', () => {
     const numbers = fc.oneof(
       { weight: 6, arbitrary: fc.array(fc.double()).map((values) => Float64Array.from(values)) },
       { weight: 6, arbitrary: fc.array(fc.nat(255)).map((values) => Uint8Array.from(values)) },
@@ -89,7 +89,7 @@ describe('encoding a session', () => {
     expect((tree as Float64Array).buffer.byteLength).toBe(16);
   });
 
-  it('has a few words for what came from files, however large', () => {
+  it('encoding a session has a few words for what came from files, however large', () => {
     const big = skin('hero', 0, { positions: new Float64Array(3_000_000) });
     const files = [skelFile('hero.skel', skeleton(3)), skinFile('hero.skin', big)];
     const origins = new Origins();

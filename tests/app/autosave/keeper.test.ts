@@ -140,7 +140,7 @@ describe('a session', () => {
     expect(store.sessions.get('s')?.files.size).toBe(0);
   });
 
-  it('is the earlier one where a save fails, and whole with the next', async () => {
+  it('a session is the earlier one where a save fails, and whole with the next', async () => {
     const store = memoryStore();
     const keeper = new Keeper('s', store, new Origins());
     const before = stateOf(animated([channel(5000)]));
@@ -187,7 +187,7 @@ describe('a session', () => {
     expect(store.writes[1]).toMatchObject({ files: [], pieces: [], goneFiles: [], gonePieces: [] });
   });
 
-  it('is written anew where someone has cleared the store', async () => {
+  it('a session is written anew where someone has cleared the store', async () => {
     const store = memoryStore();
     const keeper = new Keeper('s', store, new Origins());
     const channels = [channel(5000)];
@@ -221,7 +221,7 @@ describe('a session', () => {
     }
   });
 
-  it('is refused as a whole where a file reads differently', async () => {
+  it('a session is refused as a whole where a file reads differently', async () => {
     const store = memoryStore();
     const { keeper, files } = await opened(store, given('hero.skel'));
     await keeper.save(stateOf(documentOf(character({ skeleton: skeletonOf(files[0]) }))), 1);

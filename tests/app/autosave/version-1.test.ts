@@ -111,7 +111,7 @@ describe('a session kept by version 1', () => {
     expect(page.names()).toEqual(['hero.skel', 'hero_walk.anim', 'hero_new.anim']);
   });
 
-  it('knows where its files lie', () => {
+  it('a session kept by version 1 knows where its files lie', () => {
     const [hero, dance] = page.store.document.characters;
     expect(page.handles.ofCharacter(hero).map(({ path }) => path)).toEqual([
       'hero/hero.skel',

@@ -124,7 +124,7 @@ describe('baking the extrapolation', () => {
     ]);
   });
 
-  it('climbs with cycle_offset', () => {
+  it('baking the extrapolation climbs with cycle_offset', () => {
     expect(pointsOf(bakeExtrapolation(wave('cycle_offset', 5), -2, 4).channel)).toEqual([
       [-2, -5],
       [-1, -3],
@@ -189,7 +189,7 @@ describe('baking the extrapolation', () => {
     expect(periodChanged).toBe(true);
   });
 
-  it('refuses a million keys', () => {
+  it('baking the extrapolation refuses a million keys', () => {
     expect(() => bakeExtrapolation(wave('cycle'), 0, 1e7)).toThrow(CommandError);
   });
 });

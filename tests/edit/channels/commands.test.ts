@@ -128,7 +128,7 @@ describe('the Euler filter over a character', () => {
   const three = [none, none, none];
   const rotations = { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] };
 
-  it('takes each joint by itself', () => {
+  it('the Euler filter over a character takes each joint by itself', () => {
     const before = documentWith(...three, jumping, calm, calm, calm, jumping, calm);
     const { document, keys } = eulerFilter.run(before, rotations);
     const after = channelsOf(document);

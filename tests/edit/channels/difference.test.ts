@@ -5,7 +5,7 @@ import { channelOf, channels, valueAt } from '../keys/channels.ts';
 import { largestSampled } from './sampled.ts';
 
 describe('the difference of two curves', () => {
-  it('is found between keys, where a cubic bulges out', () => {
+  it('the difference of two curves is found between keys, where a cubic bulges out', () => {
     const straight = channelOf([
       [0, 0, 'linear'],
       [1, 0, 'linear'],
@@ -32,13 +32,13 @@ describe('the difference of two curves', () => {
     expect(largestDifference(level, step).largestError).toBe(4);
   });
 
-  it('is nothing between a curve and itself, or where there is no curve', () => {
+  it('the difference of two curves is nothing between a curve and itself, or where there is no curve', () => {
     const one = channelOf([[0, 3]]);
     expect(largestDifference(one, one)).toEqual({ largestError: 0, atSeconds: 0 });
     expect(largestDifference(channelOf([]), one).largestError).toBe(0);
   });
 
-  it('is what dense sampling nearly finds, and never less', () => {
+  it('the difference of two curves is what dense sampling nearly finds, and never less', () => {
     fc.assert(
       fc.property(channels(2, { steps: true }), channels(2, { steps: true }), (a, b) => {
         const from = Math.max(a.times[0], b.times[0]);

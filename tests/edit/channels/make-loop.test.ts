@@ -23,7 +23,7 @@ describe('making a loop', () => {
     );
   });
 
-  it('has no seam to be seen, in value or in slope', () => {
+  it('making a loop has no seam to be seen, in value or in slope', () => {
     fc.assert(
       fc.property(channels(2), fc.boolean(), (channel, keepsOffset) => {
         const { channel: loop, slope } = makeLoop(channel, keepsOffset);
@@ -37,7 +37,7 @@ describe('making a loop', () => {
     );
   });
 
-  it('changes nothing the second time', () => {
+  it('making a loop changes nothing the second time', () => {
     fc.assert(
       fc.property(channels(0, { steps: true }), fc.boolean(), (channel, keepsOffset) => {
         const once = makeLoop(channel, keepsOffset).channel;
@@ -84,7 +84,7 @@ describe('making a loop', () => {
     expect(ends(4, -2).slope).toBe(1);
   });
 
-  it('lets what travels travel on', () => {
+  it('making a loop lets what travels travel on', () => {
     const { channel, moved } = makeLoop(
       channelOf([
         [0, 0],

@@ -46,7 +46,7 @@ describe('resampling', () => {
     expect(error(8, 'linear') / error(16, 'linear')).toBeLessThan(4.7);
   });
 
-  it('is the same as that of a curve that lies earlier by the offset', () => {
+  it('resampling is the same as that of a curve that lies earlier by the offset', () => {
     fc.assert(
       fc.property(
         channels(1),

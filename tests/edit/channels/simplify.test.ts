@@ -139,7 +139,7 @@ describe('simplifying', () => {
     expect(after).toBeGreaterThan(2.5);
   });
 
-  it('keeps steps', () => {
+  it('simplifying keeps steps', () => {
     const step = channelOf([
       [0, 0, 'linear'],
       [1, 0, 'linear'],

@@ -24,7 +24,7 @@ function frames(changes: Readonly<Record<number, number>>): HeldFrames {
 }
 
 describe('the DOFs that a hold has changed', () => {
-  it('are all four parts of a quaternion where one of them is', () => {
+  it('the DOFs that a hold has changed are all four parts of a quaternion where one of them is', () => {
     for (const part of [6, 7, 8, 9]) expect(changedDofs(ARM, frames({ [part]: 0.1 }), 1)).toEqual([6, 7, 8, 9]);
     expect(changedDofs(ARM, frames({ 4: 0.1 }), 1)).toEqual([4]);
   });

@@ -152,7 +152,7 @@ describe('holding a pin over a range of time', () => {
     }
   });
 
-  it('is one step, and undone to the very document', () => {
+  it('holding a pin over a range of time is one step, and undone to the very document', () => {
     const s = store();
     const { document } = s;
     s.apply(holdPins, HOLD);
@@ -199,7 +199,7 @@ describe('holding a pin over a range of time', () => {
 });
 
 describe('what a hold may move', () => {
-  it('is not what is locked, and not the root where that is kept', () => {
+  it('what a hold may move is not what is locked, and not the root where that is kept', () => {
     const s = store();
     s.apply(setRootFree, { characterId: 'c1', isFree: false });
     s.apply(setStiffness, { characterId: 'c1', joints: [1], stiffness: 'locked' });
@@ -253,7 +253,7 @@ describe('what a hold may move', () => {
     expect(jerk).toBeLessThan(0.05 * REACH);
   });
 
-  it('is turned back too, where a pin holds its orientation', () => {
+  it('what a hold may move is turned back too, where a pin holds its orientation', () => {
     const s = store();
     s.apply(pinPoint, { characterId: 'c1', joint: FOOT, point: [0, -0.2, 0], holdsOrientation: true });
     const ends = (c: Character, t: number) => [footAt(c, t, FOOT, [1, 0, 0]), footAt(c, t, FOOT, [0, 0, 1])];
@@ -343,7 +343,7 @@ describe('takes of other kinds', () => {
     for (let t = 0; t < 2; t += 0.01) expect(valuesAt(shown(s), t)[6]).toBeLessThan(-0.5);
   });
 
-  it('are held up to their very ends, where nothing comes before or after', () => {
+  it('takes of other kinds are held up to their very ends, where nothing comes before or after', () => {
     const s = store();
     const place = footAt(shown(s), 0);
     s.apply(holdPins, { ...HOLD, range: [-1, 9], atSeconds: 0 });
@@ -361,24 +361,24 @@ describe('what can not be held', () => {
     expect(s.document).toBe(document);
   };
 
-  it('is nothing, or a pin that is not there', () => {
+  it('what can not be held is nothing, or a pin that is not there', () => {
     refused(store(), { pins: [] }, 'Which pins');
     refused(store(), { pins: [7] }, 'There is no pin 7');
   });
 
-  it('is a time at which nothing is played, or that runs backwards', () => {
+  it('what can not be held is a time at which nothing is played, or that runs backwards', () => {
     refused(store(), { range: [5, 6] }, 'Nothing is played there: the take goes from 0 s to 2 s');
     refused(store(), { range: [1, 0.5] }, 'go forward');
   });
 
-  it('is at no rate, in no time, within no tolerance', () => {
+  it('what can not be held is at no rate, in no time, within no tolerance', () => {
     refused(store(), { framesPerSecond: 0 }, 'more than 0');
     refused(store(), { framesPerSecond: 1e9 }, 'frames');
     refused(store(), { easeSeconds: -1 }, '0 seconds or more');
     refused(store(), { tolerance: 0 }, 'more than 0');
   });
 
-  it('is a character without a take, or one that another one moves', () => {
+  it('what can not be held is a character without a take, or one that another one moves', () => {
     refused(store({ clips: [], shownClip: -1 }), {}, 'shows no take');
     const both = documentOf(
       character({ skeleton: LEG, clips: [walk()], shownClip: 0 }),

@@ -62,7 +62,7 @@ describe('pinning', () => {
     expect(() => store.apply(pinPoint, args as never)).toThrow(CommandError);
   });
 
-  it('is refused for a skin alone', () => {
+  it('pinning is refused for a skin alone', () => {
     const { skeleton: _none, ...loose } = character();
     expect(() => new Store(documentOf(loose)).apply(pinPoint, TIP)).toThrow('no skeleton');
   });
@@ -112,7 +112,7 @@ describe('changing a pin', () => {
     expect(ik(store)?.pins[0]).toEqual({ id: 1, joint: 1, point: [1, 0, 0], weight: 3, holdsOrientation: true });
   });
 
-  it('is no step where nothing changes, and refused onto another pin', () => {
+  it('changing a pin is no step where nothing changes, and refused onto another pin', () => {
     const store = pinned();
     const before = store.document;
     store.apply(setPin, { ...of, pin: 1, weight: 1, point: [0, 0, 0] });
@@ -123,7 +123,7 @@ describe('changing a pin', () => {
 });
 
 describe('locking and stiffening joints', () => {
-  it('is kept in order of joints, and gone when all bend as usual', () => {
+  it('locking and stiffening joints is kept in order of joints, and gone when all bend as usual', () => {
     const store = fresh();
     const set = (joints: number[], stiffness: number | 'locked' | 'usual') =>
       store.apply(setStiffness, { ...of, joints, stiffness });
@@ -146,7 +146,7 @@ describe('locking and stiffening joints', () => {
 });
 
 describe('the root', () => {
-  it('is let travel or kept, and nothing is said of it where that holds anyway', () => {
+  it('the root is let travel or kept, and nothing is said of it where that holds anyway', () => {
     const store = fresh();
     store.apply(setRootFree, { ...of, isFree: false });
     expect(store.undoLabel).toBe('Keep hero in place');

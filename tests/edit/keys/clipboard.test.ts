@@ -35,7 +35,7 @@ describe('copying keys', () => {
     ]);
   });
 
-  it('is plain data that outlives the clip', () => {
+  it('copying keys is plain data that outlives the clip', () => {
     expect(structuredClone(copyKeys(walk, allKeys(walk)))).toEqual(copyKeys(walk, allKeys(walk)));
   });
 });
@@ -116,7 +116,7 @@ describe('pasting keys', () => {
     ]);
   });
 
-  it('refuses channels that don’t fit', () => {
+  it('pasting keys refuses channels that don’t fit', () => {
     const both = copyKeys(walk, allKeys(walk, [0, 1]));
     expect(() => paste(both, 0, 'merge', [2])).toThrow('Keys of 2 channels go into as many channels');
     expect(() => paste(first, 0, 'merge', [3])).toThrow('no channel 3');

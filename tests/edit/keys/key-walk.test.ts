@@ -15,7 +15,7 @@ describe('going from key to key', () => {
     expect(walkKeys(channels, one(0, 1, 2), [0], 0, -1, false)).toEqual(one(0, 0));
   });
 
-  it('stays at the ends', () => {
+  it('going from key to key stays at the ends', () => {
     expect(walkKeys(channels, one(0, 3), [0], 0, 1, false)).toEqual(one(0, 3));
     expect(walkKeys(channels, one(0, 0), [0], 0, -1, true)).toEqual(one(0, 0));
   });

@@ -43,7 +43,7 @@ describe('marks of keys', () => {
     expect([...marks]).toEqual([both, PLAIN, PLAIN, PLAIN, PLAIN, both, PLAIN, PLAIN, PLAIN, PLAIN]);
   });
 
-  it('are of a pixel’s only colour where all of its keys are selected', () => {
+  it('marks of keys are of a pixel’s only colour where all of its keys are selected', () => {
     const all = [channel(...Array.from({ length: 100 }, (_, i) => i / 100))];
     const marks = new Uint8Array(2);
     const firstHalf = Array.from({ length: 50 }, (_, i) => i);
@@ -75,7 +75,7 @@ describe('marks of what moves', () => {
     expect(moves([valued([0, 0.375, 0.875, 1.25], [1, 1, 2, 2])], [0])).toBe('–––~~~~–––');
   });
 
-  it('are of a row wherever one of its channels moves', () => {
+  it('marks of what moves are of a row wherever one of its channels moves', () => {
     const all = [valued([0, 0.5], [0, 0]), valued([0, 0.25, 0.5, 1], [0, 0, 1, 1])];
     expect(moves(all, [0])).toBe('––––––––––');
     expect(moves(all, [0, 1])).toBe('––~~––––––');

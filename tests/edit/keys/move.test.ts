@@ -109,27 +109,27 @@ describe('moving keys', () => {
 });
 
 describe('what moving leaves alone', () => {
-  it('is the channel itself where nothing moves', () => {
+  it('what moving leaves alone is the channel itself where nothing moves', () => {
     expect(moveKeys(four, [1, 2], 0, 0)).toEqual({ channel: four, indices: [1, 2] });
     expect(moveKeys(four, [1, 2], 0, 0).channel).toBe(four);
     expect(moveKeys(four, [1], 1e-30, 1e-30).channel).toBe(four);
   });
 
-  it('is the column of times where keys move in value', () => {
+  it('what moving leaves alone is the column of times where keys move in value', () => {
     const { channel } = moveKeys(four, [1], 0, 2);
     expect(channel.times).toBe(four.times);
     expect(channel.tangentsIn).toBe(four.tangentsIn);
     expect(channel.tangentsOut).toBe(four.tangentsOut);
   });
 
-  it('is every other column where keys move in time without crossing', () => {
+  it('what moving leaves alone is every other column where keys move in time without crossing', () => {
     const { channel } = moveKeys(four, [1], 0.5, 0);
     expect(channel.values).toBe(four.values);
     expect(channel.tangentsIn).toBe(four.tangentsIn);
     expect(channel.tangentsOut).toBe(four.tangentsOut);
   });
 
-  it('is what comes out the same though keys have crossed', () => {
+  it('what moving leaves alone is what comes out the same though keys have crossed', () => {
     const level = channelOf([0, 1, 2].map((t) => [t, 7, 'flat'] as const));
     const { channel } = moveKeys(level, [0], 1.5, 0);
     expect([...channel.times]).toEqual([1, 1.5, 2]);
@@ -195,7 +195,7 @@ describe('a hundred thousand keys', () => {
   const count = 100_000;
   const long = channelOf(Array.from({ length: count }, (_, k) => [k / 30, Math.sin(k), 'linear'] as const));
 
-  it('are moved all at once, and stay whole', () => {
+  it('a hundred thousand keys are moved all at once, and stay whole', () => {
     const all = Array.from({ length: count }, (_, k) => k);
     const { channel, indices } = moveKeys(long, all, 1 / 60, 0.5);
     expect(channel.times).toHaveLength(count);

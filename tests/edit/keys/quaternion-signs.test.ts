@@ -50,7 +50,7 @@ describe('a key of a quaternion joint', () => {
     expect(valuesAt(keyed(later, 2, [0, 0, -1, 0]), 1)).toEqual([0, 0, 1, 0]);
   });
 
-  it('is left as it is where not all of it is keyed', () => {
+  it('a key of a quaternion joint is left as it is where not all of it is keyed', () => {
     const { document } = keyPose.run(first, { characterId: 'c1', dofs: [5], timeSeconds: 1 });
     expect(shownClip(document.characters[0])?.channels[5].values[1]).toBe(0.6);
   });
@@ -60,7 +60,7 @@ describe('DOFs that do not rest at 0', () => {
   const poseOf = (to: 'file' | 'zero') =>
     (resetPose.run(hero, { characterId: 'c1', to, timeSeconds: 0 }) as Document).characters[0].pose;
 
-  it('are reset to where they change nothing, or to the file', () => {
+  it('DOFs that do not rest at 0 are reset to where they change nothing, or to the file', () => {
     expect(poseOf('zero')).toEqual([0, 0, 0, 0, 0, 0, 1, 1]);
     expect(poseOf('file')).toEqual([0, 0, 0, 0, 0, 0, 1, 2]);
   });

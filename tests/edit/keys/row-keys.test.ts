@@ -7,7 +7,7 @@ import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 const span = fc.tuple(fc.double({ min: -1, max: 2, noNaN: true }), fc.double({ min: 0, max: 1, noNaN: true }));
 
 describe('keys between two times', () => {
-  it('are those that a walk over all keys finds', () => {
+  it('keys between two times are those that a walk over all keys finds', () => {
     fc.assert(
       fc.property(channels, span, (all, [from, length]) => {
         const to = from + length;
@@ -28,7 +28,7 @@ describe('keys between two times', () => {
 });
 
 describe('the nearest key', () => {
-  it('is the one that a walk over all keys finds', () => {
+  it('the nearest key is the one that a walk over all keys finds', () => {
     const at = fc.double({ min: -1, max: 2, noNaN: true });
     fc.assert(
       fc.property(channels, at, fc.double({ min: 0.001, max: 1, noNaN: true }), (all, time, reach) => {
@@ -41,13 +41,13 @@ describe('the nearest key', () => {
     );
   });
 
-  it('is not one of another row', () => {
+  it('the nearest key is not one of another row', () => {
     expect(nearestKeyTime([channel(0), channel(1)], [1], 0.1, 2)).toBe(1);
   });
 });
 
 describe('what is selected of a row', () => {
-  it('is all of some keys exactly where each one is', () => {
+  it('what is selected of a row is all of some keys exactly where each one is', () => {
     fc.assert(
       fc.property(channels, fc.func(fc.boolean()), fc.func(fc.boolean()), (all, coinA, coinB) => {
         const keys = someKeys(all, coinA);
@@ -80,7 +80,7 @@ describe('the span of some keys', () => {
     expect(spanOf(all, keys)).toEqual([0.5, 2]);
   });
 
-  it('is none without keys, nor of keys that are gone', () => {
+  it('the span of some keys is none without keys, nor of keys that are gone', () => {
     expect(spanOf(all, [])).toBeUndefined();
     expect(spanOf(all, [{ channel: 1, indices: [7] }])).toBeUndefined();
     expect(spanOf(all, [{ channel: 9, indices: [0] }])).toBeUndefined();

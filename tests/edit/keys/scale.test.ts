@@ -80,7 +80,7 @@ describe('scaling keys', () => {
     ]);
   });
 
-  it('is the channel itself where nothing changes', () => {
+  it('scaling keys is the channel itself where nothing changes', () => {
     expect(scaleKeys(two, [0, 1], by({ pivotSeconds: 1e9, pivotValue: 1e9 })).channel).toBe(two);
     expect(scaleKeys(two, [0], by({ pivotSeconds: 1, timeFactor: 7 })).channel.times).toBe(two.times);
   });
@@ -94,7 +94,7 @@ const factor = fc.tuple(between(0.05, 20), fc.boolean()).map(([size, mirrored]) 
 const pivot = between(-30, 30);
 
 describe('scaling any keys', () => {
-  it('leaves sound channels', () => {
+  it('scaling any keys leaves sound channels', () => {
     fc.assert(
       fc.property(withSome(channels(1, { steps: true })), pivot, factor, factor, ({ channel, some }, p, t, v) => {
         const scaling = by({ pivotSeconds: p, timeFactor: t, pivotValue: p, valueFactor: v });

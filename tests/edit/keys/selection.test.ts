@@ -49,7 +49,7 @@ describe('finding keys', () => {
     expect(keysAtTime(clip, [0], 1.5)).toEqual([]);
   });
 
-  it('counts them, and knows each', () => {
+  it('finding keys counts them, and knows each', () => {
     expect(countKeys(allKeys(clip))).toBe(6);
     expect(countKeys(undefined)).toBe(0);
     const some = [{ channel: 2, indices: [1, 4, 7] }];
@@ -74,7 +74,7 @@ describe('sets of keys', () => {
       .map(([channel, indices]) => ({ channel, indices: indices.sort((a, b) => a - b) }));
   };
 
-  it('are united, toggled and taken away as sets are, and stay in order', () => {
+  it('sets of keys are united, toggled and taken away as sets are, and stay in order', () => {
     fc.assert(
       fc.property(sets, sets, (a, b) => {
         const [inA, inB] = [new Set(a), new Set(b)];

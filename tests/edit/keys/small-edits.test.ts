@@ -66,7 +66,7 @@ describe('removing keys', () => {
 });
 
 describe('rippling keys', () => {
-  it('takes all later keys along', () => {
+  it('rippling keys takes all later keys along', () => {
     const { channel, indices } = rippleKeys(three, [1], 0.5);
     expect(pointsOf(channel)).toEqual([
       [0, 0],
@@ -134,7 +134,7 @@ describe('rippling keys', () => {
 });
 
 describe('typed numbers', () => {
-  it('are set as they are, slopes on their own side', () => {
+  it('typed numbers are set as they are, slopes on their own side', () => {
     const { channel, indices } = setKeys(three, [0], { timeSeconds: 2, value: -1, slopeOut: 0.5 });
     expect(rowsOf(channel)).toEqual([
       [1, 3, 'linear', 'linear'],
@@ -202,7 +202,7 @@ describe('snapping to frames', () => {
     expect(snapKeys(channel, [0, 1, 2], 10, 0.05).channel).toBe(channel);
   });
 
-  it('does no harm to the half of a step that is not selected', () => {
+  it('snapping to frames does no harm to the half of a step that is not selected', () => {
     const step = channelOf([
       [1, 1],
       [1, 2],

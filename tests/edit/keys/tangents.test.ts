@@ -38,7 +38,7 @@ describe('setting tangents', () => {
     ]);
   });
 
-  it('is the channel itself where all is so already', () => {
+  it('setting tangents is the channel itself where all is so already', () => {
     expect(setSlope(three, [2], 'both', 2)).toBe(three);
     expect(setTangentKind(three, [2], 'both', FIXED)).toBe(three);
     expect(setTangentKind(three, [], 'both', FLAT)).toBe(three);
@@ -61,7 +61,7 @@ describe('breaking tangents', () => {
     expect(rowsOf(breakTangents(three, [1]))[1]).toEqual([1, 3, 3, 1]);
   });
 
-  it('changes no curve', () => {
+  it('breaking tangents changes no curve', () => {
     fc.assert(
       fc.property(withSome(channels(1, { steps: true })), between(-60, 60), ({ channel, some }, time) => {
         const broken = breakTangents(channel, some);

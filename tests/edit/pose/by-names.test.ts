@@ -63,7 +63,7 @@ describe('a pose by names', () => {
     expect([taken.get(6), taken.get(7)]).toEqual([1, 2]);
   });
 
-  it('is at rest where it has no value', () => {
+  it('a pose by names is at rest where it has no value', () => {
     const pose = poseByNames(hero, { name: 'a', values: [1] });
     expect(pose.root).toEqual([1, 0, 0]);
     expect(pose.joints.flatMap(({ dofs }) => dofs.map((d) => d.value))).toEqual([0, 0, 0, 0, 0, 0, 0]);

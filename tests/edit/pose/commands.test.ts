@@ -61,7 +61,7 @@ describe('poses.mirror', () => {
     expect(documentIn(mirrorPose.run(symmetric, { ...at, way: 'swap' }))).toBe(symmetric);
   });
 
-  it('is unkeyed over keys, and keyed with auto-key', () => {
+  it('poses.mirror is unkeyed over keys, and keyed with auto-key', () => {
     const keyed = documentOf(character({ skeleton, pose, clips: [clip('walk', pose)], shownClip: 0 }));
     const next = documentIn(mirrorPose.run(keyed, { ...at, way: 'swap' }));
     expect(next.characters[0].unkeyed?.dofs.length).toBeGreaterThan(0);
@@ -116,7 +116,7 @@ describe('the library’s commands', () => {
     expect(shown(documentIn(applyPose.run(free, { ...at, pose: 0 })))).toEqual(pose);
   });
 
-  it('are undone in one step each', () => {
+  it('the library’s commands are undone in one step each', () => {
     const store = new Store(still);
     store.apply(keepPose, { characterId: 'c1', timeSeconds: 0 });
     store.apply(applyPose, { ...at, pose: 0, joint: 1, share: 0.5 });

@@ -46,7 +46,7 @@ function somePose(skeleton: Skeleton, seeds: readonly number[], reach = 1.2): nu
 const seeds = fc.array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 11, maxLength: 11 });
 
 describe('a mirrored pose', () => {
-  it('is the reflected one in the world, for every kind of joint', () => {
+  it('a mirrored pose is the reflected one in the world, for every kind of joint', () => {
     fc.assert(
       fc.property(symmetricRig(anyMotion, middleMotion), seeds, ({ skeleton, partner }, values) => {
         const pose = somePose(skeleton, values);
@@ -143,7 +143,7 @@ describe('a mirrored pose', () => {
     }
   });
 
-  it('is made up for below a joint that can not follow', () => {
+  it('a mirrored pose is made up for below a joint that can not follow', () => {
     const free: Motion = { kind: 'ball', order: 'xyz' };
     const { skeleton } = rigOf(
       [{ motion: free, offset: [0, 0, 0] }],
@@ -297,11 +297,11 @@ describe('counterparts', () => {
     [['hips', 'chest', 'arm left', 'hand', 'arm right', 'hand']],
     [['a', 'b', 'c', 'd', 'e', 'f']],
     [['', '', '', '', '', '']],
-  ])('are found for %j', (names) => {
+  ])('counterparts are found for %j', (names) => {
     expect(chain(names)).toEqual([0, 1, 4, 5, 2, 3]);
   });
 
-  it('are found by shape where all offsets of one side are the other one’s reflected, for any rig', () => {
+  it('counterparts are found by shape where all offsets of one side are the other one’s reflected, for any rig', () => {
     fc.assert(
       fc.property(symmetricRig(turningMotion), ({ skeleton, partner }) => {
         const bare = { ...skeleton, joints: skeleton.joints.map((j) => ({ ...j, name: '' })) };
@@ -319,7 +319,7 @@ describe('counterparts', () => {
     );
   });
 
-  it('are none for a joint of one side whose name has no other', () => {
+  it('counterparts are none for a joint of one side whose name has no other', () => {
     const joints = [joint(-1, { name: 'hips' }), joint(0, { name: 'sword_l', offset: [1, 0, 0] })];
     expect([...reflectionOf({ name: 's', joints }).partner]).toEqual([0, -1]);
     const pose = [0, 0, 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
@@ -360,7 +360,7 @@ describe('one side’s pose on the other', () => {
     });
   });
 
-  it('is as it is on its own side, seen from the joint that both hang on', () => {
+  it('one side’s pose on the other is as it is on its own side, seen from the joint that both hang on', () => {
     const { dofs } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'toOther' });
     for (const j of [arm, arm + 1]) {
       const [x, y, z] = [...dofs.subarray(first[partner[j]], first[partner[j]] + 3)];
@@ -368,7 +368,7 @@ describe('one side’s pose on the other', () => {
     }
   });
 
-  it('swaps a branch alone', () => {
+  it('one side’s pose on the other swaps a branch alone', () => {
     const { dofs } = mirroredPose(skeleton, pose, false, { joint: arm, way: 'swap' });
     const twice = mirroredPose(skeleton, dofs, false, { joint: arm, way: 'swap' }).dofs;
     expect([...twice]).toEqual(pose);

@@ -435,7 +435,7 @@ describe('the axis-angle form', () => {
   };
   const document = documentOf(character({ skeleton: arm }));
 
-  it('is kept by a child at the tip, and by a bone whose children go along', () => {
+  it('the axis-angle form is kept by a child at the tip, and by a bone whose children go along', () => {
     const grown = done(addJoint, document, { characterId: 'c1', parent: 1 });
     expect(jointsOf(grown)[2]).toMatchObject({ name: '', offset: [0, 1, 0], length: 1, motion: { axis: [0, 0, 1] } });
     expect(grown.skeleton?.form).toBe('axis-angle');
@@ -444,7 +444,7 @@ describe('the axis-angle form', () => {
     expect(longer.skeleton?.form).toBe('axis-angle');
   });
 
-  it('is given up by what it can not hold', () => {
+  it('the axis-angle form is given up by what it can not hold', () => {
     expect(
       done(setOffset, document, { ...of(1), offset: [1, 2, 0], children: 'follow' }).skeleton?.form,
     ).toBeUndefined();
@@ -516,7 +516,7 @@ describeShared('the wasp', () => {
     return documentOf(character({ skeleton: own, skins: [skinned] }));
   };
 
-  it('is saved byte for byte after a joint was added and taken away again', () => {
+  it('the wasp is saved byte for byte after a joint was added and taken away again', () => {
     const document = read();
     const before = [...saveCharacter(document.characters[0], 'skel'), ...saveCharacter(document.characters[0], 'skin')];
     const store = new Store(document);

@@ -53,7 +53,7 @@ describe('a joint that is dragged', () => {
     );
   });
 
-  it('has its offset moved as far as its pivot, where its own DOFs move that too', () => {
+  it('a joint that is dragged has its offset moved as far as its pivot, where its own DOFs move that too', () => {
     const motion = { kind: 'prismatic', axis: [0, 1, 0] } as const;
     const own = arm.joints[1];
     const sliding = { ...own, motion, limits: own.limits.slice(0, 1), pose: [0] };
@@ -108,11 +108,11 @@ describe('numbers of a drag', () => {
     [0, 1],
   ])('of at least %s a step snap to %s', (least, step) => expect(roundStep(least)).toBe(step));
 
-  it('are whole steps, without digits behind them', () => {
+  it('numbers of a drag are whole steps, without digits behind them', () => {
     expect([snapped(0.3000001, 0.1), snapped(-0.04, 0.1), snapped(7.7, 5)]).toEqual([0.3, 0, 10]);
   });
 
-  it('have no more decimals than a tenth of a pixel', () => {
+  it('numbers of a drag have no more decimals than a tenth of a pixel', () => {
     expect(withoutDust([0.123456, -1.000049, 2], 0.004)).toEqual([0.1235, -1, 2]);
   });
 });
@@ -135,7 +135,7 @@ describe('a face of a box', () => {
     expect(boxWithFace(crossed, 0, 'min', 1).min[0]).toBe(2);
   });
 
-  it('has no more decimals than a hand can mean, and where nothing moves all that it had', () => {
+  it('a face of a box has no more decimals than a hand can mean, and where nothing moves all that it had', () => {
     const fine = { min: [-0.13, 0, 0], max: [0.13000000000000003, 1, 1] } as const;
     // 0.13 + 0.293 is 0.42300000000000004.
     expect(boxWithFace(fine, 0, 'max', 0.293, { unitsPerPixel: 0.01 }).max[0]).toBe(0.423);

@@ -238,7 +238,7 @@ describe('pivots', () => {
 });
 
 describe('what is shown', () => {
-  it('is the same after a joint is added, renamed, or given a box or a file pose', () => {
+  it('what is shown is the same after a joint is added, renamed, or given a box or a file pose', () => {
     fc.assert(
       fc.property(
         seeds,

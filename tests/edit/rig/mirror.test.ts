@@ -41,7 +41,7 @@ function farthest(a: Float64Array, b: Float64Array): number {
 }
 
 describe('mirroredMotion', () => {
-  it('is M · J(φ) · M for every kind of joint', () => {
+  it('mirroredMotion is M · J(φ) · M for every kind of joint', () => {
     fc.assert(
       fc.property(seeds, mirrors, (seed, across) => {
         const dice = diceOf(seed);

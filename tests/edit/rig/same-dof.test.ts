@@ -105,7 +105,7 @@ describe('a hinge along an axis that becomes a ball', () => {
     expect(foot.couples).toEqual([{ dof: 'rx', joint: 1, follows: 'rx', gain: -0.5, offset: 0.1 }]);
   });
 
-  it('comes back as it was', () => {
+  it('a hinge along an axis that becomes a ball comes back as it was', () => {
     for (const axis of [
       [1, 0, 0],
       [0, 0, -1],
@@ -133,14 +133,14 @@ describe('which DOF is which', () => {
 });
 
 describe('keys that have no DOF to go to', () => {
-  it('are named in the label of the step', () => {
+  it('keys that have no DOF to go to are named in the label of the step', () => {
     const store = new Store(documentOf(hinged([0, 1, 1])));
     store.apply(setMotion, { characterId: 'c1', joint: 1, motion: BALL });
     expect(store.undoLabel).toBe('Set type of thigh, without 2 keys and the samples of r');
     expect(store.document.characters[0].clips[0].channels.every(({ times }) => times.length === 0)).toBe(true);
   });
 
-  it('are counted over all takes, and are none where all are kept', () => {
+  it('keys that have no DOF to go to are counted over all takes, and are none where all are kept', () => {
     const lost = (axis: Vec3, motion: Motion) =>
       keysLostBy(documentOf(hinged(axis)), { characterId: 'c1', joint: 1, motion });
     expect(lost([0, 0, 1], BALL)).toBeUndefined();

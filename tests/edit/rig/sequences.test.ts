@@ -44,7 +44,7 @@ describe('any sequence of rig commands', () => {
     );
   });
 
-  it('is undone to the very document that was there, step by step', () => {
+  it('any sequence of rig commands is undone to the very document that was there, step by step', () => {
     fc.assert(
       fc.property(seeds, steps, (seed, all) => {
         const store = new Store(randomDocument(seed));

@@ -89,7 +89,7 @@ describe('converting samples to keys', () => {
     expect(times.length).toBeLessThan(200);
   });
 
-  it('is one step, undone to the very samples', () => {
+  it('converting samples to keys is one step, undone to the very samples', () => {
     const store = new Store(documentWith());
     store.apply(convertToKeys, args);
     expect(store.undoLabel).toBe('Convert swing to keys');

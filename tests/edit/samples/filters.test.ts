@@ -110,7 +110,7 @@ function swingAt(c: number, t: number): number {
 }
 
 describe('a Gaussian', () => {
-  it('is one frame where σ is as good as none', () => {
+  it('a Gaussian is one frame where σ is as good as none', () => {
     expect([...gaussian(1e-200, 10)]).toEqual([1, 0]);
     expect(rows(filter(swing, { sigmaSeconds: 1e-200 })).every(Number.isFinite)).toBe(true);
   });
@@ -153,7 +153,7 @@ describe('the median of a few frames', () => {
     );
   });
 
-  it('is the middle one in order of size', () => {
+  it('the median of a few frames is the middle one in order of size', () => {
     fc.assert(
       fc.property(fc.array(fc.integer({ min: -5, max: 5 }), { minLength: 7, maxLength: 7 }), (list) => {
         const values = Float64Array.from(list);

@@ -22,7 +22,7 @@ const half = convertToKeys.run(documentWith(), {
 const halfClip = shownClip(half.characters[0]) ?? swing;
 
 describe('keys over samples', () => {
-  it('are refused, with the way out', () => {
+  it('keys over samples are refused, with the way out', () => {
     const document = documentWith();
     const way = 'Convert to keys first';
     expect(() => insertKeys.run(document, { ...c1, channels: [3, 4], timeSeconds: 1 })).toThrow(way);
@@ -35,7 +35,7 @@ describe('keys over samples', () => {
     expect(() => pasteKeys.run(half, { ...c1, copied, into: [3], timeSeconds: 1, mode: 'merge' })).toThrow(way);
   });
 
-  it('are made on the channels beside them that have keys', () => {
+  it('keys over samples are made on the channels beside them that have keys', () => {
     const keyed = keyPose.run(half, { ...c1, timeSeconds: 0.123 });
     expect(keyed.keys.map((k) => k.channel)).toEqual([9, 10, 11]);
     const inserted = insertKeys.run(half, { ...c1, channels: [3, 9], timeSeconds: 0.321 });
@@ -50,7 +50,7 @@ describe('keys over samples', () => {
     expect([isSampled(clip, 9), isSampled(clip, 10)]).toEqual([true, false]);
   });
 
-  it('are not made by posing: what is set by hand stands for the moment, with auto-key too', () => {
+  it('keys over samples are not made by posing: what is set by hand stands for the moment, with auto-key too', () => {
     for (const key of [undefined, {}]) {
       const document = documentIn(
         setDofs.run(half, {

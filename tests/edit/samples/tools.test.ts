@@ -106,7 +106,7 @@ describe('resampling samples', () => {
 });
 
 describe('reversing a take', () => {
-  it('plays it backwards, keys too', () => {
+  it('reversing a take plays it backwards, keys too', () => {
     const keyed = {
       ...swing,
       channels: swing.channels.map((c, i) =>
@@ -149,7 +149,7 @@ describe('smoothing samples', () => {
     expect(pose(smooth(wave), 1)[0]).toBeCloseTo(Math.exp(-2 * ((Math.PI * 0.05) / period) ** 2), 2);
   });
 
-  it('does not smear angles that jump by a turn', () => {
+  it('smoothing samples does not smear angles that jump by a turn', () => {
     const turning = take((c, t) => (c === 3 ? ((90 * t + 170) % 360) - (90 * t + 170 >= 180 ? 360 : 0) : 0));
     const clip = smooth(turning);
     for (const t of [0.05, 0.1, 0.111, 0.15, 1]) {
@@ -182,13 +182,13 @@ describe('samples of a character that another one moves', () => {
     ['smooth', (document) => smoothSteps(document, { ...c1, sigmaSeconds: 0.1 })],
     ['convert', (document) => convertSteps(document, { ...c1, tolerance })],
     ['filter', (document) => eulerFilterSteps(document, { ...c1, channels: [3, 4, 5] })],
-  ])('are refused to %s, before any work is done', (_, steps) => {
+  ])('samples of a character that another one moves are refused to %s, before any work is done', (_, steps) => {
     const document = driven(swing);
     expect(document.characters[0].driver).toBeDefined();
     expect(() => steps(document).next()).toThrow('moved by');
   });
 
-  it('are worked with as they are, not as the other one moves', () => {
+  it('samples of a character that another one moves are worked with as they are, not as the other one moves', () => {
     const [character] = driven(swing).characters;
     expect(takeAlone(character, swing)).not.toHaveProperty('driver');
     const resampled = finished(resampling(character, swing, 30));

@@ -45,7 +45,7 @@ describe('what a drag foresees', () => {
     expect(miss).toBeLessThan(1e-4 * 5);
   });
 
-  it('does no harm where the hand turns back, jumps or stands', () => {
+  it('what a drag foresees does no harm where the hand turns back, jumps or stands', () => {
     const back = Array.from({ length: 61 }, (_, i) => turn(30 - Math.abs(30 - i)));
     const jumps = Array.from({ length: 60 }, (_, i) => turn((i * 37) % 120));
     const stands = [0, 1, 1, 1, 2, 2, 3].map(turn);

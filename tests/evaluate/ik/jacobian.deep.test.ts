@@ -112,7 +112,7 @@ describe('the matrices of the joints that matter', () => {
 });
 
 describe('the screws of a joint', () => {
-  it('are its matrix, one after the other', () => {
+  it('the screws of a joint are its matrix, one after the other', () => {
     const posed = fc
       .oneof(motion, bvhMotion)
       .filter((of) => jointMotion(of).screws !== undefined && (of.kind !== 'screw' || Math.abs(of.pitch) < 100))
@@ -146,7 +146,7 @@ describe('the screws of a joint', () => {
     );
   });
 
-  it('are missing only where there is something else than turns and slides', () => {
+  it('the screws of a joint are missing only where there is something else than turns and slides', () => {
     fc.assert(
       fc.property(fc.oneof(motion, bvhMotion), (of) => {
         const stretches = of.kind === 'scale' || of.kind === 'shear' || dofsOf(of).some(({ name }) => /^s/.test(name));

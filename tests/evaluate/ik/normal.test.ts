@@ -70,7 +70,7 @@ function left({ blocks, n, jacobian, errors, damping }: System, step: Float64Arr
 }
 
 describe('a damped step', () => {
-  it('is what both systems say, with any number of errors and unknowns', () => {
+  it('a damped step is what both systems say, with any number of errors and unknowns', () => {
     fc.assert(
       fc.property(system, (any) => {
         const step = stepOf(any);
@@ -97,7 +97,7 @@ describe('a damped step', () => {
     );
   });
 
-  it('is none where numbers have left the range', () => {
+  it('a damped step is none where numbers have left the range', () => {
     const shape = { first: Int32Array.of(0, 3), column: Int32Array.of(0, 1, 2), shared: Int32Array.of(3) };
     for (const wrong of [Number.NaN, 1e300]) {
       const jacobian = new Float64Array(9).fill(wrong);

@@ -11,7 +11,7 @@ const LEG = { min: [-0.05, -0.5, -0.05], max: [0.05, 0, 0.05] } as const;
 const BVH = { motion: { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' } } as const;
 
 describe('the points of a joint that a pin may hold', () => {
-  it('are its origin and the middles of its box, none of them twice', () => {
+  it('the points of a joint that a pin may hold are its origin and the middles of its box, none of them twice', () => {
     const points = pinPoints(alone({ box: LEG }), 0);
     expect(points.map(({ name }) => name)).toEqual([
       'origin',
@@ -32,7 +32,7 @@ describe('the points of a joint that a pin may hold', () => {
     expect(pinPoints(alone({ length: 0 }), 0).map(({ kind }) => kind)).toEqual(['origin']);
   });
 
-  it('are End Sites, numbered where there are several', () => {
+  it('the points of a joint that a pin may hold are End Sites, numbered where there are several', () => {
     const sites = [
       [0, 1, 0],
       [0, 0, 0],
@@ -42,7 +42,7 @@ describe('the points of a joint that a pin may hold', () => {
     expect(points.map(({ name }) => name)).toEqual(['origin', 'End Site 1', 'End Site 3']);
   });
 
-  it('are never in one place, whatever the box', () => {
+  it('the points of a joint that a pin may hold are never in one place, whatever the box', () => {
     const length = fc.double({ min: -5, max: 5, noNaN: true });
     const corner = fc.tuple(length, length, length);
     fc.assert(
@@ -65,7 +65,7 @@ describe('the point that is pinned where only a joint was picked', () => {
     expect(defaultPinPoint(alone({ length: 0, endSites: [[1, 0, 0]] }), 0).kind).toBe('origin');
   });
 
-  it('is the origin of a joint that others hang on', () => {
+  it('the point that is pinned where only a joint was picked is the origin of a joint that others hang on', () => {
     expect(defaultPinPoint(withChild({ box: LEG, endSites: [[1, 0, 0]] }), 0).kind).toBe('origin');
   });
 
@@ -114,13 +114,13 @@ describe('a picked point of the skin', () => {
     });
   });
 
-  it('is none where no joint moves it, or the joint is flat', () => {
+  it('a picked point of the skin is none where no joint moves it, or the joint is flat', () => {
     expect(skinPinPoint(hero, 1, world, [0, 0, 0])).toBeUndefined();
     expect(skinPinPoint(hero, 2, world, [0, 0, 0])).toBeUndefined();
     expect(skinPinPoint(hero, 0, new Float64Array(48), [0, 0, 0])).toBeUndefined();
   });
 
-  it("is the root's where the whole skin hangs on it", () => {
+  it("a picked point of the skin is the root's where the whole skin hangs on it", () => {
     const { attachments: _none, ...loose } = skin('hero', 0);
     expect(skinPinPoint(character({ skeleton: own, skins: [loose] }), 2, world, [0, 0, 0])?.joint).toBe(0);
   });

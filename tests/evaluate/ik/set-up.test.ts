@@ -34,7 +34,7 @@ function worldOf(own: Skeleton): Float64Array {
 }
 
 describe('where pins are', () => {
-  it('is where their points are in the pose, with the orientation only where it is held', () => {
+  it('where pins are is where their points are in the pose, with the orientation only where it is held', () => {
     const targets = pinTargets(
       { pins: [pin(4), pin(7, { joint: 1, point: [0, 0, 2], holdsOrientation: true })] },
       worldOf(CHAIN),
@@ -56,18 +56,18 @@ describe('the pins of a drag', () => {
     expect(draggedIndex(setup, { pin: 7 })).toBe(1);
   });
 
-  it('are followed by a point that nothing holds otherwise', () => {
+  it('the pins of a drag are followed by a point that nothing holds otherwise', () => {
     const dragged = { joint: 0, point: [1, 0, 0], target: [5, 5, 5] } as const;
     const made = ikPinsOf(setup, targets, dragged);
     expect(made.map(({ holds }) => holds ?? false)).toEqual([true, true, false]);
     expect(made[draggedIndex(setup, dragged)]).toEqual(dragged);
   });
 
-  it('are alike where nothing is dragged', () => {
+  it('the pins of a drag are alike where nothing is dragged', () => {
     expect(ikPinsOf(setup, targets).map(({ holds }) => holds)).toEqual([false, false]);
   });
 
-  it('are refused without a target, and where the dragged one is none of them', () => {
+  it('the pins of a drag are refused without a target, and where the dragged one is none of them', () => {
     expect(() => ikPinsOf(setup, new Map())).toThrow(IkError);
     expect(() => ikPinsOf(setup, targets, { pin: 5 })).toThrow(IkError);
     expect(draggedIndex(setup, { pin: 5 })).toBe(-1);
@@ -90,7 +90,7 @@ describe('the pins of a drag', () => {
 });
 
 describe('how unwilling DOFs are', () => {
-  it('is as usual, but for joints that are locked or stiffened', () => {
+  it('how unwilling DOFs are is as usual, but for joints that are locked or stiffened', () => {
     const stiff = [{ joint: 1 }, { joint: 2, stiffness: 4 }];
     const all = stiffnessOf(CHAIN, { stiff, rootIsFree: true });
     expect([...all]).toEqual([1, 1, 1, 1, 1, 1, Infinity, Infinity, Infinity, 4, 4, 4]);
@@ -143,7 +143,7 @@ describe('a setup that nobody made', () => {
 });
 
 describe('the reach of a skeleton', () => {
-  it('is its longest way along bones; a box, or 1, where there is none', () => {
+  it('the reach of a skeleton is its longest way along bones; a box, or 1, where there is none', () => {
     expect(reachOfSkeleton(CHAIN)).toBe(2);
     expect(reachOfSkeleton({ name: '', joints: [joint(-1, { length: 3 }), joint(0, { endSites: [[0, 0, 9]] })] })).toBe(
       10,

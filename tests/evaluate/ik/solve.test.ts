@@ -219,7 +219,7 @@ function pointAt({ joint: j, point: [x, y, z] }: Pick<IkPin, 'joint' | 'point'>,
 }
 
 describe('what may move', () => {
-  it('is less, the stiffer it is', () => {
+  it('what may move is less, the stiffer it is', () => {
     const skeleton = chain(3);
     const turned = (stiffness: number) => {
       const dofs = poseOf(skeleton);
@@ -245,7 +245,7 @@ describe('what may move', () => {
     expect(writeStep(problem, problem.errors, 1e-3, false)).toBeGreaterThan(0);
   });
 
-  it('is the root too, where it is free', () => {
+  it('what may move is the root too, where it is free', () => {
     const skeleton = chain(2);
     const dofs = poseOf(skeleton);
     const problem = ikProblem(skeleton, [endPin(2, 10, 0)], dofs, { stiffness: ikStiffness(skeleton, true) });
@@ -253,7 +253,7 @@ describe('what may move', () => {
     expectClose(dofs.subarray(0, 3), [0, 8, 0], 1e-3);
   });
 
-  it('is no bone of BVH: positions stay, but for those of a free root', () => {
+  it('what may move is no bone of BVH: positions stay, but for those of a free root', () => {
     const bvh = { kind: 'bvh', channels: ['tx', 'ty', 'tz', 'rz', 'rx', 'ry'], positions: 'replace' } as const;
     const six = new Array(6).fill(UNLIMITED);
     const skeleton: Skeleton = {
@@ -278,7 +278,7 @@ describe('what may move', () => {
     ]);
   });
 
-  it('is what a coupled DOF follows, even in a joint on no way to a pin', () => {
+  it('what may move is what a coupled DOF follows, even in a joint on no way to a pin', () => {
     const skeleton: Skeleton = {
       name: 'gears',
       joints: [
@@ -336,7 +336,7 @@ describe('what is degenerate', () => {
     ]);
   });
 
-  it('is refused as a pin, and as a target of one that is there', () => {
+  it('what is degenerate is refused as a pin, and as a target of one that is there', () => {
     const skeleton = chain(2);
     const dofs = poseOf(skeleton);
     const pin = endPin(2, 1, 1);

@@ -39,12 +39,12 @@ describe('painted columns', () => {
     expect(at(2, 6)).toEqual([0, 0, 0, 0]);
   });
 
-  it('are as thick as the line where the curve lies flat', () => {
+  it('painted columns are as thick as the line where the curve lies flat', () => {
     const at = painted([{ columns: columnsOf(5.5, 5.5), colour: '#336699' }]);
     expect([at(1, 4)[3], at(1, 5)[3], at(1, 6)[3]]).toEqual([0, 255, 0]);
   });
 
-  it('are laid over one another in order, and mix at their edges', () => {
+  it('painted columns are laid over one another in order, and mix at their edges', () => {
     const at = painted([
       { columns: columnsOf(2, 30), colour: '#ff0000' },
       { columns: columnsOf(5, 8.25), colour: '#0000ff' },
@@ -56,7 +56,7 @@ describe('painted columns', () => {
     expect(Math.abs(red - blue)).toBeLessThan(3);
   });
 
-  it('are what laying each over those behind it gives, however many hide one another', () => {
+  it('painted columns are what laying each over those behind it gives, however many hide one another', () => {
     const height = fc.double({ min: -3, max: 43, noNaN: true });
     const line = fc.record({ a: height, b: height, grey: fc.integer({ min: 0, max: 255 }) });
     fc.assert(

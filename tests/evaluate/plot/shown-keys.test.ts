@@ -38,7 +38,7 @@ describe('shownKeys', () => {
     expect(keys.map((c) => c.meant)).toEqual([true]);
   });
 
-  it('shows the selected character’s only', () => {
+  it('shownKeys shows the selected character’s only', () => {
     const other = character({ id: 'c2', clips: [clip([0, 1], channel(9))] });
     expect(shownKeys(documentOf(wasp, other), { characterId: 'c2' })).toHaveLength(1);
     expect(shownKeys(documentOf(wasp, other), {})).toHaveLength(10);

@@ -90,7 +90,7 @@ describe('a take on another character', () => {
     );
   });
 
-  it('does so from centimetres with z up to metres with y up, and back', () => {
+  it('a take on another character does so from centimetres with z up to metres with y up, and back', () => {
     const tall = person({ size: 100, zUp: true });
     const small = person({ droop: 0.5 });
     fc.assert(
@@ -113,7 +113,7 @@ describe('a take on another character', () => {
     );
   });
 
-  it.each(['quaternion', ...EULER_ORDERS] as const)('turns joints that are %s', (kind) => {
+  it.each(['quaternion', ...EULER_ORDERS] as const)('a take on another character turns joints that are %s', (kind) => {
     const source = person();
     const target = person({
       droop: 0.7,
@@ -128,7 +128,7 @@ describe('a take on another character', () => {
     );
   });
 
-  it('is the very same pose on the very same skeleton', () => {
+  it('a take on another character is the very same pose on the very same skeleton', () => {
     const source = person();
     fc.assert(
       fc.property(anyPose, ([place, angles]) => {
@@ -196,7 +196,7 @@ describe('the way of the hips', () => {
     return values;
   };
 
-  it('is scaled by the length of the legs, and who stands stands', () => {
+  it('the way of the hips is scaled by the length of the legs, and who stands stands', () => {
     const source = person({ size: 100 });
     const target = person({ size: 0.5 });
     const sourceSpace: Space = { up: 'y', unit: 'centimetres', lift: 0 };
@@ -208,7 +208,7 @@ describe('the way of the hips', () => {
     expect(toe).toBeCloseTo(0.5 * 0.03, 9);
   });
 
-  it('is scaled by what one says', () => {
+  it('the way of the hips is scaled by what one says', () => {
     const person1 = person();
     const { own } = put({ source: person1, target: person1, options: { ...FREE, scale: 2 } }, row(person1, 1, 0.9, 0));
     expect(own.points[0]).toBeCloseTo(2, 9);
@@ -216,7 +216,7 @@ describe('the way of the hips', () => {
 });
 
 describe('planted feet', () => {
-  it('are where the source’s are in proportion, with shins too short for rotations alone', () => {
+  it('planted feet are where the source’s are in proportion, with shins too short for rotations alone', () => {
     const source = person();
     const odd = person({ size: 0.7 });
     // The same legs, but for shins that are longer and thighs that are shorter than in proportion.

@@ -12,7 +12,7 @@ const mesh = finish(weld(positions, triangles));
 const matrix = finish(laplacian(mesh));
 
 describe('the Laplacian of a closed surface', () => {
-  it('has rows that sum to 0, and areas that sum to the surface', () => {
+  it('the Laplacian of a closed surface has rows that sum to 0, and areas that sum to the surface', () => {
     for (let i = 0; i < mesh.vertexCount; i++) {
       let sum = matrix.diagonal[i];
       for (let e = matrix.start[i]; e < matrix.start[i + 1]; e++) sum -= matrix.values[e];
@@ -25,7 +25,7 @@ describe('the Laplacian of a closed surface', () => {
     expect(area).toBeCloseTo(24 * side * 3 + 2 * cap, 9);
   });
 
-  it('is symmetric', () => {
+  it('the Laplacian of a closed surface is symmetric', () => {
     const at = (i: number, j: number) => {
       for (let e = matrix.start[i]; e < matrix.start[i + 1]; e++) if (matrix.columns[e] === j) return matrix.values[e];
       return 0;

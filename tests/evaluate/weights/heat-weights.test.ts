@@ -49,7 +49,7 @@ describe('weights of a tube over three joints', () => {
     });
   });
 
-  it('are even at a joint, and change little by little around it', () => {
+  it('weights of a tube over three joints are even at a joint, and change little by little around it', () => {
     for (const [ring, before, after] of [
       [10, 0, 1],
       [20, 1, 2],
@@ -61,7 +61,7 @@ describe('weights of a tube over three joints', () => {
     }
   });
 
-  it('are the same all around', () => {
+  it('weights of a tube over three joints are the same all around', () => {
     for (let v = 0; v < around * (along + 1); v++) {
       for (let joint = 0; joint < 3; joint++) {
         const first = weightOf(attachments, v - (v % around), joint);
@@ -110,7 +110,7 @@ describe('two legs that stand closer than they are wide', () => {
     return worst;
   }
 
-  it('follow their own bones alone', () => {
+  it('two legs that stand closer than they are wide follow their own bones alone', () => {
     expect(bleeding(weigh(legs, bones).attachments)).toBe(0);
   });
 
@@ -142,7 +142,7 @@ describe('two legs that stand closer than they are wide', () => {
 });
 
 describe('a body put together from parts', () => {
-  it('is seen through where they overlap, as one inside', () => {
+  it('a body put together from parts is seen through where they overlap, as one inside', () => {
     // An arm that begins in the middle of the trunk: the trunk's bone is seen through the arm's skin.
     const trunk = tube({ around: 16, along: 12, radius: 1, length: 4 });
     const upright = tube({ around: 12, along: 16, radius: 0.3, length: 4 });
@@ -226,7 +226,7 @@ describe('weights', () => {
     }
   });
 
-  it('are all of the one joint where there is one', () => {
+  it('weights are all of the one joint where there is one', () => {
     const mesh = tube({ around: 6, along: 2, radius: 1, length: 1 });
     const { attachments } = weigh(
       mesh,
@@ -247,7 +247,7 @@ describe('weights', () => {
     expect(weightOf(attachments, v, 1)).toBeGreaterThan(weightOf(attachments, v, 0));
   });
 
-  it('are there for a mesh far larger than its skeleton, and for one without a triangle', () => {
+  it('weights are there for a mesh far larger than its skeleton, and for one without a triangle', () => {
     const mesh = tube({ around: 8, along: 8, radius: 500, length: 2000 });
     expectPartition(weigh(mesh, chain(0, 0.5, 1)).attachments, mesh.positions.length / 3, 4);
     const points = { positions: mesh.positions, triangles: new Uint32Array(0) };

@@ -81,7 +81,7 @@ describe('a last joint without box, in a tube', () => {
     );
   });
 
-  it('has a bone to the tube’s end', () => {
+  it('a last joint without box, in a tube has a bone to the tube’s end', () => {
     const bones = bonesFrom(
       [
         [0, 0, 0],
@@ -97,7 +97,7 @@ describe('a last joint without box, in a tube', () => {
     expect(y).toBeLessThanOrEqual(length + SAME);
   });
 
-  it('has a limb that goes back beside the one that it hangs on', () => {
+  it('a last joint without box, in a tube has a limb that goes back beside the one that it hangs on', () => {
     // Down again beside the first half: its vertices are the nearest to the first bone, which they do not see.
     const other = tube({ around, along: 20, radius: 0.4, length: 4, at: [1, 0] });
     const bar = tube({ around, along: 6, radius: 0.4, length: 1.8 });
@@ -146,7 +146,7 @@ describe('the bone of a last joint', () => {
     expect(isPoint(grown(bare, bonesFrom(centre)).ends, 0)).toBe(true);
   });
 
-  it('is left alone where it has a length', () => {
+  it('the bone of a last joint is left alone where it has a length', () => {
     const mesh = tube({ around: 8, along: 8, radius: 0.5, length: 4 });
     const bones = bonesFrom(
       [
@@ -251,7 +251,7 @@ describe('the crawler without its boxes', () => {
   };
   const { attachments } = finish(heatWeights(skin, bones, 4));
 
-  it('has its last joints’ limbs', () => {
+  it('the crawler without its boxes has its last joints’ limbs', () => {
     const [ours, theirs] = [dominated(attachments, joints.length), dominated(made, joints.length)];
     joints.forEach((_, j) => {
       if (isLast(j)) expect(ours[j]).toBeGreaterThan(theirs[j] / 2);
@@ -299,7 +299,7 @@ describe('a body with two arms and two wings that mirror each other', () => {
   );
   const { attachments } = finish(heatWeights(mesh, bones, 16));
 
-  it('has weights that do', () => {
+  it('a body with two arms and two wings that mirror each other has weights that do', () => {
     for (let v = 0; v < count; v++) {
       for (let joint = 0; joint < 11; joint++) {
         const other = joint === 0 ? 0 : joint > 5 ? joint - 5 : joint + 5;
@@ -309,7 +309,7 @@ describe('a body with two arms and two wings that mirror each other', () => {
     }
   });
 
-  it('has limbs at all four last joints', () => {
+  it('a body with two arms and two wings that mirror each other has limbs at all four last joints', () => {
     const main = dominated(attachments, 11);
     for (const joint of [4, 5, 9, 10]) expect(main[joint]).toBeGreaterThan(20);
   });
@@ -332,7 +332,7 @@ describeShared('the wasp, whose joints have no boxes', () => {
     });
   });
 
-  it('has as many vertices on the left as on the right', () => {
+  it('the wasp, whose joints have no boxes has as many vertices on the left as on the right', () => {
     joints.forEach(({ name }, j) => {
       const other = joints.findIndex((joint) => joint.name === name.replace(/_r$/, '_l'));
       expect(ours[j], name).toBe(ours[other]);

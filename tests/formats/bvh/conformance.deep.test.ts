@@ -110,7 +110,7 @@ describeShared('the motion capture files of the reference', () => {
   describe.each(Object.entries(files))('%s', (name, file) => {
     const { value: figures = [], diagnostics } = readBvh(sharedBytes(`data/bvh/${name}`), name);
 
-    it('has the hierarchy, the channels and the frames that are written', () => {
+    it(`${name} has the hierarchy, the channels and the frames that are written`, () => {
       const parents = figures.flatMap(({ skeleton }) => skeleton.joints.map(({ parent }) => parent));
       const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
       const nodes = file.nodes.filter(([, , channels]) => channels !== null);
@@ -128,18 +128,18 @@ describeShared('the motion capture files of the reference', () => {
       }
     });
 
-    it('warns where the declared frames are not those there are, and of nothing else', () => {
+    it(`${name} warns where the declared frames are not those there are, and of nothing else`, () => {
       const expected = file.frames === file.declared ? [] : ['count-mismatch'];
       expect(diagnostics.filter((d) => d.severity !== 'info').map((d) => d.code)).toEqual(expected);
     });
 
-    it('rests as the offsets say, however position channels are taken', () => {
+    it(`${name} rests as the offsets say, however position channels are taken`, () => {
       for (const positions of ['replace', 'add'] as const) {
         expectPositions(taking(figures, positions), 'rest', file, file.rest);
       }
     });
 
-    it.each(Object.keys(file.positions))('has joints and End Sites where they belong, frame %s', (frame) => {
+    it.each(Object.keys(file.positions))(`${name} has joints and End Sites where they belong, frame %s`, (frame) => {
       expectPositions(taking(figures, 'replace'), Number(frame), file, file.positions[frame]);
       const added = file.positions_add?.[frame];
       if (added) expectPositions(taking(figures, 'add'), Number(frame), file, added);
@@ -147,7 +147,7 @@ describeShared('the motion capture files of the reference', () => {
       expectPositions(figures, Number(frame), file, file.positions[frame]);
     });
 
-    it('reads the same in pieces of any size', () => {
+    it(`${name} reads the same in pieces of any size`, () => {
       const bytes = sharedBytes(`data/bvh/${name}`);
       const whole = { value: { kind: 'bvh', figures }, diagnostics };
       for (const size of [997, 65536]) {
@@ -161,7 +161,7 @@ describeShared('the motion capture files of the reference', () => {
 describeShared('the broken motion capture files of the reference', () => {
   const { malformed } = conformance<{ malformed: readonly MalformedCase[] }>('bvh-positions.json');
 
-  it.each(malformed)('$file: $what', ({ file, accept_lines: lines, outcome }) => {
+  it.each(malformed)('the broken file $file: $what', ({ file, accept_lines: lines, outcome }) => {
     const bytes = sharedBytes(`data/bvh/malformed/${file}`);
     const result = readBvh(bytes, file);
     const problems = result.diagnostics.filter((d) => d.severity !== 'info');

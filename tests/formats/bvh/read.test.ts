@@ -99,7 +99,7 @@ describe('the hierarchy of a .bvh', () => {
       'OFFSET 0 0 0\nCHANNELS 0\nEnd Site\n{\nJOINT a\n{\nOFFSET 0 0 0\nCHANNELS 0\n}\n',
       'brace-missing 8:1',
     ],
-  ])('refuses %s, where it stands', (_, inner, expected) => {
+  ])('the hierarchy of a .bvh refuses %s, where it stands', (_, inner, expected) => {
     const result = bvh(hierarchy(inner) + motion('not even looked at\n'));
     expect(result.value).toBeUndefined();
     expect(told(result)).toEqual([`error ${expected}`]);
@@ -116,7 +116,7 @@ describe('the hierarchy of a .bvh', () => {
     ['no Frames', `${THREE}MOTION\nFrame Time: 1\n1 2 3\n`, 'frames-missing 13:1'],
     ['no Frame Time', `${THREE}MOTION\nFrames: 1\n1 2 3\n`, 'frame-time-missing 13:1'],
     ['no number of frames', `${THREE}MOTION\nFrames: many\nFrame Time: 1\n1 2 3\n`, 'not-a-number 12:9'],
-  ])('refuses %s', (_, text, expected) => {
+  ])('the hierarchy of a .bvh refuses %s', (_, text, expected) => {
     const result = bvh(text);
     expect(result.value).toBeUndefined();
     expect(told(result)).toEqual([`error ${expected}`]);
@@ -145,7 +145,7 @@ describe('the hierarchy of a .bvh', () => {
 describe('several roots in a .bvh', () => {
   const root = (name: string, channels: string) => `ROOT ${name}\n{\nOFFSET 0 0 0\nCHANNELS ${channels}\n}\n`;
 
-  it('are figures of their own, each with its columns of the rows', () => {
+  it('several roots in a .bvh are figures of their own, each with its columns of the rows', () => {
     const { value } = bvh(
       `HIERARCHY\n${root('a', '2 Zrotation Xposition')}${root('b', '0')}${root('a', '1 Xrotation')}${motion('1 2 3\n4 5 6\n')}`,
     );
@@ -160,7 +160,7 @@ describe('several roots in a .bvh', () => {
 });
 
 describe('the samples of a .bvh', () => {
-  it('are the rows in degrees and file units, under a channel for each DOF', () => {
+  it('the samples of a .bvh are the rows in degrees and file units, under a channel for each DOF', () => {
     const channels = '6 Xposition Yposition Zposition Zrotation Xrotation Yrotation';
     const { value } = bvh(hierarchy(`OFFSET 0 0 0\nCHANNELS ${channels}\n`) + motion('1 2 3 90 0 0\n4 5 6 0 0 -90\n'));
     const clip = value?.[0].clip;
@@ -205,14 +205,14 @@ describe('the samples of a .bvh', () => {
     ['no rows', '', 0],
     ['no rows where some are declared', '\n \n', 5],
     ['a part of a row', '1 2', 1],
-  ])('are none for %s: a skeleton without a clip, and a warning', (_, text, frames) => {
+  ])('the samples of a .bvh are none for %s: a skeleton without a clip, and a warning', (_, text, frames) => {
     const result = rows(text, frames);
     expect(result.diagnostics.map((d) => `${d.severity} ${d.code}`)).toContain('warning frames-none');
     expect(result.value?.[0]).not.toHaveProperty('clip');
     expect(result.value?.[0].skeleton.joints).toHaveLength(1);
   });
 
-  it('are none where there are no channels', () => {
+  it('the samples of a .bvh are none where there are no channels', () => {
     const result = bvh(hierarchy('OFFSET 0 0 0\nCHANNELS 0\n') + motion('1 2\n', 1));
     expect(result.value?.[0]).not.toHaveProperty('clip');
     expect(result.diagnostics.map((d) => d.code)).toEqual(['frames-none', 'rows-end']);
@@ -228,7 +228,7 @@ describe('rows of a .bvh', () => {
     }
   });
 
-  it('have no fraction of one: that is an error, as of every count', () => {
+  it('rows of a .bvh have no fraction of one: that is an error, as of every count', () => {
     const result = rows('1 2 3\n4 5 6\n', 2.5);
     expect(told(result)).toEqual(['error count-fractional 12:9']);
     expect(result.value).toBeUndefined();
@@ -242,7 +242,7 @@ describe('rows of a .bvh', () => {
     ['with CR CR LF', '1 2 3\r\r\n4 5 6\r\r\n'],
     ['without a last line end', '1 2 3\n4 5 6'],
     ['in every spelling', '+1 2. 3e0\n04 .5E+1 6.000'],
-  ])('are read %s', (_, text) => {
+  ])('rows of a .bvh are read %s', (_, text) => {
     const result = rows(text);
     expect(result.diagnostics).toEqual([]);
     expect(valuesOf(result)).toEqual([1, 2, 3, 4, 5, 6]);
@@ -265,7 +265,7 @@ describe('rows of a .bvh', () => {
     ['a brace is among them', '1 } 3\n', `not-a-number ${ROW - 1}:3`],
     ['words stand between rows', '1 2 3\nand then\n1 2 3\n', `row-expected ${ROW}:1`],
     ['Frames comes again', '1 2 3\nFrames: 2\n1 2 3\n', `row-expected ${ROW}:1`],
-  ])('are refused when %s', (_, text, expected) => {
+  ])('rows of a .bvh are refused when %s', (_, text, expected) => {
     const result = rows(text);
     expect(result.value).toBeUndefined();
     expect(told(result)).toEqual([`error ${expected}`]);

@@ -25,7 +25,7 @@ function content(figures: readonly Figure[]) {
 }
 
 describe('a figure of BVH written and read', () => {
-  it('is the same to the last bit, and written again the same bytes', () => {
+  it('a figure of BVH written and read is the same to the last bit, and written again the same bytes', () => {
     fc.assert(
       fc.property(anyFigure(finite).filter(hasChannels), (figure) => {
         const { text } = writeBvh([figure], 'x.bvh');

@@ -18,7 +18,7 @@ import {
 import { typedUnits } from '../../../src/ui/state/angles.ts';
 
 describe('exact', () => {
-  it('reads back the same', () => {
+  it('exact reads back the same', () => {
     fc.assert(
       fc.property(fc.double({ noNaN: true, noDefaultInfinity: true }), (value) => {
         expect(parseNumber(exact(value))).toBe(value === 0 ? 0 : value);
@@ -101,7 +101,7 @@ describe('parseNumber', () => {
     ['1e2+1e-2', 100.01],
     ['pi/2', Math.PI / 2],
     ['-(2)', -2],
-  ])('reads %s', (text, value) => {
+  ])('parseNumber reads %s', (text, value) => {
     expect(parseNumber(text)).toBe(value);
   });
 
@@ -131,7 +131,7 @@ describe('parseNumber', () => {
     '()',
     '45°',
     'constructor',
-  ])('takes %s for no number', (text) => {
+  ])('parseNumber takes %s for no number', (text) => {
     expect(parseNumber(text)).toBeUndefined();
   });
 });
@@ -161,11 +161,11 @@ describe('units', () => {
     expect(parseNumber('0.5rad', inRadians)).toBe(0.5);
   });
 
-  it.each(['12 x', '12 degr', '° 12', '12°°', '12 m', 'rad'])('takes %s for no angle', (text) => {
+  it.each(['12 x', '12 degr', '° 12', '12°°', '12 m', 'rad'])('units takes %s for no angle', (text) => {
     expect(parseNumber(text, inDegrees)).toBeUndefined();
   });
 
-  it('are none where no angle is shown', () => {
+  it('units are none where no angle is shown', () => {
     expect(parseNumber('45°', typedUnits('length', 'degrees'))).toBeUndefined();
   });
 });

@@ -37,7 +37,7 @@ beforeEach(() => {
 });
 
 describe('PassingTime', () => {
-  it('is over once, after its time', () => {
+  it('PassingTime is over once, after its time', () => {
     time.begin();
     clock.goOn(99);
     expect(overs).toBe(0);
@@ -46,7 +46,7 @@ describe('PassingTime', () => {
     expect(overs).toBe(1);
   });
 
-  it('begins again with another message', () => {
+  it('PassingTime begins again with another message', () => {
     time.begin();
     clock.goOn(60);
     time.begin();
@@ -79,7 +79,7 @@ describe('PassingTime', () => {
     expect(overs).toBe(1);
   });
 
-  it('is never over once it has ended, and is not held by one that has gone from under the pointer', () => {
+  it('PassingTime is never over once it has ended, and is not held by one that has gone from under the pointer', () => {
     time.begin();
     time.hold(true);
     time.end();

@@ -6,7 +6,7 @@ const labels = (scale: Parameters<typeof rulerTicks>[0]) =>
   rulerTicks(scale).flatMap((tick) => (tick.label === undefined ? [] : [tick.label]));
 
 describe('rulerTicks', () => {
-  it('labels round seconds', () => {
+  it('rulerTicks labels round seconds', () => {
     const scale = { fromSeconds: -0.1, toSeconds: 2.1, width: 600, spacing: 60 };
     expect(labels(scale)).toEqual(['0', '0.5', '1', '1.5', '2']);
   });
@@ -30,7 +30,7 @@ describe('rulerTicks', () => {
     expect(close.map((t) => t.label)).toEqual(['0', '1', '2', '3']);
   });
 
-  it('has no ticks where there is no time or no room', () => {
+  it('rulerTicks has no ticks where there is no time or no room', () => {
     expect(rulerTicks({ fromSeconds: 1, toSeconds: 1, width: 100, spacing: 60 })).toEqual([]);
     expect(rulerTicks({ fromSeconds: 0, toSeconds: 1, width: 0, spacing: 60 })).toEqual([]);
     expect(rulerTicks({ fromSeconds: 0, toSeconds: Number.POSITIVE_INFINITY, width: 9, spacing: 60 })).toEqual([]);

@@ -50,7 +50,7 @@ describe('sliderOptions', () => {
     expect(locked).toMatchObject({ span: [-180, 180], bounds: [0, 0], limits: [0, 0] });
   });
 
-  it('takes crossed limits for none', () => {
+  it('sliderOptions takes crossed limits for none', () => {
     const crossed = { ...rx, limit: { min: 1, max: -1 } };
     expect(sliderOptions(crossed, arm, 'degrees')).toMatchObject({ span: [-180, 180] });
     expect(limitText(crossed, arm, 'radians')).toContain('crossed');
@@ -89,7 +89,7 @@ describe('coupleText', () => {
 describe('a typed number that is not taken', () => {
   const held = sliderOptions(limited, arm, 'degrees');
 
-  it('is told the limit that it is beyond, and what holds it', () => {
+  it('a typed number that is not taken is told the limit that it is beyond, and what holds it', () => {
     expect(refusalOf('rx of arm', '90', held)).toBe(
       'rx of arm goes no higher than 45°; 90° was typed. Hold limits, in the Edit menu, keeps it there.',
     );
@@ -99,16 +99,16 @@ describe('a typed number that is not taken', () => {
     );
   });
 
-  it('is told that a DOF is locked', () => {
+  it('a typed number that is not taken is told that a DOF is locked', () => {
     const locked = sliderOptions({ ...rx, limit: { min: 0, max: 0 } }, arm, 'degrees');
     expect(refusalOf('rx', '30', locked)).toMatch(/^rx is held at 0°; 30° was typed/);
   });
 
-  it('is told that it is none', () => {
+  it('a typed number that is not taken is told that it is none', () => {
     expect(refusalOf('rx', 'ten', held)).toBe('rx: “ten” is not a number.');
   });
 
-  it('is none of those within the limits, or where there are none', () => {
+  it('a typed number that is not taken is none of those within the limits, or where there are none', () => {
     expect(refusalOf('rx', '45,0', held)).toBeUndefined();
     expect(refusalOf('rx', '900', sliderOptions(rx, arm, 'degrees'))).toBeUndefined();
   });

@@ -6,12 +6,12 @@ import { GROUPS, MENUS } from '../../../src/ui/state/menus.ts';
 import { channel, character, clip, documentOf, skeleton, workbench } from '../builders.ts';
 
 describe('the list of actions', () => {
-  it('has no id twice', () => {
+  it('the list of actions has no id twice', () => {
     const ids = ACTIONS.map((a) => a.id);
     expect(new Set(ids).size).toBe(ids.length);
   });
 
-  it('has no key twice in one panel', () => {
+  it('the list of actions has no key twice in one panel', () => {
     const taken = ACTIONS.flatMap((a) => (a.shortcuts ?? []).map((key) => `${a.panel ?? 'page'} ${key}`));
     expect(taken.filter((key, i) => taken.indexOf(key) !== i)).toEqual([]);
   });
@@ -30,18 +30,18 @@ describe('the list of actions', () => {
     }
   });
 
-  it('fills every menu', () => {
+  it('the list of actions fills every menu', () => {
     const { wb } = workbench();
     for (const menu of MENUS) expect(actionsOf(wb).some((a) => a.menu?.split('/')[0] === menu)).toBe(true);
   });
 
-  it('has the page’s samples', () => {
+  it('the list of actions has the page’s samples', () => {
     const { wb } = workbench();
     const ids = actionsOf(wb).map((a) => a.id);
     expect(ids).toContain('sample.walker');
   });
 
-  it('has work that an earlier page left behind, for as long as there is some', () => {
+  it('the list of actions has work that an earlier page left behind, for as long as there is some', () => {
     const { wb } = workbench();
     const inMenu = () => actionsOf(wb).find((a) => a.id === 'session.restore');
     expect(inMenu()).toBeUndefined();

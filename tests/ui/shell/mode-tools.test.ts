@@ -60,7 +60,7 @@ function page() {
 }
 
 describe('the tool of the mode', () => {
-  it('is fetched when the page is idle, and entered when it is there', async () => {
+  it('the tool of the mode is fetched when the page is idle, and entered when it is there', async () => {
     const { fetched, becomeIdle, arrive, log, current } = page();
     expect(fetched()).toEqual([]);
     becomeIdle();
@@ -70,7 +70,7 @@ describe('the tool of the mode', () => {
     expect(current()).toBeDefined();
   });
 
-  it('is the one of the mode that was chosen before the page was idle', async () => {
+  it('the tool of the mode is the one of the mode that was chosen before the page was idle', async () => {
     const { mode, becomeIdle, fetched, arrive, log } = page();
     mode.set('ik');
     becomeIdle();
@@ -79,7 +79,7 @@ describe('the tool of the mode', () => {
     expect(log).toEqual(['+ik']);
   });
 
-  it('is put down when another mode is chosen, and fetched only once', async () => {
+  it('the tool of the mode is put down when another mode is chosen, and fetched only once', async () => {
     const { mode, becomeIdle, arrive, log, fetched } = page();
     becomeIdle();
     await arrive('fk');
@@ -92,7 +92,7 @@ describe('the tool of the mode', () => {
     expect(fetched()).toEqual(['fk', 'rig']);
   });
 
-  it('is not entered where it comes after its mode was left', async () => {
+  it('the tool of the mode is not entered where it comes after its mode was left', async () => {
     const { mode, arrive, log, current } = page();
     mode.set('ik');
     mode.set('rig');
@@ -102,7 +102,7 @@ describe('the tool of the mode', () => {
     expect(current()).toBeDefined();
   });
 
-  it('is entered once where its mode was left and chosen again meanwhile', async () => {
+  it('the tool of the mode is entered once where its mode was left and chosen again meanwhile', async () => {
     const { mode, arrive, log, fetched } = page();
     mode.set('ik');
     mode.set('rig');
@@ -137,7 +137,7 @@ describe('the tool of the mode', () => {
     expect(log).toEqual(['+rig']);
   });
 
-  it('is asked for again where FK itself could not be fetched', async () => {
+  it('the tool of the mode is asked for again where FK itself could not be fetched', async () => {
     const { mode, becomeIdle, arrive, fail, log } = page();
     becomeIdle();
     await fail('fk');
@@ -149,7 +149,7 @@ describe('the tool of the mode', () => {
     expect(log).toEqual(['+ik', '-ik', '+fk']);
   });
 
-  it('is put down with the page, and none comes after', async () => {
+  it('the tool of the mode is put down with the page, and none comes after', async () => {
     const { mode, becomeIdle, arrive, log, current, stop, fetched } = page();
     becomeIdle();
     await arrive('fk');
@@ -161,7 +161,7 @@ describe('the tool of the mode', () => {
     expect(fetched()).toEqual(['fk']);
   });
 
-  it('is not entered where it comes after the page is gone', async () => {
+  it('the tool of the mode is not entered where it comes after the page is gone', async () => {
     const { mode, arrive, log, stop } = page();
     mode.set('ik');
     stop();

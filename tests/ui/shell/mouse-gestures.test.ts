@@ -5,14 +5,14 @@ import { DEFAULT_SETTINGS } from '../../../src/ui/state/settings.ts';
 import { actionFor, shortcutsFor } from '../../../src/ui/state/shortcuts.ts';
 
 describe('what the mouse does', () => {
-  it('is listed once in each place', () => {
+  it('what the mouse does is listed once in each place', () => {
     for (const { lines } of MOUSE_GESTURES) {
       const names = lines.map(([what]) => what);
       expect(new Set(names).size).toBe(names.length);
     }
   });
 
-  it('is told a Mac by its own keys', () => {
+  it('what the mouse does is told a Mac by its own keys', () => {
     expect(macText('Ctrl+click or Alt+drag')).toBe('⌘ click or ⌥ drag');
     expect(macText('Shift+wheel')).toBe('Shift+wheel');
   });

@@ -41,7 +41,7 @@ describe('a refusal', () => {
     expect(unread()).toEqual([]);
   });
 
-  it('is not kept by a drag that was given up, nor by a document from elsewhere', () => {
+  it('a refusal is not kept by a drag that was given up, nor by a document from elsewhere', () => {
     const drag = wb.store.begin('Drag');
     drag.preview(renameCharacter.run(drag.base, named('be')));
     wb.messages.note('Amid.', 'warning');
@@ -57,7 +57,7 @@ describe('a refusal', () => {
 });
 
 describe('what a step leaves as it is', () => {
-  it('is an error, a warning that has to be read, and what is wrong with files', () => {
+  it('what a step leaves as it is is an error, a warning that has to be read, and what is wrong with files', () => {
     wb.messages.note('Broken.', 'error');
     wb.messages.note('Full.', 'warning', 'until read');
     const place = { file: 'a.skel', line: 1, column: 1, code: 'odd', severity: 'warning', message: 'Odd.' } as const;

@@ -30,7 +30,7 @@ describe('a skin without weights', () => {
   const found = (characters: readonly ReturnType<typeof character>[], characterId?: string) =>
     withoutWeights({ ...EMPTY_DOCUMENT, characters }, characterId === undefined ? {} : { characterId })?.id;
 
-  it('is pointed out, of the character that is selected first', () => {
+  it('a skin without weights is pointed out, of the character that is selected first', () => {
     expect(found([first, second])).toBe('c1');
     expect(found([first, second], 'c2')).toBe('c2');
   });

@@ -44,7 +44,7 @@ describe('Messages', () => {
     expect(messages.list.get()).toEqual([]);
   });
 
-  it('says the same notice once', () => {
+  it('Messages says the same notice once', () => {
     const messages = new Messages();
     messages.note('Not allowed.', 'warning');
     messages.note('Not allowed.', 'warning');
@@ -110,7 +110,7 @@ describe('an opening', () => {
 });
 
 describe('as text', () => {
-  it('is what a compiler prints', () => {
+  it('as text is what a compiler prints', () => {
     const text = diagnosticText(diagnostic({ assumed: 'used 0', excerpt: { text: '\toffset x', caret: 8 } }));
     expect(text).toBe(
       'a.skel:3:11: error number-expected: Expected a number, found "x". (used 0)\n  \toffset x\n  \t       ^',

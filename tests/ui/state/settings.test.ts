@@ -9,7 +9,7 @@ describe('parseSettings', () => {
     },
   );
 
-  it('reads back what was written', () => {
+  it('parseSettings reads back what was written', () => {
     const settings = {
       ...DEFAULT_SETTINGS,
       theme: 'light' as const,
@@ -67,14 +67,14 @@ describe('rememberedSettings', () => {
     return { store: store as unknown as Storage, writes };
   }
 
-  it('is next time what it was left as', () => {
+  it('rememberedSettings is next time what it was left as', () => {
     const { store } = storage();
     rememberedSettings(() => store).update((s) => ({ ...s, theme: 'dark' }));
     vi.runAllTimers();
     expect(rememberedSettings(() => store).get().theme).toBe('dark');
   });
 
-  it('writes a drag once', () => {
+  it('rememberedSettings writes a drag once', () => {
     const { store, writes } = storage();
     const settings = rememberedSettings(() => store);
     for (let width = 200; width < 300; width++) {

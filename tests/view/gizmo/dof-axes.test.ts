@@ -106,7 +106,7 @@ function check(axis: DofAxis, now: Float64Array, slope: Float64Array, stretches:
 }
 
 describe('the axes of a joint’s DOFs', () => {
-  it('are those about and along which it moves, for every kind of joint', () => {
+  it('the axes of a joint’s DOFs are those about and along which it moves, for every kind of joint', () => {
     fc.assert(
       fc.property(posed, fc.boolean(), fc.constantFrom(1 as const, -1 as const), ([of, values], asRoot, mirror) => {
         const { skeleton, dofs, joint: index } = rigOf(of, values, asRoot);
@@ -125,7 +125,7 @@ describe('the axes of a joint’s DOFs', () => {
     );
   });
 
-  it('are gimbal rings: what is applied first is turned by what comes after', () => {
+  it('the axes of a joint’s DOFs are gimbal rings: what is applied first is turned by what comes after', () => {
     const { skeleton, dofs, joint: index } = rigOf({ kind: 'ball', order: 'xyz' }, [0.3, 0.5, 0.7], true);
     const placement = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
     const [, , , rx, ry, rz] = dofAxes(skeleton, index, dofs, worldOf(skeleton, dofs), placement);
@@ -135,7 +135,7 @@ describe('the axes of a joint’s DOFs', () => {
     expectClose(rx.axis, [cy * cz, cy * sz, -sy], BY_DIFFERENCES);
   });
 
-  it('have a direction across them that the DOF itself does not turn', () => {
+  it('the axes of a joint’s DOFs have a direction across them that the DOF itself does not turn', () => {
     const zeroAt = (angle: number) => {
       const { skeleton, dofs, joint: index } = rigOf({ kind: 'hinge', axis: [1, 2, 3] }, [angle], false);
       return dofAxes(skeleton, index, dofs, worldOf(skeleton, dofs), placementOf(1))[0];

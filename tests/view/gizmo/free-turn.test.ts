@@ -141,7 +141,7 @@ describe('turning freely', () => {
     expect(made.result[3]).toBeLessThan(0);
   });
 
-  it('is not for joints of fewer axes, nor where a couple ties an angle', () => {
+  it('turning freely is not for joints of fewer axes, nor where a couple ties an angle', () => {
     const hinge = rigOf({ kind: 'hinge', axis: [1, 0, 0] }, [0]).skeleton;
     expect(freeTurn(hinge, 1)).toBeUndefined();
     const { skeleton } = rigOf({ kind: 'ball', order: 'xyz' }, [0, 0, 0]);

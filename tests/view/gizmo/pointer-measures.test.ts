@@ -39,7 +39,7 @@ describe('a ring that faces the viewer', () => {
 });
 
 describe('a ring seen aslant', () => {
-  it('stays under the pointer', () => {
+  it('a ring seen aslant stays under the pointer', () => {
     const axis: Vec3 = [Math.SQRT1_2, 0, Math.SQRT1_2];
     // Points of the ring, by angle from y on: y · cos + (axis × y) · sin.
     const at = (angle: number): [number, number] => {
@@ -75,7 +75,7 @@ describe('other ways of a hand', () => {
     expect(measure(520, 330)).toBeCloseTo(1, 9);
   });
 
-  it('does not slide along what points at the viewer', () => {
+  it('other ways of a hand does not slide along what points at the viewer', () => {
     const measure = slideMeasure(flat, [0, 0, 1], ORIGIN, 400, 300);
     expect(measure(500, 300)).toBe(0);
   });

@@ -37,7 +37,7 @@ const facing = handle(1, 'turn', [0, 0, 1], [1, 0, 0]);
 const onEdge = handle(2, 'turn', [1, 0, 0], [0, 0, 1]);
 
 describe('a gizmo on the screen', () => {
-  it('has rings of the same size at any distance', () => {
+  it('a gizmo on the screen has rings of the same size at any distance', () => {
     const far: Projection = {
       ...view,
       unitsPerPixel: () => 1,
@@ -49,18 +49,18 @@ describe('a gizmo on the screen', () => {
     }
   });
 
-  it('is not there where the joint is behind the viewer', () => {
+  it('a gizmo on the screen is not there where the joint is behind the viewer', () => {
     expect(layOut({ ...joint([facing]), pivot: [0, 0, 20] }, view)).toBeUndefined();
   });
 
-  it('has the far half of a ring behind, and nothing of one that faces the viewer', () => {
+  it('a gizmo on the screen has the far half of a ring behind, and nothing of one that faces the viewer', () => {
     const layout = laid([facing, onEdge]);
     expect(layout.shapes[0].isBehind.some((b) => b)).toBe(false);
     const behind = layout.shapes[1].isBehind.filter((b) => b).length;
     expect(behind).toBe(layout.shapes[1].isBehind.length / 2);
   });
 
-  it('is taken hold of by the line that is nearest', () => {
+  it('a gizmo on the screen is taken hold of by the line that is nearest', () => {
     const layout = laid([facing, onEdge], true);
     expect(handleAt(layout, 400 + 90 * Math.SQRT1_2, 300 - 90 * Math.SQRT1_2)).toEqual({ kind: 'dof', dof: 1 });
     expect(handleAt(layout, 403, 330)).toEqual({ kind: 'dof', dof: 2 });
@@ -72,11 +72,11 @@ describe('a gizmo on the screen', () => {
     expect(handleAt(layout, 400 + 118, 300, 10)).toEqual({ kind: 'view' });
   });
 
-  it('has no ball where the joint can’t turn freely', () => {
+  it('a gizmo on the screen has no ball where the joint can’t turn freely', () => {
     expect(handleAt(laid([facing]), 440, 300)).toBeUndefined();
   });
 
-  it('has arrows by their length, and none to drag along the line of sight', () => {
+  it('a gizmo on the screen has arrows by their length, and none to drag along the line of sight', () => {
     const layout = laid([handle(0, 'slide', [0, 1, 0], [1, 0, 0]), handle(1, 'slide', [0, 0, 1], [1, 0, 0])]);
     expect(handleAt(layout, 402, 230)).toEqual({ kind: 'dof', dof: 0 });
     expect(layout.shapes[1].isAway).toBe(true);
@@ -84,7 +84,7 @@ describe('a gizmo on the screen', () => {
     expect(handleAt(layout, 400, 295)).toBeUndefined();
   });
 
-  it('has a handle for what has no axis, and one that goes with a shear', () => {
+  it('a gizmo on the screen has a handle for what has no axis, and one that goes with a shear', () => {
     const grow = laid([handle(0, 'grow', [1, 0, 0], [0, 1, 0])]).shapes[0];
     expect(grow.points[2]).toBeGreaterThan(400);
     expect(grow.points[3]).toBeLessThan(300);
@@ -98,14 +98,14 @@ describe('a gizmo on the screen', () => {
 });
 
 describe('the range on a ring', () => {
-  it('is drawn where it is less than a whole turn', () => {
+  it('the range on a ring is drawn where it is less than a whole turn', () => {
     expect(hasArc({ value: 0, min: -1, max: 2 })).toBe(true);
     expect(hasArc({ value: 0, min: -1, max: 1e5 })).toBe(false);
     expect(hasArc({ value: 0, min: -4, max: 4 })).toBe(false);
     expect(hasArc(FREE)).toBe(false);
   });
 
-  it('is counted from where the DOF stands', () => {
+  it('the range on a ring is counted from where the DOF stands', () => {
     const range = { value: 1, min: -0.5, max: 1.5 };
     expect([-1.6, -1.4, 0, 0.4, 0.6].map((angle) => isAllowed(range, angle))).toEqual([false, true, true, true, false]);
     // The same places a turn on.
@@ -113,7 +113,7 @@ describe('the range on a ring', () => {
     expect(isAllowed(range, 0.6 - 2 * Math.PI)).toBe(false);
   });
 
-  it('is one place where both limits are the same', () => {
+  it('the range on a ring is one place where both limits are the same', () => {
     const range = { value: 0.3, min: 0.3, max: 0.3 };
     expect([0, 0.01, -0.01].map((angle) => isAllowed(range, angle))).toEqual([true, false, false]);
   });

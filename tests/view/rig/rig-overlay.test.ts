@@ -31,7 +31,7 @@ const places = ({ screen }: RigOverlay, count: number) =>
   screen && Array.from(screen.nodes.subarray(0, 2 * count), Math.round);
 
 describe('handles of a rig', () => {
-  it('are where the next picture has them as soon as another is shown', () => {
+  it('handles of a rig are where the next picture has them as soon as another is shown', () => {
     const overlay = new RigOverlay();
     const two = skeleton(['root', -1], ['joint1', 0]);
     overlay.show(picture(two));

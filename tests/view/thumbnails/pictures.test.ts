@@ -60,7 +60,7 @@ describe('triangles on a small picture', () => {
 });
 
 describe('a character as solid', () => {
-  it('is its skin as it is deformed, else bones, else nothing', () => {
+  it('a character as solid is its skin as it is deformed, else bones, else nothing', () => {
     const skinned = character({ skeleton: skeleton(), skins: [skin()], shownSkin: 0 });
     const solid = solidOf(skinned, [0, 5, 0, 0, 0, 0, 0, 0, 0]);
     expect(solid?.triangles).toBe(skinned.skins[0].triangles);
@@ -91,7 +91,7 @@ describe('a character as solid', () => {
     }
   });
 
-  it('is looked at from its front, as names of sides tell it', () => {
+  it('a character as solid is looked at from its front, as names of sides tell it', () => {
     const sided = (x: number) => ({
       name: 's',
       joints: [

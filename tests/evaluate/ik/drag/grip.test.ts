@@ -27,11 +27,11 @@ describe('the nearest of some places on the screen', () => {
     { x: 10, y: 0 },
     { x: 10, y: 0 },
   ];
-  it('is the nearest within reach, of two in one place the first', () => {
+  it('the nearest of some places on the screen is the nearest within reach, of two in one place the first', () => {
     expect(nearestOnScreen(points, { x: 7, y: 1 }, 10)).toBe(1);
     expect(nearestOnScreen(points, { x: 2, y: 1 }, 10)).toBe(0);
   });
-  it('is none where all are too far, or not to be told', () => {
+  it('the nearest of some places on the screen is none where all are too far, or not to be told', () => {
     expect(nearestOnScreen(points, { x: 40, y: 0 }, 10)).toBe(-1);
     expect(nearestOnScreen([{ x: Number.NaN, y: 0 }], { x: 0, y: 0 }, 10)).toBe(-1);
     expect(nearestOnScreen([], { x: 0, y: 0 }, 10)).toBe(-1);
@@ -39,18 +39,18 @@ describe('the nearest of some places on the screen', () => {
 });
 
 describe('the point of a joint that is seen', () => {
-  it('is the point of its bone that the line passes, within its ends', () => {
+  it('the point of a joint that is seen is the point of its bone that the line passes, within its ends', () => {
     close(seenPoint(BONE, 0, WORLD, ahead(10.01, 1.3), 0.1, true), [0, 1.3, 0]);
     close(seenPoint(BONE, 0, WORLD, ahead(10.01, 2.7), 2, true), [0, 2, 0]);
   });
-  it('is where the line enters its box, off the bone', () => {
+  it('the point of a joint that is seen is where the line enters its box, off the bone', () => {
     close(seenPoint(BONE, 0, WORLD, ahead(10.3, 0.2), 0.1, true), [0.3, 0.2, 0.5]);
   });
-  it('is a point of the bone again where no box is drawn, or it is missed', () => {
+  it('the point of a joint that is seen is a point of the bone again where no box is drawn, or it is missed', () => {
     close(seenPoint(BONE, 0, WORLD, ahead(10.3, 0.2), 0.1, false), [0, 0.2, 0]);
     close(seenPoint(BONE, 0, WORLD, ahead(11, 0.7), 0.1, true), [0, 0.7, 0]);
   });
-  it('is the pivot of a joint without a bone or a box in the way', () => {
+  it('the point of a joint that is seen is the pivot of a joint without a bone or a box in the way', () => {
     close(seenPoint(BONE, 1, WORLD, ahead(14, 4), 0.1, true), [0, 0, 0]);
   });
 });

@@ -15,12 +15,12 @@ function left() {
 }
 
 describe('where pins hold', () => {
-  it('is where they are, if no drag has left them elsewhere', () => {
+  it('where pins hold is where they are, if no drag has left them elsewhere', () => {
     const found = new HeldTargets().targetsOf('c1', { pins: [pin] }, dofs, worldAt(5));
     expect(found.get(4)).toEqual({ position: [5, 1, 0] });
   });
 
-  it('is where a drag has left them, for as long as the pose is as it left it', () => {
+  it('where pins hold is where a drag has left them, for as long as the pose is as it left it', () => {
     const targets = left();
     const at = (pose: Float64Array) => targets.targetsOf('c1', { pins: [pin] }, pose, worldAt(5)).get(4)?.position;
     expect(at(dofs.slice())).toEqual([9, 9, 9]);
@@ -43,7 +43,7 @@ describe('where pins hold', () => {
     expect(found.get(4)?.orientation?.map((v) => Math.abs(v))).toEqual([0, 0, 0, 1]);
   });
 
-  it('is forgotten with its character', () => {
+  it('where pins hold is forgotten with its character', () => {
     const targets = left();
     targets.keepOnly(new Set(['c1']));
     expect(targets.leftOf('c1', dofs)?.hindrance).toBe(HINDRANCE);

@@ -92,7 +92,7 @@ function pull({ skeleton, dragged, pinned, point, way, rootIsFree }: Drag, look:
 }
 
 describe('a pull on any skeleton', () => {
-  it('has numbers, stays within the limits and does not jump, whatever the joints', () => {
+  it('a pull on any skeleton has numbers, stays within the limits and does not jump, whatever the joints', () => {
     fc.assert(
       fc.property(anyDrag, (drag) => {
         const all = characterDofs(drag.skeleton, []);

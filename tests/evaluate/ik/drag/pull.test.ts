@@ -145,7 +145,7 @@ describe('a point that is pulled', () => {
       expect(apart(placeOf(pull.dofs, foot), placeOf(filePose(PERSON, 0), foot))).toBeLessThan(PIN_HOLDS * SIZE);
   });
 
-  it('does not shake where the hand is out of reach and stays there', () => {
+  it('a point that is pulled does not shake where the hand is out of reach and stays there', () => {
     const pull = pullOf(person(), HIPS);
     drag(pull, HIPS, [0.5, 1, 0.4], 20);
     const [x, y, z] = pull.target(2);
@@ -183,7 +183,7 @@ describe('a point that is pulled', () => {
     expect(pull.dofs).toEqual(before);
   });
 
-  it('has settled without a jump, where a leg is all but straight too', () => {
+  it('a point that is pulled has settled without a jump, where a leg is all but straight too', () => {
     const ik: IkSetup = { pins: [], stiff: [{ joint: HIPS }], rootIsFree: false };
     for (const start of [0.3, 0.6, 0.9]) {
       for (const short of [0, 3e-5, 1e-4, 2e-4, 4e-4, 1e-2]) {
@@ -204,7 +204,7 @@ describe('a point that is pulled', () => {
 });
 
 describe('how much a DOF moves', () => {
-  it('is most for what carries the whole, and least for an end', () => {
+  it('how much a DOF moves is most for what carries the whole, and least for an end', () => {
     const list = inertia(PERSON);
     const of = (on: number) => list[3 + 3 * on];
     expect(list[0]).toBe(of(HIPS));
@@ -213,7 +213,7 @@ describe('how much a DOF moves', () => {
     expect(of(FOOT_L)).toBe(1);
   });
 
-  it('is 1 where nothing has a length', () => {
+  it('how much a DOF moves is 1 where nothing has a length', () => {
     const dot: Skeleton = { name: 'dot', joints: [joint('dot', -1, [0, 0, 0])] };
     expect([...inertia(dot)]).toEqual([1, 1, 1, 1, 1, 1]);
   });

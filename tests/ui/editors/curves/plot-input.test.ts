@@ -111,7 +111,7 @@ describe('the keyboard while keys are dragged', () => {
     ['ArrowRight', 'ArrowRight', {}],
     ['Enter', 'Enter', {}],
     ['s', 'KeyS', {}],
-  ])('waits with %s', (key, code, more) => {
+  ])('the keyboard while keys are dragged waits with %s', (key, code, more) => {
     expect(press(key, code, more)).toBe(true);
     beginDrag();
     expect(press(key, code, more)).toBe(false);
@@ -119,12 +119,12 @@ describe('the keyboard while keys are dragged', () => {
     expect(press(key, code, more)).toBe(true);
   });
 
-  it('waits from the press on', () => {
+  it('the keyboard while keys are dragged waits from the press on', () => {
     send('pointerdown', pointer(pointAt(1)));
     expect(press('Delete', 'Delete')).toBe(false);
   });
 
-  it('does not wait while one only looks around', () => {
+  it('the keyboard while keys are dragged does not wait while one only looks around', () => {
     send('pointerdown', pointer({ ...pointAt(1), button: 1 }));
     expect(input.dragging).toBe(true);
     expect(press('f', 'KeyF')).toBe(true);
@@ -185,13 +185,13 @@ describe('scaling', () => {
     expect(wb.timeline.scaling.get()).toBe(false);
   });
 
-  it('is not begun by a key that no action has', () => {
+  it('scaling is not begun by a key that no action has', () => {
     selectKeys(wb, [{ channel: 0, indices: [0, 1, 2] }]);
     press('s', 'KeyS');
     expect(wb.timeline.scaling.get()).toBe(false);
   });
 
-  it('ends with the focus', () => {
+  it('scaling ends with the focus', () => {
     pressScaling();
     element.dispatchEvent(new Event('blur'));
     expect(wb.timeline.scaling.get()).toBe(false);
@@ -206,7 +206,7 @@ describe('Ctrl with a click', () => {
     expect(input.dragging).toBe(true);
   });
 
-  it('is a Mac’s right button, and begins nothing', async () => {
+  it('Ctrl with a click is a Mac’s right button, and begins nothing', async () => {
     vi.stubGlobal('navigator', { userAgent: 'Macintosh' });
     vi.resetModules();
     const mac = await import('../../../../src/ui/editors/curves/plot-input.ts');

@@ -20,7 +20,7 @@ const samplesOf = (frameCount: number, width: number, value: (i: number) => numb
 const noise = (i: number) => Math.sin(i * i * 1.7) * 10 + i / 100;
 
 describe('extremes of samples', () => {
-  it('are those of the frames, whatever stretch is asked for', () => {
+  it('extremes of samples are those of the frames, whatever stretch is asked for', () => {
     const samples = samplesOf(1000, 3, noise);
     const plain = sampleExtremes(samples);
     const built = sampleExtremes({ ...samples, values: samples.values.slice() });
@@ -37,14 +37,14 @@ describe('extremes of samples', () => {
     );
   });
 
-  it('are in model units over time, with the values at both ends', () => {
+  it('extremes of samples are in model units over time, with the values at both ends', () => {
     const samples = samplesOf(3, 2, (i) => [0, 0, 10, 10, 0, 0][i]);
     expect({ ...extremesOver(samples, 0, 1.002, 1.018) }).toEqual({ low: expect.closeTo(1), high: 5 });
     expect({ ...extremesOver(samples, 1, 1.002, 1.018) }).toEqual({ low: -20, high: expect.closeTo(-4) });
     expect({ ...extremesOver(samples, 0, -5, 0) }).toEqual({ low: 0, high: 0 });
   });
 
-  it('are made anew for other values only', () => {
+  it('extremes of samples are made anew for other values only', () => {
     const samples = samplesOf(100, 1, noise);
     expect(sampleExtremes({ ...samples, startSeconds: 9 })).toBe(sampleExtremes(samples));
     expect(sampleExtremes({ ...samples, values: samples.values.slice() })).not.toBe(sampleExtremes(samples));
@@ -89,7 +89,7 @@ describe('a line of samples', () => {
     expect(out.columns.from).toBe(out.columns.to);
   });
 
-  it('is columns that hold every frame, seen from afar', () => {
+  it('a line of samples is columns that hold every frame, seen from afar', () => {
     const clip = clipOf(samplesOf(5000, 2, noise));
     const { samples } = clip;
     const map = mapFrom(0, 60);
@@ -107,7 +107,7 @@ describe('a line of samples', () => {
     }
   });
 
-  it('is held and dotted before the first frame and after the last one', () => {
+  it('a line of samples is held and dotted before the first frame and after the last one', () => {
     const clip = clipOf(samplesOf(50, 1, () => 4));
     const map = mapFrom(0, 4);
     const out = new LineTrace();

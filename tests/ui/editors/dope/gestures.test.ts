@@ -158,7 +158,7 @@ describe('dragging a diamond', () => {
     expect(times(4)).toEqual([1]);
   });
 
-  it('is given up by Escape, without a step', () => {
+  it('dragging a diamond is given up by Escape, without a step', () => {
     const { wb, drag, times } = stage();
     drag(onHips(2), onHips(3))?.cancel();
     expect(times()).toEqual([1, 2, 4]);
@@ -215,7 +215,7 @@ describe('a box', () => {
     expect(keys()).toEqual([{ channel: 3, indices: [2] }]);
   });
 
-  it('is no step of undo, and Escape brings back what was selected', () => {
+  it('a box is no step of undo, and Escape brings back what was selected', () => {
     const { wb, click, drag, keys } = stage();
     click(onHips(1));
     const box = drag(onHips(1.8), onHips(2.2));

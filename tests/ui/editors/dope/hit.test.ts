@@ -29,7 +29,7 @@ const shown: SheetKeys = {
 const middle = (index: number) => rowTop(sheet, index) + 10;
 
 describe('what is under the pointer', () => {
-  it('is all keys that the diamond stands for: the row’s at that time', () => {
+  it('what is under the pointer is all keys that the diamond stands for: the row’s at that time', () => {
     expect(hitSheet(sheet, shown, 502, middle(1))).toEqual({
       kind: 'keys',
       row: 1,
@@ -41,12 +41,12 @@ describe('what is under the pointer', () => {
     });
   });
 
-  it('is a whole column on the summary', () => {
+  it('what is under the pointer is a whole column on the summary', () => {
     const hit = hitSheet(sheet, shown, 500, middle(0));
     expect(hit.kind === 'keys' && hit.keys.map((k) => k.channel)).toEqual([0, 1, 2]);
   });
 
-  it('is the row beside its keys, and nothing below the last row', () => {
+  it('what is under the pointer is the row beside its keys, and nothing below the last row', () => {
     expect(hitSheet(sheet, shown, 500 + REACH + 1, middle(1))).toEqual({ kind: 'row', row: 1 });
     expect(hitSheet(sheet, shown, 500, middle(3))).toEqual({ kind: 'nothing' });
   });
@@ -68,7 +68,7 @@ describe('what is under the pointer', () => {
     expect(hitSheet(scrolled, shown, 900, middle(0))).toMatchObject({ kind: 'keys', row: 0 });
   });
 
-  it('is the ruler above everything', () => {
+  it('what is under the pointer is the ruler above everything', () => {
     expect(hitSheet(sheet, shown, 500, 3)).toEqual({ kind: 'ruler' });
   });
 });

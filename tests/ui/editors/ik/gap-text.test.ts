@@ -12,7 +12,7 @@ const NOTHING: Hindrance = { binding: [], holders: [], locks: [], canMove: true,
 const text = (change: Partial<Hindrance>) => gapText(ch, 2, { ...NOTHING, ...change });
 
 describe('what is in the way of a pin', () => {
-  it('is the limit that binds', () => {
+  it('what is in the way of a pin is the limit that binds', () => {
     expect(text({ binding: [KNEE_L] })).toBe('knee_l rx at its limit');
   });
   it('is named from the pin to the root, others after that, and counted where there are many', () => {
@@ -26,7 +26,7 @@ describe('what is in the way of a pin', () => {
     expect(text({})).toBe('out of reach');
     expect(text({ canMove: false })).toBe('nothing here is free to move');
   });
-  it('is the pins that hold against it, each joint once and never its own', () => {
+  it('what is in the way of a pin is the pins that hold against it, each joint once and never its own', () => {
     expect(text({ holders: [4] })).toBe('out of reach while knee_r holds');
     expect(text({ holders: [4, 5, 4, 2] })).toBe('out of reach while knee_r and joint 5 hold');
     expect(text({ holders: [4, 5, 1, 3] })).toBe('out of reach while knee_r, joint 5 and 2 more hold');
@@ -39,12 +39,12 @@ describe('what is in the way of a pin', () => {
     // Behind its own name.
     expect(text({ locks: [2] })).toBe('it is locked');
   });
-  it('is the root where that could travel and does not', () => {
+  it('what is in the way of a pin is the root where that could travel and does not', () => {
     expect(text({ canMove: false, rootStays: true })).toBe('the root stays: let it travel');
     expect(text({ rootStays: true })).toBe('out of reach while the root stays');
     expect(text({ rootStays: true, holders: [4] })).toBe('out of reach while knee_r holds');
   });
-  it('has one cause, the first that one would change', () => {
+  it('what is in the way of a pin has one cause, the first that one would change', () => {
     const cause = (change: Partial<Hindrance>) => gapCause({ ...NOTHING, ...change });
     expect(cause({ canMove: false, rootStays: true, binding: [1], holders: [2] })).toBe('root');
     expect(cause({ canMove: false })).toBe('locks');

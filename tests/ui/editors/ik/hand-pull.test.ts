@@ -91,7 +91,7 @@ describe('a hand that drags a point', () => {
     expect(wb.store.undoLabel).toBeUndefined();
   });
 
-  it('is over where its pins are changed meanwhile; what it had come to is a step', () => {
+  it('a hand that drags a point is over where its pins are changed meanwhile; what it had come to is a step', () => {
     const { wb, pose } = page;
     const hand = begin();
     go(hand, [0, 0.2, 0]);
@@ -107,7 +107,7 @@ describe('a hand that drags a point', () => {
     expect(wb.store.undoLabel).toBe('Drag body');
   });
 
-  it('is over where the document is changed by something else at all', () => {
+  it('a hand that drags a point is over where the document is changed by something else at all', () => {
     const { wb } = page;
     const hand = begin();
     go(hand, [0, 0.2, 0]);

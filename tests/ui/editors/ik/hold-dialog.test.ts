@@ -22,11 +22,11 @@ function take(channels: Readonly<Record<number, Channel>>) {
 }
 
 describe('what is asked for first when pins are held', () => {
-  it('is all that is played where that is short', () => {
+  it('what is asked for first when pins are held is all that is played where that is short', () => {
     expect(firstRange([1, 2.5], 2)).toEqual([1, 2.5]);
   });
 
-  it('is a step from now on, within what is played', () => {
+  it('what is asked for first when pins are held is a step from now on, within what is played', () => {
     expect(firstRange([0, 6], 2)).toEqual([2, 2.5]);
     expect(firstRange([0, 6], 5.9)).toEqual([5.5, 6]);
     expect(firstRange([0, 6], -3)).toEqual([0, 0.5]);
@@ -46,7 +46,7 @@ describe('what is told of curves that repeated', () => {
     );
   });
 
-  it('is nothing where they go on', () => {
+  it('what is told of curves that repeated is nothing where they go on', () => {
     const after = take({ [TOE_X]: keyed('cycle', 'cycle') });
     expect(writtenOutText(before, { clip: after, channels: [TOE_X] })).toBe('');
   });

@@ -12,7 +12,7 @@ const label = (change: Partial<Label>): Label => ({
 });
 
 describe('labels beside points', () => {
-  it('are one for each pin: what is in its way says whose it is too', () => {
+  it('labels beside points are one for each pin: what is in its way says whose it is too', () => {
     const name = label({});
     const gap = label({ kind: 'gap', text: 'foot: out of reach' });
     const other = label({ of: 'c1 0 2', text: 'hand' });

@@ -13,7 +13,7 @@ beforeEach(() => {
 afterEach(() => page.stop());
 
 describe('the pin in hand', () => {
-  it('is one for each page', () => {
+  it('the pin in hand is one for each page', () => {
     expect(selectedPin(page.wb)?.pin.id).toBe(1);
     expect(selectedPin(ikPage().wb)).toBeUndefined();
   });
@@ -30,7 +30,7 @@ describe('the pin in hand', () => {
     ['the character', { characterId: 'c1' }],
     ['another character', { characterId: 'c2', joint: HAND_L }],
     ['nothing', {}],
-  ])('is let go where %s is selected', (_what, selection) => {
+  ])('the pin in hand is let go where %s is selected', (_what, selection) => {
     page.wb.store.select(selection);
     keepInHand(page.wb, true);
     expect(page.wb.posing.ik.selected.get()).toBeUndefined();
@@ -42,7 +42,7 @@ describe('the pin in hand', () => {
     expect(selectedPin(page.wb)?.pin.id).toBe(1);
   });
 
-  it('is let go with the pin, and does not come back with it', () => {
+  it('the pin in hand is let go with the pin, and does not come back with it', () => {
     const { wb } = page;
     wb.store.apply(unpin, { characterId: 'c1', pins: [1] });
     expect(selectedPin(wb)).toBeUndefined();

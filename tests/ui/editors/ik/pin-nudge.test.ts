@@ -81,7 +81,7 @@ describe('arrow keys', () => {
     expect(apart(page.placeOf(HAND_L), [2.95, 0, 0])).toBeLessThan(THERE);
   });
 
-  it('are left to others without a pin in hand, or with Ctrl', () => {
+  it('arrow keys are left to others without a pin in hand, or with Ctrl', () => {
     expect(press('ArrowLeft', { ctrlKey: true })).toBe(false);
     expect(press('a')).toBe(false);
     page.wb.posing.ik.selected.set(undefined);

@@ -31,7 +31,7 @@ const steps = (to: number, count = 20) => Array.from({ length: count }, (_, i) =
 const hands = () => [HAND_L, HAND_R].map((hand) => page.placeOf(hand));
 
 describe('a DOF set while pins hold', () => {
-  it('is where it is set, and the pinned points stay where they are', () => {
+  it('a DOF set while pins hold is where it is set, and the pinned points stay where they are', () => {
     for (const [dof, to] of [
       [TX, 0.2],
       [TY, -0.25],
@@ -67,7 +67,7 @@ describe('a DOF set while pins hold', () => {
     expect(left?.targets.get(1)?.target.position).toEqual([3, 0, 0]);
   });
 
-  it('is no matter of pins where there are none, or it is none of the joints’', () => {
+  it('a DOF set while pins hold is no matter of pins where there are none, or it is none of the joints’', () => {
     const count = page.pose().length;
     expect(besidePins(page.wb, 'c1', count)).toBeUndefined();
     expect(besidePins(page.wb, 'nobody', 0)).toBeUndefined();

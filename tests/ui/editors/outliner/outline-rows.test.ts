@@ -67,7 +67,7 @@ describe('outlineRows', () => {
     expect(details({})).toEqual(['3 vertices', '3 vertices']);
   });
 
-  it('leaves out what is folded', () => {
+  it('outlineRows leaves out what is folded', () => {
     const folded = (key: string, otherwise: boolean) => (key === 'c1/joint/1' ? false : otherwise);
     expect(text(outlineRows(documentOf(wasp), folded)).slice(2, 5)).toEqual(['    hips', '      leg_l', '      leg_r']);
     const closed = (key: string, otherwise: boolean) => (key === 'c1' ? false : otherwise);

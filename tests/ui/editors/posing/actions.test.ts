@@ -39,7 +39,7 @@ describe('the keys of posing', () => {
     expect(wb.store.selection.characterId).toBeUndefined();
   });
 
-  it('has one line on the page of shortcuts for what Escape leaves', () => {
+  it('the keys of posing has one line on the page of shortcuts for what Escape leaves', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
     expect(lines.map((action) => action.label)).toEqual(['Back to FK, then select nothing']);
@@ -78,7 +78,7 @@ describe('the keys of posing', () => {
 });
 
 describe('the active DOF', () => {
-  it('is one that turns, then the one that was chosen, by its name on the next joint', () => {
+  it('the active DOF is one that turns, then the one that was chosen, by its name on the next joint', () => {
     const { wb, press } = posing();
     wb.store.select({ characterId: 'c1', joint: 0 });
     // tx ty tz of the root come first.
@@ -92,7 +92,7 @@ describe('the active DOF', () => {
     expect(activeDof(wb)).toBe(8);
   });
 
-  it('is none without a joint, nor where a DOF follows another', () => {
+  it('the active DOF is none without a joint, nor where a DOF follows another', () => {
     const { wb } = posing();
     expect(activeDof(wb)).toBeUndefined();
     const couples = [{ dof: 'rx', joint: 0, follows: 'rx', gain: 1, offset: 0 }];

@@ -132,7 +132,7 @@ describe('keying from the menu', () => {
 });
 
 describe('takes', () => {
-  it('are made, copied and removed, each in one step', () => {
+  it('takes are made, copied and removed, each in one step', () => {
     const { wb } = workbench(documentOf(bare), { range: [1, 3] });
     const names = () => wasp(wb).clips.map((c) => c.name);
     runAction(wb, 'take.new');

@@ -31,7 +31,7 @@ const driver: Driver = {
 const puppet = () => character({ name: 'walker', skeleton: BODY, driver });
 
 describe('posing what another take moves', () => {
-  it('is told once, and stays told after the drag that it was told in', () => {
+  it('posing what another take moves is told once, and stays told after the drag that it was told in', () => {
     const { wb } = workbench(documentOf(puppet()));
     const stop = leaveRefusalsBehind(wb);
     const [own] = wb.store.document.characters;
@@ -49,7 +49,7 @@ describe('posing what another take moves', () => {
     stop();
   });
 
-  it('is not told of a character that follows nothing', () => {
+  it('posing what another take moves is not told of a character that follows nothing', () => {
     const own = character({ skeleton: BODY });
     const { wb } = workbench(documentOf(own));
     tellFollows(wb, own, [ARM]);

@@ -24,16 +24,16 @@ const withArrow = () => {
 };
 
 describe('what is under the pointer', () => {
-  it('is the nearest joint', () => {
+  it('what is under the pointer is the nearest joint', () => {
     expect(partAt(screen(), 104, 103)).toEqual({ kind: 'joint', joint: 0 });
     expect(partAt(screen(), 293, 100)).toEqual({ kind: 'joint', joint: 2 });
   });
 
-  it('is a bone between joints, by the joint that it starts from', () => {
+  it('what is under the pointer is a bone between joints, by the joint that it starts from', () => {
     expect(partAt(screen(), 250, 103)).toEqual({ kind: 'bone', joint: 1 });
   });
 
-  it('is nothing on ground, nor what is behind the camera', () => {
+  it('what is under the pointer is nothing on ground, nor what is behind the camera', () => {
     expect(partAt(screen(), 150, 130)).toBeUndefined();
     expect(partAt(screen(), 400, 100)).toBeUndefined();
   });
@@ -46,7 +46,7 @@ describe('what is under the pointer', () => {
     expect(partAt(screen({ arrows, nodes }), 268, 100)).toEqual({ kind: 'arrow', axis: 0 });
   });
 
-  it('is a face of the box before an arrow through it', () => {
+  it('what is under the pointer is a face of the box before an arrow through it', () => {
     const faces = NOTHING.slice();
     faces.set([180, 100, 220, 100]);
     expect(partAt(screen({ arrows: withArrow(), faces }), 222, 100)).toEqual({ kind: 'face', axis: 0, side: 'max' });
@@ -70,7 +70,7 @@ describe('what is under the pointer', () => {
     expect(partAt(screen({ nodes, selected: undefined }), 100, 100)).toEqual({ kind: 'joint', joint: 3 });
   });
 
-  it('is found further away by a finger', () => {
+  it('what is under the pointer is found further away by a finger', () => {
     expect(partAt(screen(), 100, 118)).toBeUndefined();
     expect(partAt(screen(), 100, 118, { byTouch: true })).toEqual({ kind: 'joint', joint: 0 });
   });

@@ -6,7 +6,7 @@ import { skeleton } from '../../builders.ts';
 const named = (...names: readonly string[]): Skeleton => skeleton(...names.map((name, j) => [name, j - 1] as const));
 
 describe('what is said of a joint’s name', () => {
-  it('is how a file writes it, where it can’t be written as it is', () => {
+  it('what is said of a joint’s name is how a file writes it, where it can’t be written as it is', () => {
     expect(nameNote({ skeleton: named('left arm{') }, 0)).toBe('Saved as “left_arm_”.');
     expect(nameNote({ skeleton: named('left_arm') }, 0)).toBe('');
   });
@@ -19,7 +19,7 @@ describe('what is said of a joint’s name', () => {
     expect(nameNote({ skeleton: bvh }, 1)).toBe('Saved as “_”.');
   });
 
-  it('is that another joint is called so, which is no fault', () => {
+  it('what is said of a joint’s name is that another joint is called so, which is no fault', () => {
     const twice = { skeleton: named('a b', 'c', 'a b') };
     expect(nameNote(twice, 2)).toBe(
       'Saved as “a_b”. Another joint is called so too; they are told apart by their numbers.',

@@ -19,12 +19,12 @@ import { skeleton } from '../../builders.ts';
 const { joints } = skeleton(['root', -1], ['spine', 0], ['head', 1], ['leg_l', 0], ['foot_l', 3], ['leg_r', 0]);
 
 describe('what a joint can hang on', () => {
-  it('is all but itself and what hangs on it', () => {
+  it('what a joint can hang on is all but itself and what hangs on it', () => {
     expect(possibleParents(joints, 3)).toEqual([0, 1, 2, 5]);
     expect(possibleParents(joints, 2)).toEqual([0, 1, 3, 4, 5]);
   });
 
-  it('is nothing for the root, and for joints that are not there', () => {
+  it('what a joint can hang on is nothing for the root, and for joints that are not there', () => {
     expect(possibleParents(joints, 0)).toEqual([]);
     expect([canHangOn(joints, 9, 0), canHangOn(joints, 1, -1), canHangOn(joints, 1, 9)]).toEqual([false, false, false]);
   });
@@ -63,7 +63,7 @@ function preOrder(parents: readonly number[]): { parent: number }[] {
 describe('why a joint stays where it is dropped', () => {
   const named = joints.map((one, j) => ({ ...one, name: j === 4 ? '' : `j${j}` }));
 
-  it('is told where it would hang on what hangs on it', () => {
+  it('why a joint stays where it is dropped is told where it would hang on what hangs on it', () => {
     expect(whyNoDrop(named, 3, 4)).toBe('j3 can’t hang on joint 4, which hangs on it.');
     expect(whyNoDrop(named, 1, 2)).toBe('j1 can’t hang on j2, which hangs on it.');
   });
@@ -78,7 +78,7 @@ describe('why a joint stays where it is dropped', () => {
 });
 
 describe('a joint dropped on a row', () => {
-  it('is above it, on it, or below it', () => {
+  it('a joint dropped on a row is above it, on it, or below it', () => {
     expect([0.1, 0.5, 0.9].map(rowPart)).toEqual(['above', 'on', 'below']);
   });
 
@@ -92,7 +92,7 @@ describe('a joint dropped on a row', () => {
     expect(dropPlace(joints, 1, 5, 'below', false)).toEqual({ parent: 0 });
   });
 
-  it('is the first child of a row that is unfolded, when it is let go below it', () => {
+  it('a joint dropped on a row is the first child of a row that is unfolded, when it is let go below it', () => {
     expect(dropPlace(joints, 5, 3, 'below', true)).toEqual({ parent: 3, before: 4 });
   });
 

@@ -30,7 +30,7 @@ function compared() {
 }
 
 describe('the distance of two compared takes', () => {
-  it('is measured once it can be seen', async () => {
+  it('the distance of two compared takes is measured once it can be seen', async () => {
     const { measuring, next } = compared();
     expect(measuring.result.get()).toBeUndefined();
     const result = next();
@@ -57,7 +57,7 @@ describe('the distance of two compared takes', () => {
     expect(measuring.result.get()?.match.first).toHaveLength(3);
   });
 
-  it('ends with the comparison', async () => {
+  it('the distance of two compared takes ends with the comparison', async () => {
     const { wb, measuring, next } = compared();
     let result = next();
     measuring.setVisible(true);

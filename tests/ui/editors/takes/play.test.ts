@@ -64,7 +64,7 @@ describe('the next take', () => {
     expect(seen()).toEqual(['c']);
   });
 
-  it('is counted in its own frames, and stops on one of them', () => {
+  it('the next take is counted in its own frames, and stops on one of them', () => {
     const frames = { ...clip('d', [], [0, 1]), samples: framesOf(101, 0.01) };
     const { wb } = bench(take('d', [0, 1], { clips: [frames] }));
     runAction(wb, 'take.previous');
@@ -94,7 +94,7 @@ describe('the next take', () => {
     expect(wb.store.selection).toEqual({ characterId: 'd', joint: 1 });
   });
 
-  it('is played at its offset', () => {
+  it('the next take is played at its offset', () => {
     const { wb } = bench();
     wb.store.replace('x', {
       document: documentOf(take('a', [0, 1], { timeOffsetSeconds: 0.25 })),
@@ -126,7 +126,7 @@ describe('chosen takes', () => {
     expect(wb.store.document.characters[0].timeOffsetSeconds).toBe(0);
   });
 
-  it('are hidden by a key of the list, and come back by it', () => {
+  it('chosen takes are hidden by a key of the list, and come back by it', () => {
     const { wb, seen } = bench();
     wb.timeline.takes.change({ chosen: new Set(['a/0', 'c/0']), focused: 'c/0' });
     runAction(wb, 'take.toggleShown');
@@ -138,7 +138,7 @@ describe('chosen takes', () => {
     expect(seen()).toEqual(['a', 'c']);
   });
 
-  it('are hidden and shown one by one', () => {
+  it('chosen takes are hidden and shown one by one', () => {
     const { wb, seen } = bench();
     toggleShown(wb, listOfTakes(wb)[1]);
     expect(seen()).toEqual(['a', 'c']);
@@ -146,7 +146,7 @@ describe('chosen takes', () => {
     expect(seen()).toEqual(['a', 'b', 'c']);
   });
 
-  it('are removed, and the list goes on to the one after them', () => {
+  it('chosen takes are removed, and the list goes on to the one after them', () => {
     const { wb } = bench();
     const rows = listOfTakes(wb);
     remove(wb, [rows[0], rows[1]]);
@@ -158,7 +158,7 @@ describe('chosen takes', () => {
 });
 
 describe('two takes that are compared', () => {
-  it('are all that is seen, in their common time', () => {
+  it('two takes that are compared are all that is seen, in their common time', () => {
     const { wb, seen } = bench();
     const rows = listOfTakes(wb);
     compareTakes(wb, rows[1], rows[2]);
@@ -171,7 +171,7 @@ describe('two takes that are compared', () => {
     expect(wb.timeline.takes.comparison.get()).toBeUndefined();
   });
 
-  it('are put back where they were when that is over, in no step of its own', () => {
+  it('two takes that are compared are put back where they were when that is over, in no step of its own', () => {
     const { wb } = bench(take('d', [0, 1], { placements: [{ ...DEFAULT_PLACEMENT, position: [5, 0, 0] }] }));
     const before = wb.store.document;
     wb.transport.update((p) => ({ ...p, range: [0.25, 3] }));
@@ -184,7 +184,7 @@ describe('two takes that are compared', () => {
     expect([wb.store.undoLabel, wb.store.redoLabel]).toEqual([undefined, 'Compare a with d']);
   });
 
-  it('are compared no longer once that is undone, and again once it is redone', () => {
+  it('two takes that are compared are compared no longer once that is undone, and again once it is redone', () => {
     const { wb } = bench();
     runAction(wb, 'play.wholeRange');
     const before = wb.store.document;
@@ -247,7 +247,7 @@ describe('two takes that are compared', () => {
     expect(drawn.map((c) => characterIdOf(c.id))).toEqual(['d', 'd']);
   });
 
-  it('end with one of them', () => {
+  it('two takes that are compared end with one of them', () => {
     const { wb } = bench();
     const rows = listOfTakes(wb);
     compareTakes(wb, rows[0], rows[1]);
@@ -256,7 +256,7 @@ describe('two takes that are compared', () => {
     expect(drawnDocument(wb.store.document, wb.timeline.takes.comparison.get())).toBe(wb.store.document);
   });
 
-  it('are refused where they have no joint in common', () => {
+  it('two takes that are compared are refused where they have no joint in common', () => {
     const other = skeleton(2);
     const joints = other.joints.map((j) => ({ ...j, name: `other ${j.name}` }));
     const { wb, seen } = bench(take('d', [0, 1], { skeleton: { ...other, joints } }));

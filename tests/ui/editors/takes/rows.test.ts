@@ -40,7 +40,7 @@ const document = documentOf(
 describe('the rows of takes', () => {
   const rows = takeRows(document);
 
-  it('are one for each take of each character', () => {
+  it('the rows of takes are one for each take of each character', () => {
     expect(rows.map((r) => [r.key, r.name, r.character, r.isShown, r.file])).toEqual([
       ['c1/0', 'walk_10', '', true, 'day1/walk_10.bvh'],
       ['c2/0', 'walk_2', 'wasp', false, 'walk_2.anim'],
@@ -59,7 +59,7 @@ describe('the rows of takes', () => {
     expect(takeRows(documentOf({ ...c1, isHidden: true }))[0]).toMatchObject({ isShown: false, isHidden: true });
   });
 
-  it('are the same objects as long as their character is', () => {
+  it('the rows of takes are the same objects as long as their character is', () => {
     const [, c2] = document.characters;
     const next = takeRows({ ...document, characters: [c2] });
     expect(next[0]).toBe(rows[1]);

@@ -24,13 +24,13 @@ const all = { list: 'all', pinned: [], filter: '' } as const;
 const numbers = (list: readonly { channel: number }[]) => list.map((c) => c.channel);
 
 describe('listed channels', () => {
-  it('are the selected joint’s, with the root’s translation for the root', () => {
+  it('listed channels are the selected joint’s, with the root’s translation for the root', () => {
     const list = { ...all, list: 'selected' } as const;
     expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 1 }, list))).toEqual([6, 7, 8]);
     expect(numbers(listedChannels(walker, { characterId: 'c1', joint: 0 }, list))).toEqual([0, 1, 2, 3, 4, 5]);
   });
 
-  it('are all where no joint of this character is selected', () => {
+  it('listed channels are all where no joint of this character is selected', () => {
     const list = { ...all, list: 'selected' } as const;
     expect(listedChannels(walker, {}, list)).toHaveLength(10);
     expect(listedChannels(walker, { characterId: 'other', joint: 1 }, list)).toHaveLength(10);
@@ -45,7 +45,7 @@ describe('listed channels', () => {
     expect(follows).toEqual(Array.from({ length: 10 }, (_, i) => (i === 7 ? 'hips rx' : undefined)));
   });
 
-  it('are called by joint and DOF, morphs by their own name, what drives nothing by its number', () => {
+  it('listed channels are called by joint and DOF, morphs by their own name, what drives nothing by its number', () => {
     const more = { ...walker, clips: [clip([0, 1], ...Array.from({ length: 12 }, keyed))] };
     const named = listedChannels(more, {}, all).map(channelName);
     expect(named[0]).toBe('hips tx');
@@ -53,16 +53,16 @@ describe('listed channels', () => {
     expect(named.slice(9)).toEqual(['smile', 'channel 10', 'channel 11']);
   });
 
-  it('are found by every word of the filter, in any order', () => {
+  it('listed channels are found by every word of the filter, in any order', () => {
     expect(numbers(listedChannels(walker, {}, { ...all, filter: 'rx leg' }))).toEqual([6]);
     expect(numbers(listedChannels(walker, {}, { ...all, filter: 'nothing' }))).toEqual([]);
   });
 
-  it('are those that were pinned, if there still is such a channel', () => {
+  it('listed channels are those that were pinned, if there still is such a channel', () => {
     expect(numbers(listedChannels(walker, {}, { ...all, list: 'pinned', pinned: [2, 7, 99] }))).toEqual([2, 7]);
   });
 
-  it('are there without any animation, with no keys', () => {
+  it('listed channels are there without any animation, with no keys', () => {
     const bare = { ...walker, clips: [] };
     expect(listedChannels(bare, {}, all).map((c) => c.keyCount)).toEqual(new Array(10).fill(0));
   });
@@ -71,15 +71,15 @@ describe('listed channels', () => {
 describe('drawn channels', () => {
   const list = listedChannels(walker, { characterId: 'c1', joint: 0 }, { ...all, list: 'selected' });
 
-  it('are those with keys that are not hidden', () => {
+  it('drawn channels are those with keys that are not hidden', () => {
     expect(drawnChannels(list, { hidden: [0] })).toEqual([1, 2, 3, 5]);
   });
 
-  it('are only the isolated ones, even if they were hidden', () => {
+  it('drawn channels are only the isolated ones, even if they were hidden', () => {
     expect(drawnChannels(list, { hidden: [0], isolated: [0, 3] })).toEqual([0, 3]);
   });
 
-  it('are all again when what was isolated is not listed any more', () => {
+  it('drawn channels are all again when what was isolated is not listed any more', () => {
     expect(drawnChannels(list, { hidden: [], isolated: [8] })).toEqual([0, 1, 2, 3, 5]);
   });
 });

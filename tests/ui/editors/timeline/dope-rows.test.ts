@@ -58,11 +58,11 @@ it('folds a group out to its channels', () => {
 describe('rows without keys', () => {
   const some = wasp(none, none, none, none, key, none, none, none, none, none);
 
-  it('are left out', () => {
+  it('rows without keys are left out', () => {
     expect(rows(some, { unfolded: [0] })).toEqual(['summary: 4', 'hips: 4', '  ry: 4']);
   });
 
-  it('are there where all are asked for', () => {
+  it('rows without keys are there where all are asked for', () => {
     expect(rows(some, { all: true, unfolded: [0] })).toEqual([
       'summary: 0 1 2 3 4 5 6 7 8 9',
       'Root translation: 0 1 2',
@@ -75,7 +75,7 @@ describe('rows without keys', () => {
     ]);
   });
 
-  it('are no channels in view', () => {
+  it('rows without keys are no channels in view', () => {
     expect(keyedChannels(some, '')).toEqual([4]);
   });
 

@@ -27,10 +27,10 @@ const WAYS: readonly (readonly [string, () => void])[] = [
   ['not listed', () => wb.timeline.change({ list: 'pinned', pinned: [0] })],
 ];
 
-describe.each(WAYS)('keys of a curve that is %s', (_how, hide) => {
+describe.each(WAYS)('keys of a curve that is %s', (how, hide) => {
   beforeEach(() => hide());
 
-  it('are not in hand, until they are in view again', () => {
+  it(`keys of a curve that is ${how} are not in hand, until they are in view again`, () => {
     expect(keysInHand(wb)).toEqual([SHOWN]);
     wb.timeline.isolate(undefined);
     wb.timeline.change({ hidden: [], filter: '', list: 'all' });
@@ -48,19 +48,19 @@ describe.each(WAYS)('keys of a curve that is %s', (_how, hide) => {
     'timeline.break',
     'dope.rippleLater',
     'timeline.euler',
-  ])('are not touched by %s, and stay selected', (id) => {
+  ])(`keys of a curve that is ${how} are not touched by %s, and stay selected`, (id) => {
     const before = held(1);
     runAction(wb, id);
     expect(held(1)).toBe(before);
     expect(wb.store.selection.keys).toContainEqual(HIDDEN);
   });
 
-  it('are not copied', () => {
+  it(`keys of a curve that is ${how} are not copied`, () => {
     runAction(wb, 'timeline.copy');
     expect(wb.timeline.copied?.channels.map((c) => c.channel)).toEqual([0]);
   });
 
-  it('go with the rest when something else is selected', () => {
+  it(`keys of a curve that is ${how} go with the rest when something else is selected`, () => {
     selectKeys(wb, [{ channel: 0, indices: [2] }]);
     expect(selectedKeys(wb)).toEqual([{ channel: 0, indices: [2] }]);
   });

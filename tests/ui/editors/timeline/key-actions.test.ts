@@ -43,7 +43,7 @@ describe('selecting', () => {
     expect(keysInHand(wb)).toEqual([]);
   });
 
-  it('leaves hidden channels alone', () => {
+  it('selecting leaves hidden channels alone', () => {
     wb.timeline.change({ hidden: [0, 3] });
     run('selectAll');
     expect(keysInHand(wb).map((k) => k.channel)).toEqual([1]);
@@ -58,7 +58,7 @@ describe('selecting', () => {
     expect(keysInHand(wb).map((k) => k.channel)).toEqual([0, 1, 3]);
   });
 
-  it('is said in a sentence', () => {
+  it('selecting is said in a sentence', () => {
     run('selectHere');
     expect(selectedText(wb)).toBe('1 key of hips tx, at 1 s');
     run('selectAll');

@@ -32,7 +32,7 @@ beforeEach(() => {
 });
 
 describe('another period', () => {
-  it('is said of whatever makes it: keying, auto-key, typed times, deleted and added keys', () => {
+  it('another period is said of whatever makes it: keying, auto-key, typed times, deleted and added keys', () => {
     keyNow(wb, 'c1', [0]);
     expect(said()).toBe('hips tx now repeats every 3 s instead of every 2 s.');
     wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [3] }], timeSeconds: 0 });
@@ -48,12 +48,12 @@ describe('another period', () => {
     expect(said()).toBe('hips ty now repeats every 6 s instead of every 5 s.');
   });
 
-  it('is said of several channels at once', () => {
+  it('another period is said of several channels at once', () => {
     keyNow(wb, 'c1');
     expect(said()).toBe('2 channels, hips tx among them, now repeat every 3 s instead of every 2 s.');
   });
 
-  it('is said at the end of a drag, and not while it lasts nor when it is given up', () => {
+  it('another period is said at the end of a drag, and not while it lasts nor when it is given up', () => {
     const drag = wb.store.begin('Move');
     drag.preview(moveKeys.run(drag.base, { ...last, seconds: 1 }));
     expect(said()).toBeUndefined();
@@ -86,7 +86,7 @@ describe('another period', () => {
     expect(said()).toBeUndefined();
   });
 
-  it('is not said of undo and redo, nor of files that are read again', () => {
+  it('another period is not said of undo and redo, nor of files that are read again', () => {
     keyNow(wb, 'c1', [0]);
     said();
     wb.store.undo();
@@ -95,7 +95,7 @@ describe('another period', () => {
     expect(said()).toBeUndefined();
   });
 
-  it('is none where all keys moved together, nothing repeats, or no two keys are left', () => {
+  it('another period is none where all keys moved together, nothing repeats, or no two keys are left', () => {
     const all = [{ channel: 0, indices: [0, 1, 2] }];
     wb.store.apply(moveKeys, { characterId: 'c1', keys: all, seconds: 0.1 });
     wb.store.apply(addKey, { characterId: 'c1', channel: 2, timeSeconds: 3, value: 0 });

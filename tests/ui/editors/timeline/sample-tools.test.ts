@@ -27,7 +27,7 @@ describe('the message line', () => {
 });
 
 describe('numbers in the dialogs', () => {
-  it('are called by the unit of the character', () => {
+  it('numbers in the dialogs are called by the unit of the character', () => {
     const units = (['asIs', 'centimetres', 'metres', 'inches', 'millimetres', 'own'] as const).map((unit) =>
       lengthUnit({ space: { ...DEFAULT_SPACE, unit } }),
     );
@@ -44,7 +44,7 @@ describe('numbers in the dialogs', () => {
     [24000 / 1001, 23.976],
     [12.5, 12.5],
     [0.2, 0.2],
-  ])('are rates as one says them: %d is %d', (rate, shown) => {
+  ])('numbers in the dialogs are rates as one says them: %d is %d', (rate, shown) => {
     expect(shownRate(rate)).toBe(shown);
   });
 });

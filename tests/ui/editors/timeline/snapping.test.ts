@@ -37,7 +37,7 @@ describe('snapping to values', () => {
     expect(snapValue(1, 0.123, 0)).toBe(0.123);
   });
 
-  it('has steps of round degrees, not of round radians', () => {
+  it('snapping to values has steps of round degrees, not of round radians', () => {
     const degrees = 180 / Math.PI;
     for (const pixelsPerUnit of [3, 40, 700]) {
       const step = valueStep(pixelsPerUnit, degrees) * degrees;
@@ -46,7 +46,7 @@ describe('snapping to values', () => {
     }
   });
 
-  it('has steps that a mouse can tell apart, also where a curve is drawn upside down', () => {
+  it('snapping to values has steps that a mouse can tell apart, also where a curve is drawn upside down', () => {
     for (const pixelsPerUnit of [1e-3, 5, 1e6, -5]) {
       expect(valueStep(pixelsPerUnit, 1) * Math.abs(pixelsPerUnit)).toBeGreaterThanOrEqual(12 - 1e-9);
     }
@@ -54,13 +54,13 @@ describe('snapping to values', () => {
 });
 
 describe('steps of the arrow keys', () => {
-  it('are a degree where angles are shown in degrees, else a hundredth', () => {
+  it('steps of the arrow keys are a degree where angles are shown in degrees, else a hundredth', () => {
     expect(nudgeStep('angle', true, undefined)).toBeCloseTo(Math.PI / 180, 15);
     expect(nudgeStep('angle', false, undefined)).toBe(0.01);
     expect(nudgeStep('weight', true, undefined)).toBe(0.01);
   });
 
-  it('are about a hundredth of the character for its lengths', () => {
+  it('steps of the arrow keys are about a hundredth of the character for its lengths', () => {
     const joints = skeleton(['hips', -1], ['spine', 0]).joints;
     const tall = (height: number) => ({
       name: 'tall',
@@ -74,7 +74,7 @@ describe('steps of the arrow keys', () => {
 });
 
 describe('frames of a time', () => {
-  it('are whole but for rounding', () => {
+  it('frames of a time are whole but for rounding', () => {
     expect(framesOf(0.1 + 0.2, 10)).toBe(3);
     expect(framesOf(0.25, 10)).toBe(2.5);
   });

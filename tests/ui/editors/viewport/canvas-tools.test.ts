@@ -118,7 +118,7 @@ describe('a press in the viewport', () => {
     expect(canvas.focused).toBe(2);
   });
 
-  it('is a click of the tool’s where it wants that one', () => {
+  it('a press in the viewport is a click of the tool’s where it wants that one', () => {
     const { pointer, picked } = page({ press: () => undefined, click: ({ clientX }) => clientX === 7 });
     for (const x of [7, 8]) {
       pointer('pointerdown', x, 0);
@@ -136,7 +136,7 @@ describe('a press in the viewport', () => {
 });
 
 describe('a drag of a tool', () => {
-  it('is given up by Escape, and what comes after is nobody’s', () => {
+  it('a drag of a tool is given up by Escape, and what comes after is nobody’s', () => {
     const { tool, said } = leftTool();
     const { pointer, key, picked } = page(tool);
     pointer('pointerdown', 10, 10);
@@ -149,7 +149,7 @@ describe('a drag of a tool', () => {
     expect(key('Escape')).toBe(false);
   });
 
-  it('keeps the keyboard waiting', () => {
+  it('a drag of a tool keeps the keyboard waiting', () => {
     const { pointer, key } = page(leftTool().tool);
     expect(key('z')).toBe(false);
     pointer('pointerdown', 10, 10);
@@ -158,7 +158,7 @@ describe('a drag of a tool', () => {
     expect(key('z')).toBe(false);
   });
 
-  it('is not disturbed by another button or finger', () => {
+  it('a drag of a tool is not disturbed by another button or finger', () => {
     const { tool, said } = leftTool();
     const { pointer } = page(tool);
     pointer('pointerdown', 10, 10);
@@ -169,7 +169,7 @@ describe('a drag of a tool', () => {
     expect(said).toEqual(['end 15']);
   });
 
-  it('is told how many fingers are down', () => {
+  it('a drag of a tool is told how many fingers are down', () => {
     const counts: number[] = [];
     const { tool } = leftTool();
     const { pointer } = page({

@@ -97,7 +97,7 @@ describe('hit-testing', () => {
 });
 
 describe('handles', () => {
-  it('are as long on screen whatever the slope, and give it back where they are', () => {
+  it('handles are as long on screen whatever the slope, and give it back where they are', () => {
     const slopes = fc.double({ min: -50, max: 50, noNaN: true });
     fc.assert(
       fc.property(slopes, fc.constantFrom('in' as const, 'out' as const), (slope, side) => {
@@ -143,7 +143,7 @@ describe('handles', () => {
     expect(handlesOf(scene([channel]))).toEqual([]);
   });
 
-  it('are not drawn for hundreds of keys at once', () => {
+  it('handles are not drawn for hundreds of keys at once', () => {
     const many = keyed(Array.from({ length: 1000 }, (_, i) => [i / 250, 0]));
     expect(handlesOf(scene([many], { selected: [{ channel: 0, indices: [...many.times.keys()] }] }))).toEqual([]);
   });

@@ -38,7 +38,7 @@ const hero = character({
 });
 
 describe('lines', () => {
-  it('are called by joint and DOF, by morph, or by number', () => {
+  it('lines are called by joint and DOF, by morph, or by number', () => {
     expect(sceneLines(hero, [0, 3, 8, 9, 10, 99], false).map((l) => l.name)).toEqual([
       'hips tx',
       'hips rx',
@@ -62,12 +62,12 @@ describe('lines', () => {
     expect(sceneLines(hero, [4], true, kept)[0].normalise).toEqual({ scale: 7, shift: 1 });
   });
 
-  it('have limits where the DOF has any', () => {
+  it('lines have limits where the DOF has any', () => {
     expect(sceneLines(hero, [3], false)[0].limit).toBeUndefined();
     expect(sceneLines(hero, [9], false)[0].limit).toEqual({ min: 0, max: 1 });
   });
 
-  it('tell joints apart', () => {
+  it('lines tell joints apart', () => {
     const colours = sceneLines(hero, [3, 6], false).map((l) => cssColour(l.colour));
     expect(colours).toEqual(['var(--axis-x)', 'color-mix(in oklab, var(--axis-x), var(--text) 34%)']);
   });

@@ -49,7 +49,7 @@ describe('the space of the curves', () => {
     );
   });
 
-  it('moves along with the pointer', () => {
+  it('the space of the curves moves along with the pointer', () => {
     const next = pan(SPACE, 30, -12);
     expect(xOf(next, timeAt(SPACE, 100))).toBeCloseTo(130, 9);
     expect(yOf(next, metres, valueAt(SPACE, metres, 100))).toBeCloseTo(88, 9);

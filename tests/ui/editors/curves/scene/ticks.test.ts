@@ -17,7 +17,7 @@ describe('value ticks', () => {
     expect(labels(0, 0.0101, 170, false)).toEqual(['0', '0.002', '0.004', '0.006', '0.008', '0.01']);
   });
 
-  it('are exactly where they say, in model units', () => {
+  it('value ticks are exactly where they say, in model units', () => {
     for (const { value, label } of valueTicks({ low: -2, high: 2 }, 300, 30, true)) {
       if (label) expect((value * 180) / Math.PI).toBeCloseTo(Number(label.replace('−', '-').replace('°', '')), 9);
     }
@@ -34,7 +34,7 @@ describe('value ticks', () => {
     }
   });
 
-  it('are none on an axis without extent', () => {
+  it('value ticks are none on an axis without extent', () => {
     expect(valueTicks({ low: 1, high: 1 }, 300, 30, true)).toEqual([]);
     expect(valueTicks({ low: 0, high: Number.POSITIVE_INFINITY }, 300, 30, false)).toEqual([]);
   });

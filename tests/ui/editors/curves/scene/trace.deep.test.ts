@@ -123,7 +123,7 @@ describe('a traced line', () => {
     );
   });
 
-  it('has columns that hold everything the evaluator gives in them, and nothing else', () => {
+  it('a traced line has columns that hold everything the evaluator gives in them, and nothing else', () => {
     const samples = 300;
     fc.assert(
       fc.property(anyChannel(60, 2), anyMap(10, 400), fc.constantFrom(1, 2), (c, map, perPixel) => {
@@ -174,7 +174,7 @@ const view = (more: Partial<TraceMap> = {}): TraceMap => ({
 });
 
 describe('a line of many keys', () => {
-  it('is drawn as columns no taller than the curve in them', () => {
+  it('a line of many keys is drawn as columns no taller than the curve in them', () => {
     const { line } = trace(
       steady(30_001, (i) => Math.sin(i / 3000)),
       view({ perSecond: 1 }),
@@ -199,7 +199,7 @@ describe('a line of many keys', () => {
     expect(line.columns.tops[76]).toBeCloseTo(122, 3);
   });
 
-  it('is a path again when looked at closely', () => {
+  it('a line of many keys is a path again when looked at closely', () => {
     const { line } = trace(
       steady(20_001, (i) => Math.sin(i)),
       view({ perSecond: 3000, left: 50 }),
@@ -211,7 +211,7 @@ describe('a line of many keys', () => {
 });
 
 describe('what is extrapolated', () => {
-  it('is a band of all its values where a pixel holds very many periods', () => {
+  it('what is extrapolated is a band of all its values where a pixel holds very many periods', () => {
     const channel = steady(5, (i) => [0, 1, -1, 0.5, 0][i], { extrapolateOut: 'cycle' });
     const { line } = trace(channel, view({ perSecond: 0.01, left: 100 }));
     const own = trace(channel, view({ perSecond: 1e9, left: 0 })).curves;

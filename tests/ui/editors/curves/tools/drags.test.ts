@@ -80,7 +80,7 @@ describe('dragging keys', () => {
     expect([...held(0).times]).toEqual([0, 1, 2]);
   });
 
-  it('does not drift, however often it is moved on the way', () => {
+  it('dragging keys does not drift, however often it is moved on the way', () => {
     const { move, end, to } = drag(0, 1, 25, 0);
     for (let i = 0; i < 50; i++) move(at(to.x + 100 * Math.sin(i), to.y));
     end(to, true);
@@ -154,7 +154,7 @@ describe('dragging keys', () => {
     expect(wb.store.redoLabel).toBeDefined();
   });
 
-  it('does not begin on another take than the one that was pressed in', () => {
+  it('dragging keys does not begin on another take than the one that was pressed in', () => {
     const from = pointOf(0, 1);
     const made = keysDrag(plot, { kind: 'key', channel: 0, index: 1 }, from);
     const [walker] = wb.store.document.characters;

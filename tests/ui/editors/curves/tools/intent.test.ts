@@ -44,7 +44,7 @@ describe('a press in the plot', () => {
     expect(intentOf(press({ scaling: true }), KEY)).toBe('scale');
   });
 
-  it('has a cursor that tells keys from ground, and adding from moving', () => {
+  it('a press in the plot has a cursor that tells keys from ground, and adding from moving', () => {
     expect(cursorOf('keys', press(), false)).toBe('move');
     expect(cursorOf('keys', press({ shift: true }), false)).toBe('copy');
     expect(cursorOf('keys', press({ shift: true }), true)).toBe('move');
