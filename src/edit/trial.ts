@@ -3,7 +3,6 @@
  * kept, no trace when put back. Where something else changes the document first it is put back too, for nobody said yes
  * to it, and the trial is over: what it would do was worked out for a document that is there no more.
  */
-
 import type { Document } from '../model/document.ts';
 import type { Edit, Gesture, Store } from './store.ts';
 

@@ -8,6 +8,7 @@
  * `.skel` knows no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-figure.ts`), which become
  * End Sites again here.
  */
+import { writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { boneEnds } from '../model/bone-ends.ts';
@@ -21,7 +22,7 @@ import { columnOf, RADIANS_PER_DEGREE } from '../model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { eachFrame, type Frames, framesOf, ownFrames, playedClip } from './bake.ts';
 import { type JointPlan, MATRIX_CHANNELS, planJoints } from './bvh-joints.ts';
-import { rotationPart, zxyAngles } from './euler-angles.ts';
+import { zxyAngles } from './euler-angles.ts';
 import { keyFrames } from './key-frames.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
 
@@ -171,7 +172,7 @@ class Figuring {
     worldMatrices(compiled, dofs, world);
     const { joints } = skeleton;
     joints.forEach((_, j) => {
-      if (plans[j].isScaled) rotationPart(world, 16 * j);
+      if (plans[j].isScaled) writeRotationPart(world, 16 * j, world, 16 * j, 4);
     });
     joints.forEach(({ parent }, j) => {
       if (!plans[j].isScaled) return;

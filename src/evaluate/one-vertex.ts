@@ -2,7 +2,6 @@
  * One vertex deformed, exactly as the whole skin would be: a skin of this vertex alone goes through the same evaluation.
  * Deforming a million vertices to read one was the alternative.
  */
-
 import type { Morph, MorphRows } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
 import { blendMorphs, compileSkin, deform } from './deform.ts';

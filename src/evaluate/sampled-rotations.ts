@@ -14,7 +14,7 @@
  * couples, sliders and files alike. The quaternions are kept beside them, for whoever makes the matrices at once.
  */
 import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler } from '../math/euler.ts';
-import { slerpWeight } from '../math/slerp.ts';
+import { slerp } from '../math/slerp.ts';
 import type { Samples } from '../model/samples.ts';
 import { nearEuler, readRows } from './near-eulers.ts';
 import type { SampledJoints } from './sampled-joints.ts';
@@ -85,7 +85,7 @@ function betweenAnyEuler(
     turnAngles(2 * a1, 2 * b1, 2 * c1, part);
   } else if (a0 !== a1 || b0 !== b1 || c0 !== c1) {
     quaternionsOfEulers(a0, b0, c0, a1, b1, c1, here, next);
-    slerp(part);
+    slerp(here, next, part, turned);
     turnAngles(2 * a1, 2 * b1, 2 * c1, part);
     if (known) know(known, 8 * eulerDofs[3 * r], eulerSigns[r], eulerAxes, 3 * r);
   }
@@ -151,7 +151,7 @@ export function betweenQuaternions(
         const hasAfter =
           row + 2 < samples.frameCount && readQuaternion(samples, quaternionColumns, k, row + 2, after) > 0;
         spline(hasBefore, hasAfter, part);
-      } else slerp(part);
+      } else slerp(here, next, part, turned);
       length /= lengthOf(turned);
       if (isTurned && part >= 0.5) length = -length;
     }
@@ -171,18 +171,6 @@ function readQuaternion({ values, scales }: Samples, columns: Int32Array, k: num
 /** `Math.hypot` would allocate. */
 function lengthOf(q: Float64Array): number {
   return Math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-}
-
-/** `turned` on the arc from `here` to `next` or −`next`. */
-function slerp(part: number): void {
-  const cosine = here[0] * next[0] + here[1] * next[1] + here[2] * next[2] + here[3] * next[3];
-  const nearness = cosine < 0 ? -cosine : cosine;
-  const p = slerpWeight(1 - part, nearness);
-  const q = cosine < 0 ? -slerpWeight(part, nearness) : slerpWeight(part, nearness);
-  turned[0] = p * here[0] + q * next[0];
-  turned[1] = p * here[1] + q * next[1];
-  turned[2] = p * here[2] + q * next[2];
-  turned[3] = p * here[3] + q * next[3];
 }
 
 /**

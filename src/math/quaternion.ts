@@ -30,3 +30,36 @@ export function writeRotation(
   out[q + 1] = 2 * (y * z - w * x);
   out[q + 2] = 1 - 2 * (x * x + y * y);
 }
+
+/** The unit quaternion of a rotation's 9 numbers, column-major (Shepperd 1978: divides by the largest part). */
+export function quaternionOfRotation(m: Float64Array, o: number, q: Float64Array): void {
+  const a = m[o];
+  const e = m[o + 4];
+  const i = m[o + 8];
+  const trace = a + e + i;
+  if (trace >= a && trace >= e && trace >= i) {
+    const w = Math.sqrt(Math.max(0, 1 + trace)) / 2;
+    q[3] = w;
+    q[0] = (m[o + 5] - m[o + 7]) / (4 * w);
+    q[1] = (m[o + 6] - m[o + 2]) / (4 * w);
+    q[2] = (m[o + 1] - m[o + 3]) / (4 * w);
+  } else if (a >= e && a >= i) {
+    const x = Math.sqrt(Math.max(0, 1 + a - e - i)) / 2;
+    q[0] = x;
+    q[1] = (m[o + 1] + m[o + 3]) / (4 * x);
+    q[2] = (m[o + 2] + m[o + 6]) / (4 * x);
+    q[3] = (m[o + 5] - m[o + 7]) / (4 * x);
+  } else if (e >= i) {
+    const y = Math.sqrt(Math.max(0, 1 - a + e - i)) / 2;
+    q[1] = y;
+    q[0] = (m[o + 1] + m[o + 3]) / (4 * y);
+    q[2] = (m[o + 5] + m[o + 7]) / (4 * y);
+    q[3] = (m[o + 6] - m[o + 2]) / (4 * y);
+  } else {
+    const z = Math.sqrt(Math.max(0, 1 - a - e + i)) / 2;
+    q[2] = z;
+    q[0] = (m[o + 2] + m[o + 6]) / (4 * z);
+    q[1] = (m[o + 5] + m[o + 7]) / (4 * z);
+    q[3] = (m[o + 1] - m[o + 3]) / (4 * z);
+  }
+}

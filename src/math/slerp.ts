@@ -27,3 +27,15 @@ export function slerpWeight(t: number, cosine: number): number {
   }
   return Math.sin(t * Math.acos(cosine)) / Math.sqrt(1 - cosine * cosine);
 }
+
+/** The quaternion between two of length 1 along the shorter arc, to −`q` where that is nearer; `out` may be either. */
+export function slerp(p: Float64Array, q: Float64Array, t: number, out: Float64Array): void {
+  const cosine = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];
+  const nearness = cosine < 0 ? -cosine : cosine;
+  const a = slerpWeight(1 - t, nearness);
+  const b = cosine < 0 ? -slerpWeight(t, nearness) : slerpWeight(t, nearness);
+  out[0] = a * p[0] + b * q[0];
+  out[1] = a * p[1] + b * q[1];
+  out[2] = a * p[2] + b * q[2];
+  out[3] = a * p[3] + b * q[3];
+}

@@ -18,7 +18,7 @@ import { solve } from '../../evaluate/ik/solve.ts';
 import type { IkProblem } from '../../evaluate/ik/state.ts';
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { slerpWeight } from '../../math/slerp.ts';
+import { slerp } from '../../math/slerp.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
@@ -158,11 +158,9 @@ export function between(a: PinTarget, b: PinTarget, part: number): PinTarget {
 }
 
 function turnBetween(a: Turn, b: Turn, part: number): Turn {
-  const cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
-  const toA = slerpWeight(1 - part, Math.abs(cosine));
-  const toB = (cosine < 0 ? -1 : 1) * slerpWeight(part, Math.abs(cosine));
-  const mix = (k: number) => toA * a[k] + toB * b[k];
-  return [mix(0), mix(1), mix(2), mix(3)];
+  const turn = new Float64Array(4);
+  slerp(Float64Array.from(a), Float64Array.from(b), part, turn);
+  return [turn[0], turn[1], turn[2], turn[3]];
 }
 
 /** How far each joint is from where it was. */

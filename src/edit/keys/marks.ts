@@ -3,7 +3,6 @@
  * long as the sheet is wide, whatever the clip: a channel with far more keys in view than there are pixels is jumped
  * through, from one pixel's edge to the next, by binary search (as the scrubber's `key-buckets.ts` does).
  */
-
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';

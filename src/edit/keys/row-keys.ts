@@ -4,7 +4,6 @@
  *
  * Times here are the CLIP's; the sheet shows the transport's, which are less by the character's offset.
  */
-
 import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';

@@ -5,7 +5,7 @@
 
 import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
-import { slerpWeight } from '../../math/slerp.ts';
+import { slerp } from '../../math/slerp.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { quaternionDofs } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -54,7 +54,7 @@ function blendQuaternions(
     p[k] = from[at + k] / lengths[0];
     q[k] = to[at + k] / lengths[1];
   }
-  slerp(share);
+  slerp(p, q, share, p);
   // As long as both are, on the way from one length to the other.
   const length = lengths[0] + share * (lengths[1] - lengths[0]);
   for (let k = 0; k < 4; k++) out[at + k] = length * p[k];
@@ -74,7 +74,7 @@ function blendEulers(
   const half = sign / 2;
   quaternionOfEuler(half * from[a], half * from[b], half * from[c], p, 0);
   quaternionOfEuler(half * to[a], half * to[b], half * to[c], q, 0);
-  slerp(share);
+  slerp(p, q, share, p);
   applied.forEach((dof, i) => {
     angles[i] = sign * from[dof];
   });
@@ -82,16 +82,6 @@ function blendEulers(
   applied.forEach((dof, i) => {
     out[dof] = sign * angles[i];
   });
-}
-
-/** p becomes what lies between p and q, or −q where that is nearer. */
-function slerp(share: number): void {
-  let cosine = p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3];
-  const side = cosine < 0 ? -1 : 1;
-  cosine = Math.min(1, Math.abs(cosine));
-  const own = slerpWeight(1 - share, cosine);
-  const other = side * slerpWeight(share, cosine);
-  for (let k = 0; k < 4; k++) p[k] = own * p[k] + other * q[k];
 }
 
 function length4(values: ArrayLike<number>, at: number): number {

@@ -5,9 +5,8 @@
  * back. Then it is mirrored across the upright plane of its own, and mirrored twice it is itself, for its heading is kept:
  * T₂ψ·M·T₂ψ·M = T₂ψ·T₋₂ψ = 1. A turn by half a circle of ψ changes nothing, so left and right may be taken for each other.
  */
-import { rotationPart } from '../../evaluate/euler-angles.ts';
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
-import { turnAbout } from '../../evaluate/retarget/rotations.ts';
+import { turnAbout, writeRotationPart } from '../../math/mat3.ts';
 import { cross, dot, transformVector, unit, type Vec3 } from '../../math/vec3.ts';
 import type { Reflection } from './reflection.ts';
 
@@ -56,7 +55,7 @@ export function headingBack(
 function rootTurn({ motions, firstDof }: CompiledSkeleton, dofs: Float64Array): Float64Array {
   const local = new Float64Array(16);
   motions[0].write(dofs, firstDof[0], local, 0);
-  rotationPart(local, 0);
+  writeRotationPart(local, 0, local, 0, 4);
   return local;
 }
 

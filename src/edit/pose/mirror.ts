@@ -5,10 +5,9 @@
  * the joints above have by now. So where a joint can't turn as its counterpart did, those below make up for it as far as
  * they can. DOFs that follow others are left to what they follow.
  */
-import { rotationPart } from '../../evaluate/euler-angles.ts';
 import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
-import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
+import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
 import { withoutRoundOff } from '../../math/round-off.ts';
 import { isBvh } from '../../model/document.ts';
 import { dofsOf } from '../../model/joint-types.ts';
@@ -180,7 +179,7 @@ class Mirroring {
   private turn(j: number, dofs: Float64Array, worlds: Float64Array): void {
     const { compiled, local, a } = this;
     compiled.motions[j].write(dofs, compiled.firstDof[j], local, 0);
-    if (compiled.motions[j].stretches) rotationPart(local, 0);
+    if (compiled.motions[j].stretches) writeRotationPart(local, 0, local, 0, 4);
     const above = compiled.parent[j];
     take3(local, a);
     if (above >= 0) multiply3(worlds, 9 * above, a, 0, worlds, 9 * j);

@@ -1,7 +1,6 @@
 /** The maps K of a reflection (`reflection.ts`): from each joint's own axes to those of its counterpart, mirrored. */
-import { rotationPart } from '../../evaluate/euler-angles.ts';
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
-import { backMultiply3, multiply3 } from '../../evaluate/retarget/rotations.ts';
+import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { perObject } from '../../model/per-object.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';
@@ -45,7 +44,7 @@ export function mapsOf(
   const local = new Float64Array(16);
   for (let j = 0; j < jointCount; j++) {
     motions[j].write(reference, firstDof[j], local, 0);
-    rotationPart(local, 0);
+    writeRotationPart(local, 0, local, 0, 4);
     for (let c = 0; c < 3; c++) for (let r = 0; r < 3; r++) turns[9 * j + 3 * c + r] = local[4 * c + r];
   }
   const turned = new Float64Array(9);

@@ -3,7 +3,7 @@
  * each DOF has there. Signs are found by trying them, whatever the kind of joint is.
  */
 import type { CompiledSkeleton } from '../../evaluate/kinematics.ts';
-import { multiply3 } from '../../evaluate/retarget/rotations.ts';
+import { multiply3 } from '../../math/mat3.ts';
 import { withoutRoundOff } from '../../math/round-off.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';

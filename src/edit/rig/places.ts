@@ -3,7 +3,7 @@
 import { type CompiledSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
-import { backMultiply3, rotationOf, setIdentity3 } from '../../evaluate/retarget/rotations.ts';
+import { backMultiply3, setIdentity3, writeRotationPart } from '../../math/mat3.ts';
 import { invertAffine, isSingular } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
@@ -191,9 +191,9 @@ function dofsAs(
   const fit = jointFit(compiled, now, j, clamps);
   if (!fit) return undefined;
   const wanted = new Float64Array(27);
-  rotationOf(was, 16 * origin, wanted, 0);
+  writeRotationPart(was, 16 * origin, wanted, 0, 3);
   if (joint.parent < 0) setIdentity3(wanted, 9);
-  else rotationOf(world, 16 * joint.parent, wanted, 9);
+  else writeRotationPart(world, 16 * joint.parent, wanted, 9, 3);
   backMultiply3(wanted, 9, wanted, 0, wanted, 18);
   const values = dofs.slice();
   fitJoint(compiled, j, fit, wanted.subarray(18), new Float64Array(3), 0, values);

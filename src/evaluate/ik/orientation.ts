@@ -12,7 +12,7 @@
  *
  * (the inverse of the left Jacobian of SO(3): Barfoot, State Estimation for Robotics, 2017, § 7.1.5).
  */
-import { writeRotation } from '../../math/quaternion.ts';
+import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import type { Turn } from './pins.ts';
 
 /** Numbers a frame: x y z as columns, then |W_x|, W_y·x and |n|, 0 where the axes span none. */
@@ -89,7 +89,7 @@ export function writeTurnLeft(
         frame[f + r] * target[t + c] + frame[f + 3 + r] * target[t + 3 + c] + frame[f + 6 + r] * target[t + 6 + c];
     }
   }
-  writeQuaternion(relative, 0, quaternion);
+  quaternionOfRotation(relative, 0, quaternion);
   const sign = quaternion[3] < 0 ? -1 : 1;
   const sine = Math.sqrt(quaternion[0] * quaternion[0] + quaternion[1] * quaternion[1] + quaternion[2] * quaternion[2]);
   const angle = 2 * Math.atan2(sine, sign * quaternion[3]);
@@ -115,27 +115,6 @@ export function turnLeftSpeed(turn: Float64Array, o: number, w: Float64Array): v
   w[2] += c * (x * b - y * a) - d / 2;
 }
 
-/** Of a rotation's 9 numbers, columns one after the other: by the largest of its parts (Shepperd 1978). */
-function writeQuaternion(m: Float64Array, o: number, out: Float64Array): void {
-  const trace = m[o] + m[o + 4] + m[o + 8];
-  if (trace > 0) {
-    const s = 2 * Math.sqrt(1 + trace);
-    out[0] = (m[o + 5] - m[o + 7]) / s;
-    out[1] = (m[o + 6] - m[o + 2]) / s;
-    out[2] = (m[o + 1] - m[o + 3]) / s;
-    out[3] = s / 4;
-    return;
-  }
-  const i = m[o] >= m[o + 4] ? (m[o] >= m[o + 8] ? 0 : 2) : m[o + 4] >= m[o + 8] ? 1 : 2;
-  const j = (i + 1) % 3;
-  const k = (i + 2) % 3;
-  const s = 2 * Math.sqrt(Math.max(0, 1 + m[o + 4 * i] - m[o + 4 * j] - m[o + 4 * k]));
-  out[i] = s / 4;
-  out[j] = (m[o + 3 * i + j] + m[o + 3 * j + i]) / s;
-  out[k] = (m[o + 3 * i + k] + m[o + 3 * k + i]) / s;
-  out[3] = (m[o + 3 * j + k] - m[o + 3 * k + j]) / s;
-}
-
 /** The frame of a quaternion of any length but 0: 9 numbers at `out[o]`. */
 export function writeTurnFrame(turn: ArrayLike<number>, first: number, out: Float64Array, o: number): void {
   const length = Math.hypot(turn[first], turn[first + 1], turn[first + 2], turn[first + 3]);
@@ -151,6 +130,6 @@ export function orientationAt(world: Float64Array, joint: number): Turn {
   const frame = new Float64Array(FRAME_SIZE);
   const turn = new Float64Array(4);
   writeFrame(world, 16 * joint, frame, 0);
-  writeQuaternion(frame, 0, turn);
+  quaternionOfRotation(frame, 0, turn);
   return [turn[0], turn[1], turn[2], turn[3]];
 }

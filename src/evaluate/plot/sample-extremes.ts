@@ -12,7 +12,6 @@
  * Values are those of the file; the scale is the caller's. What a cubic overshoots between two frames is not seen here:
  * where frames can't be told apart, nor can that.
  */
-
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { sampleColumn } from '../sampling.ts';
 

@@ -5,7 +5,6 @@
  * Times on the transport are a clip's times less the character's offset. Nothing is merged or sorted beforehand: a clip
  * of millions of keys costs a binary search a channel here, and one pass over its times when drawn (`key-buckets.ts`).
  */
-
 import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
 import { type Character, type Document, findCharacter, rangeOfClips, shownClip } from '../../model/document.ts';

@@ -5,7 +5,6 @@
  * curve's value on every edge between two columns into both: no search, and one cubic a column. With many, every column
  * asks for its extremes (`trace-extremes.ts`), which does not look at each key.
  */
-
 import { lastNotAbove } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { CompiledClip } from '../compiled-clip.ts';

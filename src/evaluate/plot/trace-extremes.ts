@@ -7,7 +7,6 @@
  * pixel that holds ten thousand keys costs a few dozen comparisons. Asked for stretch after stretch, as a picture's
  * columns are, a stretch that begins where the last one ended costs one value and no search.
  */
-
 import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
 import type { CompiledClip } from '../compiled-clip.ts';

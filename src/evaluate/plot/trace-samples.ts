@@ -8,7 +8,6 @@
  * be told apart, the frames in view are set up as spans of cubics and drawn like those between keys: a line, a step or
  * a smooth way, as the samples are played.
  */
-
 import type { Samples } from '../../model/samples.ts';
 import { columnSlope } from '../sampling.ts';
 import { sampleExtremes } from './sample-extremes.ts';

@@ -18,12 +18,12 @@
  * Trunks and collars are not aligned bone by bone: where a spine's joints lie in a body differs from file to file, and
  * bending one spine like the other's anatomy is not what anyone means by the same pose.
  */
+import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
 import type { Space } from '../../model/document.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { type Figure, figureOf } from './figure.ts';
 import { type BodySide, type Role, type Roles, rolesOf, SIDES } from './roles.ts';
-import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from './rotations.ts';
 
 /** What of the two skeletons doesn't depend on the reference pose. */
 export interface Bodies {

@@ -2,12 +2,12 @@
  * A skeleton as it stands in the scene: rotations and points of its joints in metres with y up, whatever its own unit
  * and up axis. Matching, aligning and measuring all look at figures, so that none of them has to know of spaces.
  */
+import { multiply3, setIdentity3, writeRotationPart } from '../../math/mat3.ts';
 import type { Space } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
-import { multiply3, rotationOf, setIdentity3 } from './rotations.ts';
 
 export interface Figure {
   /** 9 numbers a joint. */
@@ -38,7 +38,7 @@ export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Fl
   const points = new Float64Array(3 * jointCount);
   const own = new Float64Array(9);
   for (let j = 0; j < jointCount; j++) {
-    rotationOf(world, 16 * j, own, 0);
+    writeRotationPart(world, 16 * j, own, 0, 3);
     multiply3(up, 0, own, 0, rotations, 9 * j);
     const [x, y, z] = [world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]];
     for (let k = 0; k < 3; k++) points[3 * j + k] = metres * (up[k] * x + up[3 + k] * y + up[6 + k] * z);

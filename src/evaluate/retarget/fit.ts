@@ -12,11 +12,11 @@
  * derivatives, fewer rounds, and a word about its step at every limit.)
  */
 import { eulerNear, turnedNear } from '../../math/euler.ts';
+import { quaternionOfRotation } from '../../math/quaternion.ts';
 import { dofsOf, quaternionDofs } from '../../model/joint-types.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { eulerDofs, type RenamedAxes, renamedAxes, rigidEulerDofs } from '../euler-dofs.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
-import { quaternionOf } from './rotations.ts';
 
 const BONE_WEIGHT = 4;
 const MOST_SWEEPS = 24;
@@ -85,7 +85,7 @@ export function fitJoint(
 ): void {
   const { first, angles, lower, upper, rest } = fit;
   if (fit.isQuaternion) {
-    quaternionOf(wanted, 0, q);
+    quaternionOfRotation(wanted, 0, q);
     const sign = q[3] < 0 ? -1 : 1;
     for (let k = 0; k < 4; k++) dofs[first + k] = sign * q[k];
     return;
@@ -97,7 +97,7 @@ export function fitJoint(
     for (let r = 0; r < 3; r++) {
       for (let c = 0; c < 3; c++) renamed[3 * c + r] = wanted[3 * axes[c] + axes[r]];
     }
-    quaternionOf(renamed, 0, q);
+    quaternionOfRotation(renamed, 0, q);
     for (let i = 0; i < 3; i++) three[i] = sign * rest[applied[i]];
     eulerNear(q, three, 0);
     isDone = true;

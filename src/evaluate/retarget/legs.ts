@@ -7,10 +7,10 @@
  * with u the direction to the ankle, D away, and k across it. The foot keeps the rotation that it has. What stands out
  * of reach is reached by lowering the hips; a foot in the air is let go instead.
  */
+import { copy3, multiply3, swing, turnVector } from '../../math/mat3.ts';
 import { offsetAt, riseAt, standing } from './contacts.ts';
 import { rollLimb } from './limbs.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
-import { copy3, multiply3, swing, turnVector } from './rotations.ts';
 import { fitRange } from './solve.ts';
 import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 

@@ -6,10 +6,10 @@
  *
  * Straight limbs lie in no plane: the roll fades out as they straighten, and no knee spins.
  */
+import { multiply3, turnAbout, turnVector } from '../../math/mat3.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import { aims, type Bodies, driven } from './align.ts';
 import { type BodySide, SIDES } from './roles.ts';
-import { multiply3, turnAbout, turnVector } from './rotations.ts';
 
 export interface Limb {
   readonly side: BodySide;

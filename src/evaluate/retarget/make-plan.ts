@@ -1,4 +1,5 @@
 /** Making a plan (`plan.ts`), once for each driver. */
+import { backMultiply3 } from '../../math/mat3.ts';
 import type { Character, Driver, Space } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
 import type { JointPair } from '../../model/retarget.ts';
@@ -14,7 +15,6 @@ import { type Limb, limbsOf } from './limbs.ts';
 import type { RetargetPlan, SpaceRule } from './plan.ts';
 import { referenceFigure } from './reference.ts';
 import { SIDES } from './roles.ts';
-import { backMultiply3 } from './rotations.ts';
 import { playedSource } from './source-pose.ts';
 
 /** By the driver's pairs, which stay what they are when the source changes (`edit/drivers.ts`). */

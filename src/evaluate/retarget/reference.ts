@@ -5,11 +5,11 @@
  * in LAFAN1 all bones lie along x. Then the moment of the take that looks most like the target at rest has to do: the
  * least sum of the angles between their bones.
  */
+import { turnVector } from '../../math/mat3.ts';
 import type { RetargetOptions } from '../../model/retarget.ts';
 import { aims, type Bodies, bodyTurn, driven, sourceFigure } from './align.ts';
 import type { Figure } from './figure.ts';
 import { SIDES } from './roles.ts';
-import { turnVector } from './rotations.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
 
 /** Moments that are looked at, evenly over the clip. */

@@ -1,10 +1,10 @@
 /** A pose of the target by rotations alone: steps 1 to 4 of `retarget-pose.ts`. */
+import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
 import { multiplyAffine } from '../../math/mat4.ts';
 import { worldMatrices } from '../kinematics.ts';
 import { fitJoint } from './fit.ts';
 import { rollLimb } from './limbs.ts';
 import type { RetargetPlan } from './plan.ts';
-import { backMultiply3, multiply3, rotationOf } from './rotations.ts';
 import { sourcePose } from './source-pose.ts';
 import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 
@@ -37,7 +37,7 @@ function wantRotations(plan: RetargetPlan): void {
   for (let j = 0; j < sourceOf.length; j++) {
     const s = sourceOf[j];
     if (s < 0) continue;
-    rotationOf(sourceWorld, 16 * s, own, 0);
+    writeRotationPart(sourceWorld, 16 * s, own, 0, 3);
     multiply3(across, 0, own, 0, turned, 0);
     multiply3(turned, 0, corrections, 9 * j, wanted, 9 * j);
   }
@@ -52,7 +52,7 @@ export function fitRange(plan: RetargetPlan, from: number, to: number, out: Floa
     const fit = fits[j];
     if (fit) {
       if (above >= 0) {
-        rotationOf(targetWorld, 16 * above, parentTurn, 0);
+        writeRotationPart(targetWorld, 16 * above, parentTurn, 0, 3);
         backMultiply3(parentTurn, 0, wanted, 9 * j, own, 0);
       } else for (let k = 0; k < 9; k++) own[k] = wanted[9 * j + k];
       fitJoint(target, j, fit, own, bones, 3 * j, out);

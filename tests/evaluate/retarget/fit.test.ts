@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, localMatrices } from '../../../src/evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../../src/evaluate/retarget/fit.ts';
-import { rotationOf } from '../../../src/evaluate/retarget/rotations.ts';
+import { writeRotationPart } from '../../../src/math/mat3.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
 import { EULER_ORDERS, type Limit, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
@@ -25,7 +25,7 @@ function rotation(skeleton: Skeleton, own: readonly number[]): Float64Array {
   const local = new Float64Array(32);
   localMatrices(compiled, dofs, local);
   const out = new Float64Array(9);
-  rotationOf(local, 16, out, 0);
+  writeRotationPart(local, 16, out, 0, 3);
   return out;
 }
 

@@ -2,7 +2,6 @@
  * Which point of a joint is meant by a place on the screen: the natural one that is near (its origin, its tip, an End
  * Site, a box's end), else what is seen there of its bone or its box.
  */
-
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
 import { add, dot, subtract, transformVector, type Vec3, ZERO } from '../../../math/vec3.ts';
 import { boneEnds } from '../../../model/bone-ends.ts';

@@ -6,7 +6,6 @@
  * weigh ten times as much (a hundred times in squares), which is not enough beside a hand three metres off: feet would
  * be drawn out of their places. So they stay, and the point still comes as near as they let it.
  */
-
 import type { Character } from '../../../model/document.ts';
 import type { IkSetup } from '../../../model/ik.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';

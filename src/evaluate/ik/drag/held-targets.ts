@@ -3,7 +3,6 @@
  * has left a gap is its target elsewhere, and it stays there for as long as the pose is as the drag left it; once time,
  * a slider or undo has changed the pose, pins hold where they are.
  */
-
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { IkSetup, Pin } from '../../../model/ik.ts';
 import { type PinTarget, pinTarget } from '../set-up.ts';

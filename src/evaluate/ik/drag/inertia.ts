@@ -8,7 +8,6 @@
  * the moment of inertia of what hangs on a joint, at rest, bones being as heavy as they are long. A joint's DOFs are as
  * much less willing as its I is beside the largest one.
  */
-
 import { boneEnds } from '../../../model/bone-ends.ts';
 import { restPose } from '../../../model/dofs.ts';
 import { perObject } from '../../../model/per-object.ts';

@@ -3,7 +3,6 @@
  * unknown of it; so the pose is tried from where it is without any lock, and the locks that are in the way are those of
  * the joints that bend then, if the point comes nearer by that.
  */
-
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';

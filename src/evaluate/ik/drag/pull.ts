@@ -6,7 +6,6 @@
  * flip over on the way. A frame has room for so many iterations of the solver; what does not get there goes on with the
  * next one (`isOnItsWay`).
  */
-
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';

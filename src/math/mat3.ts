@@ -1,4 +1,4 @@
-/** Rotations as nine numbers, column-major, in flat arrays: what retargeting multiplies at every frame. */
+/** Rotations as nine numbers of a Float64Array, column-major: for loops over frames, which allocate nothing. */
 
 /** `out = a · b`; `out` may not overlap either. */
 export function multiply3(
@@ -57,35 +57,58 @@ export function copy3(from: Float64Array, fo: number, to: Float64Array, o: numbe
   for (let k = 0; k < 9; k++) to[o + k] = from[fo + k];
 }
 
-/** The upper left 3×3 of 16 numbers, without its scale and shear: Gram and Schmidt, the first column kept. */
-export function rotationOf(m: Float64Array, mo: number, out: Float64Array, o: number): void {
+/**
+ * The rotation of a matrix that may scale, shear or mirror as well (Gram–Schmidt): the first column's direction, the second
+ * one's at right angles to it, and the third that makes it right-handed. Columns without a direction get the axes that are
+ * left. `out` may be `m`.
+ *
+ * @param m 16 numbers at `mo`, whose upper left 3×3 is meant
+ * @param stride of `out`, from one column to the next: 3 for nine numbers, 4 within a 4×4 matrix
+ */
+export function writeRotationPart(m: Float64Array, mo: number, out: Float64Array, o: number, stride: 3 | 4): void {
   let x = m[mo];
   let y = m[mo + 1];
   let z = m[mo + 2];
-  let s = 1 / (Math.sqrt(x * x + y * y + z * z) || 1);
-  x *= s;
-  y *= s;
-  z *= s;
+  let length = Math.sqrt(x * x + y * y + z * z);
+  if (!(length > 0)) {
+    x = length = 1;
+    y = z = 0;
+  }
+  x /= length;
+  y /= length;
+  z /= length;
   let u = m[mo + 4];
   let v = m[mo + 5];
   let w = m[mo + 6];
+  const size = Math.sqrt(u * u + v * v + w * w);
   const along = x * u + y * v + z * w;
   u -= along * x;
   v -= along * y;
   w -= along * z;
-  s = 1 / (Math.sqrt(u * u + v * v + w * w) || 1);
-  u *= s;
-  v *= s;
-  w *= s;
+  length = Math.sqrt(u * u + v * v + w * w);
+  if (!(length > 1e-12 * size)) {
+    // Any direction at right angles: of x, or of y where that is nearly x itself.
+    const isX = Math.abs(x) < 0.9;
+    const by = isX ? x : y;
+    u = (isX ? 1 : 0) - by * x;
+    v = (isX ? 0 : 1) - by * y;
+    w = -by * z;
+    length = Math.sqrt(u * u + v * v + w * w);
+  }
+  u /= length;
+  v /= length;
+  w /= length;
+  const p = o + stride;
+  const q = p + stride;
   out[o] = x;
   out[o + 1] = y;
   out[o + 2] = z;
-  out[o + 3] = u;
-  out[o + 4] = v;
-  out[o + 5] = w;
-  out[o + 6] = y * w - z * v;
-  out[o + 7] = z * u - x * w;
-  out[o + 8] = x * v - y * u;
+  out[p] = u;
+  out[p + 1] = v;
+  out[p + 2] = w;
+  out[q] = y * w - z * v;
+  out[q + 1] = z * u - x * w;
+  out[q + 2] = x * v - y * u;
 }
 
 /** A turn about a unit axis (Rodrigues), by the cosine and sine of its angle. */
@@ -135,37 +158,4 @@ export function swing(from: Float64Array, fo: number, to: Float64Array, t: numbe
   const length = Math.hypot(cos, sin);
   sin /= length;
   turnAbout(x * s, y * s, z * s, cos / length, sin, out, o);
-}
-
-/** The unit quaternion x y z w of a rotation (Shepperd 1978: divides by the largest part). */
-export function quaternionOf(m: Float64Array, o: number, q: Float64Array): void {
-  const a = m[o];
-  const e = m[o + 4];
-  const i = m[o + 8];
-  const trace = a + e + i;
-  if (trace >= a && trace >= e && trace >= i) {
-    const w = Math.sqrt(Math.max(0, 1 + trace)) / 2;
-    q[3] = w;
-    q[0] = (m[o + 5] - m[o + 7]) / (4 * w);
-    q[1] = (m[o + 6] - m[o + 2]) / (4 * w);
-    q[2] = (m[o + 1] - m[o + 3]) / (4 * w);
-  } else if (a >= e && a >= i) {
-    const x = Math.sqrt(Math.max(0, 1 + a - e - i)) / 2;
-    q[0] = x;
-    q[1] = (m[o + 1] + m[o + 3]) / (4 * x);
-    q[2] = (m[o + 2] + m[o + 6]) / (4 * x);
-    q[3] = (m[o + 5] - m[o + 7]) / (4 * x);
-  } else if (e >= i) {
-    const y = Math.sqrt(Math.max(0, 1 - a + e - i)) / 2;
-    q[1] = y;
-    q[0] = (m[o + 1] + m[o + 3]) / (4 * y);
-    q[2] = (m[o + 5] + m[o + 7]) / (4 * y);
-    q[3] = (m[o + 6] - m[o + 2]) / (4 * y);
-  } else {
-    const z = Math.sqrt(Math.max(0, 1 - a - e + i)) / 2;
-    q[2] = z;
-    q[0] = (m[o + 2] + m[o + 6]) / (4 * z);
-    q[1] = (m[o + 5] + m[o + 7]) / (4 * z);
-    q[3] = (m[o + 1] - m[o + 3]) / (4 * z);
-  }
 }
