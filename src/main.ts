@@ -1,5 +1,4 @@
 /** The page, put together: nothing but wiring. */
-
 import { beginAutosave } from './app/autosave/begin.ts';
 import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';

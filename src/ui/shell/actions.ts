@@ -2,7 +2,6 @@
  * THE one list of what the page can do. Menus, shortcuts, the `?` page and the command search are all built from it, so
  * none of them can forget or contradict another; adding to the page begins by adding here.
  */
-
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';
 import { POSE_ACTIONS } from '../editors/poses/actions.ts';

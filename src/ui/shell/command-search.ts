@@ -1,5 +1,4 @@
 /** Find a command by typing a few letters of it: a list box under a text field, made of the list of actions. */
-
 import type { DialogContent } from '../kit/dialog.ts';
 import { element, uniqueId } from '../kit/dom.ts';
 import { isMac } from '../kit/keyboard.ts';

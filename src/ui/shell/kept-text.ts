@@ -1,5 +1,4 @@
 /** Work that an earlier page left behind, in words. */
-
 import { plural } from '../kit/number-text.ts';
 import type { KeptWork } from '../state/kept-offer.ts';
 

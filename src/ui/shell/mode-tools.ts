@@ -3,7 +3,6 @@
  * page begins with, when the page is idle. A mode whose tool could not be fetched is left for FK, and asked for again
  * when it is chosen again.
  */
-
 import type { CanvasTool } from '../editors/viewport/canvas-tools.ts';
 import type { ModeTool } from '../editors/viewport/mode-tool.ts';
 import { onDemand, whenIdle } from '../state/on-demand.ts';

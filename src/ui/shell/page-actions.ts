@@ -1,5 +1,4 @@
 /** Panels, theme, units, help. */
-
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import type { Settings } from '../state/settings.ts';
 import type { Action, Workbench } from '../state/workbench.ts';

@@ -2,7 +2,6 @@
  * The `?` page: every action by group, with its keys. Single keys can be given other keys or none, one by one or all
  * at once; what someone changed is marked, and can be put back.
  */
-
 import type { DialogContent } from '../kit/dialog.ts';
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';

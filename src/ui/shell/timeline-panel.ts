@@ -2,7 +2,6 @@
  * The panel below the transport: curve editor, dope sheet, takes and poses as tabs, with the edge that sets its height. The tabs are
  * scripts of their own: the page shows its character without waiting for them.
  */
-
 import { movedNotice } from '../editors/retarget/moved.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
 import { focusPanel } from '../kit/focus.ts';

@@ -1,5 +1,4 @@
 /** Listening to the keyboard for the whole page; what keys mean is decided in `shortcuts.ts`. */
-
 import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focus.ts';
 import { isMac } from '../kit/keyboard.ts';
 import { actionsOf, tryAction } from './action.ts';

@@ -1,5 +1,4 @@
 /** Menus made of the list of actions. */
-
 import { isMac } from '../kit/keyboard.ts';
 import type { MenuEntry, MenuItem } from '../kit/menu.ts';
 import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';

@@ -1,5 +1,6 @@
 /** The edges between panels: dragged, or moved with the arrow keys; the sizes are remembered. */
 import { element } from '../kit/dom.ts';
+import { followPointer } from '../kit/drag.ts';
 import type { Panels } from './settings.ts';
 import type { Workbench } from './workbench.ts';
 
@@ -60,17 +61,13 @@ export function splitter(wb: Workbench, size: Size, label: string): HTMLElement 
   edge.addEventListener('pointerdown', (event) => {
     if (event.button !== 0) return;
     event.preventDefault();
-    edge.setPointerCapture(event.pointerId);
     const from = vertical ? event.clientX : event.clientY;
     const base = sizeNow();
-    const move = (e: PointerEvent) => set(base + GROWS[size] * ((vertical ? e.clientX : e.clientY) - from));
     edge.classList.add('dragging');
-    edge.addEventListener('pointermove', move);
-    const end = () => {
-      edge.classList.remove('dragging');
-      edge.removeEventListener('pointermove', move);
-    };
-    edge.addEventListener('lostpointercapture', end, { once: true });
+    followPointer(edge, event, {
+      move: (e) => set(base + GROWS[size] * ((vertical ? e.clientX : e.clientY) - from)),
+      over: () => edge.classList.remove('dragging'),
+    });
   });
   edge.addEventListener('keydown', (event) => {
     const steps: Record<string, number> = vertical ? { ArrowLeft: -1, ArrowRight: 1 } : { ArrowUp: -1, ArrowDown: 1 };

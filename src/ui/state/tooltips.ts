@@ -1,5 +1,4 @@
 /** Tooltips that name the key of what a button does, and go on doing so when the key is changed. */
-
 import { isMac } from '../kit/keyboard.ts';
 import { findAction } from './action.ts';
 import { shortcutsFor, shortcutText } from './shortcuts.ts';

@@ -2,7 +2,6 @@
  * What every panel is given: the document's store, the viewport, and the page's own state beside them. `main.ts` builds
  * it; panels know nothing of files, workers or addresses, for those arrive as functions.
  */
-
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { PartKind } from '../../model/part.ts';

@@ -1,5 +1,7 @@
 /** Everything a pointer and the held keys do in the plot: what they mean is `tools/intent.ts`, what follows the tools. */
+
 import { hasKey } from '../../../edit/keys/selection.ts';
+import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { isMac, waitOutDrag } from '../../kit/keyboard.ts';
 import { openPlotMenu } from './context-menu.ts';
@@ -79,7 +81,6 @@ export class PlotInput {
     target.addEventListener('pointerdown', (event) => this.onPress(event));
     target.addEventListener('pointermove', (event) => this.onMove(event));
     target.addEventListener('pointerleave', () => this.onLeave());
-    target.addEventListener('lostpointercapture', (event) => this.endDrag(this.at(event)));
     target.addEventListener('wheel', (event) => this.onWheel(event), { passive: false });
     target.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     target.addEventListener('contextmenu', (event) => this.onMenu(event));
@@ -141,7 +142,7 @@ export class PlotInput {
     this.hover = hit;
     this.grabbed = this.placeInSelection(hit);
     this.plot.freeze(true);
-    this.plot.element.setPointerCapture(event.pointerId);
+    followPointer(this.plot.element, event, { over: (lost) => this.endDrag(this.at(lost)) });
     this.plot.element.style.cursor = drag.cursor(at);
     window.addEventListener('keydown', LOOKING.includes(intent) ? this.onLookingKey : this.onDragKey, true);
     // The ruler answers to the press itself.

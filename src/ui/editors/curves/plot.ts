@@ -4,6 +4,7 @@ import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { revealTime } from '../../kit/time-window.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import type { Box } from '../timeline/box.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import type { ListSource } from './channel-list.ts';
@@ -14,7 +15,7 @@ import { PlotScene, sameNumbers } from './plot-scene.ts';
 import { Readout } from './readout.ts';
 import { ScaleFrame } from './scale-frame.ts';
 import { fit as fitted } from './scene/fit.ts';
-import type { Box, CurveScene } from './scene/scene.ts';
+import type { CurveScene } from './scene/scene.ts';
 import { type CurveSpace, PLOT_TOP, pan, xOf, yOf, zoom } from './scene/space.ts';
 
 type FitKind = 'all' | 'values';

@@ -1,5 +1,7 @@
 /** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
+
 import { button, element } from '../../kit/dom.ts';
+import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { waitOutDrag } from '../../kit/keyboard.ts';
 import type { CurveScene } from './scene/scene.ts';
@@ -78,7 +80,6 @@ export class ScaleFrame {
     event.stopPropagation();
     const grip = event.currentTarget;
     if (!(grip instanceof HTMLElement)) return;
-    grip.setPointerCapture(event.pointerId);
     plot.element.focus({ preventScroll: true });
     this.dragging = true;
     plot.freeze(true);
@@ -100,25 +101,20 @@ export class ScaleFrame {
       });
     };
     const moveSoon = oncePerFrame(() => this.dragging && move());
-    const onMove = (e: PointerEvent) => {
-      last = e;
-      moveSoon();
-    };
-    grip.addEventListener('pointermove', onMove);
-    window.addEventListener('keydown', waitOutDrag, true);
-    grip.addEventListener(
-      'lostpointercapture',
-      () => {
-        grip.removeEventListener('pointermove', onMove);
-        window.removeEventListener('keydown', waitOutDrag, true);
+    followPointer(grip, event, {
+      move: (e) => {
+        last = e;
+        moveSoon();
+      },
+      key: waitOutDrag,
+      over: () => {
         if (last !== event) move();
         scale.edit.commit();
         this.dragging = false;
         plot.freeze(false);
         plot.say('');
       },
-      { once: true },
-    );
+    });
   }
 }
 

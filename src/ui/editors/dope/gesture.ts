@@ -1,7 +1,6 @@
 /** What a drag in the sheet is, and what it may use. */
-
 import type { Workbench } from '../../state/workbench.ts';
-import type { Box } from '../curves/scene/scene.ts';
+import type { Box } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
 

@@ -7,7 +7,6 @@
  *     the strip's bar  moves what is selected, its ends scale it about the other end, with Alt about the playhead
  *     anything else    a box: Shift adds, Ctrl takes away; a click selects nothing
  */
-
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { toggleKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import { keysInHand, selectedKeys, selectKeys } from '../timeline/in-hand.ts';

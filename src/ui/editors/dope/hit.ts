@@ -3,7 +3,7 @@
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
 import type { Channel } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Box } from '../curves/scene/scene.ts';
+import type { Box } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, secondsPerPixel, timeAt, xOf } from './sheet.ts';
 

@@ -1,5 +1,4 @@
 /** Context menus of the dope sheet: what can be done with the keys or the row under the pointer. */
-
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';

@@ -1,7 +1,6 @@
 /** The pieces of the dope sheet's picture: grounds of rows, held stretches, the strip, the box, the readout. */
-
 import { STILL } from '../../../edit/keys/marks.ts';
-import type { Box } from '../curves/scene/scene.ts';
+import type { Box } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { readTimeColours, type TimeColours, translucent } from '../timeline/time-ruler.ts';
 import { GRIP } from './hit.ts';

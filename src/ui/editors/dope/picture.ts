@@ -2,7 +2,6 @@
  * Draws the dope sheet on two canvases: what changes with edits and looking around below, and what follows the clock
  * and the pointer (playhead, box, readout) above, so that playing redraws a line and nothing else.
  */
-
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
 import { rangeOfSamples } from '../../../model/samples.ts';

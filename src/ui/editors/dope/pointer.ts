@@ -1,9 +1,9 @@
 /** Mouse, wheel and Escape over the sheet: scrubbing, panning, zooming, and the gestures of `gestures.ts`. */
-
+import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import { scrubFrames } from '../curves/tools/scrub.ts';
+import { scrubFrames } from '../timeline/scrub-frames.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
 import { cursorFor, gestureAt } from './gestures.ts';
 import { hitSheet, type SheetHit } from './hit.ts';
@@ -150,7 +150,6 @@ export class SheetPointer {
     this.dragging = true;
     const { target } = this;
     target.style.cursor = cursor;
-    target.setPointerCapture(event.pointerId);
     const step = () => {
       if (!this.dragging || !this.moved) return;
       gesture.move(latest);
@@ -162,37 +161,20 @@ export class SheetPointer {
       latest = this.pointerOf(e);
       this.moved ||= Math.hypot(latest.x - from.x, latest.y - from.y) > CLICK_PIXELS;
     };
-    const onMove = (e: PointerEvent) => {
-      take(e);
-      if (this.moved) soon();
-    };
     const end = (finish: () => void) => {
       if (!this.dragging) return;
       finish();
       this.dragging = false;
       this.gesture = undefined;
-      target.removeEventListener('pointermove', onMove);
-      target.removeEventListener('pointerup', onUp);
-      target.removeEventListener('lostpointercapture', onLost);
-      window.removeEventListener('keydown', onKey, true);
-      if (target.hasPointerCapture(event.pointerId)) target.releasePointerCapture(event.pointerId);
       target.style.cursor = '';
       this.host.overlayChanged();
     };
-    const onUp = (e: PointerEvent) => {
-      if (e.button !== event.button) return;
-      take(e);
-      end(() => {
-        step();
-        gesture.release(latest, this.moved);
-      });
-    };
-    const onLost = () => end(() => gesture.cancel());
-    const onKey = (e: KeyboardEvent) => {
+    const key = (e: KeyboardEvent) => {
       if (e.key === 'Escape') {
         e.preventDefault();
         e.stopPropagation();
         end(() => gesture.cancel());
+        giveUp();
       } else if (['Alt', 'Control', 'Shift', 'Meta'].includes(e.key)) {
         // Alt would open the browser's menu.
         e.preventDefault();
@@ -202,10 +184,22 @@ export class SheetPointer {
         e.stopPropagation();
       }
     };
-    target.addEventListener('pointermove', onMove);
-    target.addEventListener('pointerup', onUp);
-    target.addEventListener('lostpointercapture', onLost);
-    window.addEventListener('keydown', onKey, true);
+    const giveUp = followPointer(target, event, {
+      move: (e) => {
+        take(e);
+        if (this.moved) soon();
+      },
+      key,
+      over: (_, release) => {
+        // Of two buttons it is the first that drags.
+        if (release?.button !== event.button) return end(() => gesture.cancel());
+        take(release);
+        end(() => {
+          step();
+          gesture.release(latest, this.moved);
+        });
+      },
+    });
   }
 
   private onWheel(event: WheelEvent): void {

@@ -1,7 +1,7 @@
 /** What the dope sheet shows at one moment: all that drawing needs, and nothing it may change. */
 import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Box } from '../curves/scene/scene.ts';
+import type { Box } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
 

@@ -1,7 +1,7 @@
 /** Dragging a box over diamonds. Its first corner stays on its time and row when the sheet is scrolled or zoomed. */
 import { unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Box } from '../curves/scene/scene.ts';
+import type { Box } from '../timeline/box.ts';
 import { selectedKeys, selectKeys } from '../timeline/in-hand.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
 import { keysInBox } from './hit.ts';

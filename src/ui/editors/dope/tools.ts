@@ -1,5 +1,4 @@
 /** The dope sheet's few controls: a filter over the names, and switches in the row of the tabs. */
-
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { findAction, tryAction } from '../../state/action.ts';

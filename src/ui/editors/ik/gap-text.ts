@@ -1,5 +1,4 @@
 /** What to say of a pin that can't be where it should be: what stands in the way. */
-
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import type { Character } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';

@@ -2,7 +2,6 @@
  * A DOF that is set by its slider or its number while pins hold: it is where it is set, and the others make room for it
  * as in a drag, near the pose in which the change began. What can't hold slips, and holds again where it can.
  */
-
 import { handStiffness, IS_THERE } from '../../../evaluate/ik/drag/hand-problem.ts';
 import { ikProblem } from '../../../evaluate/ik/problem.ts';
 import { ikOf, ikPinsOf, type PinTarget } from '../../../evaluate/ik/set-up.ts';

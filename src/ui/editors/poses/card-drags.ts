@@ -1,5 +1,7 @@
 /** A drag on a card of the library, which blends to its pose. */
+
 import { applyPose } from '../../../edit/commands/poses.ts';
+import { followPointer } from '../../kit/drag.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { moment } from './pose-edits.ts';
@@ -27,22 +29,20 @@ export function blendByDrag(
 ): void {
   const hand = new HandEdit(wb.store, wb.messages);
   const at = moment(wb);
-  grid.setPointerCapture(down.pointerId);
-  const listening = new AbortController();
-  const { signal } = listening;
-  const move = (event: PointerEvent) => {
-    if (hand.cancelled) return end(event);
-    const share = Math.min(1, Math.max(0, (event.clientX - down.clientX) / WHOLE_DRAG));
-    hand.preview(applyPose, { characterId, pose, share, joint, ...at });
-    show(share);
-  };
-  const end = (event: PointerEvent) => {
-    listening.abort();
-    if (event.type === 'pointercancel') hand.cancel();
-    hand.commit();
-    show(undefined);
-  };
-  grid.addEventListener('pointermove', move, { signal });
-  grid.addEventListener('pointerup', end, { signal });
-  grid.addEventListener('pointercancel', end, { signal });
+  const giveUp = followPointer(grid, down, {
+    move: (event) => {
+      if (hand.cancelled) {
+        giveUp();
+        return show(undefined);
+      }
+      const share = Math.min(1, Math.max(0, (event.clientX - down.clientX) / WHOLE_DRAG));
+      hand.preview(applyPose, { characterId, pose, share, joint, ...at });
+      show(share);
+    },
+    over: (_, release) => {
+      if (!release) hand.cancel();
+      hand.commit();
+      show(undefined);
+    },
+  });
 }

@@ -1,5 +1,4 @@
 /** What stands beside the tabs while the poses are looked at: keeping one, and how poses are taken on. */
-
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';

@@ -2,7 +2,6 @@
  * Over the viewport: which mode it is in, the limits that stop the hand, and a place for what the mode's tool has to
  * offer (`wb.posing.controls`).
  */
-
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';

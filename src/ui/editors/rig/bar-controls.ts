@@ -1,5 +1,4 @@
 /** What rig mode has beside the switch of modes, and the line below that says how it works. */
-
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import type { Observable } from '../../kit/observable.ts';

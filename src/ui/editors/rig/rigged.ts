@@ -1,5 +1,4 @@
 /** The character that rig mode is about, in the copy that was picked, with what it takes to turn places in the scene into its numbers. */
-
 import { inverseOf, parentToScene } from '../../../edit/rig/dragged-places.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';

@@ -2,7 +2,9 @@
  * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A press or drag scrubs, the
  * wheel zooms in time, with Shift it moves. It looks at the timeline's window of time, as curves and dope sheet do.
  */
+
 import { element, setAttribute } from '../../kit/dom.ts';
+import { followPointer } from '../../kit/drag.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { seconds, shown } from '../../kit/number-text.ts';
@@ -215,12 +217,11 @@ export class DistanceChart {
     const { element: target } = this;
     target.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
-      target.setPointerCapture(event.pointerId);
       this.scrub(event);
+      followPointer(target, event, { move: (e) => this.scrub(e), over() {} });
     });
     target.addEventListener('pointermove', (event) => {
       this.pointer = this.at(event);
-      if (target.hasPointerCapture(event.pointerId)) this.scrub(event);
       this.drawSoon();
     });
     target.addEventListener('pointerleave', () => {

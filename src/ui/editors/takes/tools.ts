@@ -1,5 +1,4 @@
 /** What stands beside the tabs while the takes are looked at: a filter, and what is done with what is chosen. */
-
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';

@@ -1,5 +1,4 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
-
 import { isSampled } from '../../../model/clip.ts';
 import type { ChannelList, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Workbench } from '../../state/workbench.ts';

@@ -3,7 +3,6 @@
  * that is selected moves along by the same amount. Snapping each key by itself would change the distances between keys,
  * which is what *Snap to frames* is for.
  */
-
 import { lengthStep } from '../../../model/reach.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
 import { niceStep } from '../../kit/ruler.ts';

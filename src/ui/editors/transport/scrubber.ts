@@ -2,10 +2,12 @@
  * The scrubber. Drag anywhere to move through time, drag the ends of the shaded range to change it; wheel zooms, with
  * Shift (or a wheel to the side, or the middle button) it pans, double click fits. As a slider it takes arrow keys.
  */
+
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { findCharacter, rangeOfClips } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
+import { followPointer } from '../../kit/drag.ts';
 import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
 import { seconds, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
@@ -189,25 +191,20 @@ export class Scrubber {
     if (event.button > 1) return;
     event.preventDefault();
     this.element.focus({ preventScroll: true });
-    this.element.setPointerCapture(event.pointerId);
     const handle = this.handleAt(event);
     const grabbed = this.timeAt(event.clientX);
-    const move = (e: PointerEvent) => {
-      if (handle === 'pan') this.look(panWindow(this.window, grabbed - this.timeAt(e.clientX)));
-      else this.drag(handle, this.timeAt(e.clientX), e.shiftKey);
-    };
     this.dragging = true;
     if (handle !== 'pan') this.drag(handle, grabbed, event.shiftKey);
-    this.element.addEventListener('pointermove', move);
-    this.element.addEventListener(
-      'lostpointercapture',
-      () => {
+    followPointer(this.element, event, {
+      move: (e) => {
+        if (handle === 'pan') this.look(panWindow(this.window, grabbed - this.timeAt(e.clientX)));
+        else this.drag(handle, this.timeAt(e.clientX), e.shiftKey);
+      },
+      over: () => {
         this.dragging = false;
-        this.element.removeEventListener('pointermove', move);
         if (this.fitted && handle !== 'time') this.fit();
       },
-      { once: true },
-    );
+    });
   }
 
   /** @param free between frames too, where time is shown in frames */

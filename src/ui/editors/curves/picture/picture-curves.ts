@@ -11,7 +11,6 @@
  *     aside      traces …  traces …  paints ─┐
  *     shown      old, moved          old     └▶ new
  */
-
 import { type ColumnLine, ColumnRaster } from '../../../../evaluate/plot/raster.ts';
 import { sampleExtremes } from '../../../../evaluate/plot/sample-extremes.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../evaluate/plot/trace-path.ts';

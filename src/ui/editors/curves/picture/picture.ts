@@ -9,9 +9,10 @@
  * decided one by one (`picture-curves.ts`).
  */
 import { element } from '../../../kit/dom.ts';
+import type { Box } from '../../timeline/box.ts';
 import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
 import { handleOf } from '../scene/handles.ts';
-import { type Box, type CurveLine, type CurveScene, type Hit, lineOf } from '../scene/scene.ts';
+import { type CurveLine, type CurveScene, type Hit, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
 import { drawGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';

@@ -5,8 +5,9 @@ import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
+import type { Box } from '../../timeline/box.ts';
 import { handlesOf } from './handles.ts';
-import type { Box, CurveLine, CurveScene, Hit } from './scene.ts';
+import type { CurveLine, CurveScene, Hit } from './scene.ts';
 import { PLOT_TOP } from './space.ts';
 import { traceMap } from './trace.ts';
 

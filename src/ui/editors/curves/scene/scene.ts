@@ -59,14 +59,6 @@ export type Hit =
 
 export type HandleSide = 'in' | 'out';
 
-/** Two corners in pixels, in any order. */
-export interface Box {
-  readonly x0: number;
-  readonly y0: number;
-  readonly x1: number;
-  readonly y1: number;
-}
-
 export const NO_CHANNELS: readonly number[] = [];
 
 /**

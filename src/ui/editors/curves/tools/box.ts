@@ -2,9 +2,9 @@
 import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { plural } from '../../../kit/number-text.ts';
+import type { Box } from '../../timeline/box.ts';
 import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
 import { keysInBox } from '../scene/hit.ts';
-import type { Box } from '../scene/scene.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
 /** @param curve the channel whose curve was pressed on, if one was */

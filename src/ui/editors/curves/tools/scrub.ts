@@ -1,6 +1,7 @@
 /** Dragging in the ruler moves the playhead: onto frames where the page counts in frames or snaps to them, unless Shift is held. */
+
 import { snapTime } from '../../../kit/time-window.ts';
-import type { Workbench } from '../../../state/workbench.ts';
+import { scrubFrames } from '../../timeline/scrub-frames.ts';
 import { pixelsPerSecond, timeAt } from '../scene/space.ts';
 import { type Drag, NOTHING_TO_UNDO, type PlotAccess, type PointerAt } from './tool.ts';
 
@@ -14,10 +15,4 @@ export function scrubDrag(plot: PlotAccess): Drag {
     );
   };
   return { cursor: () => 'col-resize', move, end: move, cancel: NOTHING_TO_UNDO };
-}
-
-/** Frames a second that a time is snapped to; undefined for none. */
-export function scrubFrames(wb: Workbench, free: boolean): number | undefined {
-  const snaps = wb.settings.get().timeDisplay === 'frames' || wb.timeline.view.get().snapsToFrames;
-  return snaps && !free ? wb.transport.get().framesPerSecond : undefined;
 }

@@ -1,6 +1,7 @@
 /** What a drag in the plot is, and what it may use. */
 import type { Workbench } from '../../../state/workbench.ts';
-import type { Box, CurveScene } from '../scene/scene.ts';
+import type { Box } from '../../timeline/box.ts';
+import type { CurveScene } from '../scene/scene.ts';
 import type { CurveSpace } from '../scene/space.ts';
 
 /** A pointer over the plot: pixels from its top left corner, and the keys that are held. */

@@ -1,0 +1,7 @@
+/** What is dragged open to select keys: two corners in pixels, in any order. */
+export interface Box {
+  readonly x0: number;
+  readonly y0: number;
+  readonly x1: number;
+  readonly y1: number;
+}
