@@ -125,7 +125,7 @@ const ASKING: readonly RegExp[] = [
 const asks = (text: string) => ASKING.some((pattern) => pattern.test(text));
 
 describe('what type a joint is', () => {
-  it('what type a joint is is asked of no motion but by the records of the types and their matrices', () => {
+  it('the type of a joint is asked of no motion but by the records of the types and their matrices', () => {
     const src = fileURLToPath(new URL('../../src/', import.meta.url));
     const files = readdirSync(src, { recursive: true, encoding: 'utf8' })
       .map((file) => file.replaceAll('\\', '/'))

@@ -3,7 +3,7 @@ import { COMPOUND_DOFS } from '../../../../src/model/skeleton.ts';
 import { typedList } from '../../../../src/ui/editors/rig/typed-list.ts';
 
 describe('the DOFs of a compound joint, typed', () => {
-  it('the DOFs of a compound joint, typed are taken in their order, whatever is between them', () => {
+  it('typed DOFs of a compound joint are taken in their order, whatever is between them', () => {
     expect(typedList(' Ty, rx  sz ', COMPOUND_DOFS)).toEqual(['ty', 'rx', 'sz']);
   });
 
