@@ -17,21 +17,36 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   formats: BASE,
   evaluate: BASE,
   edit: ['evaluate', ...BASE],
-  worker: ['formats', 'evaluate', ...BASE],
+  // Opening and saving, the same for page and command.
+  project: ['formats', 'evaluate', 'edit', ...BASE],
+  worker: ['project', 'formats', 'evaluate', ...BASE],
   io: ['worker', 'formats', ...BASE],
   view: ['evaluate', ...BASE],
   // Widgets that any page could have.
   'ui/kit': [...BASE],
   // What panels share: the workbench, settings, actions found by their ids.
-  'ui/state': ['ui/kit', 'view', 'edit', 'evaluate', ...BASE],
+  'ui/state': ['ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
   // A folder a panel or tool, with its own actions.
   'ui/editors': ['ui/state', 'ui/kit', 'view', 'edit', 'evaluate', ...BASE],
   // What puts them together: layout, menu bar, the one list of actions, dialogs.
-  'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'edit', 'evaluate', ...BASE],
-  cli: ['formats', 'evaluate', 'edit', ...BASE],
+  'ui/shell': ['ui/styles', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'project', 'edit', 'evaluate', ...BASE],
+  cli: ['project', 'formats', 'evaluate', 'edit', ...BASE],
   samples: ['formats', 'evaluate', ...BASE],
   // What `main.ts` wires together, where it takes more than a line.
-  app: ['ui/shell', 'ui/editors', 'ui/state', 'ui/kit', 'view', 'io', 'worker', 'formats', 'edit', 'evaluate', ...BASE],
+  app: [
+    'ui/shell',
+    'ui/editors',
+    'ui/state',
+    'ui/kit',
+    'view',
+    'io',
+    'worker',
+    'project',
+    'formats',
+    'edit',
+    'evaluate',
+    ...BASE,
+  ],
 };
 
 /** Packages, and which folders may use them. `node:` stands for all of Node. */

@@ -3,7 +3,6 @@
  * the next waits, so that what is dropped last stands last.
  */
 import { deltaTo } from '../edit/delta.ts';
-import { openFiles } from '../edit/open-files.ts';
 import { type Playback, play } from '../edit/playback.ts';
 import { type Store, withKeys } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
@@ -12,6 +11,7 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
 import type { Selection } from '../model/session.ts';
+import { openFiles } from '../project/open/open-files.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
 import type { Loading, Stage } from '../ui/state/workbench.ts';

@@ -5,11 +5,12 @@ import { partsOf } from '../model/character-parts.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter } from '../model/document.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
-import type { SaveKind, UnsavedPart } from '../ui/state/workbench.ts';
+import { type FormatKind, KINDS } from '../project/kinds.ts';
+import { distinctNames } from '../project/save/distinct-names.ts';
+import { isExport, jointPose, poseToSave } from '../project/save/own-formats.ts';
+import { exportCharacter, type LongFile, type SavedFile, saveCharacter, writeParts } from '../project/save/saving.ts';
+import type { UnsavedPart } from '../ui/state/workbench.ts';
 import type { DiskHandles } from './disk-handles.ts';
-import { distinctNames } from './distinct-names.ts';
-import { isExport, jointPose, partKindOf, poseToSave } from './parts.ts';
-import { exportCharacter, type LongFile, type SavedFile, saveCharacter, writeParts } from './saving.ts';
 import type { Unsaved } from './unsaved.ts';
 
 export interface JobParts {
@@ -54,7 +55,7 @@ export function changedFiles({ store, unsaved, handles }: JobParts): readonly Jo
 export function filesOf(
   { store, handles, framesPerSecond }: JobParts,
   character: Character,
-  kind: SaveKind,
+  kind: FormatKind,
 ): readonly Job[] {
   if (kind === 'rig') {
     return saveCharacter(character, kind).map(copyOf);
@@ -62,7 +63,7 @@ export function filesOf(
   if (isExport(character, kind)) {
     return exportCharacter(character, kind, framesPerSecond && { framesPerSecond: framesPerSecond() }).map(copyOf);
   }
-  const parts = partsOf(character).filter((part) => part.kind === partKindOf(kind));
+  const parts = partsOf(character).filter((part) => part.kind === KINDS[kind].content);
   return parts.map((part) => fileOf(store.document, handles, character, part, jointPose));
 }
 

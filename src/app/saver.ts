@@ -11,11 +11,11 @@ import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { findCharacter } from '../model/document.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
+import { type FormatKind, formatKindOf, KINDS } from '../project/kinds.ts';
+import { jointPose } from '../project/save/own-formats.ts';
+import type { FilePiece } from '../project/save/saving.ts';
 import type { Messages } from '../ui/state/messages.ts';
-import type { SaveKind } from '../ui/state/workbench.ts';
-import { jointPose } from './parts.ts';
 import { changedFiles, distinctJobs, filesOf, type Job, type JobParts } from './save-jobs.ts';
-import type { FilePiece } from './saving.ts';
 
 /** What of `io` it takes, so that a test can stand in for browser and disk. */
 export interface Disk {
@@ -54,7 +54,7 @@ export class Saver {
   }
 
   /** Saves a character's parts of one kind as the files that the person chooses. */
-  saveAs(characterId: string, kind: SaveKind): Promise<void> {
+  saveAs(characterId: string, kind: FormatKind): Promise<void> {
     return this.inTurn(async () => {
       const character = findCharacter(this.parts.store.document, characterId);
       const jobs = character ? filesOf(this.parts, character, kind) : [];
@@ -178,7 +178,8 @@ export class Saver {
   /** Of a part that was made here, which is listed and read again as what came from a file is. */
   private newFile(characterId: string, part: Part, savedAs: string, bytes: number): SourceFile {
     const { store, handles } = this.parts;
-    const isKind = savedAs.toLowerCase().endsWith(`.${part.kind}`) || savedAs.toLowerCase().endsWith(`.ax${part.kind}`);
+    const format = formatKindOf(savedAs);
+    const isKind = format !== undefined && KINDS[format].content === part.kind;
     const source = { name: savedAs, path: savedAs, bytes };
     // Most parts are called after their file: one of another name would be read as another part.
     const isOwn = isKind && (part.kind === 'skel' || part.kind === 'pose' || stemOf(source) === part.name);

@@ -11,13 +11,13 @@ import { resolvedSlopes } from '../evaluate/slopes.ts';
 import { transformPoint } from '../math/vec3.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, shownClip } from '../model/document.ts';
+import { FORMAT_KINDS } from '../project/kinds.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import { runAction } from '../ui/state/action.ts';
 import type { Workbench } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
-import type { FormatKind } from './parts.ts';
 
 /** A file to open: the browser's own, or a name and what is in it. */
 export type ScriptFile =
@@ -249,13 +249,11 @@ function asReference(value: unknown): CharacterRef | undefined {
   return typeof value === 'string' || typeof value === 'number' ? value : undefined;
 }
 
-const KINDS: readonly FormatKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
-
 /** The selected character's file of that name, or another's; else the selected character's first of that kind. */
 async function saveByName(store: Store, name: string): Promise<string> {
-  const kind = KINDS.find((k) => name.toLowerCase().endsWith(`.${k}`));
-  if (!kind) throw new Error(`"${name}" has to end in one of ${KINDS.map((k) => `.${k}`).join(' ')}.`);
-  const { saveCharacter } = await import('./saving.ts');
+  const kind = FORMAT_KINDS.find((k) => name.toLowerCase().endsWith(`.${k}`));
+  if (!kind) throw new Error(`"${name}" has to end in one of ${FORMAT_KINDS.map((k) => `.${k}`).join(' ')}.`);
+  const { saveCharacter } = await import('../project/save/saving.ts');
   const preferred = resolve(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {
     const file = saveCharacter(character, kind).find((f) => f.name.toLowerCase() === name.toLowerCase());

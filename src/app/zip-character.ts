@@ -1,16 +1,15 @@
 /** A character as one zip. A script of its own, with the library that zips: fetched when someone asks for one. */
 import { zipFiles } from '../io/zip-files.ts';
 import type { Character } from '../model/document.ts';
-import { type FormatKind, isExport } from './parts.ts';
-import { saveCharacter } from './saving.ts';
-
-const KINDS: readonly FormatKind[] = ['bvh', 'skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'pose'];
+import { FORMAT_KINDS, type FormatKind } from '../project/kinds.ts';
+import { isExport } from '../project/save/own-formats.ts';
+import { saveCharacter } from '../project/save/saving.ts';
 
 /** Everything of a character in its own formats, its textures too: what opens again as it is. */
 export function zipCharacter(character: Character): { readonly name: string; readonly bytes: Uint8Array<ArrayBuffer> } {
   const isOwn = (kind: FormatKind) => !isExport(character, kind);
   // A rig names a `.skel`, and motion capture has none.
-  const kinds = KINDS.filter((kind) => isOwn(kind) && (kind !== 'rig' || isOwn('skel') || isOwn('axskel')));
+  const kinds = FORMAT_KINDS.filter((kind) => isOwn(kind) && (kind !== 'rig' || isOwn('skel') || isOwn('axskel')));
   const texts = kinds
     .flatMap((kind) => saveCharacter(character, kind))
     .map(({ name, text }) => ({

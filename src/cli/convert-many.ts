@@ -8,12 +8,12 @@
  */
 import { mkdirSync, statSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
-import { openFiles } from '../edit/open-files.ts';
 import { CommandError } from '../edit/store.ts';
-import { formatOf } from '../formats/registry.ts';
 import { type Diagnostic, hasErrors } from '../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../model/document.ts';
-import { type ConversionOptions, outputsOf, refusal, sourceFor, type Target } from './conversion.ts';
+import { openFiles } from '../project/open/open-files.ts';
+import { formatOf } from '../project/open/readers.ts';
+import { type ConversionOptions, outputsOf, refusal, sourceFor, type Target } from '../project/save/conversion.ts';
 import { loadFiles } from './load.ts';
 import { findGiven, type GivenPath } from './paths.ts';
 import { writeOutput } from './write-output.ts';

@@ -4,12 +4,13 @@
  */
 import { checkMorph } from '../evaluate/binding.ts';
 import { skinFacts } from '../evaluate/bounds.ts';
-import { formatOf, READABLE_EXTENSIONS } from '../formats/registry.ts';
 import { TEXTURE_EXTENSIONS, textureTypeOf } from '../formats/textures.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type BrokenFile, folderOf, type ParsedFile, type SourceFile, type Texture } from '../model/files.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
+import { READABLE_EXTENSIONS } from '../project/kinds.ts';
+import { formatOf } from '../project/open/readers.ts';
 import type { GivenBlob, ParseInput, ParseOutput, Progress } from './protocol.ts';
 import { unzip } from './zip.ts';
 

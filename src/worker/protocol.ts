@@ -1,6 +1,6 @@
 /**
  * All that the page and its worker share: which jobs there are, and the messages that carry them. Another kind of work
- * is another entry in `Jobs`; another file format is no change here at all (`formats/registry.ts`).
+ * is another entry in `Jobs`; another file format is no change here at all (`project/kinds.ts`).
  */
 import type { SkinFacts } from '../evaluate/bounds.ts';
 import type { Diagnostic } from '../model/diagnostic.ts';

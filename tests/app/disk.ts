@@ -2,12 +2,12 @@
 import { DiskHandles } from '../../src/app/disk-handles.ts';
 import { type Disk, Saver } from '../../src/app/saver.ts';
 import { Unsaved } from '../../src/app/unsaved.ts';
-import { openFiles } from '../../src/edit/open-files.ts';
 import { Store } from '../../src/edit/store.ts';
 import { DiskError, NotNowError } from '../../src/io/disk-files.ts';
 import type { GivenFile } from '../../src/io/given.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
+import { openFiles } from '../../src/project/open/open-files.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { parse } from '../../src/worker/parse.ts';
 

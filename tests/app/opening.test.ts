@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
-import { saveCharacter } from '../../src/app/saving.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
+import { saveCharacter } from '../../src/project/save/saving.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';

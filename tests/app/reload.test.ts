@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import { Opener } from '../../src/app/opening.ts';
 import { canReload, reload } from '../../src/app/reload.ts';
-import { saveCharacter } from '../../src/app/saving.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { DiskError, type DiskFile } from '../../src/io/disk-files.ts';
 import { keylessChannel } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
+import { saveCharacter } from '../../src/project/save/saving.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';

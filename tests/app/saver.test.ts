@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { saveCharacter } from '../../src/app/saving.ts';
 import { renameClip } from '../../src/edit/commands/clips.ts';
 import { createRig } from '../../src/edit/commands/rig.ts';
 import type { Character } from '../../src/model/document.ts';
+import { saveCharacter } from '../../src/project/save/saving.ts';
 import { character, clip, skeleton, skin } from '../helpers/builders.ts';
 import { pageWith } from './disk.ts';
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { openFiles } from '../../src/edit/open-files.ts';
 import { extentOf } from '../../src/edit/place-beside.ts';
 import { type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
+import { openFiles } from '../../src/project/open/open-files.ts';
 import { figure, take } from '../helpers/mocap.ts';
 
 type Point = readonly [number, number, number];

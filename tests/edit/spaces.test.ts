@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 import { setInterpolation } from '../../src/edit/commands/clips.ts';
 import { setHidden, setPositionChannels, setSpace } from '../../src/edit/commands/spaces.ts';
-import { openFiles } from '../../src/edit/open-files.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
 import { EMPTY_DOCUMENT, type Space } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
+import { openFiles } from '../../src/project/open/open-files.ts';
 import { character, clip, documentOf } from '../helpers/builders.ts';
 import { captured, figure, take } from '../helpers/mocap.ts';
 

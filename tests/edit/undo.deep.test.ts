@@ -4,12 +4,12 @@
  */
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { saveCharacter } from '../../src/app/saving.ts';
 import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import { CommandError, Store, withKeys } from '../../src/edit/store.ts';
 import { type Channel, keylessChannel } from '../../src/model/clip.ts';
 import { type Document, shownClip } from '../../src/model/document.ts';
 import { RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
+import { saveCharacter } from '../../src/project/save/saving.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 import { expectSound } from '../helpers/expect-edit.ts';
 import { ABOUT_NO_FILE, anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { writeFile } from '../../src/formats/write.ts';
 import type { FileContent } from '../../src/model/files.ts';
+import { writeFile } from '../../src/project/save/writers.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import * as arbitrary from './arbitraries.ts';
 import { read } from './read-in-pieces.ts';

@@ -1,8 +1,8 @@
 /** The real files of motion capture, read as the page reads them. */
 import { readdirSync } from 'node:fs';
 import { readWhole } from '../../src/formats/reader.ts';
-import { formatOf } from '../../src/formats/registry.ts';
 import type { Figure } from '../../src/model/files.ts';
+import { formatOf } from '../../src/project/open/readers.ts';
 import { hasShared, sharedBytes, sharedPath } from './shared.ts';
 
 /** Names of all that load. */

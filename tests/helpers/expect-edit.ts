@@ -6,10 +6,10 @@ import { expect } from 'vitest';
 import { applyDelta, deltaTo, sameValue } from '../../src/edit/delta.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { type Command, type Edit, Store } from '../../src/edit/store.ts';
-import { writeFile } from '../../src/formats/write.ts';
 import { type Character, type Document, findCharacter, isBvh } from '../../src/model/document.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { NOTHING_SELECTED, type Selection } from '../../src/model/session.ts';
+import { writeFile } from '../../src/project/save/writers.ts';
 import { read } from '../formats/read-in-pieces.ts';
 import { checkDocument, checkSelection } from './invariants.ts';
 

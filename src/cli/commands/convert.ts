@@ -6,17 +6,17 @@
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
  */
 import { basename, resolve } from 'node:path';
-import { bvhOf, type NamedFigure, skelOf } from '../../edit/convert/character-files.ts';
-import { openFiles } from '../../edit/open-files.ts';
 import { CommandError } from '../../edit/store.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
-import { type Format, formatOf, READABLE_EXTENSIONS } from '../../formats/registry.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
+import { READABLE_EXTENSIONS } from '../../project/kinds.ts';
+import { openFiles } from '../../project/open/open-files.ts';
+import { type Format, formatOf } from '../../project/open/readers.ts';
+import { bvhOf, type NamedFigure, skelOf } from '../../project/save/character-files.ts';
 import {
   bvhOutput,
   type ConversionOptions,
@@ -26,7 +26,8 @@ import {
   TARGETS,
   type Target,
   textOutput,
-} from '../conversion.ts';
+} from '../../project/save/conversion.ts';
+import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import type { Command, CommandIo, ExitCode } from '../io.ts';
 import { loadFiles } from '../load.ts';

@@ -5,7 +5,7 @@
  *
  * within the joints' limits. As in `marrow pose`: doubles, radians, the character's own space.
  */
-import { openFiles } from '../../edit/open-files.ts';
+
 import { type IkPin, ikStiffness } from '../../evaluate/ik/pins.ts';
 import { ikProblem } from '../../evaluate/ik/problem.ts';
 import { solve } from '../../evaluate/ik/solve.ts';
@@ -16,6 +16,7 @@ import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { openFiles } from '../../project/open/open-files.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Command } from '../io.ts';
 import { loadFiles } from '../load.ts';

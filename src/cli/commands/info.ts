@@ -1,13 +1,14 @@
 /** `marrow info`: what is in files, what is wrong with them, and what belongs together. */
-import { openFiles } from '../../edit/open-files.ts';
+
 import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../model/document.ts';
 import { jointDofCount } from '../../model/dofs.ts';
 import type { FileContent } from '../../model/files.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
+import { openFiles } from '../../project/open/open-files.ts';
+import { refusal } from '../../project/save/conversion.ts';
 import { parseArguments } from '../arguments.ts';
-import { refusal } from '../conversion.ts';
 import type { Command } from '../io.ts';
 import { type LoadedFile, loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';

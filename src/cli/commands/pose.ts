@@ -6,7 +6,6 @@
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
 
-import { openFiles } from '../../edit/open-files.ts';
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
@@ -15,6 +14,7 @@ import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { jointTypeOf } from '../../model/joint-types.ts';
+import { openFiles } from '../../project/open/open-files.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
 import type { Command } from '../io.ts';
 import { loadFiles } from '../load.ts';

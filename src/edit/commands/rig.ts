@@ -5,8 +5,8 @@
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { indexIn, oneOf, text } from '../arguments.ts';
-import { newCharacter, withSkeleton } from '../assemble.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
 import { called, calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
 import { withTakenUp } from '../rig/bind.ts';

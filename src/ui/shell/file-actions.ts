@@ -1,41 +1,10 @@
 /** Opening and saving. */
+
 import { axisAngleObstacle } from '../../model/axis-angle.ts';
-import { type Character, shownClip, shownSkin } from '../../model/document.ts';
+import { FORMAT_KINDS, KINDS } from '../../project/kinds.ts';
 import { currentCharacter } from '../state/action.ts';
-import { type Action, SAVE_KINDS, type SaveKind, type Workbench } from '../state/workbench.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
-
-export const SAVE_LABELS: Readonly<Record<SaveKind, string>> = {
-  skel: 'Skeleton (.skel)',
-  axskel: 'Axis-angle skeleton (.axskel)',
-  skin: 'Skin (.skin)',
-  morph: 'Morphs (.morph)',
-  anim: 'Animation (.anim)',
-  rig: 'Rig (.rig)',
-  bvh: 'Motion capture (.bvh)',
-  pose: 'Poses (.pose)',
-};
-
-/** Whether a character has anything to save as such a file. */
-export function canSave(character: Character, kind: SaveKind): boolean {
-  switch (kind) {
-    case 'skel':
-    case 'bvh':
-      return character.skeleton !== undefined;
-    case 'axskel':
-      return character.skeleton !== undefined && axisAngleObstacle(character.skeleton) === undefined;
-    case 'skin':
-      return shownSkin(character) !== undefined;
-    case 'morph':
-      return character.morphs.length > 0;
-    case 'anim':
-      return shownClip(character) !== undefined;
-    case 'pose':
-      return (character.poses?.length ?? 0) > 0;
-    case 'rig':
-      return character.skeleton !== undefined || shownSkin(character) !== undefined;
-  }
-}
 
 /** What stands in the way of the axis-angle form, which is more than that there is no skeleton. */
 function whyNotAxisAngle(wb: Workbench): string | undefined {
@@ -100,16 +69,16 @@ export const FILE_ACTIONS: readonly Action[] = [
     enabled: hasCharacters,
     run: (wb) => wb.dialog.set('save'),
   },
-  ...SAVE_KINDS.map(
+  ...FORMAT_KINDS.map(
     (kind): Action => ({
       id: `save.${kind}`,
-      label: SAVE_LABELS[kind],
+      label: KINDS[kind].saveLabel,
       group: 'Files',
       menu: 'Save',
       section: 1,
       enabled(wb) {
         const character = currentCharacter(wb);
-        return character !== undefined && canSave(character, kind);
+        return character !== undefined && KINDS[kind].has(character);
       },
       ...(kind === 'axskel' && { whyNot: whyNotAxisAngle }),
       run(wb) {

@@ -1,24 +1,29 @@
 /** The save dialog: each character, and every file it can be saved as. */
+
 import { type Character, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
+import { FORMAT_KINDS, KINDS, type Kind } from '../../project/kinds.ts';
 import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
-import { SAVE_KINDS, type SaveKind, type Workbench } from '../state/workbench.ts';
-import { canSave, SAVE_LABELS } from './file-actions.ts';
+import type { Workbench } from '../state/workbench.ts';
 
 export function saveList(wb: Workbench, close: () => void): DialogContent {
   const body = element('div', { class: 'save-list' });
   for (const character of wb.store.document.characters) {
     const row = element('div', { class: 'save-files' });
-    for (const kind of SAVE_KINDS) {
-      if (!canSave(character, kind)) continue;
+    for (const kind of FORMAT_KINDS) {
+      if (!KINDS[kind].has(character)) continue;
       row.append(
-        saveButton(SAVE_LABELS[kind], contents(character, kind, wb.transport.get().framesPerSecond), () => {
-          close();
-          wb.files.save(character.id, kind);
-        }),
+        saveButton(
+          KINDS[kind].saveLabel,
+          contents(character, KINDS[kind].content, wb.transport.get().framesPerSecond),
+          () => {
+            close();
+            wb.files.save(character.id, kind);
+          },
+        ),
       );
     }
     row.append(
@@ -45,12 +50,11 @@ function saveButton(label: string, detail: string, save: () => void): HTMLElemen
   return made;
 }
 
-function contents(character: Character, kind: SaveKind, framesPerSecond: number): string {
+function contents(character: Character, content: Kind['content'], framesPerSecond: number): string {
   const skin = shownSkin(character);
   const clip = shownClip(character);
-  switch (kind) {
+  switch (content) {
     case 'skel':
-    case 'axskel':
       return plural(character.skeleton?.joints.length ?? 0, 'joint');
     case 'skin':
       return skin ? plural(vertexCount(skin), 'vertex', 'vertices') : '';

@@ -5,6 +5,7 @@
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { PartKind } from '../../model/part.ts';
+import type { FormatKind } from '../../project/kinds.ts';
 import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../kit/icons.ts';
 import type { Observable } from '../kit/observable.ts';
@@ -122,10 +123,6 @@ export interface Loading {
   cancel(): void;
 }
 
-/** `skel` is the hierarchy form, `axskel` the axis-angle form. */
-export type SaveKind = 'skel' | 'axskel' | 'skin' | 'morph' | 'anim' | 'rig' | 'bvh' | 'pose';
-export const SAVE_KINDS: readonly SaveKind[] = ['skel', 'axskel', 'skin', 'morph', 'anim', 'rig', 'bvh', 'pose'];
-
 /** A part of a character that is not as it was opened, or last saved. */
 export interface UnsavedPart {
   readonly characterId: string;
@@ -163,7 +160,7 @@ export interface FileActions {
    * Parts of one kind, to a place that the person chooses. A kind that the character does not have is made: skeleton and
    * animation of motion capture, and the other way round, at the transport's frame rate.
    */
-  save(characterId: string, kind: SaveKind): void;
+  save(characterId: string, kind: FormatKind): void;
   /** A character as one zip. */
   saveAll(characterId: string): void;
 }

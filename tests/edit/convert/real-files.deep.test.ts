@@ -1,11 +1,11 @@
 /** Every real file of motion capture through `.skel` and `.anim` and back, by the evaluators of both sides. */
 import { expect, it } from 'vitest';
-import { animOf, bvhOf, skelOf } from '../../../src/edit/convert/character-files.ts';
 import { readWhole } from '../../../src/formats/reader.ts';
-import { formatOf } from '../../../src/formats/registry.ts';
-import { writeFile } from '../../../src/formats/write.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import type { Figure, FileContent } from '../../../src/model/files.ts';
+import { formatOf } from '../../../src/project/open/readers.ts';
+import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
+import { writeFile } from '../../../src/project/save/writers.ts';
 import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { characterOf, frameTimes, heightOf, worstDistance } from './round-trip.ts';

@@ -1,10 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { animOf, bvhOf, skelOf } from '../../../src/edit/convert/character-files.ts';
 import { keyedClip } from '../../../src/edit/convert/keys-of-samples.ts';
 import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import type { Figure } from '../../../src/model/files.ts';
+import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { anyFigure } from './figures.ts';
 import { characterOf, frameTimes, worstDistance } from './round-trip.ts';

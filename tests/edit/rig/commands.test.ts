@@ -1,5 +1,4 @@
 import { describe, expect, it } from 'vitest';
-import { saveCharacter } from '../../../src/app/saving.ts';
 import { addJoint, createRig, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
 import {
   renameJoint,
@@ -18,6 +17,7 @@ import { keylessChannel } from '../../../src/model/clip.ts';
 import { type Character, type Document, isBvh } from '../../../src/model/document.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
+import { saveCharacter } from '../../../src/project/save/saving.ts';
 import { character, clip, documentOf, joint, skeleton, skin } from '../../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../../helpers/shared.ts';
 

@@ -1,43 +1,16 @@
 /** Putting a character together from the files that belong to it, and telling what among its parts does not fit. */
-import { checkClip, checkMorph, checkSkin } from '../evaluate/binding.ts';
-import { guessSharedSpace } from '../evaluate/space.ts';
-import type { ChannelClip } from '../model/clip.ts';
-import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, DEFAULT_PLACEMENT, isBvh, shownClip, shownSkin } from '../model/document.ts';
-import { filePose, jointDofCount, rootDofCount } from '../model/dofs.ts';
-import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
-import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../model/part.ts';
-import { positionsMeant, positionsTaken, withPositions } from '../model/position-channels.ts';
-import type { Skeleton } from '../model/skeleton.ts';
-import { carriedOver, lostOver } from './carried-over.ts';
-import { withoutUnkeyed } from './unkeyed.ts';
-
-export function newCharacter(id: string, name: string): Character {
-  return {
-    id,
-    name,
-    skins: [],
-    shownSkin: 0,
-    morphs: [],
-    textures: [],
-    clips: [],
-    shownClip: -1,
-    pose: filePose(undefined, 0),
-    clampsToLimits: true,
-    placements: [DEFAULT_PLACEMENT],
-    timeOffsetSeconds: 0,
-    sources: [],
-    parts: NO_MARKS,
-  };
-}
-
-/** The new skeleton's own pose; root translation and morph weights stay, and what else goes by joints goes along. */
-export function withSkeleton(character: Character, skeleton: Skeleton): Character {
-  const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
-  const kept = rootDofCount(skeleton) === rootDofCount(character.skeleton) ? rootDofCount(skeleton) : 0;
-  const pose = [...character.pose.slice(0, kept), ...filePose(skeleton, 0).slice(kept), ...weights];
-  return carriedOver(character, { ...withoutUnkeyed(character), skeleton, pose });
-}
+import { lostOver } from '../../edit/carried-over.ts';
+import { withSkeleton } from '../../edit/new-character.ts';
+import { withoutUnkeyed } from '../../edit/unkeyed.ts';
+import { checkClip, checkMorph, checkSkin } from '../../evaluate/binding.ts';
+import { guessSharedSpace } from '../../evaluate/space.ts';
+import type { ChannelClip } from '../../model/clip.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import { type Character, isBvh, shownClip, shownSkin } from '../../model/document.ts';
+import { jointDofCount } from '../../model/dofs.ts';
+import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName } from '../../model/files.ts';
+import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
+import { positionsMeant, positionsTaken, withPositions } from '../../model/position-channels.ts';
 
 /**
  * Adds a part, or replaces the one that came from a file of the same name; what is new is what is shown.

@@ -1,11 +1,11 @@
 /** Saving skeletons that were read from the axis-angle form. */
 import { describe, expect, it } from 'vitest';
-import { isExport } from '../../src/app/parts.ts';
-import { saveCharacter } from '../../src/app/saving.ts';
-import type { Character } from '../../src/model/document.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
-import { character } from '../helpers/builders.ts';
-import { pageWith } from './disk.ts';
+import type { Character } from '../../../src/model/document.ts';
+import type { Skeleton } from '../../../src/model/skeleton.ts';
+import { isExport } from '../../../src/project/save/own-formats.ts';
+import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { pageWith } from '../../app/disk.ts';
+import { character } from '../../helpers/builders.ts';
 
 const ARM = '0.5 0 1 0 0 1\n1.5 1 0 0 30 1\n1 2 0 0 60 0\n';
 const posed = (c: Character): Character => ({ ...c, pose: c.pose.map((v, i) => (i === 5 ? Math.PI / 2 : v)) });
@@ -66,8 +66,8 @@ describe('a skeleton from the axis-angle form', () => {
   });
 
   it('a skeleton from the axis-angle form is zipped with a rig that finds it', async () => {
-    const { zipCharacter } = await import('../../src/app/zip-character.ts');
-    const { parse } = await import('../../src/worker/parse.ts');
+    const { zipCharacter } = await import('../../../src/app/zip-character.ts');
+    const { parse } = await import('../../../src/worker/parse.ts');
     const page = await pageWith({ 'arm.axskel': ARM });
     const { name, bytes } = zipCharacter(first(page));
     const { files, diagnostics } = await parse({ files: [{ path: name, blob: new Blob([bytes]) }] }, () => undefined);

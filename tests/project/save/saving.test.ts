@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { saveCharacter } from '../../src/app/saving.ts';
-import { zipCharacter } from '../../src/app/zip-character.ts';
-import { openFiles } from '../../src/edit/open-files.ts';
-import { EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import { parse } from '../../src/worker/parse.ts';
-import { character, clip, morph, skeleton, skin } from '../helpers/builders.ts';
+import { zipCharacter } from '../../../src/app/zip-character.ts';
+import { EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import { openFiles } from '../../../src/project/open/open-files.ts';
+import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { parse } from '../../../src/worker/parse.ts';
+import { character, clip, morph, skeleton, skin } from '../../helpers/builders.ts';
 
 const hero = character({
   skins: [skin('hero', 1, { material: { name: 'face', texture: 'face.png' } })],

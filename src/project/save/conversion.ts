@@ -2,14 +2,15 @@
  * What the files given are in another format: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton and clip.
  * Everything that comes in one file of BVH goes out as one where that can be: several roots of the same frames.
  */
-import { animOf, bvhOf, type NamedFigure, skelOf } from '../edit/convert/character-files.ts';
-import type { KeyOptions } from '../edit/convert/keys-of-samples.ts';
-import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
-import { writeFile } from '../formats/write.ts';
-import { inHierarchyForm } from '../model/axis-angle.ts';
-import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
-import type { Character } from '../model/document.ts';
-import { type FileContent, type SourceFile, stemOf } from '../model/files.ts';
+
+import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import { fitOneBvh, writeBvhPieces } from '../../formats/bvh/write.ts';
+import { inHierarchyForm } from '../../model/axis-angle.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import { type FileContent, type SourceFile, stemOf } from '../../model/files.ts';
+import { animOf, bvhOf, type NamedFigure, skelOf } from './character-files.ts';
+import { writeFile } from './writers.ts';
 
 /** What there can be of any character that has a skeleton. */
 export const TARGETS = ['skel', 'anim', 'bvh'] as const;

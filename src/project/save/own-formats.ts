@@ -2,35 +2,22 @@
  * What saving a character's parts (`model/part.ts`) goes by: which formats are its own, and the pose that goes into a
  * skeleton's file.
  */
-import { poseByNames } from '../edit/pose/by-names.ts';
-import { channelOf } from '../evaluate/pose.ts';
-import { savesAsAxisAngle } from '../model/axis-angle.ts';
-import { type Character, isBvh } from '../model/document.ts';
-import { jointDofCount, rootDofCount } from '../model/dofs.ts';
-import type { FileKind } from '../model/files.ts';
-import type { PoseLibrary } from '../model/part.ts';
-import type { PoseByNames } from '../model/pose-by-names.ts';
+import { poseByNames } from '../../edit/pose/by-names.ts';
+import { channelOf } from '../../evaluate/pose.ts';
+import type { Character } from '../../model/document.ts';
+import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
+import type { PoseLibrary } from '../../model/part.ts';
+import type { PoseByNames } from '../../model/pose-by-names.ts';
+import { type FormatKind, KINDS } from '../kinds.ts';
 
-/** What a character can be saved as: `skel` in the hierarchy form, or `axskel` in the axis-angle form. */
-export type FormatKind = FileKind | 'axskel';
-
-/** Whether that is a format of which the character has nothing itself, but which it can be converted to. */
+/** Whether a character has nothing of a format itself, but can be converted to it. */
 export function isExport(character: Character, kind: FormatKind): boolean {
-  const { skeleton } = character;
-  if (!skeleton) return false;
-  if (kind === 'bvh') return !isBvh(character);
-  if (kind === 'axskel') return !savesAsAxisAngle(skeleton);
-  return (kind === 'anim' && isBvh(character)) || (kind === 'skel' && (isBvh(character) || savesAsAxisAngle(skeleton)));
+  return !KINDS[kind].isOwn(character);
 }
 
 /** What of a library its file holds. */
 export function posesByNames(library: PoseLibrary): readonly PoseByNames[] {
   return library.poses.map((pose) => poseByNames(library, pose));
-}
-
-/** Which parts a format holds. */
-export function partKindOf(kind: FormatKind): FileKind {
-  return kind === 'axskel' ? 'skel' : kind;
 }
 
 /** The pose of the joints as set: one value for each of their DOFs, without root translation and morphs. */

@@ -5,8 +5,13 @@
  * All or nothing for each character: where one of the files that belong together has an error, or does not fit, none
  * of them is opened and everything stays as it was. Other characters of the same drop are not held up.
  */
-import { type Diagnostic, hasErrors, withoutPlace } from '../model/diagnostic.ts';
-import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../model/document.ts';
+
+import { newCharacter } from '../../edit/new-character.ts';
+import { placeBeside } from '../../edit/place-beside.ts';
+import { sameJoints } from '../../edit/pose/same-joints.ts';
+import { withSourcePairs } from '../../edit/rig/by-joint.ts';
+import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic.ts';
+import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
   type BrokenFile,
   type Figure,
@@ -15,13 +20,10 @@ import {
   type SourceFile,
   sameName,
   stemOf,
-} from '../model/files.ts';
-import { checkParts, newCharacter, withFigure, withPart, withTextures } from './assemble.ts';
+} from '../../model/files.ts';
+import { checkParts, withFigure, withPart, withTextures } from './assemble.ts';
 import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } from './grouping.ts';
-import { placeBeside } from './place-beside.ts';
-import { fittingCharacter, givePoses, type PoseFile } from './pose/open.ts';
-import { sameJoints } from './pose/same-joints.ts';
-import { withSourcePairs } from './rig/by-joint.ts';
+import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
 export interface OpenResult {
   /** The very same document where nothing was opened. */

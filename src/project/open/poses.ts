@@ -1,10 +1,11 @@
 /** A file of poses on its way into a character's library. */
+
+import { takePose } from '../../edit/pose/by-names.ts';
+import { addPoses, withPoses } from '../../edit/pose/library.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { type ParsedFile, sameName } from '../../model/files.ts';
 import { NO_MARKS, readAs, UNMARKED } from '../../model/part.ts';
-import { takePose } from './by-names.ts';
-import { addPoses, withPoses } from './library.ts';
 
 export type PoseFile = Extract<ParsedFile, { readonly kind: 'pose' }>;
 

@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { saveCharacter } from '../../src/app/saving.ts';
-import { zipCharacter } from '../../src/app/zip-character.ts';
-import { writeBvh } from '../../src/formats/bvh/write.ts';
-import type { Character } from '../../src/model/document.ts';
-import type { Samples } from '../../src/model/samples.ts';
-import type { Skeleton } from '../../src/model/skeleton.ts';
-import { parse } from '../../src/worker/parse.ts';
-import { character, clip } from '../helpers/builders.ts';
-import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
-import { pageWith } from './disk.ts';
+import { zipCharacter } from '../../../src/app/zip-character.ts';
+import { writeBvh } from '../../../src/formats/bvh/write.ts';
+import type { Character } from '../../../src/model/document.ts';
+import type { Samples } from '../../../src/model/samples.ts';
+import type { Skeleton } from '../../../src/model/skeleton.ts';
+import { saveCharacter } from '../../../src/project/save/saving.ts';
+import { parse } from '../../../src/worker/parse.ts';
+import { pageWith } from '../../app/disk.ts';
+import { character, clip } from '../../helpers/builders.ts';
+import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 
 const FIGURE: Skeleton = {
   name: 'walk',

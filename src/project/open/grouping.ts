@@ -8,7 +8,7 @@
  *
  * Files with errors take part, so that a character is never put together around a hole.
  */
-import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
+import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import {
   type BrokenFile,
   baseName,
@@ -17,7 +17,7 @@ import {
   type SourceFile,
   sameName,
   stemOf,
-} from '../model/files.ts';
+} from '../../model/files.ts';
 
 /** A file that was given, read or not. */
 export type GivenFile = ParsedFile | (BrokenFile & { readonly broken: true });

@@ -3,6 +3,9 @@
  * command write, as models: the text is the writers' business.
  */
 
+import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
+import { CommandError } from '../../edit/store.ts';
 import { framesOf, MOST_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
@@ -12,9 +15,6 @@ import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { CommandError } from '../store.ts';
-import type { KeyOptions } from './keys-of-samples.ts';
-import { skelClip, skelFigure, skelPose } from './skel-figure.ts';
 
 /** A second where a clip has no rate of its own. */
 export const DEFAULT_FRAMES_PER_SECOND = 30;

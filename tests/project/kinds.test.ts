@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import { FORMATS, formatOf, READABLE_EXTENSIONS } from '../../src/formats/registry.ts';
-import { writeFile } from '../../src/formats/write.ts';
 import type { FileContent } from '../../src/model/files.ts';
+import { FORMAT_KINDS, KINDS, READABLE_EXTENSIONS } from '../../src/project/kinds.ts';
+import { formatOf } from '../../src/project/open/readers.ts';
+import { writeFile } from '../../src/project/save/writers.ts';
 import { clip, morph, skin } from '../helpers/builders.ts';
 
-describe('the list of formats', () => {
+describe('the list of kinds of files', () => {
   it('finds a format by the end of a name, in any case', () => {
     expect(formatOf('wasp.skel')?.kind).toBe('skel');
     expect(formatOf('a/b.c/WASP.Walk.ANIM')?.kind).toBe('anim');
@@ -26,7 +27,7 @@ describe('the list of formats', () => {
       { kind: 'bvh', figures: [] },
       { kind: 'pose', poses: [] },
     ];
-    expect(contents.map((c) => c.kind).sort()).toEqual(FORMATS.map((f) => f.kind).sort());
+    expect(new Set(contents.map((c) => c.kind))).toEqual(new Set(FORMAT_KINDS.map((kind) => KINDS[kind].content)));
     for (const content of contents) expect(writeFile(content, `x.${content.kind}`)?.diagnostics).toEqual([]);
   });
 

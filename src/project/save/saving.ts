@@ -1,21 +1,23 @@
 /**
  * A character's parts as files again, each in the format of its kind (`parts.ts`). In the formats that are not its own it
- * can be exported (`edit/convert/character-files.ts`): a copy, by which nothing counts as saved.
+ * can be exported (`character-files.ts`): a copy, by which nothing counts as saved.
  *
  * A skeleton that was read from the axis-angle form is kept in that form as long as it fits into it; each form is an
  * export of the other.
  */
-import { animOf, bvhOf, hasOwnRate, inPose, skelOf } from '../edit/convert/character-files.ts';
-import { fitOneBvh, writeBvhPieces } from '../formats/bvh/write.ts';
-import { writeFile } from '../formats/write.ts';
-import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../model/axis-angle.ts';
-import { partsOf } from '../model/character-parts.ts';
-import type { Diagnostic } from '../model/diagnostic.ts';
-import type { Character } from '../model/document.ts';
-import type { FileContent } from '../model/files.ts';
-import { newFileName, type Part } from '../model/part.ts';
-import type { Rig } from '../model/rig.ts';
-import { type FormatKind, isExport, jointPose, partKindOf, posesByNames } from './parts.ts';
+
+import { fitOneBvh, writeBvhPieces } from '../../formats/bvh/write.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
+import { partsOf } from '../../model/character-parts.ts';
+import type { Diagnostic } from '../../model/diagnostic.ts';
+import type { Character } from '../../model/document.ts';
+import type { FileContent } from '../../model/files.ts';
+import { newFileName, type Part } from '../../model/part.ts';
+import type { Rig } from '../../model/rig.ts';
+import { type FormatKind, KINDS } from '../kinds.ts';
+import { animOf, bvhOf, hasOwnRate, inPose, skelOf } from './character-files.ts';
+import { isExport, jointPose, posesByNames } from './own-formats.ts';
+import { writeFile } from './writers.ts';
 
 export interface SavedFile {
   readonly name: string;
@@ -46,7 +48,7 @@ export function saveCharacter(
 ): readonly SavedFile[] {
   if (kind === 'rig') return [write(`${character.name}.rig`, { kind, rig: rigOf(character) })];
   if (isExport(character, kind)) return exportCharacter(character, kind, options).map(asText);
-  const parts = partsOf(character).filter((p) => p.kind === partKindOf(kind));
+  const parts = partsOf(character).filter((p) => p.kind === KINDS[kind].content);
   const pose = jointPose(character);
   return parts.map((part) =>
     inOnePiece(newFileName(part), writeParts(newFileName(part), [{ character, part, pose }], options)),

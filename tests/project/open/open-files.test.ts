@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { removeCharacter } from '../../src/edit/commands/characters.ts';
-import { openFiles } from '../../src/edit/open-files.ts';
-import { type Character, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
-import type { BrokenFile, ParsedFile } from '../../src/model/files.ts';
+import { removeCharacter } from '../../../src/edit/commands/characters.ts';
+import { type Character, type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
+import type { BrokenFile, ParsedFile } from '../../../src/model/files.ts';
+import { openFiles } from '../../../src/project/open/open-files.ts';
 import {
   animFile,
   character,
@@ -15,7 +15,7 @@ import {
   skelFile,
   skin,
   skinFile,
-} from '../helpers/builders.ts';
+} from '../../helpers/builders.ts';
 
 const open = (files: ParsedFile[], document: Document = EMPTY_DOCUMENT, selected?: string) =>
   openFiles(document, files, [], selected);

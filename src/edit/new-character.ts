@@ -1,0 +1,34 @@
+/** A character that begins, and one that gets another skeleton. */
+import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
+import { filePose, rootDofCount } from '../model/dofs.ts';
+import { NO_MARKS } from '../model/part.ts';
+import type { Skeleton } from '../model/skeleton.ts';
+import { carriedOver } from './carried-over.ts';
+import { withoutUnkeyed } from './unkeyed.ts';
+
+export function newCharacter(id: string, name: string): Character {
+  return {
+    id,
+    name,
+    skins: [],
+    shownSkin: 0,
+    morphs: [],
+    textures: [],
+    clips: [],
+    shownClip: -1,
+    pose: filePose(undefined, 0),
+    clampsToLimits: true,
+    placements: [DEFAULT_PLACEMENT],
+    timeOffsetSeconds: 0,
+    sources: [],
+    parts: NO_MARKS,
+  };
+}
+
+/** The new skeleton's own pose; root translation and morph weights stay, and what else goes by joints goes along. */
+export function withSkeleton(character: Character, skeleton: Skeleton): Character {
+  const weights = character.morphs.length ? character.pose.slice(-character.morphs.length) : [];
+  const kept = rootDofCount(skeleton) === rootDofCount(character.skeleton) ? rootDofCount(skeleton) : 0;
+  const pose = [...character.pose.slice(0, kept), ...filePose(skeleton, 0).slice(kept), ...weights];
+  return carriedOver(character, { ...withoutUnkeyed(character), skeleton, pose });
+}
