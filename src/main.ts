@@ -16,7 +16,7 @@ import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { observable } from './ui/kit/observable.ts';
-import { pageActions } from './ui/shell/actions.ts';
+import { actionList } from './ui/shell/actions.ts';
 import { mountWorkbench } from './ui/shell/mount.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
 import { Messages } from './ui/state/messages.ts';
@@ -50,7 +50,7 @@ const sampleDisplay = new SampleDisplay(settings, store);
 
 const workbench: Workbench = {
   store,
-  actions: pageActions,
+  actions: actionList(() => workbench),
   viewport,
   viewportElement,
   transport,

@@ -6,7 +6,7 @@ import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
-import { pageActions } from '../../src/ui/shell/actions.ts';
+import { actionList } from '../../src/ui/shell/actions.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { Posing } from '../../src/ui/state/posing.ts';
@@ -87,8 +87,9 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
     character: () => undefined,
     holdTravel: () => () => {},
   };
-  const wb = {
-    actions: pageActions,
+  // What no test touches, the canvas and the element around it, needs a browser.
+  const wb: Workbench = {
+    actions: actionList(() => wb),
     store: new Store(document),
     transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
     timeline: new Timeline(),
@@ -107,7 +108,6 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
       save: (id: string, kind: string) => void saved.push(`${id}.${kind}`),
     },
     viewport,
-  };
-  // What no test touches, the canvas and the element around it, needs a browser.
-  return { wb: wb as unknown as Workbench, seeks, saved, revealed };
+  } as unknown as Workbench;
+  return { wb, seeks, saved, revealed };
 }

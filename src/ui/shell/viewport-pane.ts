@@ -19,7 +19,7 @@ import { listenToCanvas } from '../editors/viewport/canvas-tools.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
-import { actionsOf, currentCharacter, runAction } from '../state/action.ts';
+import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
 import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
 import { keepTooltip } from '../state/tooltips.ts';
@@ -122,7 +122,7 @@ function displayStrip(wb: Workbench): HTMLElement {
     );
     const { label } = action;
     keepTooltip(wb, made, action.id, () => label);
-    shown.push(() => made.setAttribute('aria-pressed', String(action.checked?.(wb) ?? false)));
+    shown.push(() => made.setAttribute('aria-pressed', String(isChecked(wb, action) ?? false)));
     strip.append(made);
   }
   const nameOf = <T>(styles: readonly (readonly [T, string])[], style: T) =>

@@ -1,50 +1,63 @@
 /** Finding, reading and running what is on the page's list of actions (`Workbench.actions`). */
 import { type Character, findCharacter } from '../../model/document.ts';
-import type { Action, Workbench } from './workbench.ts';
+import type { Action, Uses } from './workbench.ts';
+
+type ActionsOnPage = Uses<'actions'>;
 
 /** All of them on this page just now. */
-export function actionsOf(wb: Workbench): readonly Action[] {
-  return wb.actions(wb);
+export function actionsOf({ actions }: ActionsOnPage): readonly Action[] {
+  return actions.all();
 }
 
-export function findAction(wb: Workbench, id: string): Action | undefined {
+export function findAction(wb: ActionsOnPage, id: string): Action | undefined {
   return actionsOf(wb).find((action) => action.id === id);
 }
 
-export function actionLabel(wb: Workbench, action: Action): string {
-  return typeof action.label === 'string' ? action.label : action.label(wb);
+export function actionLabel({ actions }: ActionsOnPage, { label }: Action): string {
+  return typeof label === 'string' ? label : label(actions.page);
 }
 
-export function isEnabled(wb: Workbench, action: Action): boolean {
-  return action.enabled?.(wb) ?? true;
+export function isEnabled({ actions }: ActionsOnPage, action: Action): boolean {
+  return action.enabled?.(actions.page) ?? true;
+}
+
+/** Undefined where it is neither on nor off. */
+export function isChecked({ actions }: ActionsOnPage, action: Action): boolean | undefined {
+  return action.checked?.(actions.page);
+}
+
+/** Why it can't run just now, in a sentence. */
+export function whyNot({ actions }: ActionsOnPage, action: Action): string | undefined {
+  return action.whyNot?.(actions.page);
 }
 
 /** The character that is meant where none is named: the selected one, else the first. */
-export function currentCharacter(wb: Workbench): Character | undefined {
-  const { document, selection } = wb.store;
+export function currentCharacter({ store }: Uses<'store'>): Character | undefined {
+  const { document, selection } = store;
   return findCharacter(document, selection.characterId) ?? document.characters[0];
 }
 
 /**
- * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is none,
- * or where it can't run just now.
+ * Runs an action by its id, as a menu would; gives a promise where its script is fetched first. Throws where there is
+ * none, or where it can't run just now.
  */
-export function runAction(wb: Workbench, id: string, args?: unknown): Promise<void> | undefined {
+export function runAction(wb: ActionsOnPage, id: string, args?: unknown): Promise<void> | undefined {
   const action = findAction(wb, id);
   if (!action) throw new Error(`There is no action "${id}".`);
-  if (action.enabled && !action.enabled(wb)) throw new Error(`"${id}" can't be done just now.`);
-  return action.run(wb, args) ?? undefined;
+  if (!isEnabled(wb, action)) throw new Error(`"${id}" can't be done just now.`);
+  return action.run(wb.actions.page, args) ?? undefined;
 }
 
 /** Runs it if it can run; a refusal becomes a message. */
-export function tryAction(wb: Workbench, action: Action, args?: unknown): void {
+export function tryAction(wb: ActionsOnPage, action: Action, args?: unknown): void {
   if (!isEnabled(wb, action)) return;
+  const { page } = wb.actions;
   const failed = (error: unknown) => {
     const why = error instanceof Error ? error.message : String(error);
-    wb.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
+    page.messages.note(`${actionLabel(wb, action)}: ${why}`, 'error');
   };
   try {
-    action.run(wb, args)?.catch(failed);
+    action.run(page, args)?.catch(failed);
   } catch (error) {
     failed(error);
   }

@@ -1,7 +1,7 @@
 /** Menus made of the list of actions. */
 import { isMac } from '../kit/keyboard.ts';
 import type { MenuEntry, MenuItem } from '../kit/menu.ts';
-import { actionLabel, actionsOf, isEnabled, tryAction } from './action.ts';
+import { actionLabel, actionsOf, isChecked, isEnabled, tryAction, whyNot } from './action.ts';
 import type { MenuName } from './menus.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from './shortcuts.ts';
 import type { Action, Workbench } from './workbench.ts';
@@ -62,11 +62,11 @@ export function itemOf(wb: Workbench, action: Action): MenuItem {
   return {
     kind: 'item',
     label: actionLabel(wb, action),
-    detail: (enabled ? undefined : action.whyNot?.(wb)) ?? action.detail,
+    detail: (enabled ? undefined : whyNot(wb, action)) ?? action.detail,
     shortcut: shortcut && shortcutText(shortcut, isMac),
     ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
     enabled,
-    checked: action.checked?.(wb),
+    checked: isChecked(wb, action),
     radio: action.radio,
     run: () => tryAction(wb, action),
   };

@@ -48,8 +48,7 @@ export type Stage = Pick<
 
 export interface Workbench {
   readonly store: Store;
-  /** All that the page can do just now, in the order of the menus; `action.ts` finds and runs what is meant. */
-  readonly actions: (wb: Workbench) => readonly Action[];
+  readonly actions: ActionList;
   readonly viewport: Stage;
   /** The element that the viewport was built in; the page gives it its place. */
   readonly viewportElement: HTMLElement;
@@ -67,6 +66,21 @@ export interface Workbench {
   readonly files: FileActions;
   /** Work that an earlier page left behind, offered. */
   readonly kept: Observable<KeptOffer | undefined>;
+}
+
+/**
+ * A part of the workbench: a panel takes what it uses, and says so by its type.
+ *
+ *     function takesPanel(wb: Uses<'store' | 'timeline'>): HTMLElement
+ */
+export type Uses<Members extends keyof Workbench> = Pick<Workbench, Members>;
+
+/** All that the page can do just now. Only `action.ts` looks inside: there actions are found, told of and run. */
+export interface ActionList {
+  /** In the order of the menus. */
+  all(): readonly Action[];
+  /** What the actions are about: they may use all of it, whoever runs them may not. */
+  readonly page: Workbench;
 }
 
 /** One record behind a menu entry, a shortcut, a line of the `?` page and a scripted call. */

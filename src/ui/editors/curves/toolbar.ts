@@ -4,7 +4,7 @@ import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
-import { findAction, isEnabled, tryAction } from '../../state/action.ts';
+import { findAction, isChecked, isEnabled, tryAction } from '../../state/action.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -36,7 +36,7 @@ export function curveToolbar(wb: Workbench): HTMLElement {
     );
     keepTooltip(wb, made, `timeline.${id}`, () => label);
     tools.push(() => {
-      if (isSwitch) made.setAttribute('aria-pressed', String(action?.checked?.(wb) ?? false));
+      if (isSwitch) made.setAttribute('aria-pressed', String((action && isChecked(wb, action)) ?? false));
       else made.disabled = !(action && isEnabled(wb, action));
     });
     return made;

@@ -1,7 +1,7 @@
 /** The dope sheet's few controls: a filter over the names, and switches in the row of the tabs. */
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
-import { findAction, tryAction } from '../../state/action.ts';
+import { findAction, isChecked, tryAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
@@ -21,7 +21,7 @@ export function dopeTools(wb: Workbench): HTMLElement {
       button(text.split(/[:;]/)[0], { class: 'tool' }, icon(action.icon), () => tryAction(wb, action)),
     );
     keepTooltip(wb, made, id, () => text);
-    const show = () => setAttribute(made, 'aria-pressed', String(action.checked?.(wb) ?? false));
+    const show = () => setAttribute(made, 'aria-pressed', String(isChecked(wb, action) ?? false));
     wb.timeline.view.subscribe(show);
     show();
     tools.append(made);

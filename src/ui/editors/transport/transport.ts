@@ -6,7 +6,7 @@ import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { inField, seconds } from '../../kit/number-text.ts';
-import { actionsOf, findAction, runAction } from '../../state/action.ts';
+import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { keepTooltip, withKey } from '../../state/tooltips.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -69,7 +69,7 @@ function buttons(wb: Workbench): HTMLElement {
 /** A button for what may be impossible just now, such as a key to jump to. */
 function tryRun(wb: Workbench, id: string): void {
   const action = findAction(wb, id);
-  if (action && (action.enabled?.(wb) ?? true)) action.run(wb, 'button');
+  if (action) tryAction(wb, action, 'button');
 }
 
 function loopModes(wb: Workbench): HTMLElement {
