@@ -1,52 +1,21 @@
 /**
- * Arguments for every command that changes what `.anim` and `.skel` files hold, made up for the document as it is: keys
- * that are there, times that keys are at, values near theirs. Some are refused, as some of what people ask for is.
+ * Arguments for every command, made up for the document as it is: keys that are there, times that keys are at, values
+ * near theirs. Some are refused, as some of what people ask for is.
  */
 import fc from 'fast-check';
+import { ARRANGEMENTS, type TakeRef } from '../../src/edit/commands/takes.ts';
 import type { KeyOptions } from '../../src/edit/key-dofs.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../src/edit/keys/selection.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import type { Store } from '../../src/edit/store.ts';
 import { type ChannelClip, EXTRAPOLATIONS, TANGENT_KINDS } from '../../src/model/clip.ts';
-import { type Character, shownClip } from '../../src/model/document.ts';
+import { type Character, isBvh, type Placement, shownClip } from '../../src/model/document.ts';
 import { characterDofs } from '../../src/model/dofs.ts';
+import { INTERPOLATIONS } from '../../src/model/samples.ts';
 import type { ChannelKeys } from '../../src/model/session.ts';
 import type { Dice } from './dice.ts';
-
-/** Commands about something else: whole characters, where they stand, which skin is drawn. */
-export const ABOUT_NO_FILE: readonly string[] = [
-  'character.remove',
-  'character.showSkin',
-  'character.place',
-  'character.addCopy',
-  'character.removeCopy',
-  'character.setSpace',
-  'character.setHidden',
-  // About motion capture, which the documents here have none of: undone in tests of their own.
-  'clip.setInterpolation',
-  'skeleton.setPositionChannels',
-  'takes.arrange',
-  'takes.overlay',
-  'takes.endOverlay',
-  // About a skin, which the documents here have none of: undone in tests of its own.
-  'skin.autoWeights',
-  // About skeletons and all that goes by their joints: undone in tests of their own.
-  'rig.create',
-  'rig.addJoint',
-  'rig.rename',
-  'rig.reparent',
-  'rig.remove',
-  'rig.mirror',
-  'rig.setOffset',
-  'rig.setMotion',
-  'rig.setBox',
-  'rig.setLength',
-  'rig.setFilePose',
-  'rig.setCouple',
-  'rig.setLimit',
-  'rig.clearLimit',
-];
+import { RIG_COMMANDS, rigArguments } from './rig/random-rig.ts';
 
 interface Situation {
   readonly dice: Dice;
@@ -91,6 +60,15 @@ function madeUpPose(dice: Dice, character: Character) {
 /** One of the poses that were kept; undefined without any. */
 function ofPose({ dice, character }: Situation, rest: object): object | undefined {
   return character.poses && { characterId: character.id, pose: dice.below(character.poses.length), ...rest };
+}
+
+function placement(dice: Dice): Placement {
+  const [x, z] = [dice.below(3), dice.below(3)];
+  return { position: [x, 0, z], turn: [0, dice.below(2), 0], scale: dice.pick([1, 2]) };
+}
+
+function anyTake(dice: Dice, { id, clips }: Character): TakeRef {
+  return { characterId: id, clip: dice.below(clips.length + 1) - 1 };
 }
 
 const of = ({ character, keys }: Situation) => ({ characterId: character.id, keys });
@@ -329,6 +307,65 @@ const ARGUMENTS: Readonly<Record<string, (s: Situation) => object | undefined>> 
     side: side(s.dice),
     extrapolation: s.dice.pick(EXTRAPOLATIONS),
   }),
+  ...Object.fromEntries(
+    RIG_COMMANDS.map((id) => [
+      id,
+      ({ dice, character }: Situation) => rigArguments(id, character, dice, { characterId: character.id }),
+    ]),
+  ),
+  'rig.create': ({ dice, others }) => (others.length < 3 ? { name: dice.pick(['ant', undefined]) } : undefined),
+  'skin.autoWeights': ({ dice, character }) => ({
+    characterId: character.id,
+    skin: dice.below(character.skins.length),
+    timeSeconds: time(dice),
+    bind: dice.pick([undefined, 'file']),
+    mostInfluences: 1 + dice.below(4),
+  }),
+  'character.remove': ({ others }) => (others.length > 2 ? { characterId: others.at(-1)?.id } : undefined),
+  'character.showSkin': ({ dice, character }) => ({
+    characterId: character.id,
+    skin: dice.below(character.skins.length),
+  }),
+  'character.place': ({ dice, character }) => ({
+    characterId: character.id,
+    index: dice.below(character.placements.length),
+    placement: placement(dice),
+  }),
+  'character.addCopy': ({ dice, character }) =>
+    character.placements.length < 4 ? { characterId: character.id, placement: placement(dice) } : undefined,
+  'character.removeCopy': ({ dice, character }) => ({
+    characterId: character.id,
+    index: dice.below(character.placements.length),
+  }),
+  'character.setSpace': ({ dice, character }) => ({
+    characterId: character.id,
+    space: { up: dice.pick(['y', 'z']), unit: dice.pick(['asIs', 'inches']), lift: dice.below(2) },
+  }),
+  'character.setHidden': ({ dice, character, others }) => ({
+    ids: dice.some([character, ...others].map(({ id }) => id)),
+    hidden: dice.is(0.5),
+  }),
+  'clip.setInterpolation': ({ dice, character }) => ({
+    characterId: character.id,
+    interpolation: dice.pick(INTERPOLATIONS),
+  }),
+  'skeleton.setPositionChannels': ({ dice, others }) => ({
+    characterId: others.find(isBvh)?.id,
+    positions: dice.pick(['replace', 'add']),
+  }),
+  'takes.arrange': ({ dice, character, others }) => ({
+    characterIds: dice.some([character, ...others].map(({ id }) => id)),
+    how: dice.pick(ARRANGEMENTS),
+  }),
+  'takes.overlay': ({ dice, character, others }) => ({
+    first: anyTake(dice, character),
+    second: anyTake(dice, dice.pick([character, ...others])),
+  }),
+  'takes.endOverlay': ({ dice, character, others }) => {
+    const overlaid = [character, ...others];
+    const before = overlaid.map((c) => ({ ...c, placements: [placement(dice)], shownClip: anyTake(dice, c).clip }));
+    return { before, overlaid };
+  },
 };
 
 export const COMMANDS_HERE: readonly string[] = Object.keys(ARGUMENTS);

@@ -11,7 +11,7 @@ import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
 import { channelOf } from './keys/channels.ts';
-import { swinging } from './samples/made.ts';
+import { swinging, take } from './samples/made.ts';
 
 export interface EditCase {
   readonly document: Document;
@@ -234,7 +234,11 @@ export const CASES: Readonly<Record<string, EditCase>> = {
   'samples.trim': captured({ side: 'end', timeSeconds: 1 }, { side: 'end', timeSeconds: 2 }),
   'samples.split': captured({ timeSeconds: 1 }, { timeSeconds: 0 }),
   'samples.resample': captured({ framesPerSecond: 30 }, { framesPerSecond: 60 }),
-  'samples.reverse': { document: CAPTURED, args: WHO, idle: { characterId: 'c9' } },
+  'samples.reverse': {
+    document: documentOf(...CAPTURED.characters, { ...swinging(take(() => 0, 2)), id: 'c2' }),
+    args: WHO,
+    idle: { characterId: 'c2' },
+  },
   'samples.smooth': captured({ sigmaSeconds: 0.1 }, { sigmaSeconds: 0.1, range: [5, 6] }),
   'samples.convertToKeys': captured({ tolerance: { position: 0.01, angle: 0.01 } }, { tolerance: 1 }),
   'retarget.set': {

@@ -9,6 +9,7 @@ import { characterDofs } from '../../model/dofs.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { checkedChannels } from '../channel-edits.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
+import { sameValue } from '../delta.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { type Converted, converting, type Tolerance } from '../samples/convert.ts';
 import { cropped, requireSamples, split as splitAt, trimmed } from '../samples/frames.ts';
@@ -212,7 +213,9 @@ function changed(document: Document, args: OfSamples, change: (clip: ChannelClip
 }
 
 function withClip(document: Document, { characterId }: OfSamples, clip: ChannelClip): Document {
-  return changeCharacter(document, characterId, (c) => withTake(c, c.shownClip, clip));
+  return changeCharacter(document, characterId, (c) =>
+    sameValue(clip, shownClip(c)) ? c : withTake(c, c.shownClip, clip),
+  );
 }
 
 /** The take that is shown; refuses, before any work is done, while another character's take moves the character. */

@@ -37,12 +37,14 @@ function remapped(character: Character, map: JointMap): Character {
   );
 }
 
+/** What was there, where nothing is different. */
+function sharing<T>(next: T, before: T | undefined): T {
+  return before !== undefined && sameValue(next, before) ? before : next;
+}
+
 /** The very items in which nothing is different, and the very list where none is. */
 function mapped<T>(list: readonly T[], change: (item: T) => T): readonly T[] {
-  const next = list.map((item) => {
-    const changed = change(item);
-    return sameValue(changed, item) ? item : changed;
-  });
+  const next = list.map((item) => sharing(change(item), item));
   return next.every((item, i) => item === list[i]) ? list : next;
 }
 
@@ -80,11 +82,7 @@ function withUnkeyedMoved(character: Character, { dofs, dofsBefore }: JointMap):
   kept.sort(([a], [b]) => a - b);
   return {
     ...character,
-    unkeyed: {
-      timeSeconds: unkeyed.timeSeconds,
-      dofs: kept.map(([dof]) => dof),
-      values: kept.map(([, value]) => value),
-    },
+    unkeyed: sharing({ ...unkeyed, dofs: kept.map(([dof]) => dof), values: kept.map(([, value]) => value) }, unkeyed),
   };
 }
 
@@ -93,7 +91,7 @@ function withJoints(character: Character, { keepsJoints, before, to }: JointMap)
   const { ik, driver, skeleton } = character;
   const keepsForm = before.form === skeleton?.form;
   if (keepsJoints && keepsForm) return character;
-  const moved = driver && { ...driver, pairs: remapPairs(driver.pairs, 'target', to) };
+  const moved = driver && sharing({ ...driver, pairs: remapPairs(driver.pairs, 'target', to) }, driver);
   const next = moved && !keepsJoints ? { ...character, driver: moved } : character;
-  return ik || !keepsForm ? withIk(next, remapIk(ik ?? defaultIk(before), to)) : next;
+  return ik || !keepsForm ? withIk(next, sharing(remapIk(ik ?? defaultIk(before), to), ik)) : next;
 }

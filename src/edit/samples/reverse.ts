@@ -5,6 +5,7 @@
  */
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
+import { sameValue } from '../delta.ts';
 import { scaleKeys } from '../keys/scale.ts';
 import { requireSamples } from './frames.ts';
 import { STEP_VALUES, type Steps } from './steps.ts';
@@ -30,7 +31,7 @@ export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
     ...clip,
     range: [mirror(clip.range[1]), mirror(clip.range[0])],
     channels: clip.channels.map((channel) => reversedKeys(channel, (start + stop) / 2)),
-    samples: { ...samples, values: backwards },
+    samples: sameValue(backwards, values) ? samples : { ...samples, values: backwards },
   };
 }
 
