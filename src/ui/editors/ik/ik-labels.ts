@@ -1,7 +1,8 @@
 /** A few lines of text that stand beside points of the picture: names of pins, and what is in the way of one. */
-import type { PlaceOnScreen } from '../../../evaluate/ik/drag/grip.ts';
+
 import { element, setText } from '../../kit/dom.ts';
 import type { Workbench } from '../../state/workbench.ts';
+import type { PlaceOnScreen } from './nearest-on-screen.ts';
 
 export type LabelKind = 'name' | 'gap';
 

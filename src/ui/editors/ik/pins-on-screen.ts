@@ -1,5 +1,6 @@
 /** Where pins and joints are in the picture, as it is drawn now. */
-import { nearestOnScreen, type PlaceOnScreen, SNAP_PIXELS, seenPoint } from '../../../evaluate/ik/drag/grip.ts';
+
+import { seenPoint } from '../../../evaluate/ik/drag/grip.ts';
 import { type PinPoint, pinPoints, skinPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
@@ -10,6 +11,7 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import type { Skin } from '../../../model/skin.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
+import { nearestOnScreen, type PlaceOnScreen, SNAP_PIXELS } from './nearest-on-screen.ts';
 
 /** CSS pixels around a pin within which the pointer is on it. */
 const PIN_PIXELS = 9;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { nearestOnScreen, seenPoint } from '../../../../src/evaluate/ik/drag/grip.ts';
+import { seenPoint } from '../../../../src/evaluate/ik/drag/grip.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../../../src/model/skeleton.ts';
 
@@ -20,23 +20,6 @@ const ahead = (x: number, y: number) => ({ origin: [x, y, 5] as const, direction
 const close = (found: Vec3, wanted: Vec3) => {
   for (const k of [0, 1, 2]) expect(found[k]).toBeCloseTo(wanted[k], 12);
 };
-
-describe('the nearest of some places on the screen', () => {
-  const points = [
-    { x: 0, y: 0 },
-    { x: 10, y: 0 },
-    { x: 10, y: 0 },
-  ];
-  it('the nearest of some places on the screen is the nearest within reach, of two in one place the first', () => {
-    expect(nearestOnScreen(points, { x: 7, y: 1 }, 10)).toBe(1);
-    expect(nearestOnScreen(points, { x: 2, y: 1 }, 10)).toBe(0);
-  });
-  it('the nearest of some places on the screen is none where all are too far, or not to be told', () => {
-    expect(nearestOnScreen(points, { x: 40, y: 0 }, 10)).toBe(-1);
-    expect(nearestOnScreen([{ x: Number.NaN, y: 0 }], { x: 0, y: 0 }, 10)).toBe(-1);
-    expect(nearestOnScreen([], { x: 0, y: 0 }, 10)).toBe(-1);
-  });
-});
 
 describe('the point of a joint that is seen', () => {
   it('the point of a joint that is seen is the point of its bone that the line passes, within its ends', () => {
