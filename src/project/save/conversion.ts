@@ -9,6 +9,7 @@ import { inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
 import { type FileContent, type SourceFile, stemOf } from '../../model/files.ts';
+import { formatKindOf } from '../kinds.ts';
 import { animOf, bvhOf, type NamedFigure, skelOf } from './character-files.ts';
 import { writeFile } from './writers.ts';
 
@@ -29,9 +30,11 @@ export interface Output {
   diagnostics(): readonly Diagnostic[];
 }
 
-/** The one part of the file itself: a skeleton's file, or that of one of its clips. */
-export function sourceFor({ sources }: Character, name: string): SourceFile | undefined {
-  return sources.find((s) => stemOf(s) === name) ?? sources.find((s) => /\.((ax)?skel|bvh)$/i.test(s.name));
+/** The file that what is called so was made from: the skeleton's, or that of a clip. */
+export function sourceFor({ clips, parts }: Character, name: string): SourceFile | undefined {
+  const skeleton = parts?.skeleton?.file?.source;
+  if (skeleton && stemOf(skeleton) === name) return skeleton;
+  return parts?.clips[clips.findIndex((clip) => clip.name === name)]?.file?.source ?? skeleton;
 }
 
 /**
@@ -52,7 +55,8 @@ export function outputsOf(
     );
     if (target === 'anim') return clips;
     // A change of the ending asks for the form that all `.skel`s have.
-    const written = character.sources.some((s) => /\.axskel$/i.test(s.name)) ? inHierarchyForm(skeleton) : skeleton;
+    const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
+    const written = readAs === 'axskel' ? inHierarchyForm(skeleton) : skeleton;
     return [textOutput(`${skeleton.name}.skel`, () => ({ kind: 'skel', skeletons: [written] })), ...clips];
   });
 }

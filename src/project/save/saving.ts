@@ -83,8 +83,14 @@ export function exportCharacter(
     }
     case 'anim':
       return character.clips.map((clip) => asLong(write(`${clip.name}.anim`, { kind, clip: animOf(character, clip) })));
-    default:
-      return [];
+    default: {
+      const pose = jointPose(character);
+      const parts = partsOf(character).filter((part) => part.kind === KINDS[kind].content);
+      return parts.map((part) => {
+        const name = `${part.name}.${KINDS[kind].extensions[0]}`;
+        return asLong(inOnePiece(name, writeParts(name, [{ character, part, pose }])));
+      });
+    }
   }
 }
 
