@@ -79,7 +79,7 @@ opener.subscribe(({ given, files }) => {
   handles.note(given);
   const replaced = unsaved.opened(files);
   if (replaced.length) {
-    const text = `Unsaved changes of ${replaced.join(', ')} were replaced; undo brings them back.`;
+    const text = `Unsaved changes of ${replaced.join(', ')} were replaced. Undo restores them.`;
     messages.note(text, 'warning', 'until read');
   }
 });
@@ -118,14 +118,11 @@ function viewportIn(element: HTMLElement): Viewport {
   try {
     return new Viewport(element, {
       textureFailed: (_id, texture) =>
-        messages.note(
-          `The texture ${texture.name} is no picture that this browser can read; drawn untextured.`,
-          'warning',
-        ),
+        messages.note(`The texture ${texture.name} can’t be read by this browser; drawn without texture.`, 'warning'),
     });
   } catch (error) {
     document.body.textContent =
-      'Marrow draws with WebGL 2, which this browser does not offer just now. Hardware acceleration may be switched ' +
+      'Marrow needs WebGL 2, which is not available in this browser. Hardware acceleration may be turned ' +
       'off in its settings.';
     throw error;
   }

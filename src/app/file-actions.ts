@@ -31,7 +31,7 @@ export function fileActions(parts: Parts): FileActions {
   let saver: Saver | undefined;
   /** With all that writes files, it is fetched when something is saved first. */
   const saving = async (save: (saver: Saver) => Promise<void>) => {
-    const module = await onDemand(parts.messages, 'What saves files', () => import('./saver.ts'));
+    const module = await onDemand(parts.messages, 'File saving', () => import('./saver.ts'));
     if (!module) return;
     saver ??= new module.Saver(parts);
     await save(saver);
@@ -52,7 +52,7 @@ export function fileActions(parts: Parts): FileActions {
     openSample(id) {
       opener.open(async (signal) => {
         const sample = (await samples).find((s) => s.id === id);
-        if (!sample) throw new Error(`There is no sample "${id}".`);
+        if (!sample) throw new Error(`There is no example "${id}".`);
         const files = await fetchSample(sample, document.baseURI, signal);
         parts.showSample(sample.shows);
         return files;

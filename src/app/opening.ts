@@ -74,7 +74,7 @@ export class Opener {
   private async openNow(find: FindFiles, options: OpenOptions): Promise<readonly Diagnostic[]> {
     const { loading, messages, worker } = this.parts;
     const abort = new AbortController();
-    const cancel = () => abort.abort(new DOMException('Opening was cancelled.', 'AbortError'));
+    const cancel = () => abort.abort(new DOMException('Open cancelled.', 'AbortError'));
     loading.set({ label: 'files', done: 0, of: 0, cancel });
     try {
       const files = await find(abort.signal);
@@ -108,12 +108,12 @@ export class Opener {
       messages.report(
         diagnostics,
         output.files.map((f) => f.source.name),
-        (name) => (wasOpen.has(name) ? 'not opened, what was there stays' : 'not opened'),
+        (name) => (wasOpen.has(name) ? 'not opened; the previous version is kept' : 'not opened'),
       );
       return diagnostics;
     } catch (error) {
       if (abort.signal.aborted) {
-        messages.note('Opening was cancelled; nothing was changed.');
+        messages.note('Open cancelled. Nothing was changed.');
         return [];
       }
       const diagnostic = failure(error);

@@ -35,7 +35,7 @@ export async function reload(parts: ReloadParts, characterId: string): Promise<r
   const { store, messages, opener } = parts;
   const character = findCharacter(store.document, characterId);
   if (!character || !canReload(parts, characterId)) {
-    messages.note('There is no file that could be read again.', 'warning');
+    messages.note('This character has no files to reload.', 'warning');
     return [];
   }
   let names: readonly string[] | undefined;

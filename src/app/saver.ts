@@ -48,7 +48,7 @@ export class Saver {
   saveChanged(): Promise<void> {
     return this.inTurn(async () => {
       const jobs = changedFiles(this.parts);
-      if (jobs.length === 0) this.parts.messages.note('Everything is saved. Save as… writes copies.');
+      if (jobs.length === 0) this.parts.messages.note('Everything is saved. Use Save as to write copies.');
       await this.run(jobs, (job) => job.target);
     });
   }
@@ -60,7 +60,7 @@ export class Saver {
       const jobs = character ? filesOf(this.parts, character, kind) : [];
       if (jobs.length === 0) {
         const who = character?.name ?? 'The character';
-        this.parts.messages.note(`${who} has nothing that could be saved as .${kind}.`, 'warning');
+        this.parts.messages.note(`${who} has nothing to save as .${kind}.`, 'warning');
       }
       // One dialog is a choice, ten are a nuisance.
       await this.run(jobs, () => undefined, jobs.length === 1);
@@ -91,7 +91,7 @@ export class Saver {
     const diagnostics: Diagnostic[] = [];
     const well: string[] = [];
     const left: string[] = [];
-    let dialogs: 'open' | 'given up' | 'used up' = 'open';
+    let dialogs: 'open' | 'cancelled' | 'used up' = 'open';
     let hadDialog = false;
     let remedy = '';
     for (const job of distinctJobs(jobs, targetOf)) {
@@ -106,7 +106,7 @@ export class Saver {
           'bytes' in written ? written.bytes : 'text' in written ? written.text : await blobOf(written.pieces);
         const saved = await this.put(job, make, targetOf(job), wantsDialog);
         if (saved === undefined) {
-          dialogs = 'given up';
+          dialogs = 'cancelled';
           left.push(job.name);
           continue;
         }
@@ -118,7 +118,7 @@ export class Saver {
         // A dialog before it, or a long time, has used up the click: that is no fault of anyone's.
         if (error instanceof NotNowError) {
           dialogs = 'used up';
-          remedy = hadDialog ? 'The browser asks about one file at a time: save again.' : error.message;
+          remedy = hadDialog ? 'The browser asks for one file at a time. Save again.' : error.message;
           left.push(job.name);
           continue;
         }
@@ -202,7 +202,7 @@ export class Saver {
       if (this.warnedOf.get(target.path) !== onDisk) {
         this.warnedOf.set(target.path, onDisk);
         throw new DiskError(
-          `${name} was changed on disk since it was opened here. Reload it from disk, or save again to overwrite it.`,
+          `${name} has changed on disk since it was opened. Reload it from disk, or save again to overwrite it.`,
         );
       }
     }

@@ -166,7 +166,7 @@ export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
 /** What a console gives is not typed: anything else is refused with a sentence. */
 function given(file: ScriptFile): GivenBlob {
   if (typeof file?.name !== 'string' || !(file instanceof Blob || 'content' in file)) {
-    throw new TypeError('Each file has to be a File, or an object with a name and its content.');
+    throw new TypeError('Each file must be a File, or an object with a name and content.');
   }
   if (file instanceof Blob) return { path: file.webkitRelativePath || file.name, blob: file };
   return { path: file.name, blob: new Blob([file.content]) };
@@ -203,7 +203,7 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
 
 function keysOf(character: Character, channel: number): KeyInfo[] {
   const found = shownClip(character)?.channels[channel];
-  if (!found) throw new Error(`${character.name} plays no take with a channel ${channel}.`);
+  if (!found) throw new Error(`${character.name} shows no take with a channel ${channel}.`);
   const slopes = resolvedSlopes(found);
   return Array.from(found.times, (time, k) => {
     return { time, value: found.values[k], slopeIn: slopes.in[k], slopeOut: slopes.out[k] };
@@ -252,7 +252,7 @@ function asReference(value: unknown): CharacterRef | undefined {
 /** The selected character's file of that name, or another's; else the selected character's first of that kind. */
 async function saveByName(store: Store, name: string): Promise<string> {
   const kind = FORMAT_KINDS.find((k) => name.toLowerCase().endsWith(`.${k}`));
-  if (!kind) throw new Error(`"${name}" has to end in one of ${FORMAT_KINDS.map((k) => `.${k}`).join(' ')}.`);
+  if (!kind) throw new Error(`"${name}" must end in one of ${FORMAT_KINDS.map((k) => `.${k}`).join(' ')}.`);
   const { saveCharacter } = await import('../project/save/saving.ts');
   const preferred = resolve(store, undefined);
   for (const character of [preferred, ...store.document.characters]) {
@@ -260,6 +260,6 @@ async function saveByName(store: Store, name: string): Promise<string> {
     if (file) return file.text;
   }
   const first = saveCharacter(preferred, kind)[0];
-  if (!first) throw new Error(`${preferred.name} has nothing that could be saved as .${kind}.`);
+  if (!first) throw new Error(`${preferred.name} has nothing to save as .${kind}.`);
   return first.text;
 }

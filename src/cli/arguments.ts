@@ -69,7 +69,7 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** @throws UsageError where the text is no number that a double holds */
 export function numberOf(option: string, text: string): number {
   const value = NUMBER.test(text.trim()) ? Number(text) : Number.NaN;
-  if (!Number.isFinite(value)) throw new UsageError(`--${option} takes numbers; "${text}" is none.`);
+  if (!Number.isFinite(value)) throw new UsageError(`--${option} takes numbers; found "${text}".`);
   return value;
 }
 

@@ -58,7 +58,7 @@ export async function convertMany(
   if (missing.length) many.tell(loadFiles(missing, folder).diagnostics);
   for (const group of groups) await many.convert(group);
   if (groups.length === 0 && missing.length === 0) {
-    many.tell([refusal('nothing-to-convert', 'There is no file here that could be converted.', args.join(' '))]);
+    many.tell([refusal('nothing-to-convert', 'There is no file here to convert.', args.join(' '))]);
   }
   return !many.hasFailed;
 }
@@ -97,7 +97,7 @@ class Many {
     for (const character of characters) {
       if (character.skeleton || character.clips.length === 0) continue;
       const [source] = character.sources;
-      const message = 'An animation alone says nothing of joints: give its skeleton too.';
+      const message = 'An animation alone has no joints. Give its skeleton too.';
       this.tell([refusal('skeleton-missing', message, source?.name ?? character.name)]);
     }
     const posed = characters.filter(({ skeleton }) => skeleton);
@@ -142,9 +142,9 @@ class Many {
   }
 
   private obstacle(path: string): string | undefined {
-    if (this.done.has(path)) return 'Another file of this name was written just now: it is left as it is.';
+    if (this.done.has(path)) return 'Another file of this name was just written; left as it is.';
     if (this.options.replaces || !statSync(path, { throwIfNoEntry: false })) return undefined;
-    return 'There is a file of this name already; --force replaces it.';
+    return 'A file of this name already exists; --force replaces it.';
   }
 
   /** Beside what was read, or at the same place below the folder asked for. */

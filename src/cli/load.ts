@@ -37,7 +37,7 @@ export interface Loaded {
  * @throws UsageError where there are none
  */
 export function loadFiles(args: readonly string[], folder: string): Loaded {
-  if (args.length === 0) throw new UsageError('Which files?');
+  if (args.length === 0) throw new UsageError('Give at least one file.');
   const all: LoadedFile[] = [];
   const files: ParsedFile[] = [];
   const broken: BrokenFile[] = [];
@@ -112,5 +112,5 @@ function kindOf(name: string): FileKind | 'unknown' {
 function unknownFormat(name: string): Diagnostic {
   const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS].map((extension) => `.${extension}`).join(' ');
   const message = `The command does not read this kind of file; it reads ${known}.`;
-  return withoutPlace('warning', 'format-unknown', message, name, 'passed over');
+  return withoutPlace('warning', 'format-unknown', message, name, 'skipped');
 }

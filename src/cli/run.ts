@@ -17,7 +17,7 @@ export async function run(args: readonly string[], io: CommandIo): Promise<ExitC
     return 0;
   }
   if (!command) {
-    io.err(`marrow: ${name === undefined ? 'which command?' : `there is no command "${name}".`}\n${help()}`);
+    io.err(`marrow: ${name === undefined ? 'no command given.' : `there is no command "${name}".`}\n${help()}`);
     return 2;
   }
   if (beforeDashes(rest).some((arg) => arg === '--help' || arg === '-h')) {

@@ -15,7 +15,7 @@ export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>)
   const scratch = `${path}.${process.pid}.tmp`;
   try {
     const there = statSync(path, { throwIfNoEntry: false });
-    if (there && !there.isFile()) return { failure: 'something that is not a file has this name' };
+    if (there && !there.isFile()) return { failure: 'something other than a file has this name' };
     const file = openSync(scratch, 'wx', there?.mode);
     let bytes = 0;
     try {

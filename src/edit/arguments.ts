@@ -6,25 +6,23 @@ import { CommandError } from './store.ts';
 
 export function finiteNumber(value: unknown, what: string): number {
   if (typeof value === 'number' && Number.isFinite(value)) return value;
-  throw new CommandError(`${what} has to be a finite number; ${described(value)} was given.`);
+  throw new CommandError(`${what} must be a finite number, found ${described(value)}.`);
 }
 
 export function listOf(value: unknown, what: string): readonly unknown[] {
   if (Array.isArray(value)) return value;
-  throw new CommandError(`${what} has to be a list; ${described(value)} was given.`);
+  throw new CommandError(`${what} must be a list, found ${described(value)}.`);
 }
 
 export function oneOf<T>(value: unknown, allowed: readonly T[], what: string): T {
   const found = allowed.find((a) => a === value);
   if (found !== undefined) return found;
-  throw new CommandError(
-    `${what} has to be one of ${allowed.map(described).join(', ')}; ${described(value)} was given.`,
-  );
+  throw new CommandError(`${what} must be one of ${allowed.map(described).join(', ')}, found ${described(value)}.`);
 }
 
 export function text(value: unknown, what: string): string {
   if (typeof value === 'string' && value.trim() !== '') return value;
-  throw new CommandError(`${what} has to be a text; ${described(value)} was given.`);
+  throw new CommandError(`${what} must be text, found ${described(value)}.`);
 }
 
 /** An index from `from` up to, not including, `to`. */

@@ -38,11 +38,10 @@ export function lostOver(before: Character, after: Character, file: string): Dia
     return names.length > 1 ? `${names[0]} and ${names.length - 1} more` : names[0];
   };
   const unposed = posedInVain(before, after.skeleton, to);
-  if (unposed.length)
-    say('kept-pose-lost', `Kept poses lose what they had of ${called(unposed)}: it is not there any more.`);
+  if (unposed.length) say('kept-pose-lost', `Poses in the library lost ${called(unposed)}, which no longer exists.`);
   const gone = ({ joint }: { readonly joint: number }) => to[joint] < 0;
   const held = [...(ik?.pins ?? []), ...(ik?.stiff ?? [])].filter(gone).map(({ joint }) => joint);
-  if (held.length) say('ik-lost', `What was pinned, locked or stiff at ${called(held)} is gone with it.`);
+  if (held.length) say('ik-lost', `Pins, locks and stiffness of ${called(held)} are gone with the joint.`);
   return problems;
 }
 

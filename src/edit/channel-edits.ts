@@ -82,10 +82,10 @@ export function checkKeys(clip: ChannelClip, keys: unknown): void {
   let before = -1;
   for (const entry of listOf(keys, '"keys"')) {
     if (typeof entry !== 'object' || entry === null || !('channel' in entry) || !('indices' in entry)) {
-      throw new CommandError('"keys" has to be a list of { channel, indices }.');
+      throw new CommandError('"keys" must be a list of { channel, indices }.');
     }
     const channel = indexIn(entry.channel, 0, clip.channels.length, 'channel');
-    if (channel <= before) throw new CommandError('"keys" has to name each channel once, ascending.');
+    if (channel <= before) throw new CommandError('"keys" must name each channel once, in ascending order.');
     before = channel;
     checkIndices(entry.indices, clip.channels[channel].times.length);
   }
@@ -93,13 +93,13 @@ export function checkKeys(clip: ChannelClip, keys: unknown): void {
 
 function checkIndices(given: unknown, keyCount: number): void {
   const indices = listOf(given, '"indices"');
-  if (indices.length === 0) throw new CommandError('"indices" has to name a key.');
+  if (indices.length === 0) throw new CommandError('"indices" must name at least one key.');
   let before = -1;
   for (const k of indices) {
     // Not by `indexIn`'s sentence: this loop is run for every key on every move of the mouse.
     if (typeof k !== 'number' || !Number.isInteger(k) || k <= before || k >= keyCount) {
       indexIn(k, 0, keyCount, 'key');
-      throw new CommandError('"indices" has to name each key once, ascending.');
+      throw new CommandError('"indices" must name each key once, in ascending order.');
     }
     before = k;
   }
@@ -128,8 +128,8 @@ export function allKeyable(clip: ChannelClip, channels: readonly number[]): void
 }
 
 function followsSamples(count: number): string {
-  const what = count === 1 ? 'This curve follows samples' : `These ${count} curves follow samples`;
-  return `${what}, which a key would replace. Convert to keys first: Keys, Samples.`;
+  const what = count === 1 ? 'This curve is sampled' : `${count} curves are sampled`;
+  return `${what}. Convert to keys first: Keys > Samples.`;
 }
 
 /** "key", "3 keys": for labels. */

@@ -96,6 +96,7 @@ function checkOptions({ tangents = 'smooth', playedRange }: KeyOptions) {
 export function rangeFrom(value: unknown, what: string): readonly [number, number] {
   const [from, to] = listOf(value, what);
   const range = [finiteNumber(from, `The start of ${what}`), finiteNumber(to, `The end of ${what}`)] as const;
-  if (range[0] > range[1]) throw new CommandError(`${what} has to go forward; ${range[0]} to ${range[1]} was given.`);
+  if (range[0] > range[1])
+    throw new CommandError(`${what} must start before it ends, found ${range[0]} to ${range[1]}.`);
   return range;
 }

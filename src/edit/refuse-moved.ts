@@ -6,6 +6,6 @@ import { CommandError } from './store.ts';
 export function refuseMoved({ name, driver }: Character): void {
   if (!driver) return;
   throw new CommandError(
-    `${name} is moved by ${driver.source.clip.name}, and keys of its own would not be seen. Bake makes that a take of its own, which can be edited; Let go goes back to its own take.`,
+    `${name} is retargeted from ${driver.source.clip.name}, so its own keys don’t show. Bake the retargeting to edit it, or stop retargeting to use its own take.`,
   );
 }

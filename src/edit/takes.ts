@@ -30,7 +30,7 @@ export function withTake(character: Character, index: number, clip: ChannelClip)
  */
 export function withChannels(character: Character, range: readonly [number, number]): Character {
   if (!character.skeleton) {
-    throw new CommandError(`${character.name} has no skeleton: channels are counted by its DOFs.`);
+    throw new CommandError(`${character.name} has no skeleton, and its channels need DOFs.`);
   }
   const count = characterDofs(character.skeleton, character.morphs).length;
   const clip = shownClip(character);

@@ -24,7 +24,7 @@ export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Dia
   }
   if (bindings <= joints) return [];
   const message = `The skin has ${count(bindings, 'binding')}, but ${named(skeleton)} has ${count(joints, 'joint')}.`;
-  const assumed = 'the bindings beyond those are not used by any vertex, and ignored';
+  const assumed = 'the extra bindings are used by no vertex and are ignored';
   return [withoutPlace('warning', 'bindings-more', message, fileName, assumed)];
 }
 
@@ -50,13 +50,11 @@ export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: num
   const forAll = forSkeleton + morphCount;
   // An animation of the joints alone is complete, whatever morphs there are.
   if (given === forSkeleton || given === forAll) return [];
-  const morphs = morphCount > 0 && given > forSkeleton ? ` and ${count(morphCount, 'morph')}` : '';
+  const morphs = morphCount > 0 && given > forSkeleton ? ` and ${morphCount} for its morphs` : '';
   const needed = morphs ? forAll : forSkeleton;
-  const message = `The animation has ${count(given, 'channel')}, but ${named(skeleton)} needs ${needed}: ${forRoot ? `${forRoot} of the root translation, ` : ''}${dofs} of its joints${morphs}.`;
+  const message = `The animation has ${count(given, 'channel')}, but ${named(skeleton)} needs ${needed}: ${forRoot ? `${forRoot} for the root translation, ` : ''}${dofs} for its joints${morphs}.`;
   if (given < needed) {
-    return [
-      withoutPlace('warning', 'channels-fewer', message, fileName, 'what no channel drives stays as it is posed'),
-    ];
+    return [withoutPlace('warning', 'channels-fewer', message, fileName, 'DOFs without a channel keep their pose')];
   }
   const assumed = `the last ${count(given - forAll, 'channel')} drive nothing`;
   return [withoutPlace('warning', 'channels-more', message, fileName, assumed)];

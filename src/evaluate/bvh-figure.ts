@@ -283,19 +283,19 @@ class Figuring {
       found.push(withoutPlace('info', code, message, file, assumed));
     if (isScaled) {
       const names = skeleton.joints.filter(({ motion }) => stretches(motion)).map(({ name }) => name || '(no name)');
-      const message = `BVH can't hold the scale or shear of ${names.join(', ')}.`;
-      info('scale-not-held', message, 'joints stand where they stood, without it');
+      const message = `BVH can't store the scale or shear of ${names.join(', ')}.`;
+      info('scale-not-held', message, 'joints keep their positions without it');
     }
     if (character.morphs.length) {
       const count = character.morphs.length;
       info(
         'morphs-not-held',
-        `BVH can't hold the weights of ${count === 1 ? 'a morph' : `${count} morphs`}.`,
+        `BVH can't store the weights of ${count === 1 ? 'a morph' : `${count} morphs`}.`,
         'left out',
       );
     }
     const couples = skeleton.joints.some((joint) => joint.couples?.length);
-    if (couples) info('couples-not-held', "BVH can't hold that DOFs follow others.", 'wrote what they come to');
+    if (couples) info('couples-not-held', "BVH can't store linked DOFs.", 'wrote their resulting values');
     return found;
   }
 }

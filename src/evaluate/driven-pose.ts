@@ -26,6 +26,6 @@ export function provideDrivenPose(pose: DrivenPose): void {
 
 /** @throws Error where nothing was brought along */
 export const drivenPose: DrivenPose = (character, driver, skeleton, timeSeconds, out) => {
-  if (!provided) throw new Error(`${character.name} is moved by another's take, and what does that was not loaded.`);
+  if (!provided) throw new Error(`${character.name} is moved by another's take, but the code for that is not loaded.`);
   provided(character, driver, skeleton, timeSeconds, out);
 };

@@ -113,12 +113,12 @@ export function* skipStrange(t: Tokens, where: string, expected: string): Part<v
 
 /** A `}` is at hand that closes nothing. */
 export function braceTooMany(t: Tokens): void {
-  t.warn('brace-unexpected', 'A "}" too many: every block is closed already.', 'ignored');
+  t.warn('brace-unexpected', 'Unmatched "}": every block is already closed.', 'ignored');
 }
 
 /** `what` comes a second time: the later one is used. */
 export function warnRepeated(t: Tokens, what: string): void {
-  t.warn('repeated', `${what} a second time.`, 'the later is used');
+  t.warn('repeated', `${what} appears a second time.`, 'the later one is used');
 }
 
 /**
@@ -174,7 +174,7 @@ export function* rows(t: Tokens, what: string, width: number, keywords: Keywords
 export function checkRows(t: Tokens, what: string, width: number, declared: number | undefined, found: number): void {
   if (t.kind !== '}') return;
   if (found % width !== 0) {
-    const message = `Expected ${width} numbers for each of ${what}, found ${found % width} for the last of them.`;
+    const message = `Expected ${width} numbers per row of ${what}, found ${found % width} in the last row.`;
     t.error('row-incomplete', message);
   } else checkCount(t, what, declared, found / width);
 }
@@ -201,7 +201,7 @@ export class WrongIndices {
 
   private note(index: number, place: Place): void {
     const isFractional = index % 1 !== 0;
-    const expected = isFractional ? `${this.what}, a whole number` : `${this.what}${this.bound()}`;
+    const expected = isFractional ? `a whole number for ${this.what}` : `${this.what}${this.bound()}`;
     this.first = {
       code: isFractional ? 'index-fractional' : 'index-out-of-range',
       message: `Expected ${expected}, found ${index}`,

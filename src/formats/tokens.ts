@@ -282,10 +282,10 @@ export class Tokens {
       if (close < lineStop) {
         this.at = tokenEnd(bytes, close + 1, lineStop);
         if (this.at > close + 1)
-          this.warn('quote-unexpected', 'Expected a blank behind "file name".', 'ignored the rest');
+          this.warn('quote-unexpected', 'Expected a space after "file name".', 'ignored the rest');
         return textOf(bytes, from + 1, close);
       }
-      this.error('quote-missing', 'A " that is never closed on its line: expected "file name".');
+      this.error('quote-missing', 'Expected a closing " on the same line, found none.');
       from++;
     }
     let stop = from;
@@ -422,14 +422,14 @@ export class Tokens {
         this.step();
         if (why === CLOSED) return;
         if (this.kind === '{') {
-          this.error('brace-unexpected', `Expected a number among ${what}, found "{".`);
+          this.error('brace-unexpected', `Expected a number in ${what}, found "{".`);
           this.holdSlots();
         } else if (keywords.has(this.keyword())) {
           this.braceMissing(what);
           return;
         } else {
           if (sink.strange) sink.strange(this);
-          else this.notANumber(`a number among ${what}`);
+          else this.notANumber(`a number in ${what}`);
           sink.values[sink.count++] = 0;
         }
       }

@@ -31,10 +31,10 @@ export function whyNoNumber(text: string): { code: string; why: string } {
   if (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/.test(word)) {
     return { code: 'number-too-large', why: ': too large for a number' };
   }
-  if (/^[+-]?nan/.test(word)) return { code, why: ', which is no value' };
+  if (/^[+-]?nan/.test(word)) return { code, why: ', which is not a number' };
   if (/^[+-]?inf/.test(word)) return { code, why: ': a number must be finite' };
   if (/^[+-]?0x/.test(word)) return { code, why: ': a number must be decimal, not hexadecimal' };
-  if (/^[+-]?\d*,\d*(e[+-]?\d+)?$/.test(word)) return { code, why: ': the decimal sign is a point, not a comma' };
-  if (/^[+-]?(\d|\.\d)/.test(word)) return { code, why: ', which goes on after the number' };
+  if (/^[+-]?\d*,\d*(e[+-]?\d+)?$/.test(word)) return { code, why: ': use a decimal point, not a comma' };
+  if (/^[+-]?(\d|\.\d)/.test(word)) return { code, why: ', which has extra characters after the number' };
   return { code, why: '' };
 }

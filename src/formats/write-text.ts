@@ -52,7 +52,12 @@ export class Text {
   number(value: number): string {
     if (value === 0) return Object.is(value, -0) ? '-0' : '0';
     if (value - value === 0) return `${value}`;
-    this.report.warn('number-not-finite', `A number is ${value}, which the format can't hold.`, NOWHERE, 'wrote 0');
+    this.report.warn(
+      'number-not-finite',
+      `Found the value ${value}, which the format can't store.`,
+      NOWHERE,
+      'wrote 0',
+    );
     return '0';
   }
 
@@ -86,7 +91,7 @@ export class Text {
 
   private changed(name: string, fit: string, what: string): string {
     if (fit !== name) {
-      const message = `The ${what} ${JSON.stringify(name)} can't be written so.`;
+      const message = `The ${what} ${JSON.stringify(name)} can't be written as it is.`;
       this.report.info('name-changed', message, NOWHERE, `wrote ${JSON.stringify(fit)}`);
     }
     return fit;

@@ -47,7 +47,7 @@ export function fetchFiles(
       const response = await fetch(url, signal ? { signal, cache } : { cache }).catch((error: unknown) => {
         if (signal?.aborted) throw error;
         throw new FetchError(
-          `"${address}" could not be fetched: the server is out of reach, or does not allow it (CORS).`,
+          `"${address}" could not be fetched: the server can’t be reached, or does not allow it (CORS).`,
         );
       });
       if (!response.ok)
@@ -67,7 +67,7 @@ function resolve(address: string, base: string): URL {
       ? new URL(address)
       : new URL(encodeURI(address).replaceAll('#', '%23').replaceAll('?', '%3F'), base);
   } catch {
-    throw new FetchError(`"${address}" is no address of a file.`);
+    throw new FetchError(`"${address}" is not a file address.`);
   }
   if (url.protocol === 'http:' || url.protocol === 'https:') return url;
   throw new FetchError(`"${address}" can't be fetched: only http and https can.`);

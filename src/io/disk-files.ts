@@ -67,7 +67,7 @@ export function diskFileOf({ path, blob, handle, address, version }: GivenFile):
 /** The browser's dialog for opening. Empty where it was given up. */
 export async function pickFiles(): Promise<readonly GivenFile[]> {
   const handles = await picked(() => window.showOpenFilePicker?.({ multiple: true }));
-  if (handles === 'given up') return [];
+  if (handles === 'cancelled') return [];
   if (!handles) return pickByInput(false);
   const files = handles.map(async (handle) => givenFile(handle.name, await handle.getFile(), handle));
   return inNaturalOrder(await Promise.all(files));
@@ -75,7 +75,7 @@ export async function pickFiles(): Promise<readonly GivenFile[]> {
 
 export async function pickFolder(): Promise<readonly GivenFile[]> {
   const folder = await picked(() => window.showDirectoryPicker?.({ mode: 'read' }));
-  if (folder === 'given up') return [];
+  if (folder === 'cancelled') return [];
   return folder ? inNaturalOrder(await inFolder(folder)) : pickByInput(true);
 }
 
@@ -111,7 +111,7 @@ export async function writeTo(
     await stream.close();
     return versionOf(await handle.getFile());
   } catch (error) {
-    if (isNamed(error, 'SecurityError')) throw new NotNowError('Save again to be asked whether it may be written.');
+    if (isNamed(error, 'SecurityError')) throw new NotNowError('Save again to allow writing to it.');
     throw asDiskError(error);
   }
 }
@@ -141,11 +141,11 @@ export async function readAgain(file: DiskFile, page: string, signal?: AbortSign
     return { ...again, path };
   }
   const own = file.file;
-  if (!own) throw new DiskError('Nobody knows where it lies: open it again.');
+  if (!own) throw new DiskError('Its location is not known. Open it again.');
   try {
     await own.slice(0, 1).arrayBuffer();
   } catch {
-    throw new DiskError('It has changed on disk, and this browser only reads it when it is dropped again.');
+    throw new DiskError('It has changed on disk. Drop it again: this browser can’t read it otherwise.');
   }
   return givenFile(path, own);
 }
@@ -158,11 +158,11 @@ async function allow(handle: FileSystemFileHandle, mode: FileAccess): Promise<vo
 }
 
 /** Runs a dialog. Undefined where there is none, or where the page may not open it (in a frame of another page). */
-async function picked<T>(ask: () => Promise<T> | undefined): Promise<T | 'given up' | undefined> {
+async function picked<T>(ask: () => Promise<T> | undefined): Promise<T | 'cancelled' | undefined> {
   try {
     return await ask();
   } catch (error) {
-    return isNamed(error, 'AbortError') ? 'given up' : undefined;
+    return isNamed(error, 'AbortError') ? 'cancelled' : undefined;
   }
 }
 
@@ -184,11 +184,11 @@ function asDiskError(error: unknown): DiskError {
 
 /** https://fs.spec.whatwg.org/ and https://wicg.github.io/file-system-access/ name these. */
 function sentence(error: unknown): string {
-  if (isNamed(error, 'NotFoundError')) return 'It is not where it was: moved, renamed or deleted.';
-  if (isNamed(error, 'NotAllowedError') || isNamed(error, 'SecurityError')) return 'The browser was not allowed to.';
-  if (isNamed(error, 'NoModificationAllowedError')) return 'Another program, or another tab, is writing it just now.';
-  if (isNamed(error, 'QuotaExceededError')) return 'There is no room left for it.';
-  if (isNamed(error, 'NotReadableError')) return 'The system does not let it be read.';
+  if (isNamed(error, 'NotFoundError')) return 'It was moved, renamed or deleted.';
+  if (isNamed(error, 'NotAllowedError') || isNamed(error, 'SecurityError')) return 'The browser has no permission.';
+  if (isNamed(error, 'NoModificationAllowedError')) return 'Another program or tab is writing to it.';
+  if (isNamed(error, 'QuotaExceededError')) return 'There is not enough space.';
+  if (isNamed(error, 'NotReadableError')) return 'The system denies access to it.';
   return error instanceof Error ? error.message : String(error);
 }
 

@@ -133,7 +133,7 @@ function* puts(store: IDBObjectStore, write: SessionWrite): Generator<IDBRequest
   if (write.follows && !write.atOnce) {
     const earlier = store.count(['session', id]);
     yield earlier;
-    if (earlier.result === 0) throw new SessionLostError('What was kept of this session is gone.');
+    if (earlier.result === 0) throw new SessionLostError('The stored session is gone.');
   }
   for (const file of write.files) yield store.put(file, [id, 'file', file.id]);
   for (const piece of write.pieces) yield store.put(piece.bytes(), [id, 'piece', piece.id]);
@@ -152,7 +152,7 @@ function* gets(
   for (const piece of pieces) {
     const request = store.get([id, 'piece', piece]);
     yield request;
-    if (!(request.result instanceof Uint8Array)) throw new SessionLostError('A part of what was kept is gone.');
+    if (!(request.result instanceof Uint8Array)) throw new SessionLostError('Part of the stored session is gone.');
     take(piece, request.result);
   }
 }
@@ -179,7 +179,7 @@ function inTurn(store: IDBObjectStore, requests: Iterator<IDBRequest>, atOnce = 
       }
     };
     transaction.oncomplete = () => resolve();
-    transaction.onabort = () => reject(problem ?? transaction.error ?? new Error('The transaction was given up.'));
+    transaction.onabort = () => reject(problem ?? transaction.error ?? new Error('The transaction was aborted.'));
     next();
   });
 }

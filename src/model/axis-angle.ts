@@ -14,22 +14,22 @@ import { DEFAULT_BOX, isUnlimited, type Joint, type Skeleton } from './skeleton.
 export function axisAngleObstacle({ joints }: Skeleton): string | undefined {
   for (let j = 0; j < joints.length; j++) {
     const why = obstacleOf(joints, j);
-    if (why) return `#${j}${joints[j].name && ` ${joints[j].name}`} ${why}.`;
+    if (why) return `joint ${j}${joints[j].name && ` "${joints[j].name}"`} ${why}.`;
   }
   return undefined;
 }
 
 function obstacleOf(joints: readonly Joint[], j: number): string | undefined {
   const { motion, length, offset, parent, limits, couples, endSites } = joints[j];
-  if (!jointTypeOf(motion).isAxisAngle) return 'is no hinge';
+  if (!jointTypeOf(motion).isAxisAngle) return 'is not a hinge';
   if (length === undefined) return 'has no bone length';
   const [x, y, z] = (joints[parent] && tipOf(joints[parent])) ?? [0, 0, 0];
   if (offset[0] !== x || offset[1] !== y || offset[2] !== z) {
-    return parent < 0 ? 'is the root, and not at 0 0 0' : "is not at its parent's tip";
+    return parent < 0 ? 'is the root but is not at 0 0 0' : "is not at its parent's tip";
   }
   if (!limits.every(isUnlimited)) return 'has limits';
   if (couples?.length) return 'follows another joint';
-  if (hasOwnBox(joints[j])) return 'has a box of its own';
+  if (hasOwnBox(joints[j])) return 'has its own box';
   return endSites?.length ? 'has End Sites' : undefined;
 }
 

@@ -153,13 +153,13 @@ export function motionOfKind(kind: MotionKind, before: Motion): Motion {
   return { ...initial, ...Object.fromEntries(values) } as Motion;
 }
 
-/** `hingejoint, axis 1 1 0.5`. */
-export function motionText(motion: Motion): string {
-  return jointTypeOf(motion).text(motion);
+/** `hingejoint, axis 1 1 0.5`. @param number how numbers are written */
+export function motionText(motion: Motion, number: (value: number) => string): string {
+  return jointTypeOf(motion).text(motion, number);
 }
 
 /** The same for a heading: `hinge, axis 1 1 0.5`; no more of motion capture than its channels. */
-export function motionHeading(motion: Motion): string {
+export function motionHeading(motion: Motion, number: (value: number) => string): string {
   const type = jointTypeOf(motion);
-  return type.heading?.(motion) ?? type.text(motion).replace(/^(\w+)joint\b/, '$1');
+  return type.heading?.(motion) ?? type.text(motion, number).replace(/^(\w+)joint\b/, '$1');
 }

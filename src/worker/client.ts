@@ -57,7 +57,7 @@ export class WorkerClient {
       const cancel = () => {
         this.pending.delete(id);
         reject(signal?.reason);
-        this.restart('The work was cancelled.');
+        this.restart('Cancelled.');
       };
       const settled = () => signal?.removeEventListener('abort', cancel);
       signal?.addEventListener('abort', cancel, { once: true });
@@ -84,7 +84,7 @@ export class WorkerClient {
     worker.onmessage = ({ data }) => this.receive(data);
     worker.onerror = (event) =>
       this.restart(`The worker stopped: ${event.message || 'it ran out of memory, or could not be loaded'}.`);
-    worker.onmessageerror = () => this.restart('The worker sent something that could not be read.');
+    worker.onmessageerror = () => this.restart('The worker sent an unreadable message.');
     this.worker = worker;
     return worker;
   }

@@ -118,12 +118,12 @@ async function feed(blob: Blob, take: (chunk: Uint8Array) => void): Promise<void
 
 function unreadable(source: SourceFile, error: unknown): Diagnostic {
   const reason = error instanceof Error ? error.message : String(error);
-  const message = `The file could not be read: ${reason}. Try to open it again; it may have moved or be damaged.`;
+  const message = `The file could not be read: ${reason}. It may have moved or be damaged. Try opening it again.`;
   return withoutPlace('error', 'file-unreadable', message, source.name);
 }
 
 function unknownFormat(source: SourceFile, severity: 'info' | 'warning'): Diagnostic {
   const known = [...READABLE_EXTENSIONS, ...TEXTURE_EXTENSIONS, 'zip'].map((e) => `.${e}`).join(' ');
   const message = `Marrow does not read this kind of file; it reads ${known}.`;
-  return withoutPlace(severity, 'format-unknown', message, source.name, 'passed over');
+  return withoutPlace(severity, 'format-unknown', message, source.name, 'skipped');
 }

@@ -43,7 +43,7 @@ export class FakeDisk implements Disk {
     return this.picks === 'give up' ? undefined : this.picks;
   };
   writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array | Blob) => {
-    if (!this.mayWrite) throw new NotNowError('Save again to be asked whether it may be written.');
+    if (!this.mayWrite) throw new NotNowError('Save again to allow writing to it.');
     if (!this.files.has(handle)) throw new DiskError('It is gone.', true);
     const text =
       content instanceof Uint8Array

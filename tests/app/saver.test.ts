@@ -34,7 +34,7 @@ describe('saving what changed', () => {
   it('says so where there is nothing to save', async () => {
     const page = await pageWith(HERO);
     await page.saver.saveChanged();
-    expect(said(page)).toBe('Everything is saved. Save as… writes copies.');
+    expect(said(page)).toBe('Everything is saved. Use Save as to write copies.');
   });
 
   it('writes a take that has another name into a file of that name, and under its own name into its own', async () => {
@@ -218,7 +218,7 @@ describe('saving several files that have no place yet', () => {
     expect(page.messages.list.get()).toEqual([]);
     expect(said(page)).toBe(
       'Saved character.skel. Not saved: character2.skel, character3.skel. ' +
-        'The browser asks about one file at a time: save again.',
+        'The browser asks for one file at a time. Save again.',
     );
     page.disk.dialogs = 1;
     await page.saver.saveChanged();
@@ -252,7 +252,7 @@ describe('saving several files that have no place yet', () => {
     expect(page.messages.list.get()).toMatchObject([
       {
         severity: 'warning',
-        text: 'Not saved: hero_walk.anim, character.skel. Save again to be asked whether it may be written.',
+        text: 'Not saved: hero_walk.anim, character.skel. Save again to allow writing to it.',
       },
     ]);
     page.disk.mayWrite = true;
@@ -401,7 +401,7 @@ describe('saving as', () => {
   it('saving as says what is not there', async () => {
     const page = await pageWith(HERO);
     await page.saver.saveAs('c1', 'skin');
-    expect(page.messages.list.get()[0]?.text).toBe('hero has nothing that could be saved as .skin.');
+    expect(page.messages.list.get()[0]?.text).toBe('hero has nothing to save as .skin.');
   });
 
   it('saves a whole character as one zip', async () => {

@@ -101,9 +101,9 @@ describe('the axis-angle form in the command', () => {
     expect(text('again.skel')).toBe(ARM);
     const refused = await command(['convert', 'ball.skel', 'ball.axskel'], folder);
     expect(refused.code).toBe(1);
-    expect(refused.err).toContain("can't be written in the axis-angle form: #0 a is no hinge. As .skel it can.");
+    expect(refused.err).toContain('joint 0 "a" is not a hinge. Use .skel instead.');
     const two = await command(['convert', 'two.skel', 'two.axskel'], folder);
-    expect(two.err).toContain('it holds one tree, and here are 2.');
+    expect(two.err).toContain('it holds one tree, and there are 2.');
   });
 
   it('becomes motion capture with End Sites at the tips', async () => {

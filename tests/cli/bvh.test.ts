@@ -96,8 +96,8 @@ describe('marrow pose, of motion capture', () => {
     ],
     ['before the first frame', ['two.bvh', '--frame', '-1'], '0 to 2'],
     ['between frames', ['two.bvh', '--frame', '0.5'], 'whole number'],
-    ['a frame of what has none', ['still.bvh', '--frame', '0'], 'nothing is sampled'],
-    ['a frame and a time', ['two.bvh', '--frame', '0', '--time', '0'], 'give one'],
+    ['a frame of what has none', ['still.bvh', '--frame', '0'], 'no samples'],
+    ['a frame and a time', ['two.bvh', '--frame', '0', '--time', '0'], 'not both'],
   ])('refuses %s, and says what there is', async (_, args, said) => {
     const { code, out, err } = await command(['pose', ...args], folder);
     expect({ code, out }).toEqual({ code: 2, out: '' });

@@ -116,17 +116,17 @@ describe('marrow ik', () => {
   });
 
   it('says what is wrong with a pin', async () => {
-    expect(await told('arms.skel')).toMatch('Which pins?');
+    expect(await told('arms.skel')).toMatch('at least one pin');
     expect(await told('arms.skel', '--pin', 'elbow')).toMatch('has no "="');
     expect(await told('arms.skel', '--pin', 'elbow=1,2')).toMatch('"elbow=1,2" has 2');
-    expect(await told('arms.skel', '--pin', 'elbow=1,2,x')).toMatch('"x" is none');
-    expect(await told('arms.skel', '--pin', 'elbow=1,2,NaN')).toMatch('"NaN" is none');
+    expect(await told('arms.skel', '--pin', 'elbow=1,2,x')).toMatch('found "x"');
+    expect(await told('arms.skel', '--pin', 'elbow=1,2,NaN')).toMatch('found "NaN"');
     expect(await told('arms.skel', '--pin', 'elbow=1,2,3,0')).toMatch('weights greater than 0');
     expect(await told('arms.skel', '--pin', 'elbow@1,2=1,2,3')).toMatch('JOINT@x,y,z');
     expect(await told('arms.skel', '--pin', 'knee=1,2,3')).toMatch(/no joint "knee" in "arms".*body, upper, elbow/);
     expect(await told('arms.skel', '--pin', '=1,2,3')).toMatch('There is no joint ""');
     expect(await told('arms.skel', '--pin', '#6=1,2,3')).toMatch('only #0 to #5');
-    expect(await told('arms.skel', '--pin', 'hand=1,2,3')).toMatch('say #3 or #5');
+    expect(await told('arms.skel', '--pin', 'hand=1,2,3')).toMatch('use #3 or #5');
   });
 
   it('says what is wrong with its files and lists', async () => {

@@ -17,7 +17,7 @@ const kept = (page: Page) => page.waitForFunction(() => document.documentElement
 const dofs = (page: Page) => page.evaluate(() => [...window.marrow.characters()[0].dofs]);
 const setDof = (page: Page, index: number, value: number) =>
   page.evaluate(([i, v]) => window.marrow.run('pose.setDofs', { dofs: [{ index: i, value: v }] }), [index, value]);
-const offer = (page: Page) => page.getByRole('region', { name: 'Work that was not finished' });
+const offer = (page: Page) => page.getByRole('region', { name: 'Unsaved work' });
 const restore = (page: Page) => offer(page).getByRole('button', { name: 'Restore' }).click();
 const openArm = async (page: Page) => {
   await ready(page);
@@ -53,7 +53,7 @@ describe('work', () => {
         const again = await openAnother();
         await ready(again);
         await offer(again)
-          .getByText(/Your work of .* is still here: arm, 2 joints\./)
+          .getByText(/Unsaved work from .*: arm, 2 joints\./)
           .waitFor();
         await restore(again);
         await shown(again, 'arm');
@@ -170,7 +170,7 @@ describe('work', () => {
       await kept(page);
       await page.reload();
       await offer(page).getByRole('button', { name: 'Discard' }).click();
-      await offer(page).getByRole('button', { name: 'Keep it after all' }).click();
+      await offer(page).getByRole('button', { name: 'Keep it' }).click();
       await restore(page);
       await shown(page, 'arm');
     }));
@@ -185,7 +185,7 @@ describe('work', () => {
       await dropFiles(page, [{ name: 'other.skel', bytes: ARM }]);
       await shown(page, 'other');
       await offer(page)
-        .getByText(/^Work of/)
+        .getByText(/^Work from/)
         .waitFor();
       await restore(page);
       await shown(page, 'arm');
@@ -277,7 +277,7 @@ describe('where nothing can be kept', () => {
     withSmallPage(
       async ({ page }) => {
         await openArm(page);
-        await page.locator('.message-line').getByText('in case of a crash or a reload').waitFor();
+        await page.locator('.message-line').getByText('protect your work from a crash or reload').waitFor();
         await page.getByRole('button', { name: 'Dismiss' }).click();
         for (const value of [0.5, 0.6]) {
           await page.evaluate(() => {

@@ -141,7 +141,7 @@ it('plays one take after the other by key, and compares two by the distance of t
       .first()
       .click({ modifiers: ['ControlOrMeta'] });
     await page.getByRole('button', { name: 'Compare' }).click();
-    const joints = page.getByRole('listbox', { name: 'Joints by their distance' }).getByRole('option');
+    const joints = page.getByRole('listbox', { name: 'Joints by distance' }).getByRole('option');
     await expect.poll(() => joints.count()).toBe(2);
     // The legs differ, the hips never do: the list begins with what differs most.
     expect(await joints.first().textContent()).toContain('Leg');

@@ -189,7 +189,7 @@ it('blends to a pose once where its picture is double-clicked, and again at a cl
     });
     const picture = page.locator('.pose-picture');
     await picture.waitFor();
-    await page.getByRole('slider', { name: 'How much of a pose is taken on' }).fill('50');
+    await page.getByRole('slider', { name: 'Blend amount of an applied pose' }).fill('50');
     await picture.dblclick();
     expect((await dofs(page))[6]).toBeCloseTo(0.2, 9);
     await picture.click();

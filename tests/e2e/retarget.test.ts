@@ -146,8 +146,8 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     expect(before.at(-1)).toBe(take);
 
     await page.getByRole('menuitem', { name: 'Edit' }).click();
-    await page.getByRole('menuitem', { name: /Put a take onto a character/ }).click();
-    const dialog = page.getByRole('dialog', { name: 'Put a take onto a character' });
+    await page.getByRole('menuitem', { name: /Retarget take/ }).click();
+    const dialog = page.getByRole('dialog', { name: 'Retarget take' });
     const follows = (joint: string) => dialog.getByRole('combobox', { name: `${joint} follows`, exact: true });
     const followed = (joint: string) => follows(joint).evaluate((s: HTMLSelectElement) => s.selectedOptions[0].label);
     await follows('thigh_l').waitFor();
@@ -161,12 +161,12 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       expect(await followed(joint), joint).toBe(source);
     }
     // Seen behind the dialog before it is applied, and no step yet.
-    expect(await page.evaluate(() => window.marrow.steps().undo)).not.toContain('onto');
+    expect(await page.evaluate(() => window.marrow.steps().undo)).not.toContain('Retarget');
     // By keyboard: the ear follows the head. The first letter of a name goes to it, as in every list.
     await follows('ear_l').focus();
     await page.keyboard.type('Head');
     expect(await followed('ear_l')).toBe('Head');
-    expect(await dialog.getByRole('row', { name: /^ear_l/ }).textContent()).toContain('chosen by hand');
+    expect(await dialog.getByRole('row', { name: /^ear_l/ }).textContent()).toContain('set by hand');
     await page.keyboard.press('Backspace');
     await dialog.getByRole('button', { name: 'Apply' }).focus();
     await page.keyboard.press('Enter');
@@ -202,7 +202,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     await page.getByRole('treeitem').filter({ hasText: 'follows step' }).waitFor();
     await page.keyboard.press('k');
     await page
-      .getByText(/walker is moved by step.*Bake makes that a take of its own/)
+      .getByText(/walker is retargeted from step.*Bake the retargeting to edit it/)
       .filter({ visible: true })
       .first()
       .waitFor();

@@ -104,11 +104,11 @@ it('crops, smooths, converts to keys and drags one of them, each a step; all und
     await stepMade();
     expect(texts.at(-1)).toContain('Frames: 181');
 
-    await applyTool(page, 'Smooth samples', { 'Width (σ)': '0.04' }, /half is left/);
+    await applyTool(page, 'Smooth samples', { 'Width (σ)': '0.04' }, /Hz is halved/);
     await stepMade();
 
     const smooth = await points(page, 1);
-    await applyTool(page, 'Convert to keys', { 'Joints within': '0.05', 'Turned within': '0.2' }, /to 1\./);
+    await applyTool(page, 'Convert to keys', { 'Position tolerance': '0.05', 'Rotation tolerance': '0.2' }, /to 1\./);
     await stepMade();
     expectClose(
       (await points(page, 1)).map((v) => v / 0.05),

@@ -179,12 +179,12 @@ describe('saving in place', () => {
       expect(await read(page, 'hero_new.anim')).toContain('range 0 4');
     }));
 
-  it('saving in place does not overwrite what was changed on disk meanwhile, unless it is saved again', () =>
+  it('saving in place does not overwrite what has changed on disk meanwhile, unless it is saved again', () =>
     withHero(async (page) => {
       await setRange(page, 3);
       await write(page, 'hero_walk.anim', anim(0.75));
       await page.keyboard.press('Control+s');
-      await page.getByText('was changed on disk').first().waitFor();
+      await page.getByText('has changed on disk').first().waitFor();
       expect(await read(page, 'hero_walk.anim')).toBe(anim(0.75));
       expect(await page.title()).toBe('• hero_walk.anim – Marrow');
       await page.keyboard.press('Control+s');

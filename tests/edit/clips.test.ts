@@ -25,7 +25,7 @@ describe('clip.setRange', () => {
   });
 
   it('refuses a range that goes backward, and a take that is not there', () => {
-    expect(() => setClipRange.run(two, { characterId: 'c1', range: [1, 0] })).toThrow('forward');
+    expect(() => setClipRange.run(two, { characterId: 'c1', range: [1, 0] })).toThrow('start before it ends');
     expect(() => setClipRange.run(two, { characterId: 'c1', clip: 2, range: [0, 1] })).toThrow('no take number 2');
     expect(() => setClipRange.run(none, { characterId: 'c1', range: [0, 1] })).toThrow('shows no take');
   });
@@ -68,7 +68,7 @@ describe('clip.rename', () => {
   it('gives a name that no other take of the character has', () => {
     expect(names(renameClip.run(two, { characterId: 'c1', name: ' stroll ' }))).toEqual(['stroll', 'run']);
     expect(names(renameClip.run(two, { characterId: 'c1', name: 'Walk' }))).toEqual(['Walk', 'run']);
-    expect(() => renameClip.run(two, { characterId: 'c1', name: 'RUN' })).toThrow('a take "run" already');
+    expect(() => renameClip.run(two, { characterId: 'c1', name: 'RUN' })).toThrow('already has a take "run"');
     expect(() => renameClip.run(two, { characterId: 'c1', name: ' ' })).toThrow('text');
     expect(renameClip.run(two, { characterId: 'c1', name: 'walk' })).toBe(two);
   });
@@ -81,13 +81,13 @@ describe('clip.rename', () => {
     const parts = clipsFrom('in/walk.anim', 'in/Run.anim');
     const opened = { ...two, characters: [{ ...own, sources: [file('walk.anim'), file('Run.anim')], parts }] };
     const strolling = rename(opened, 0, 'stroll');
-    expect(() => rename(strolling, 1, 'Walk')).toThrow('walk.anim is another take’s file');
+    expect(() => rename(strolling, 1, 'Walk')).toThrow('walk.anim belongs to another take');
     // Its own name it can have back, in any case.
     expect(names(rename(strolling, 0, 'walk'))).toEqual(['walk', 'run']);
     expect(names(rename(opened, 1, 'RUN'))).toEqual(['walk', 'RUN']);
     // Beside a take that has no file it is still its own.
     const made = createClip.run(strolling, { characterId: 'c1', range: [0, 1], name: 'new' });
-    expect(() => rename(made, 2, 'walk')).toThrow('another take’s file');
+    expect(() => rename(made, 2, 'walk')).toThrow('belongs to another take');
     expect(names(rename(made, 0, 'walk'))).toEqual(['walk', 'run', 'new']);
   });
 });

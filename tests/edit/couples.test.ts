@@ -65,7 +65,7 @@ describe('rig.setCouple', () => {
     const store = new Store(document);
     const follows = { joint: 0, dof: 'rx', gain: 1, offset: 0 };
     store.apply(setCouple, { characterId: 'c1', joint: 2, dof: 'rz', follows });
-    expect(store.undoLabel).toMatch(/^Couple rz of /);
+    expect(store.undoLabel).toMatch(/^Link rz of /);
     store.undo();
     expect(store.document).toEqual(document);
   });

@@ -152,7 +152,7 @@ describe('commands on keys refuse, and change nothing', () => {
   const copied = copyKeys(walk, keys);
   it.each<[string, string, () => unknown]>([
     ['a typed time for two keys', 'Only one key', () => setKeys.run(start, { characterId, keys, timeSeconds: 1 })],
-    ['nothing typed', 'has to be given', () => setKeys.run(start, { characterId, keys })],
+    ['nothing typed', 'Give at least one', () => setKeys.run(start, { characterId, keys })],
     [
       'keys of no channel',
       'no channel number 7',
@@ -170,7 +170,7 @@ describe('commands on keys refuse, and change nothing', () => {
     ],
     [
       'no keys of a channel',
-      'name a key',
+      'name at least one key',
       () => unifyTangents.run(start, { characterId, keys: [{ channel: 0, indices: [] }] }),
     ],
     ['too few values', 'for each channel', () => moveKeys.run(start, { characterId, keys, seconds: 0, values: [] })],
@@ -183,7 +183,7 @@ describe('commands on keys refuse, and change nothing', () => {
     ],
     [
       'more channels than copied',
-      'as many channels',
+      'paste into 2 channels',
       () =>
         pasteKeys.run(start, {
           characterId,

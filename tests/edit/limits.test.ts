@@ -43,8 +43,8 @@ describe('skeleton.setLimit', () => {
 
   it('refuses crossed limits, and DOFs that have none', () => {
     expect(() => limit(7, 1, -1)).toThrow('above');
-    expect(() => limit(0, -1, 1)).toThrow('tx of joint0 has no limits');
-    expect(() => limit(9, 0, 1)).toThrow('morph smile has no limits');
+    expect(() => limit(0, -1, 1)).toThrow('tx of joint0 can’t have limits');
+    expect(() => limit(9, 0, 1)).toThrow('morph smile can’t have limits');
     expect(() => limit(10, 0, 1)).toThrow('no DOF number 10');
     expect(() => limit(7, Number.NEGATIVE_INFINITY, 1)).toThrow('finite');
   });

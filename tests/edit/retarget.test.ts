@@ -212,9 +212,9 @@ describe('putting a take onto another character', () => {
           { target: 1, source: 2 },
         ],
       },
-      /one joint only/,
+      /only follow one joint/,
     ],
-    ['a scale of nothing', { ...ONTO, options: { scale: 0 } }, /above 0/],
+    ['a scale of nothing', { ...ONTO, options: { scale: 0 } }, /greater than 0/],
   ])('putting a take onto another character refuses %s', (_, args, message) => {
     const s = store();
     const { document } = s;

@@ -80,7 +80,7 @@ describe('takes in time', () => {
   it('takes in time get one offset together', () => {
     const next = setTimeOffsets.run(three, { characterIds: ['a', 'c'], seconds: 0.25 });
     expect(next.characters.map((c) => c.timeOffsetSeconds)).toEqual([0.25, 0, 0.25]);
-    expect(() => setTimeOffsets.run(three, { characterIds: [], seconds: 1 })).toThrow('No character was given.');
+    expect(() => setTimeOffsets.run(three, { characterIds: [], seconds: 1 })).toThrow('Give at least one character.');
   });
 });
 

@@ -69,13 +69,13 @@ describe('a clip and its skeleton', () => {
       {
         severity: 'warning',
         code: 'channels-fewer',
-        message: 'The animation has 3 channels, but "hero" needs 9: 3 of the root translation, 6 of its joints.',
+        message: 'The animation has 3 channels, but "hero" needs 9: 3 for the root translation, 6 for its joints.',
       },
     ]);
     expect(checkClip(channels(10), skeleton(2), 2, 'walk.anim')).toMatchObject([
       {
         code: 'channels-fewer',
-        message: expect.stringContaining('needs 11: 3 of the root translation, 6 of its joints and 2 morphs'),
+        message: expect.stringContaining('needs 11: 3 for the root translation, 6 for its joints and 2 for its morphs'),
       },
     ]);
   });

@@ -241,19 +241,22 @@ describe('writing the axis-angle form', () => {
   };
   const { length: _, ...boneless } = arm.joints[1];
   it.each<[string, Skeleton]>([
-    ['#1 elbow is no hinge.', changed(1, { name: 'elbow', motion: { kind: 'prismatic', axis: [1, 0, 0] } })],
-    ['#1 has no bone length.', { ...arm, joints: arm.joints.map((joint, j) => (j === 1 ? boneless : joint)) }],
-    ["#2 is not at its parent's tip.", changed(2, { offset: [0, 1, 0] })],
-    ['#0 is the root, and not at 0 0 0.', changed(0, { offset: [0, 1, 0] })],
-    ['#1 has limits.', changed(1, { limits: [{ min: -1, max: 1 }] })],
-    ['#2 has a box of its own.', changed(2, { box: { min: [0, 0, 0], max: [1, 1, 1] } })],
-    ['#1 follows another joint.', changed(1, { couples: [{ dof: 'r', joint: 0, follows: 'r', gain: 1, offset: 0 }] })],
+    ['joint 1 "elbow" is not a hinge.', changed(1, { name: 'elbow', motion: { kind: 'prismatic', axis: [1, 0, 0] } })],
+    ['joint 1 has no bone length.', { ...arm, joints: arm.joints.map((joint, j) => (j === 1 ? boneless : joint)) }],
+    ["joint 2 is not at its parent's tip.", changed(2, { offset: [0, 1, 0] })],
+    ['joint 0 is the root but is not at 0 0 0.', changed(0, { offset: [0, 1, 0] })],
+    ['joint 1 has limits.', changed(1, { limits: [{ min: -1, max: 1 }] })],
+    ['joint 2 has its own box.', changed(2, { box: { min: [0, 0, 0], max: [1, 1, 1] } })],
+    [
+      'joint 1 follows another joint.',
+      changed(1, { couples: [{ dof: 'r', joint: 0, follows: 'r', gain: 1, offset: 0 }] }),
+    ],
   ])('takes the hierarchy form where %s', (why, skeleton) => {
     expect(axisAngleObstacle(skeleton)).toBe(why);
     const { text, diagnostics } = writeSkel([skeleton]);
     expect(text).toMatch(/^hingejoint \{/);
     expect(diagnostics.map((d) => `${d.code}: ${d.message}`)).toEqual([
-      `form-changed: arm can't be written in the axis-angle form: ${why}`,
+      `form-changed: arm can't be written in axis-angle form: ${why}`,
     ]);
     expect(readSkel(text, 'arm.axskel').value?.[0].joints).toEqual(skeleton.joints);
   });

@@ -219,7 +219,7 @@ describe('reading .skel', () => {
 
   it('says what is wrong with a number', () => {
     const message = (n: string) => skel(`balljoint a { offset ${n} 0 0 }`).diagnostics[0].message;
-    expect(message('nan')).toContain('no value');
+    expect(message('nan')).toContain('not a number');
     expect(message('-inf')).toContain('finite');
     expect(message('0x1F')).toContain('hexadecimal');
     expect(message('1,5')).toContain('comma');

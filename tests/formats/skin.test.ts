@@ -112,7 +112,7 @@ describe('reading .skin', () => {
     ]);
     expect(diagnostics[0].message).toContain('Vertex 0 ');
     expect(diagnostics[0].message).toContain('1 other');
-    expect(diagnostics[1].message).toContain('vertex 1,');
+    expect(diagnostics[1].message).toContain('vertex 1;');
     expect(diagnostics[1].message).toContain('2 other');
   });
 

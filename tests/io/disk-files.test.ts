@@ -156,16 +156,16 @@ describe('writing', () => {
     await writeTo(own, 'new');
     expect(state.asked).toEqual(['readwrite']);
     own.requestPermission = async () => 'denied';
-    await expect(writeTo(own, 'newer')).rejects.toThrow('The browser was not allowed to.');
+    await expect(writeTo(own, 'newer')).rejects.toThrow('The browser has no permission.');
     own.requestPermission = () => Promise.reject(new DOMException('', 'SecurityError'));
     await expect(writeTo(own, 'newer')).rejects.toBeInstanceOf(NotNowError);
     expect(state.text).toBe('new');
   });
 
   it.each([
-    ['NotFoundError', 'It is not where it was: moved, renamed or deleted.', true],
-    ['NoModificationAllowedError', 'Another program, or another tab, is writing it just now.', false],
-    ['QuotaExceededError', 'There is no room left for it.', false],
+    ['NotFoundError', 'It was moved, renamed or deleted.', true],
+    ['NoModificationAllowedError', 'Another program or tab is writing to it.', false],
+    ['QuotaExceededError', 'There is not enough space.', false],
   ])('writing says %s in a sentence', async (name, message, isGone) => {
     const { handle: own } = handle('a.anim', 'old', name);
     const error = await writeTo(own, 'new').catch((e: unknown) => e);
@@ -195,7 +195,7 @@ describe('reading again', () => {
     vi.spyOn(file, 'slice').mockReturnValue({
       arrayBuffer: () => Promise.reject(new DOMException('', 'NotReadableError')),
     } as unknown as Blob);
-    await expect(readAgain(known ?? { path: '' }, page)).rejects.toThrow('dropped again');
+    await expect(readAgain(known ?? { path: '' }, page)).rejects.toThrow('Drop it again');
   });
 
   it('fetches an address, past the cache', async () => {

@@ -247,7 +247,7 @@ export class Autosave {
     await opener.inTurn(async () => {
       const lock = await locks?.hold(id, LOCK_PATIENCE_MS).catch(() => undefined);
       if (!lock) {
-        messages.note('That work is open in another tab or window by now.', 'warning');
+        messages.note('That work is already open in another tab or window.', 'warning');
         this.offers?.drop(id);
         return;
       }
@@ -259,8 +259,8 @@ export class Autosave {
         this.offers?.show();
         const reason = error instanceof Error ? error.message : String(error);
         const wasCancelled = error instanceof DOMException && error.name === 'AbortError';
-        if (wasCancelled) messages.note('Restoring was cancelled; nothing was changed.');
-        else messages.note(`Your work could not be restored, and nothing was changed. ${reason}`, 'error');
+        if (wasCancelled) messages.note('Restore cancelled. Nothing was changed.');
+        else messages.note(`Your work could not be restored. Nothing was changed. ${reason}`, 'error');
       }
     });
   }
@@ -269,7 +269,7 @@ export class Autosave {
     const { sessions, loading, worker } = this.parts;
     if (!sessions) throw new Error(NO_STORE);
     const abort = new AbortController();
-    const cancel = () => abort.abort(new DOMException('Restoring was cancelled.', 'AbortError'));
+    const cancel = () => abort.abort(new DOMException('Restore cancelled.', 'AbortError'));
     loading.set({ label: 'your work', done: 0, of: 0, cancel });
     try {
       return await readSession(id, sessions, worker, this.origins, {
@@ -303,11 +303,11 @@ export class Autosave {
 const LOCK_PATIENCE_MS = 1000;
 
 const FULL =
-  'The browser has no room left to keep your work in case of a crash or a reload. Everything else works; ' +
-  'save your files now and then.';
+  'The browser has no storage left to protect your work from a crash or reload. Everything else works; ' +
+  'save your files often.';
 const NO_STORE =
-  'This browser does not let the page keep your work in case of a crash or a reload. Everything else works; ' +
-  'save your files now and then.';
+  'This browser does not let the page protect your work from a crash or reload. Everything else works; ' +
+  'save your files often.';
 
 /** No more than different from all others; `randomUUID` is not there on plain http. */
 function newId(): string {

@@ -26,7 +26,7 @@ export async function beginAutosave(
     const unsubscribe = store.subscribe((now) => now.document !== own && enough());
     whenIdle({ loading }, enough);
   });
-  const module = await onDemand(messages, 'What keeps your work in case of a crash', () => import('./start.ts'));
+  const module = await onDemand(messages, 'Crash recovery', () => import('./start.ts'));
   stop();
   module?.startAutosave(parts, { own, opened });
 }

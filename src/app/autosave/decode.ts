@@ -60,7 +60,7 @@ export function decode(
         return partOf(files[node.file], node.path);
       case 'numbers': {
         const array = arrays.get(node);
-        if (!array) throw new RestoreError('A part of what was kept is missing.');
+        if (!array) throw new RestoreError('Part of the stored session is missing.');
         return array;
       }
     }
@@ -73,7 +73,7 @@ function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
   for (const key of path) {
     // Own properties only; what they hold is looked at before the next step.
     if (typeof value !== 'object' || value === null || !Object.hasOwn(value, key)) {
-      throw new RestoreError(`${file.source.name} reads differently than it did.`);
+      throw new RestoreError(`${file.source.name} now reads differently than before.`);
     }
     value = (value as Record<string | number, unknown>)[key];
   }

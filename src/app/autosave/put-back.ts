@@ -28,7 +28,7 @@ export function putBack(state: SessionState, parts: PutBackParts, asStep: boolea
   // Before the document: what was set by hand and not keyed is gone at any other moment. And after, for the played
   // range follows the clips.
   transport.set(then);
-  store.adopt(asStep ? 'Restore earlier work' : undefined, { document, selection });
+  store.adopt(asStep ? 'Restore session' : undefined, { document, selection });
   saving.restore(state.saving);
   transport.set(then);
   timeline.view.set({ ...DEFAULT_TIMELINE_VIEW, ...state.timeline });

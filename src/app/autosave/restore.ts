@@ -41,7 +41,7 @@ export async function readSession(
   options: ReadOptions,
 ): Promise<ReadSession> {
   const content = await store.read(id);
-  if (!content) throw new RestoreError('It is not there any more.');
+  if (!content) throw new RestoreError('The session no longer exists.');
   // Our own record, of the version that its card tells.
   const head = content.head as SessionHead;
   const openings = await readOpenings(head, content.files, worker, options);
@@ -50,7 +50,7 @@ export async function readSession(
       const file = opening.files.find((f) => f.source.path === path && givenOf(f, opening.given)?.id === given);
       if (file) return file;
     }
-    throw new RestoreError(`${path} can't be read any more.`);
+    throw new RestoreError(`${path} can no longer be read.`);
   });
   const arrays = await readArrays(id, store, head);
   options.signal.throwIfAborted();

@@ -37,7 +37,7 @@ import { writeOutput } from '../write-output.ts';
 export const convert: Command = {
   name: 'convert',
   usage: 'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
-  summary: 'writes OUT in the format of its name, or all of IN as files of one kind (skel: with its animations)',
+  summary: 'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations)',
   async run(args, io) {
     const given = parseArguments(args, {
       json: 'flag',
@@ -50,7 +50,7 @@ export const convert: Command = {
     const to = given.value('to');
     if (to !== undefined) return toKind(given, to, io);
     if (given.value('out') !== undefined || given.flag('force')) {
-      throw new UsageError('--out and --force go with --to; otherwise the last name is what is written.');
+      throw new UsageError('--out and --force need --to; without it, the last name is the output.');
     }
     return toFile(given, io);
   },
@@ -60,7 +60,7 @@ function readOptions(given: Arguments): ConversionOptions {
   const positive = (name: string) => {
     const text = given.value(name);
     const value = text === undefined ? undefined : numberOf(name, text);
-    if (value !== undefined && !(value > 0)) throw new UsageError(`--${name} has to be above 0; it is ${value}.`);
+    if (value !== undefined && !(value > 0)) throw new UsageError(`--${name} must be greater than 0, found ${value}.`);
     return value;
   };
   const framesPerSecond = positive('fps');
@@ -70,8 +70,8 @@ function readOptions(given: Arguments): ConversionOptions {
 
 async function toKind(given: Arguments, to: string, io: CommandIo): Promise<ExitCode> {
   const target = TARGETS.find((t) => t === to.replace(/^\./, '').toLowerCase());
-  if (!target) throw new UsageError(`--to takes one of ${TARGETS.join(', ')}; "${to}" is none.`);
-  if (given.files.length === 0) throw new UsageError('convert takes what to read.');
+  if (!target) throw new UsageError(`--to takes one of ${TARGETS.join(', ')}, found "${to}".`);
+  if (given.files.length === 0) throw new UsageError('convert needs an input file.');
   const out = given.value('out');
   const written: WrittenFile[] = [];
   const diagnostics: Diagnostic[] = [];
@@ -97,11 +97,11 @@ function labelOf(path: string): string {
 
 async function toFile(given: Arguments, io: CommandIo): Promise<ExitCode> {
   const [ins, out] = [given.files.slice(0, -1), given.files.at(-1)];
-  if (out === undefined || ins.length === 0) throw new UsageError('convert takes what to read and what to write.');
+  if (out === undefined || ins.length === 0) throw new UsageError('convert needs an input file and an output file.');
   const format = formatOf(out);
   if (!format) {
     const known = READABLE_EXTENSIONS.map((extension) => `.${extension}`).join(' ');
-    throw new UsageError(`The format of "${out}" is not known; its name has to end in one of ${known}.`);
+    throw new UsageError(`The format of "${out}" is not known; its name must end in one of ${known}.`);
   }
 
   const options = readOptions(given);
@@ -152,13 +152,13 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
   const target = TARGETS.find((t) => t === kind);
   const converted = target ? convertedTo(target, files, format, out, options) : undefined;
   if (converted) return converted;
-  const held = files.map((file) => file.source.name).join(', ') || 'nothing that was read';
-  const message = `No ${format.label} was given to write ${out} from: there is ${held}.`;
+  const held = files.map((file) => file.source.name).join(', ') || 'nothing';
+  const message = `Expected ${format.label} input for ${out}, found ${held}.`;
   return { refusal: refusal('part-missing', message, out) };
 }
 
 function tooMany({ label }: Format, names: readonly string[], out: string): Diagnostic {
-  const message = `More than one ${label} was given (${names.join(', ')}), and ${out} holds one: name only that one.`;
+  const message = `Expected one ${label} for ${out}, found ${names.length} (${names.join(', ')}). Name only one.`;
   return refusal('part-ambiguous', message, out);
 }
 
@@ -172,9 +172,9 @@ function skelInForm(skeletons: readonly Skeleton[], source: string, out: string)
     return { output: textOutput(out, () => ({ kind: 'skel', skeletons: written })) };
   }
   const why =
-    skeletons.length === 1 ? axisAngleObstacle(skeletons[0]) : `it holds one tree, and here are ${skeletons.length}.`;
+    skeletons.length === 1 ? axisAngleObstacle(skeletons[0]) : `it holds one tree, and there are ${skeletons.length}.`;
   if (why !== undefined) {
-    const message = `${out} can't be written in the axis-angle form: ${why} As .skel it can.`;
+    const message = `${out} can't be written in axis-angle form: ${why} Use .skel instead.`;
     return { refusal: refusal('axis-angle-impossible', message, out) };
   }
   return { output: textOutput(out, () => ({ kind: 'skel', skeletons: skeletons.map(inAxisAngleForm) })) };
@@ -253,11 +253,11 @@ function rigOf(files: readonly ParsedFile[], out: string): Picked {
   const [skeletons, skins, morphs, animations] = (['skel', 'skin', 'morph', 'anim'] as const).map(named);
   const twice = [skeletons, skins, animations].find((names) => names.length > 1);
   if (twice) {
-    const message = `A rig names one file of each kind, and there are ${twice.join(', ')}.`;
+    const message = `A rig names one file of each kind, found ${twice.join(', ')}.`;
     return { refusal: refusal('part-ambiguous', message, out) };
   }
   if (skeletons.length + skins.length + morphs.length + animations.length === 0) {
-    return { refusal: refusal('part-missing', 'No file was given that a rig could name.', out) };
+    return { refusal: refusal('part-missing', 'Expected a file that a rig can name, found none.', out) };
   }
   const content: FileContent = {
     kind: 'rig',

@@ -25,11 +25,11 @@ import { printJson, report } from '../report.ts';
 export const ik: Command = {
   name: 'ik',
   usage: 'FILE.skel --pin JOINT[@x,y,z]=x,y,z[,weight] … [--dofs v,v,…] [--free-root] [--json]',
-  summary: 'the pose that brings points of joints (a name or #index; by default tip or origin) to where they should be',
+  summary: 'the pose that moves points on joints (a name or #index; by default tip or origin) to their targets',
   async run(args, io) {
     const given = parseArguments(args, { pin: 'value', dofs: 'value', 'free-root': 'flag', json: 'flag' });
     const asked = given.values('pin').map(readPin);
-    if (asked.length === 0) throw new UsageError('Which pins? --pin JOINT=x,y,z');
+    if (asked.length === 0) throw new UsageError('ik needs at least one pin: --pin JOINT=x,y,z');
     const dofs = given.value('dofs');
     const start = dofs === undefined ? undefined : numbersOf('dofs', dofs);
     const loaded = loadFiles(given.files, io.folder);
@@ -42,8 +42,8 @@ export const ik: Command = {
       return 1;
     }
     const [character, another] = posable;
-    if (!character) throw new UsageError('ik takes a file with a skeleton; there is none in these.');
-    if (another) throw new UsageError(`ik takes one character; there are ${posable.length} in these files.`);
+    if (!character) throw new UsageError('ik needs a file with a skeleton; these have none.');
+    if (another) throw new UsageError(`ik takes one character; these files have ${posable.length}.`);
     const posed = poseWithPins(character, asked, start, given.flag('free-root'));
     if (given.flag('json')) await printJson({ ...posed, diagnostics }, io);
     else await io.out(asText(posed));
@@ -66,7 +66,7 @@ function readPin(text: string): AskedPin {
   if (equals < 0) throw new UsageError(`--pin takes JOINT=x,y,z; "${text}" has no "=".`);
   const numbers = numbersOf('pin', text.slice(equals + 1));
   if (numbers.length !== 3 && numbers.length !== 4) {
-    throw new UsageError(`--pin takes 3 numbers and perhaps a weight after "="; "${text}" has ${numbers.length}.`);
+    throw new UsageError(`--pin takes 3 numbers and an optional weight after "="; "${text}" has ${numbers.length}.`);
   }
   const [x, y, z, weight = 1] = numbers;
   if (!(weight > 0)) throw new UsageError(`--pin takes weights greater than 0; "${text}" has ${weight}.`);
@@ -94,7 +94,7 @@ function jointCalled({ name: skeleton, joints }: Skeleton, called: string): numb
   const fits = joints.flatMap(({ name }, j) => (name === called ? [j] : []));
   if (fits.length === 1 && called !== '') return fits[0];
   if (fits.length > 1 && called !== '')
-    throw new UsageError(`"${called}" is the name of ${fits.length} joints: say #${fits.join(' or #')}.`);
+    throw new UsageError(`"${called}" is the name of ${fits.length} joints: use #${fits.join(' or #')}.`);
   const names = joints.map(({ name }, j) => name || `#${j}`);
   const some = names.length > 12 ? `${names.slice(0, 12).join(', ')} … #${names.length - 1}` : names.join(', ');
   throw new UsageError(`There is no joint "${called}" in "${skeleton}". There are: ${some}.`);
@@ -122,11 +122,11 @@ function poseWithPins(
   freeRoot: boolean,
 ): Posed {
   const { skeleton } = character;
-  if (!skeleton) throw new UsageError('ik takes a file with a skeleton; there is none in these.');
+  if (!skeleton) throw new UsageError('ik needs a file with a skeleton; these have none.');
   const count = jointDofCount(skeleton);
   if (start && start.length !== count) {
     throw new UsageError(
-      `--dofs takes ${count} numbers, as many as "${character.name}" has joint DOFs; there are ${start.length}.`,
+      `--dofs takes ${count} numbers, one per joint DOF of "${character.name}"; found ${start.length}.`,
     );
   }
   const pins = asked.map((pin) => resolvePin(skeleton, pin));

@@ -24,7 +24,7 @@ export const info: Command = {
     const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
     // A folder is a name for what is in it.
     if (loaded.all.length === 0) {
-      diagnostics.push(refusal('nothing-found', 'There is no file here that could be read.', given.files.join(' ')));
+      diagnostics.push(refusal('nothing-found', 'There is no readable file here.', given.files.join(' ')));
     }
     report(diagnostics, io);
     const files = loaded.all.map(describeFile);

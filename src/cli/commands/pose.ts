@@ -70,11 +70,11 @@ function readAsked(given: Arguments): Asked {
   const time = given.value('time');
   const frameText = given.value('frame');
   const frame = frameText === undefined ? undefined : numberOf('frame', frameText);
-  if (time !== undefined && frame !== undefined) throw new UsageError('--time and --frame say the same: give one.');
+  if (time !== undefined && frame !== undefined) throw new UsageError('Give either --time or --frame, not both.');
   if (frame !== undefined && !Number.isInteger(frame))
     throw new UsageError(`--frame takes a whole number, not ${frame}.`);
   const root = list('root');
-  if (root && root.length !== 3) throw new UsageError(`--root takes 3 numbers, x,y,z; there are ${root.length}.`);
+  if (root && root.length !== 3) throw new UsageError(`--root takes 3 numbers, x,y,z; found ${root.length}.`);
   return {
     time: time === undefined ? undefined : numberOf('time', time),
     frame,
@@ -101,7 +101,7 @@ function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked):
       if (count(character) === list.length) continue;
       throw new UsageError(
         `--${option} takes ${count(character)} numbers, as many as "${character.name}" has ${what}; ` +
-          `there are ${list.length}.`,
+          `found ${list.length}.`,
       );
     }
   };
@@ -113,7 +113,7 @@ function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked):
 function checkFrame(characters: readonly Character[], { frame }: Asked): void {
   if (frame === undefined) return;
   const sampled = characters.filter((c) => shownClip(c)?.samples);
-  if (sampled.length === 0) throw new UsageError('--frame takes motion capture; in these files nothing is sampled.');
+  if (sampled.length === 0) throw new UsageError('--frame needs motion capture; these files have no samples.');
   for (const character of sampled) {
     const { frameCount = 0 } = shownClip(character)?.samples ?? {};
     if (frame >= 0 && frame < frameCount) continue;

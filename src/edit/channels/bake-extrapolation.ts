@@ -124,7 +124,7 @@ function repetitions(channel: Channel, slopes: Slopes, period: number, to: numbe
   while (channel.times[end - 1] === stop) end--;
   const count = Math.ceil((to - stop) / period);
   if (count * (end - first) > MOST_KEYS) {
-    throw new CommandError(`That would take ${count} repetitions of ${end - first} keys, which is too much.`);
+    throw new CommandError(`That would take ${count} repetitions of ${end - first} keys, which is too many.`);
   }
   const offset = channel.extrapolateOut === 'cycle_offset' ? channel.values[last] - channel.values[0] : 0;
   const rounding = roundingOf(channel, to);

@@ -55,7 +55,7 @@ export function resampleChannel(channel: Channel, resampling: Resampling): Resam
   const firstFrame = Math.ceil((from - offsetSeconds - ON_FRAME) * framesPerSecond) + 0;
   const lastFrame = Math.floor((to - offsetSeconds + ON_FRAME) * framesPerSecond) + 0;
   if (lastFrame - firstFrame >= MOST_KEYS) {
-    throw new CommandError(`That would take ${lastFrame - firstFrame + 1} keys for a curve, which is too much.`);
+    throw new CommandError(`That would take ${lastFrame - firstFrame + 1} keys per curve, which is too many.`);
   }
   if (keysBefore === 0 || firstFrame > lastFrame) {
     return { channel, keysBefore, keysAfter: keysBefore, largestError: 0, atSeconds: channel.times[0] ?? 0 };

@@ -37,13 +37,13 @@ export function filterCharacter(
     if (done.has(index)) continue;
     const joint = dof && skeleton?.joints[dof.joint];
     if (dof?.unit !== 'angle' || !joint) {
-      notes.push(`${dof ? `${dof.name} is` : `Channel ${index} drives`} no angle${dof ? '' : ' here'}: it is left.`);
+      notes.push(`${dof ? dof.name : `Channel ${index}`} is not an angle; left unchanged.`);
       continue;
     }
     const first = starts[dof.joint];
     if (followed.has(index) || !turningDofs(joint.motion)[index - first]) {
-      const why = followed.has(index) ? 'another DOF follows it' : 'a turn of it leads elsewhere';
-      notes.push(`${dof.name} of ${jointName(skeleton, dof.joint)}: ${why}, so it is left.`);
+      const why = followed.has(index) ? 'another DOF follows it' : 'a whole turn of it is not the same pose';
+      notes.push(`${dof.name} of ${jointName(skeleton, dof.joint)}: ${why}; left unchanged.`);
       done.add(index);
       continue;
     }
@@ -52,7 +52,7 @@ export function filterCharacter(
       const together = [first + angles.x, first + angles.y, first + angles.z];
       const limits = together.map((i) => dofs[i].limit);
       const isCoupled = together.some((i) => followed.has(i) || following.has(i));
-      const why = isCoupled ? 'couples tie its angles' : hindrance(channels, given, together);
+      const why = isCoupled ? 'its angles are linked' : hindrance(channels, given, together);
       if (!why) {
         const [x, y, z] = together.map((i) => filtered[i]);
         const made = filterRotations([x, y, z], angles.order, clampsToLimits ? limits : []);
@@ -63,7 +63,7 @@ export function filterCharacter(
         continue;
       }
       if (!noted.has(dof.joint)) {
-        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${why}, so whole turns alone are taken out.`);
+        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${why}; only whole turns were removed.`);
       }
       noted.add(dof.joint);
     }
@@ -75,7 +75,7 @@ export function filterCharacter(
 
 /** Why three angles can't be taken as one rotation. */
 function hindrance(channels: readonly Channel[], given: readonly number[], together: readonly number[]) {
-  if (together.some((i) => !given.includes(i))) return 'not all three of its angles are among the curves';
+  if (together.some((i) => !given.includes(i))) return 'not all three of its angles are selected';
   if (together.some((i) => !channels[i]?.times.length)) return 'not all three of its angles have keys';
   if (!keyedTogether(together.map((i) => channels[i]))) return 'its angles have keys at different times';
   return undefined;

@@ -181,7 +181,7 @@ function simplified(document: Document, args: Simplify): Map<number, Simplified>
       `The tolerance of ${unit}s`,
     );
     if (own > 0) return own;
-    throw new CommandError(`A tolerance has to be more than 0; ${own} was given.`);
+    throw new CommandError(`A tolerance must be greater than 0, found ${own}.`);
   };
   const [from, to] = range ? interval(range[0], range[1]) : [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY];
   return results(document, args, (channel, index) => {
@@ -198,7 +198,8 @@ function simplified(document: Document, args: Simplify): Map<number, Simplified>
 function resampled(document: Document, args: Resample) {
   const [from, to] = interval(args.from, args.to);
   const framesPerSecond = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
-  if (!(framesPerSecond > 0)) throw new CommandError(`A frame rate is more than 0; ${framesPerSecond} was given.`);
+  if (!(framesPerSecond > 0))
+    throw new CommandError(`The frame rate must be greater than 0, found ${framesPerSecond}.`);
   const offsetSeconds = finiteNumber(args.offsetSeconds ?? 0, '"offsetSeconds"');
   const tangents = oneOf<Resampling['tangents']>(args.tangents, ['smooth', 'linear'], '"tangents"');
   return results(document, args, (channel) =>
@@ -234,7 +235,7 @@ function units(document: Document, { characterId }: OfChannels): (channel: numbe
 function interval(from: unknown, to: unknown): readonly [number, number] {
   const start = finiteNumber(from, '"from"');
   const end = finiteNumber(to, '"to"');
-  if (start > end) throw new CommandError(`The range ends at ${end} s, before it begins at ${start} s.`);
+  if (start > end) throw new CommandError(`The range ends at ${end} s, before it starts at ${start} s.`);
   return [start, end];
 }
 

@@ -54,9 +54,9 @@ export const showClip: Command<OfCharacter & { readonly clip: number }> = {
 
 export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> = {
   id: 'character.setTimeOffset',
-  label: (document, { characterId }) => `Offset ${nameOf(document, characterId)} in time`,
+  label: (document, { characterId }) => `Set start time of ${nameOf(document, characterId)}`,
   run(document, { characterId, seconds }) {
-    finiteNumber(seconds, 'The time offset');
+    finiteNumber(seconds, 'The start time');
     return changeCharacter(document, characterId, (c) =>
       c.timeOffsetSeconds === seconds ? c : { ...c, timeOffsetSeconds: seconds },
     );
@@ -66,7 +66,7 @@ export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> 
 /** Moves, turns or scales one of the places where a character stands. */
 export const placeCharacter: Command<OfCharacter & { readonly index: number; readonly placement: Placement }> = {
   id: 'character.place',
-  label: (document, { characterId }) => `Place ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Move ${nameOf(document, characterId)}`,
   run: (document, { characterId, index, placement }) =>
     changeCharacter(document, characterId, (c) => {
       indexIn(index, 0, c.placements.length, 'placement');
@@ -79,7 +79,7 @@ export const placeCharacter: Command<OfCharacter & { readonly index: number; rea
 /** Shows a character once more, over the same data. */
 export const addCopy: Command<OfCharacter & { readonly placement: Placement }> = {
   id: 'character.addCopy',
-  label: (document, { characterId }) => `Copy ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Duplicate instance of ${nameOf(document, characterId)}`,
   run: (document, { characterId, placement }) =>
     changeCharacter(document, characterId, (c) => {
       checkPlacement(placement);
@@ -89,11 +89,12 @@ export const addCopy: Command<OfCharacter & { readonly placement: Placement }> =
 
 export const removeCopy: Command<OfCharacter & { readonly index: number }> = {
   id: 'character.removeCopy',
-  label: (document, { characterId }) => `Remove copy of ${nameOf(document, characterId)}`,
+  label: (document, { characterId }) => `Remove instance of ${nameOf(document, characterId)}`,
   run: (document, { characterId, index }) =>
     changeCharacter(document, characterId, (c: Character) => {
       indexIn(index, 0, c.placements.length, 'placement');
-      if (c.placements.length === 1) throw new CommandError('The last copy stays; remove the character instead.');
+      if (c.placements.length === 1)
+        throw new CommandError('The last instance can’t be removed. Remove the character instead.');
       return { ...c, placements: c.placements.filter((_, i) => i !== index) };
     }),
 };
@@ -108,8 +109,9 @@ function checkPlacement(placement: Placement): void {
     ['position', position],
     ['turn', turn],
   ] as const) {
-    const numbers = listOf(value, `The placement's ${what}`);
-    for (let i = 0; i < 3; i++) finiteNumber(numbers[i], `The placement's ${what}`);
+    const numbers = listOf(value, `The ${what} of the instance`);
+    for (let i = 0; i < 3; i++) finiteNumber(numbers[i], `The ${what} of the instance`);
   }
-  if (finiteNumber(scale, 'The scale') <= 0) throw new CommandError(`A scale has to be above 0; ${scale} was given.`);
+  if (finiteNumber(scale, 'The scale') <= 0)
+    throw new CommandError(`The scale must be greater than 0, found ${scale}.`);
 }

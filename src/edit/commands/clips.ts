@@ -47,7 +47,7 @@ export const setInterpolation: Command<OfTake & { readonly interpolation: Interp
       const index = takeIndex(c, clip);
       const take = c.clips[index];
       oneOf(interpolation, INTERPOLATIONS, 'The interpolation');
-      if (!take.samples) throw new CommandError(`${take.name} has keys only: what is between them is theirs to say.`);
+      if (!take.samples) throw new CommandError(`${take.name} has only keys. Their tangents set the interpolation.`);
       if (take.samples.interpolation === interpolation) return c;
       return withTake(c, index, { ...take, samples: { ...take.samples, interpolation } });
     }),
@@ -67,7 +67,7 @@ export const createClip: Command<CreateClip> = {
   label: () => 'New take',
   run: (document, { characterId, range, name }) =>
     changeCharacter(document, characterId, (c) => {
-      if (!c.skeleton) throw new CommandError(`${c.name} has no skeleton: channels are counted by its DOFs.`);
+      if (!c.skeleton) throw new CommandError(`${c.name} has no skeleton, and its channels need DOFs.`);
       const called = name === undefined ? newTakeName(c) : uniqueTakeName(c, text(name, 'The name'));
       return withNewTake(withoutUnkeyed(c), called, rangeFrom(range, '"range"'));
     }),
@@ -84,9 +84,9 @@ export const renameClip: Command<OfTake & { readonly name: string }> = {
       const next = text(name, 'The name').trim();
       if (take.name === next) return c;
       const other = c.clips.find((o) => o !== take && sameName(o.name, next));
-      if (other) throw new CommandError(`${c.name} has a take "${other.name}" already.`);
+      if (other) throw new CommandError(`${c.name} already has a take "${other.name}".`);
       const file = fileInTheWay(c, index, next);
-      if (file) throw new CommandError(`${file.name} is another take’s file: saving "${next}" would write over it.`);
+      if (file) throw new CommandError(`${file.name} belongs to another take; saving "${next}" would overwrite it.`);
       return withTake(c, index, { ...take, name: next });
     }),
 };

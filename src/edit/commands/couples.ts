@@ -37,7 +37,7 @@ export const setCouple: Command<SetCouple> = {
   id: 'rig.setCouple',
   label(document, { characterId, joint, dof, follows }) {
     const own = jointName(requireCharacter(document, characterId).skeleton, joint);
-    return `${follows ? 'Couple' : 'Uncouple'} ${dof} of ${own}`;
+    return `${follows ? 'Link' : 'Unlink'} ${dof} of ${own}`;
   },
   run(document: Document, args) {
     const { characterId, joint, dof, follows } = args;

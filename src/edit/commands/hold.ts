@@ -55,16 +55,16 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { characterId } = args;
   const character = requireCharacter(document, characterId);
   const { skeleton } = character;
-  if (!skeleton) throw new CommandError(`${character.name} has no skeleton: there is nothing to hold.`);
+  if (!skeleton) throw new CommandError(`${character.name} has no skeleton, so there is nothing to hold.`);
   refuseMoved(character);
   if (!shownClip(character))
-    throw new CommandError(`${character.name} shows no take: nothing moves that could be held.`);
+    throw new CommandError(`${character.name} shows no take, so there is no motion to hold pins in.`);
   const pins = checkedPins(character, args.pins);
   const [from, to] = rangeFrom(args.range, '"range"');
   const at = finiteNumber(args.atSeconds, '"atSeconds"');
   const framesPerSecond = above0(args.framesPerSecond, 'Frames per second');
   const easeSeconds = finiteNumber(args.easeSeconds ?? EASE_SECONDS, '"easeSeconds"');
-  if (!(easeSeconds >= 0)) throw new CommandError(`A way takes 0 seconds or more; ${easeSeconds} was given.`);
+  if (!(easeSeconds >= 0)) throw new CommandError(`"easeSeconds" must be 0 or more, found ${easeSeconds}.`);
   const tolerance = args.tolerance === undefined ? undefined : above0(args.tolerance, 'A tolerance');
 
   const range = [from + character.timeOffsetSeconds, to + character.timeOffsetSeconds] as const;
@@ -83,14 +83,14 @@ export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
 function checkedPins(character: Character, given: unknown): readonly Pin[] {
   const ik = ikOf(character);
   const ids = new Set(listOf(given, '"pins"').map((id) => requirePin(ik, id)));
-  if (ids.size === 0) throw new CommandError('Which pins should hold? None was given.');
+  if (ids.size === 0) throw new CommandError('Give at least one pin to hold.');
   return ik.pins.filter((pin) => ids.has(pin));
 }
 
 function above0(value: unknown, what: string): number {
   const checked = finiteNumber(value, what);
   if (checked > 0) return checked;
-  throw new CommandError(`${what} has to be more than 0; ${checked} was given.`);
+  throw new CommandError(`${what} must be greater than 0, found ${checked}.`);
 }
 
 /** What was set by hand stays, but for what the hold has changed at that moment: the hold began at it. */

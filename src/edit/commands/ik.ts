@@ -53,7 +53,7 @@ export interface RemovePins extends OfIk {
 
 export const unpin: Command<RemovePins> = {
   id: 'ik.unpin',
-  label: (document, { characterId, pins }) => `Let ${pinnedNames(requireCharacter(document, characterId), pins)} go`,
+  label: (document, { characterId, pins }) => `Unpin ${pinnedNames(requireCharacter(document, characterId), pins)}`,
   run: (document, { characterId, pins }) =>
     change(document, characterId, (ik) => {
       const gone = new Set(listOf(pins, '"pins"').map((id) => requirePin(ik, id).id));
@@ -63,7 +63,7 @@ export const unpin: Command<RemovePins> = {
 
 export const clearPins: Command<OfIk> = {
   id: 'ik.clearPins',
-  label: () => 'Let all pins go',
+  label: () => 'Remove all pins',
   run: (document, { characterId }) =>
     change(document, characterId, (ik) => (ik.pins.length ? { ...ik, pins: [] } : ik)),
 };
@@ -83,11 +83,11 @@ export const setPin: Command<ChangePin> = {
   id: 'ik.setPin',
   label(document, { characterId, pin, weight, holdsOrientation, joint, point }) {
     const name = pinnedNames(requireCharacter(document, characterId), [pin]);
-    if (joint !== undefined || point !== undefined) return `Move the pin of ${name}`;
+    if (joint !== undefined || point !== undefined) return `Move pin of ${name}`;
     if (holdsOrientation !== undefined && weight === undefined) {
-      return holdsOrientation ? `Hold the orientation of ${name}` : `Let ${name} turn`;
+      return holdsOrientation ? `Pin orientation of ${name}` : `Unpin orientation of ${name}`;
     }
-    return `Set the pin of ${name}`;
+    return `Set pin of ${name}`;
   },
   run: (document, { characterId, pin: id, weight, holdsOrientation, joint, point }) =>
     change(document, characterId, (ik, skeleton) => {
@@ -118,7 +118,7 @@ export interface SetStiffness extends OfIk {
 export const setStiffness: Command<SetStiffness> = {
   id: 'ik.setStiffness',
   label(document, { characterId, joints, stiffness }) {
-    const verb = stiffness === 'locked' ? 'Lock' : stiffness === 'usual' || stiffness === 1 ? 'Free' : 'Stiffen';
+    const verb = stiffness === 'locked' ? 'Lock' : stiffness === 'usual' || stiffness === 1 ? 'Unlock' : 'Stiffen';
     return `${verb} ${jointNames(requireCharacter(document, characterId), joints)}`;
   },
   run: (document, { characterId, joints, stiffness }) =>
@@ -143,7 +143,7 @@ export interface SetRootFree extends OfIk {
 export const setRootFree: Command<SetRootFree> = {
   id: 'ik.setRootFree',
   label: (document, { characterId, isFree }) =>
-    `${isFree ? 'Let' : 'Keep'} ${requireCharacter(document, characterId).name} ${isFree ? 'travel' : 'in place'}`,
+    `${isFree ? 'Allow root of' : 'Keep root of'} ${requireCharacter(document, characterId).name} ${isFree ? 'to move' : 'in place'}`,
   run: (document, { characterId, isFree }) =>
     change(document, characterId, (ik) => {
       const rootIsFree = oneOf(isFree, [true, false], '"isFree"');
@@ -155,7 +155,7 @@ export const setRootFree: Command<SetRootFree> = {
 function change(document: Document, characterId: string, make: (ik: IkSetup, skeleton: Skeleton) => IkSetup): Document {
   return changeCharacter(document, characterId, (character) => {
     const { skeleton, ik: _before, ...rest } = character;
-    if (!skeleton) throw new CommandError(`${character.name} has no skeleton: there is nothing to pin.`);
+    if (!skeleton) throw new CommandError(`${character.name} has no skeleton, so there is nothing to pin.`);
     const before = ikOf(character);
     const after = make(before, skeleton);
     if (after === before) return character;
@@ -175,7 +175,7 @@ function refuseDouble({ joint, point }: Pin, others: readonly Pin[], skeleton: S
   const there = others.some(
     (other) => other.joint === joint && Math.hypot(...point.map((p, k) => p - other.point[k])) <= near,
   );
-  if (there) throw new CommandError(`That point of ${jointName(skeleton, joint)} is pinned already.`);
+  if (there) throw new CommandError(`That point of ${jointName(skeleton, joint)} is already pinned.`);
 }
 
 /** Refuses an id that no pin has. */
@@ -187,15 +187,15 @@ export function requirePin({ pins }: Pick<IkSetup, 'pins'>, id: unknown): Pin {
 }
 
 function checkedPoint(point: unknown): Vec3 {
-  const numbers = listOf(point, '"point"').map((value) => finiteNumber(value, 'Each part of "point"'));
-  if (numbers.length !== 3) throw new CommandError(`"point" has three parts; ${numbers.length} were given.`);
+  const numbers = listOf(point, '"point"').map((value) => finiteNumber(value, 'Each number of "point"'));
+  if (numbers.length !== 3) throw new CommandError(`"point" must have three numbers, found ${numbers.length}.`);
   return [numbers[0], numbers[1], numbers[2]];
 }
 
 function checkedWeight(weight: unknown): number {
   const checked = finiteNumber(weight, 'The weight of a pin');
   if (checked > 0) return checked;
-  throw new CommandError(`The weight of a pin is more than 0; ${checked} was given.`);
+  throw new CommandError(`The weight of a pin must be greater than 0, found ${checked}.`);
 }
 
 function checkedStiffness(stiffness: unknown): number | 'locked' | 'usual' {
@@ -203,7 +203,7 @@ function checkedStiffness(stiffness: unknown): number | 'locked' | 'usual' {
   if (typeof stiffness !== 'number') return oneOf(stiffness, ['locked', 'usual'] as const, '"stiffness"');
   const factor = finiteNumber(stiffness, '"stiffness"');
   if (factor >= 1) return factor === 1 ? 'usual' : factor;
-  throw new CommandError(`"stiffness" is 1 as usual, or more; ${factor} was given.`);
+  throw new CommandError(`"stiffness" must be 1 (the default) or more, found ${factor}.`);
 }
 
 function samePin(a: Pin, b: Pin): boolean {
@@ -219,7 +219,7 @@ function sameStiffness(a: readonly StiffJoint[], b: readonly StiffJoint[]): bool
 export function pinnedNames(character: Character, ids: readonly number[]): string {
   const pinned = ikOf(character).pins.filter(({ id }) => ids.includes(id));
   if (pinned.length === 1) return jointName(character.skeleton, pinned[0].joint);
-  return `${pinned.length} pins`;
+  return `${pinned.length} points`;
 }
 
 function jointNames(character: Character, joints: readonly number[]): string {

@@ -145,11 +145,11 @@ export const setKeys: Command<OfKeys & TypedKey, Edit> = {
     const given = Object.entries(typed).filter(([, number]) => number !== undefined);
     for (const [name, number] of given) finiteNumber(number, `"${name}"`);
     if (given.length === 0) {
-      throw new CommandError('One of "timeSeconds", "value", "slopeIn" and "slopeOut" has to be given.');
+      throw new CommandError('Give at least one of "timeSeconds", "value", "slopeIn" and "slopeOut".');
     }
     return changeKeys(document, { characterId, keys }, (channel, indices) => {
       if (timeSeconds !== undefined && indices.length > 1) {
-        throw new CommandError('Only one key of a channel can be put at a time; several are selected in one.');
+        throw new CommandError('Only one key per channel can be set to a time; several are selected in one channel.');
       }
       return set(channel, indices, typed);
     });
@@ -171,7 +171,7 @@ export const snapKeys: Command<SnapKeys, Edit> = {
   label: (_document, { keys }) => `Snap ${keyCount(keys)} to frames`,
   run(document, { characterId, keys, framesPerSecond, offsetSeconds = 0 }) {
     if (finiteNumber(framesPerSecond, '"framesPerSecond"') <= 0) {
-      throw new CommandError(`A frame rate has to be above 0; ${framesPerSecond} was given.`);
+      throw new CommandError(`The frame rate must be greater than 0, found ${framesPerSecond}.`);
     }
     finiteNumber(offsetSeconds, '"offsetSeconds"');
     return changeKeys(document, { characterId, keys }, (channel, indices) =>
@@ -220,7 +220,7 @@ export const rippleKeys: Command<OfKeys & { readonly seconds: number }, Edit> = 
 function numberForEach(given: unknown, keys: readonly ChannelKeys[], what: string): readonly number[] {
   const numbers = listOf(given, what).map((n) => finiteNumber(n, `Each of ${what}`));
   if (numbers.length !== listOf(keys, '"keys"').length) {
-    throw new CommandError(`${what} has to have a number for each channel in "keys".`);
+    throw new CommandError(`${what} needs a number for each channel in "keys".`);
   }
   return numbers;
 }

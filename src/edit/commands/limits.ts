@@ -20,18 +20,18 @@ export interface OfDof {
 /** `min` and `max` in the DOF's own unit: radians, or units of length. */
 export const setLimit: Command<OfDof & Limit> = {
   id: 'skeleton.setLimit',
-  label: (document, args) => `Limit ${nameOf(document, args)}`,
+  label: (document, args) => `Set limits of ${nameOf(document, args)}`,
   run(document, { characterId, dof, min, max }) {
     finiteNumber(min, 'The lower limit');
     finiteNumber(max, 'The upper limit');
-    if (min > max) throw new CommandError(`The lower limit ${min} is above the upper one, ${max}.`);
+    if (min > max) throw new CommandError(`The lower limit ${min} is above the upper limit ${max}.`);
     return withLimit(document, characterId, dof, { min, max });
   },
 };
 
 export const clearLimit: Command<OfDof> = {
   id: 'skeleton.clearLimit',
-  label: (document, args) => `Take limits off ${nameOf(document, args)}`,
+  label: (document, args) => `Remove limits of ${nameOf(document, args)}`,
   run: (document, { characterId, dof }) => withLimit(document, characterId, dof, UNLIMITED),
 };
 
@@ -44,7 +44,7 @@ function withLimit(document: Document, characterId: string, dof: number, limit: 
     const { joint, takesLimits } = all[dof];
     if (!skeleton || !takesLimits) {
       throw new CommandError(
-        `${dofName(character, dof)} has no limits; only the DOFs of joints have, but quaternions.`,
+        `${dofName(character, dof)} can’t have limits. Only joint DOFs other than quaternions can.`,
       );
     }
     const { motion, limits } = skeleton.joints[joint];

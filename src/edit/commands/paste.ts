@@ -35,9 +35,9 @@ function checkCopied(copied: CopiedKeys): void {
   // Beyond its type on purpose.
   const given: { seconds?: unknown; channels?: unknown } = copied ?? {};
   if (finiteNumber(given.seconds, 'The length of "copied"') < 0)
-    throw new CommandError('"copied" has to last 0 s or more.');
+    throw new CommandError('"copied" must last 0 s or more.');
   const channels = listOf(given.channels, 'The channels of "copied"');
-  if (channels.length === 0) throw new CommandError('There is nothing to paste: no keys were copied.');
+  if (channels.length === 0) throw new CommandError('There is nothing to paste. Copy keys first.');
   for (const { times, values, tangentsIn, tangentsOut } of copied.channels) {
     const columns = [times, values, tangentsIn?.slopes, tangentsOut?.slopes];
     const count = times?.length;
@@ -46,6 +46,6 @@ function checkCopied(copied: CopiedKeys): void {
       columns.every((c) => c instanceof Float64Array && c.length === count && c.every(Number.isFinite)) &&
       [tangentsIn, tangentsOut].every(({ kinds }) => kinds instanceof Uint8Array && kinds.length === count) &&
       times.every((t, k) => k === 0 || t >= times[k - 1]);
-    if (!fit) throw new CommandError('"copied" has to be what copying gives: columns of keys, as long as each other.');
+    if (!fit) throw new CommandError('"copied" must be the result of copying: columns of keys of equal length.');
   }
 }

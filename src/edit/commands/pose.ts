@@ -85,7 +85,7 @@ export const resetPose: Command<ResetPose, Document | Edit> = {
 
 export const setClamping: Command<{ readonly characterId: string; readonly clamps: boolean }> = {
   id: 'pose.setClamping',
-  label: (_document, { clamps }) => (clamps ? 'Hold limits' : 'Ignore limits'),
+  label: (_document, { clamps }) => (clamps ? 'Enforce limits' : 'Ignore limits'),
   run: (document, { characterId, clamps }) =>
     changeCharacter(document, characterId, (c) =>
       c.clampsToLimits === oneOf(clamps, [true, false], '"clamps"') ? c : { ...c, clampsToLimits: clamps },
@@ -102,7 +102,7 @@ export const dropUnkeyed: Command<DropUnkeyed> = {
   id: 'pose.dropUnkeyed',
   label(document, { exceptSeconds }) {
     const count = countUnkeyed(document, exceptSeconds);
-    return `Drop ${count} unkeyed ${count === 1 ? 'value' : 'values'}`;
+    return `Discard ${count} unkeyed ${count === 1 ? 'change' : 'changes'}`;
   },
   run(document, { exceptSeconds }) {
     if (exceptSeconds !== null) finiteNumber(exceptSeconds, '"exceptSeconds"');

@@ -77,7 +77,7 @@ export const pastePose: Command<PastePose, Document | Edit> = {
   run: (document, { characterId, pose, timeSeconds, key }) =>
     setValues(document, characterId, timeSeconds, key, (character) => {
       const { values } = takePose(character, checkedPose(pose));
-      if (values.size === 0) throw new CommandError(`${character.name} has no joint that the pose is of.`);
+      if (values.size === 0) throw new CommandError(`${character.name} has none of the joints in the pose.`);
       return settled(character, shownAt(character, timeSeconds), values, key !== undefined);
     }),
 };
@@ -89,7 +89,7 @@ export const keepPose: Command<{
   readonly timeSeconds: number;
 }> = {
   id: 'poses.keep',
-  label: () => 'Keep pose',
+  label: () => 'Save to pose library',
   run: (document, { characterId, name, timeSeconds }) =>
     changeCharacter(document, characterId, (character) => {
       finiteNumber(timeSeconds, '"timeSeconds"');
@@ -115,7 +115,7 @@ export const renamePose: Command<OfPose & { readonly name: string }> = {
       if (next === before.name) return character;
       const poses = character.poses ?? [];
       if (poses.some((other) => other.name === next)) {
-        throw new CommandError(`${character.name} has a pose "${next}" already.`);
+        throw new CommandError(`${character.name} already has a pose "${next}".`);
       }
       return withPoses(
         character,
@@ -151,12 +151,12 @@ export const applyPose: Command<ApplyPose, Document | Edit> = {
   id: 'poses.apply',
   label(document, { characterId, pose, share = 1 }) {
     const { name } = requirePose(document, characterId, pose);
-    return share === 1 ? `Take on ${name}` : `Blend to ${name}`;
+    return share === 1 ? `Apply ${name}` : `Blend to ${name}`;
   },
   run(document, { characterId, pose, share = 1, joint, timeSeconds, key }) {
     const { values: kept } = requirePose(document, characterId, pose);
     const part = finiteNumber(share, '"share"');
-    if (part < 0 || part > 1) throw new CommandError(`"share" has to be from 0 to 1; ${part} was given.`);
+    if (part < 0 || part > 1) throw new CommandError(`"share" must be from 0 to 1, found ${part}.`);
     const { skeleton } = requireCharacter(document, characterId);
     if (joint !== undefined) indexIn(joint, 0, skeleton?.joints.length ?? 0, 'joint');
     return setValues(document, characterId, timeSeconds, key, (character) => {
@@ -222,11 +222,11 @@ function swapWeights({ skeleton, morphs }: Character, shown: Float64Array, value
 }
 
 function checkSided(skeleton: Skeleton, joint: number | undefined): void {
-  if (joint === undefined) throw new CommandError('Which joint? Its branch is copied onto the other side.');
+  if (joint === undefined) throw new CommandError('Give the joint whose hierarchy is copied to the other side.');
   const name = skeleton.joints[joint].name || `Joint ${joint}`;
   const other = counterpartOf(skeleton, joint);
-  if (other === undefined) throw new CommandError(`${name} has no counterpart on another side, by name or by shape.`);
-  if (other === joint) throw new CommandError(`${name} is in the middle: choose a joint of one side.`);
+  if (other === undefined) throw new CommandError(`${name} has no counterpart on the other side, by name or by shape.`);
+  if (other === joint) throw new CommandError(`${name} is in the middle. Choose a joint on one side.`);
 }
 
 function requireSkeleton(document: Document, characterId: string): Skeleton {
@@ -242,15 +242,15 @@ function requirePose(document: Document, characterId: string, pose: number): Nam
 
 /** A pose by names may come from a script. */
 function checkedPose(given: unknown): PoseByNames {
-  if (!isRecord(given)) throw new CommandError('A pose has to have a name, joints and weights.');
+  if (!isRecord(given)) throw new CommandError('A pose needs a name, joints and weights.');
   const root = given.root === undefined ? undefined : listOf(given.root, 'The root of a pose');
-  if (root && root.length !== 3) throw new CommandError('The root of a pose has to be x, y and z.');
+  if (root && root.length !== 3) throw new CommandError('The root of a pose must be x, y and z.');
   const [x, y, z] = (root ?? []).map((v) => finiteNumber(v, 'The root of a pose'));
   return {
     name: text(given.name, 'The name of a pose'),
     ...(root && { root: [x, y, z] }),
     joints: listOf(given.joints, 'The joints of a pose').map((joint): PosedJoint => {
-      if (!isRecord(joint)) throw new CommandError('A joint of a pose has to have a name and DOFs.');
+      if (!isRecord(joint)) throw new CommandError('A joint of a pose needs a name and DOFs.');
       return { name: String(joint.name ?? ''), dofs: namedValues(joint.dofs, 'The DOFs of a joint') };
     }),
     weights: namedValues(given.weights ?? [], 'The weights of a pose'),
@@ -259,7 +259,7 @@ function checkedPose(given: unknown): PoseByNames {
 
 function namedValues(given: unknown, what: string): NamedValue[] {
   return listOf(given, what).map((value) => {
-    if (!isRecord(value)) throw new CommandError(`${what} have to be names with values.`);
+    if (!isRecord(value)) throw new CommandError(`${what} must be names with values.`);
     return { name: text(value.name, 'The name of a DOF'), value: finiteNumber(value.value, String(value.name)) };
   });
 }

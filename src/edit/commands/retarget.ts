@@ -41,17 +41,17 @@ export const setRetarget: Command<SetRetarget> = {
   id: 'retarget.set',
   label: (document, { characterId, sourceId }) => {
     const source = requireCharacter(document, sourceId);
-    return `Put ${driverSource(source)?.clip.name ?? 'take'} onto ${requireCharacter(document, characterId).name}`;
+    return `Retarget ${driverSource(source)?.clip.name ?? 'take'} to ${requireCharacter(document, characterId).name}`;
   },
   run: (document, { characterId, sourceId, pairs, options }) => {
     const from = requireCharacter(document, text(sourceId, '"sourceId"'));
     return changeCharacter(document, characterId, (c) => {
       const skeleton = requireSkeleton(c);
-      if (from === c) throw new CommandError(`${c.name} can’t be moved by itself.`);
+      if (from === c) throw new CommandError(`${c.name} can’t be retargeted from itself.`);
       if (from.driver)
-        throw new CommandError(`${from.name} is moved by ${from.driver.source.name} itself: bake it first.`);
+        throw new CommandError(`${from.name} is itself retargeted from ${from.driver.source.name}. Bake that first.`);
       const source = driverSource(from);
-      if (!source) throw new CommandError(`${from.name} has no skeleton with a take that could move another one.`);
+      if (!source) throw new CommandError(`${from.name} needs a skeleton and a take to retarget from.`);
       const matched = pairs
         ? checkedPairs(pairs, skeleton, source.skeleton)
         : automaticPairs(source.skeleton, skeleton, source.space, c.space).map(({ target, source }) => ({
@@ -77,7 +77,7 @@ export interface ChangeRetarget extends OfDriven {
 /** Other pairs, or other options; what is not given stays. */
 export const changeRetarget: Command<ChangeRetarget> = {
   id: 'retarget.change',
-  label: (document, { characterId }) => `Change what moves ${requireCharacter(document, characterId).name}`,
+  label: (document, { characterId }) => `Change retargeting of ${requireCharacter(document, characterId).name}`,
   run: (document, { characterId, pairs, options }) =>
     changeCharacter(document, characterId, (c) => {
       const driver = requireDriver(c);
@@ -95,7 +95,7 @@ export const clearRetarget: Command<OfDriven> = {
   id: 'retarget.clear',
   label: (document, { characterId }) => {
     const { driver, name } = requireCharacter(document, characterId);
-    return `Let ${name} go from ${driver?.source.clip.name ?? 'take'}`;
+    return `Stop retargeting ${driver?.source.clip.name ?? 'take'} to ${name}`;
   },
   run: (document, { characterId }) =>
     changeCharacter(document, characterId, (c) => {
@@ -124,7 +124,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
       const { clip, timeOffsetSeconds } = requireDriver(c).source;
       const own = clip.samples ? 1 / clip.samples.frameSeconds : 30;
       const rate = framesPerSecond === undefined ? own : finiteNumber(framesPerSecond, '"framesPerSecond"');
-      if (!(rate > 0)) throw new CommandError(`Frames per second have to be above 0; ${rate} was given.`);
+      if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
       // Frames are baked at seconds of the source's take, and then are those of a take of this character.
       const frames = framesOf(clip.range, rate);
       const range = [clip.range[0] - timeOffsetSeconds, clip.range[1] - timeOffsetSeconds] as const;
@@ -171,12 +171,12 @@ function withDriver(character: Character, driver: Driver): Character {
 }
 
 function requireSkeleton({ name, skeleton }: Character): Skeleton {
-  if (!skeleton) throw new CommandError(`${name} has no skeleton that a take could move.`);
+  if (!skeleton) throw new CommandError(`${name} has no skeleton to retarget to.`);
   return skeleton;
 }
 
 function requireDriver({ name, driver }: Character): Driver {
-  if (!driver) throw new CommandError(`No other character’s take moves ${name}.`);
+  if (!driver) throw new CommandError(`${name} is not retargeted.`);
   return driver;
 }
 
@@ -187,19 +187,19 @@ function checkedPairs(pairs: readonly JointPair[], target: Skeleton, source: Ske
   }));
   checked.sort((a, b) => a.target - b.target);
   const twice = checked.find((pair, i) => pair.target === checked[i + 1]?.target);
-  if (twice) throw new CommandError(`${target.joints[twice.target].name} can follow one joint only.`);
+  if (twice) throw new CommandError(`${target.joints[twice.target].name} can only follow one joint.`);
   return checked;
 }
 
 function checkedOptions({ scale, reference, plantsFeet }: RetargetOptions): RetargetOptions {
   if (scale !== undefined && !(finiteNumber(scale, 'The scale') > 0)) {
-    throw new CommandError(`The scale has to be above 0; ${scale} was given.`);
+    throw new CommandError(`The scale must be greater than 0, found ${scale}.`);
   }
   return {
     ...(scale !== undefined && { scale }),
     reference:
       typeof reference === 'number'
-        ? finiteNumber(reference, 'The moment of the reference pose')
+        ? finiteNumber(reference, 'The time of the reference pose')
         : oneOf(reference, ['automatic', 'rest'] as const, '"reference"'),
     plantsFeet: oneOf(plantsFeet, [true, false], '"plantsFeet"'),
   };

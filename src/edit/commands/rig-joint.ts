@@ -23,7 +23,7 @@ export const renameJoint: Command<RenameJoint, Document | Edit> = {
   id: 'rig.rename',
   label(document, { characterId, joint, name }) {
     const before = calledIn(document, characterId, joint);
-    return name ? `Rename ${before} to ${name}` : `Take the name off ${before}`;
+    return name ? `Rename ${before} to ${name}` : `Clear name of ${before}`;
   },
   run(document, args) {
     const name = jointName(args.name);
@@ -37,7 +37,7 @@ export const renameJoint: Command<RenameJoint, Document | Edit> = {
  */
 export const setOffset: Command<SetOffset, Document | Edit> = {
   id: 'rig.setOffset',
-  label: (document, { characterId, joint }) => `Place ${calledIn(document, characterId, joint)}`,
+  label: (document, { characterId, joint }) => `Move ${calledIn(document, characterId, joint)}`,
   run(document, args) {
     const { characterId, joint: index } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);
@@ -81,7 +81,7 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
   id: 'rig.setMotion',
   label(document, args) {
     const lost = keysLostBy(document, args);
-    return `Set type of ${calledIn(document, args.characterId, args.joint)}${lost === undefined ? '' : `, without ${lost}`}`;
+    return `Set type of ${calledIn(document, args.characterId, args.joint)}${lost === undefined ? '' : `, losing ${lost}`}`;
   },
   run(document, args) {
     const { characterId, joint: index } = args;
@@ -145,7 +145,7 @@ export const setLength: Command<SetLength, Document | Edit> = {
     const { characterId, joint: index, length } = args;
     const { skeleton, joint } = findJoint(document, characterId, index);
     if (length !== null && finiteNumber(length, 'The length') < 0) {
-      throw new CommandError(`A length has to be 0 or more; ${length} was given.`);
+      throw new CommandError(`A length must be 0 or more, found ${length}.`);
     }
     if ((length ?? undefined) === joint.length) return document;
     const tip = tipOf(joint);

@@ -33,7 +33,7 @@ export const createRig: Command<CreateRig, Document | Edit> = {
   id: 'rig.create',
   makesCharacter: true,
   label: (document, { characterId }) =>
-    characterId === undefined ? 'New character' : `Begin skeleton of ${requireCharacter(document, characterId).name}`,
+    characterId === undefined ? 'New character' : `Create skeleton of ${requireCharacter(document, characterId).name}`,
   run(document, { name, characterId, skin = 'follows' }) {
     if (name !== undefined) text(name, 'The name');
     const stays = oneOf(skin, SKIN_MODES, '"skin"') === 'stays';
@@ -57,7 +57,7 @@ function namesIn({ characters }: Document): ReadonlySet<string> {
 
 function begun(document: Document, characterId: string, stays: boolean): Edit {
   const { skeleton, name } = requireCharacter(document, characterId);
-  if (skeleton) throw new CommandError(`${name} has a skeleton already: add joints to that.`);
+  if (skeleton) throw new CommandError(`${name} already has a skeleton. Add joints to it.`);
   const next = changeCharacter(document, characterId, (c) => {
     const made = withSkeleton(c, { name: c.name, joints: [newRoot('root')] });
     return stays ? withTakenUp(made, 0, 0) : made;
@@ -97,23 +97,23 @@ export const addJoint: Command<AddJoint, Document | Edit> = {
 export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
   id: 'rig.reparent',
   label: (document, { characterId, joint, parent }) =>
-    `Move ${calledIn(document, characterId, joint)} under ${calledIn(document, characterId, parent)}`,
+    `Parent ${calledIn(document, characterId, joint)} to ${calledIn(document, characterId, parent)}`,
   run(document, args) {
     const { characterId, joint: index, parent, before } = args;
     const { character, skeleton, joint } = findJoint(document, characterId, index);
     const { joints } = skeleton;
     indexIn(parent, 0, joints.length, 'joint');
-    if (index === 0) throw new CommandError(`${called(skeleton, 0)} is the root: all others hang on it.`);
+    if (index === 0) throw new CommandError(`${called(skeleton, 0)} is the root, which can’t have a parent.`);
     for (let above = parent; above >= 0; above = joints[above].parent) {
       if (above !== index) continue;
       throw new CommandError(
-        `${called(skeleton, index)} can't hang on ${called(skeleton, parent)}, which is below it.`,
+        `${called(skeleton, index)} can’t be parented to its descendant ${called(skeleton, parent)}.`,
       );
     }
     if (before !== undefined) {
       indexIn(before, 0, joints.length, 'joint');
       if (joints[before].parent !== parent) {
-        throw new CommandError(`${called(skeleton, before)} is no child of ${called(skeleton, parent)}.`);
+        throw new CommandError(`${called(skeleton, before)} is not a child of ${called(skeleton, parent)}.`);
       }
       if (before === index) return document;
     }
@@ -139,7 +139,7 @@ export const removeJoint: Command<RemoveJoint, Document | Edit> = {
   id: 'rig.remove',
   label(document, { characterId, joint, children }) {
     const name = calledIn(document, characterId, joint);
-    return children === 'too' ? `Remove ${name} and all below` : `Remove ${name}`;
+    return children === 'too' ? `Delete ${name} and its descendants` : `Delete ${name}`;
   },
   run(document, args) {
     const { characterId, joint: index } = args;
@@ -165,8 +165,8 @@ export const removeJoint: Command<RemoveJoint, Document | Edit> = {
 };
 
 function rootStays(staying: boolean, children: number): string {
-  if (!staying || children === 0) return 'The root is what all hangs on: remove the character instead.';
-  return `The root has ${children} children, and only one of them could be the root after it.`;
+  if (!staying || children === 0) return 'The root can’t be deleted. Remove the character instead.';
+  return `The root has ${children} children. It can only be deleted when it has one, which becomes the root.`;
 }
 
 /**

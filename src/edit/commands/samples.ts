@@ -91,7 +91,7 @@ export const resampleSamples: Command<ResampleSamples> = {
 /** The same, pausing every few milliseconds with the part that is done. */
 export function* resampleSteps(document: Document, args: ResampleSamples): Steps<Document> {
   const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
-  if (!(rate > 0)) throw new CommandError(`A frame rate is more than 0; ${rate} was given.`);
+  if (!(rate > 0)) throw new CommandError(`The frame rate must be greater than 0, found ${rate}.`);
   const character = requireCharacter(document, args.characterId);
   return withClip(document, args, yield* resampling(character, ownTake(character), rate));
 }
@@ -124,7 +124,7 @@ export interface SmoothSamples extends OfSamples {
 export const smoothSamples: Command<SmoothSamples> = {
   id: 'samples.smooth',
   label: (document, args) =>
-    args.filter === 'median' ? `Take spikes out of ${nameOf(document, args)}` : `Smooth ${nameOf(document, args)}`,
+    args.filter === 'median' ? `Remove spikes from ${nameOf(document, args)}` : `Smooth ${nameOf(document, args)}`,
   run: (document, args) => finished(smoothSteps(document, args)),
 };
 
@@ -146,10 +146,10 @@ function checkedFilter({ filter, sigmaSeconds, frames }: SmoothSamples): SampleF
   if (kind === 'median') {
     const given = finiteNumber(frames, '"frames"');
     if (MEDIAN_FRAMES.includes(given)) return { kind, frames: given };
-    throw new CommandError(`A median is taken of ${MEDIAN_FRAMES.join(', ')} frames; ${given} was given.`);
+    throw new CommandError(`The width of a median must be one of ${MEDIAN_FRAMES.join(', ')} frames, found ${given}.`);
   }
   const sigma = finiteNumber(sigmaSeconds, '"sigmaSeconds"');
-  if (!(sigma > 0)) throw new CommandError(`The width of a filter is more than 0; ${sigma} was given.`);
+  if (!(sigma > 0)) throw new CommandError(`The width of a filter must be greater than 0, found ${sigma}.`);
   return { kind, sigmaSeconds: sigma };
 }
 
@@ -190,10 +190,10 @@ export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Co
   const clip = ownTake(character);
   // Beyond its type on purpose: a console gives what it likes.
   const given: { position?: unknown; angle?: unknown } = tolerance ?? {};
-  const position = finiteNumber(given.position, 'The tolerance of positions');
-  const angle = finiteNumber(given.angle, 'The tolerance of angles');
+  const position = finiteNumber(given.position, 'The position tolerance');
+  const angle = finiteNumber(given.angle, 'The rotation tolerance');
   if (!(position > 0 && angle > 0)) {
-    throw new CommandError(`A tolerance has to be more than 0; ${Math.min(position, angle)} was given.`);
+    throw new CommandError(`A tolerance must be greater than 0, found ${Math.min(position, angle)}.`);
   }
   requireSamples(clip);
   const report = yield* converting(character, clip, sampledChannels(clip, args.channels), { position, angle });
@@ -205,7 +205,7 @@ function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefi
   const given = channels === undefined ? [...clip.channels.keys()] : checkedChannels(clip, channels);
   const sampled = given.filter((channel) => isSampled(clip, channel));
   if (sampled.length > 0) return sampled;
-  throw new CommandError(`${channels ? 'None of these curves' : 'Nothing in this take'} follows samples.`);
+  throw new CommandError(channels ? 'None of these curves is sampled.' : 'This take has no samples.');
 }
 
 function changed(document: Document, args: OfSamples, change: (clip: ChannelClip) => ChannelClip): Document {

@@ -65,13 +65,13 @@ export const autoWeights: Command<AutoWeights> = {
 export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<AutoWeighted> {
   const character = requireCharacter(document, args.characterId);
   const { skeleton, skins } = character;
-  if (!skeleton) throw new CommandError(`${character.name} has no skeleton that could move its skin.`);
+  if (!skeleton) throw new CommandError(`${character.name} has no skeleton to bind its skin to.`);
   if (skins.length === 0) throw new CommandError(`${character.name} has no skin.`);
   const index = indexIn(args.skin ?? character.shownSkin, 0, skins.length, 'skin');
   const skin = skins[index];
   const most = finiteNumber(args.mostInfluences ?? USUAL_INFLUENCES, '"mostInfluences"');
   if (!Number.isInteger(most) || most < 1 || most > MOST_INFLUENCES) {
-    throw new CommandError(`A vertex follows 1 to ${MOST_INFLUENCES} joints; ${most} was given.`);
+    throw new CommandError(`A vertex takes 1 to ${MOST_INFLUENCES} joints, found ${most}.`);
   }
   const seconds = finiteNumber(args.timeSeconds, '"timeSeconds"');
   const places = bindPlaces(character, skin, seconds);
@@ -81,7 +81,7 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
   for (let j = 0; j < skeleton.joints.length; j++) {
     if (isSingular(bindings, 16 * j)) {
       const name = jointName(skeleton, j);
-      throw new CommandError(`${name} is scaled to nothing as it is posed now, and nothing can be bound to it.`);
+      throw new CommandError(`${name} is scaled to zero in the current pose, so nothing can be bound to it.`);
     }
   }
   const bones = boneSegments(skeleton, bindings);
@@ -99,9 +99,9 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
 }
 
 const WHY_NOT: Readonly<Record<BindPlace, string>> = {
-  bound: 'has no bindings for all joints to go by.',
-  drawn: 'has weights already: as it is drawn, it is bent, and can be bound only where its file has it.',
-  file: 'can not be bound there.',
+  bound: 'does not have bindings for all joints.',
+  drawn: 'already has weights, so it is drawn deformed. Bind it as it is in its file.',
+  file: 'can’t be bound there.',
 };
 
 /**

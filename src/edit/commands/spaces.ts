@@ -31,8 +31,8 @@ function checked(space: Space | undefined): Space {
     lift: finiteNumber(lift, 'The lift'),
   };
   if (next.unit !== 'own') return next;
-  if (finiteNumber(metres, 'The metres of a unit') > 0) return { ...next, metres: metres ?? 1 };
-  throw new CommandError(`A unit has to be above 0 metres; ${metres} was given.`);
+  if (finiteNumber(metres, 'The length of a unit in metres') > 0) return { ...next, metres: metres ?? 1 };
+  throw new CommandError(`A unit must be longer than 0 m, found ${metres}.`);
 }
 
 function sameSpace(a: Space, b: Space): boolean {
@@ -47,7 +47,7 @@ export const setPositionChannels: Command<OfCharacter & { readonly positions: 'r
   id: 'skeleton.setPositionChannels',
   label: (document, { characterId, positions }) => {
     const { name } = requireCharacter(document, characterId);
-    return positions === 'add' ? `Add positions of ${name} to offsets` : `Put positions of ${name} for offsets`;
+    return positions === 'add' ? `Add positions of ${name} to offsets` : `Replace offsets of ${name} with positions`;
   },
   run: (document, { characterId, positions }) =>
     changeCharacter(document, characterId, (c) => {

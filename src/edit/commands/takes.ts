@@ -58,9 +58,9 @@ export const alignStarts: Command<{
 
 export const setTimeOffsets: Command<{ readonly characterIds: readonly string[]; readonly seconds: number }> = {
   id: 'takes.setTimeOffsets',
-  label: (document, { characterIds }) => `Offset ${namesOf(document, characterIds)} in time`,
+  label: (document, { characterIds }) => `Set start time of ${namesOf(document, characterIds)}`,
   run(document, { characterIds, seconds }) {
-    finiteNumber(seconds, 'The time offset');
+    finiteNumber(seconds, 'The start time');
     return changeThese(document, characterIds, (c) => offsetBy(c, seconds));
   },
 };
@@ -74,16 +74,17 @@ export type Arrangement = (typeof ARRANGEMENTS)[number];
 
 const ARRANGED: Readonly<Record<Arrangement, string>> = {
   grid: 'side by side',
-  spot: 'on one spot',
-  space: 'in one space',
+  spot: 'at the same spot',
+  space: 'in the same space',
 };
 
 export const arrange: Command<{ readonly characterIds: readonly string[]; readonly how: Arrangement }> = {
   id: 'takes.arrange',
-  label: (document, { characterIds, how }) => `Put ${namesOf(document, characterIds)} ${ARRANGED[how] ?? ''}`.trim(),
+  label: (document, { characterIds, how }) =>
+    `Arrange ${namesOf(document, characterIds)} ${ARRANGED[how] ?? ''}`.trim(),
   run(document, { characterIds, how }) {
     if (!ARRANGEMENTS.includes(how)) {
-      throw new CommandError(`Takes can be put ${Object.keys(ARRANGED).join(', ')}; ${how} was asked for.`);
+      throw new CommandError(`"how" must be one of ${Object.keys(ARRANGED).join(', ')}, found ${how}.`);
     }
     const characters = idsIn(document, characterIds).map((id) => requireCharacter(document, id));
     const places =
@@ -103,7 +104,7 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
   id: 'takes.overlay',
   label: (document, { first, second }) => `Compare ${nameOf(document, first)} with ${nameOf(document, second)}`,
   run(document, { first, second }) {
-    if (!first || !second) throw new CommandError('Comparing takes two takes.');
+    if (!first || !second) throw new CommandError('Comparing needs two takes.');
     if (first.characterId === second.characterId) return shown(document, takesIn(document, [first]), true);
     const next = shown(document, takesIn(document, [first, second]), true);
     const { placements, space } = requireCharacter(document, first.characterId);
@@ -301,7 +302,7 @@ function changeThese(document: Document, ids: readonly string[], change: (c: Cha
 
 function idsIn(document: Document, ids: readonly string[]): string[] {
   const found = listOf(ids, 'The characters').map((id) => requireCharacter(document, String(id)).id);
-  if (!found.length) throw new CommandError('No character was given.');
+  if (!found.length) throw new CommandError('Give at least one character.');
   return found;
 }
 
@@ -321,7 +322,7 @@ function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<str
   for (const { characterId, clip } of checkedRefs(document, takes, -1)) {
     if (found.has(characterId) && found.get(characterId) !== clip) {
       const { name } = requireCharacter(document, characterId);
-      throw new CommandError(`${name} shows one take at a time; two of them can be compared.`);
+      throw new CommandError(`${name} shows one take at a time. Use Compare for two of them.`);
     }
     found.set(characterId, clip);
   }

@@ -98,5 +98,5 @@ function smoothstep(x: number): number {
 
 function outside(played: readonly [number, number]): CommandError {
   const [start, end] = played.map((seconds) => Number(seconds.toFixed(6)));
-  return new CommandError(`Nothing is played there: the take goes from ${start} s to ${end} s of its own time.`);
+  return new CommandError(`There is nothing to play there: the take runs from ${start} s to ${end} s of its own time.`);
 }

@@ -54,7 +54,7 @@ export function arrange(
 ): Arranged {
   for (const i of [0, newTimes.length - 1]) {
     if (newTimes.length && !Number.isFinite(newTimes[i])) {
-      throw new CommandError('Keys can’t be moved that far: there is no such time.');
+      throw new CommandError('Keys can’t be moved that far: the time is too large.');
     }
   }
   const { times } = channel;

@@ -94,11 +94,11 @@ function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonl
   const targets = into ?? channels.map((c) => c.channel);
   if (channels.length !== 1 && targets.length !== channels.length) {
     throw new CommandError(
-      `Keys of ${channels.length} channels go into as many channels, or those of one into any number; ` +
-        `there ${targets.length === 1 ? 'is 1' : `are ${targets.length}`} to paste into.`,
+      `Keys of ${channels.length} channels paste into ${channels.length} channels, and keys of one channel into any number; ` +
+        `found ${targets.length}.`,
     );
   }
-  if (new Set(targets).size !== targets.length) throw new CommandError('Keys are pasted into each channel once.');
+  if (new Set(targets).size !== targets.length) throw new CommandError('Each channel can be pasted into only once.');
   for (const to of targets) {
     if (clip.channels[to]) continue;
     throw new CommandError(`There is no channel ${to} to paste into: ${clip.name} has ${clip.channels.length}.`);

@@ -32,7 +32,7 @@ export function withValues(channel: Channel, indices: readonly number[], change:
   let changed = false;
   for (const k of indices) {
     const value = change(values[k]);
-    if (!Number.isFinite(value)) throw new CommandError('That value is larger than a number can be.');
+    if (!Number.isFinite(value)) throw new CommandError('That value is too large.');
     changed ||= value !== values[k];
     values[k] = value;
   }

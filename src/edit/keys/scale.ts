@@ -57,7 +57,7 @@ function scaledTangents(own: Tangents, from: Tangents, indices: readonly number[
   for (const k of indices) {
     const kind = from.kinds[k];
     const slope = kind === FIXED ? from.slopes[k] * factor : 0;
-    if (!Number.isFinite(slope)) throw new CommandError('That makes a slope steeper than a number can be.');
+    if (!Number.isFinite(slope)) throw new CommandError('That makes a slope too steep.');
     if (kind !== own.kinds[k]) {
       if (kinds === own.kinds) kinds = kinds.slice();
       kinds[k] = kind;

@@ -8,7 +8,7 @@ import { CommandError } from '../store.ts';
 
 export function vector(value: unknown, what: string): Vec3 {
   const parts = listOf(value, what);
-  if (parts.length !== 3) throw new CommandError(`${what} has to have 3 numbers; it has ${parts.length}.`);
+  if (parts.length !== 3) throw new CommandError(`${what} must have 3 numbers, found ${parts.length}.`);
   return [
     finiteNumber(parts[0], `x of ${lower(what)}`),
     finiteNumber(parts[1], `y of ${lower(what)}`),
@@ -19,7 +19,7 @@ export function vector(value: unknown, what: string): Vec3 {
 /** A text that may be empty. */
 export function jointName(value: unknown): string {
   if (typeof value === 'string') return value;
-  throw new CommandError('The name of a joint has to be a text.');
+  throw new CommandError('The name of a joint must be text.');
 }
 
 /** A motion with what its kind takes, and nothing else. */
@@ -48,14 +48,14 @@ function checkedParameter(value: unknown, parameter: Parameter): ParameterValues
 
 function checkedAxis(value: unknown, subject: string): Vec3 {
   const axis = vector(value, subject);
-  if (axis.every((part) => part === 0)) throw new CommandError('An axis has to have a direction; 0 0 0 has none.');
+  if (axis.every((part) => part === 0)) throw new CommandError('An axis needs a direction; 0 0 0 has none.');
   return axis;
 }
 
 function eachOnce<T>(value: unknown, allowed: readonly T[], what: string): readonly T[] {
   const all = listOf(value, what).map((one) => oneOf(one, allowed, `Each of ${lower(what)}`));
   const twice = all.find((one, i) => all.indexOf(one) !== i);
-  if (twice !== undefined) throw new CommandError(`${what} have ${String(twice)} twice.`);
+  if (twice !== undefined) throw new CommandError(`${what} list ${String(twice)} twice.`);
   return all;
 }
 

@@ -27,7 +27,7 @@ export function lostKeys(
   });
   if (names.length === 0) return undefined;
   const counted = keys > 0 ? [keys === 1 ? '1 key' : `${keys} keys`] : [];
-  const what = [...counted, ...(hasSamples ? ['the samples'] : [])].join(' and ');
+  const what = [...counted, ...(hasSamples ? ['samples'] : [])].join(' and ');
   const last = names.pop();
   return `${what} of ${names.length ? `${names.join(', ')} and ${last}` : last}`;
 }

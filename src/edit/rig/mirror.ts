@@ -78,15 +78,15 @@ class Mirroring {
     const { parent } = skeleton.joints[index];
     const above = this.sideOf(parent);
     if (above < 0) {
-      throw new CommandError(`Mirror ${called(skeleton, parent)} first: it has nothing on the other side yet.`);
+      throw new CommandError(`Mirror ${called(skeleton, parent)} first: it has no counterpart yet.`);
     }
     if (this.isInPlane(index)) {
-      throw new CommandError(`${name} lies in the plane that it would be mirrored across, with all below it.`);
+      throw new CommandError(`${name} and its descendants lie in the mirror plane.`);
     }
     const there = this.counterpart(index);
     if (there >= 0 && skeleton.joints[there].parent !== above) {
       const [own, side] = [called(skeleton, there), called(skeleton, above)];
-      throw new CommandError(`${own} is on the other side, but does not hang on ${side}: move it there first.`);
+      throw new CommandError(`${own} is the counterpart, but its parent is not ${side}. Reparent it first.`);
     }
     const top = this.mirrorBranch(index, branches[above], above);
     const map = changedTree(skeleton, branches[0]);

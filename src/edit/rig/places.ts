@@ -88,7 +88,7 @@ function withPivot(joint: Joint, j: number, pivot: Vec3, shown: Shown): Joint {
 export function intoSpace(joint: number, { world }: Shown, [x, y, z]: Vec3): Vec3 {
   if (joint < 0) return [x, y, z];
   if (isSingular(world, 16 * joint)) {
-    throw new CommandError('A joint is scaled to nothing in the pose shown: nothing can be placed below it.');
+    throw new CommandError('A joint is scaled to zero in the current pose, so nothing can be placed below it.');
   }
   invertAffine(world, 16 * joint, inverse, 0);
   const along = (r: number) => inverse[r] * x + inverse[4 + r] * y + inverse[8 + r] * z;

@@ -98,8 +98,7 @@ export function* converting(
   const samples = requireSamples(clip);
   const { skeleton, morphs } = character;
   const channels = given.filter((channel) => isSampled(clip, channel));
-  if (channels.length === 0)
-    throw new CommandError('None of these curves follows samples: there is nothing to convert.');
+  if (channels.length === 0) throw new CommandError('None of these curves is sampled, so there is nothing to convert.');
   const dofs = characterDofs(skeleton, morphs);
   const reach = skeleton ? reachOf(skeleton) : [];
   const prepared = yield* within(preparing(samples, skeleton, dofs, channels), 0, PREPARING);
@@ -131,7 +130,8 @@ export function* converting(
     let step = measuring.next();
     for (; !step.done; step = measuring.next()) yield progress(0.7 + 0.3 * step.value);
     if (!tighten(fittings, skeleton, step.value, allowed, round)) return result(made, samples, fittings, step.value);
-    if (round === MOST_ROUNDS) throw new CommandError('Numbers are not fine enough for that: allow a little more.');
+    if (round === MOST_ROUNDS)
+      throw new CommandError('That tolerance is too tight for the precision of numbers. Increase it a little.');
   }
 }
 

@@ -17,7 +17,7 @@ const SAME_FRAME = 1e-4;
 /** The samples of a take; refuses where it has none. */
 export function requireSamples(clip: ChannelClip): Samples {
   if (clip.samples) return clip.samples;
-  throw new CommandError(`${clip.name} has no samples: all that moves in it has keys.`);
+  throw new CommandError(`${clip.name} has no samples, only keys.`);
 }
 
 /** The first frame at a time or after it, from 0 up to and with the count of frames. */
@@ -49,7 +49,7 @@ export function cropped(clip: ChannelClip, from: number, to: number): ChannelCli
   const end = lastFrameTo(samples, to) + 1;
   if (first >= end) {
     const [start, stop] = rangeOfSamples(samples).map((seconds) => Number(seconds.toFixed(6)));
-    throw new CommandError(`No frame lies there: the samples go from ${start} s to ${stop} s of the take.`);
+    throw new CommandError(`There are no frames there: the samples run from ${start} s to ${stop} s of the take.`);
   }
   const kept = framesBetween(samples, first, end);
   const range = rangeOfSamples(kept);

@@ -12,7 +12,5 @@ export function refuseTooMany(frameCount: number, width: number, there = 0): voi
   const most = Math.min(MOST_FRAMES, Math.floor(MOST_VALUES / Math.max(1, width)));
   if (frameCount <= most) return;
   const [asked, possible] = [frameCount, most].map((count) => count.toLocaleString('en'));
-  throw new CommandError(
-    `That would be ${asked} frames of ${width} channels; up to ${possible} frames of so many are possible.`,
-  );
+  throw new CommandError(`That would be ${asked} frames of ${width} channels, but the maximum is ${possible} frames.`);
 }

@@ -26,7 +26,7 @@ export function frameRange(samples: Samples, range: readonly [number, number] | 
   const end = lastFrameTo(samples, range[1]) + 1;
   if (first < end) return { first, end, frameCount };
   const [start, stop] = rangeOfSamples(samples).map((seconds) => Number(seconds.toFixed(6)));
-  throw new CommandError(`No frame lies there: the samples go from ${start} s to ${stop} s of the take.`);
+  throw new CommandError(`There are no frames there: the samples run from ${start} s to ${stop} s of the take.`);
 }
 
 export function isWhole({ first, end, frameCount }: FrameRange): boolean {

@@ -64,11 +64,11 @@ export function ikStiffness(skeleton: Skeleton, freeRoot: boolean): Float64Array
 export function checkPins(skeleton: CompiledSkeleton, pins: readonly IkPin[]): void {
   pins.forEach(({ joint, point, target, orientation, weight = 1 }, p) => {
     if (!(Number.isInteger(joint) && joint >= 0 && joint < skeleton.jointCount))
-      throw new IkError(`Pin ${p} is on joint ${joint}; there are ${skeleton.jointCount}.`);
+      throw new IkError(`Pin ${p} is on joint ${joint}; there are ${skeleton.jointCount} joints.`);
     if (!point.every(Number.isFinite)) throw new IkError(`Pin ${p} holds a point that is not finite: ${point}.`);
     if (!target.every(Number.isFinite)) throw new IkError(`Pin ${p} has a target that is not finite: ${target}.`);
     if (orientation && !(orientation.every(Number.isFinite) && orientation.some((part) => part !== 0)))
-      throw new IkError(`Pin ${p} has an orientation that is none: ${orientation}.`);
+      throw new IkError(`Pin ${p} has an invalid orientation: ${orientation}.`);
     if (!(weight > 0 && weight < Infinity)) throw new IkError(`Pin ${p} has the weight ${weight}.`);
   });
 }

@@ -68,7 +68,7 @@ export function ikPinsOf(
 ): IkPin[] {
   const draggedPin = dragged && 'pin' in dragged ? dragged.pin : undefined;
   if (draggedPin !== undefined && !pins.some(({ id }) => id === draggedPin))
-    throw new IkError(`Pin ${draggedPin} is dragged; there is none.`);
+    throw new IkError(`Pin ${draggedPin} is dragged, but does not exist.`);
   const made = pins.map(({ id, joint, point, weight }): IkPin => {
     const target = targets.get(id);
     if (!target) throw new IkError(`Pin ${id} has no target.`);

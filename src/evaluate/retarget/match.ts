@@ -76,7 +76,7 @@ export function automaticPairs(
       const count = `${k + 1} of ${targets.length}`;
       if (isShape(t, s)) add(t, s, BY_SHAPE, `${part} ${count}, by shape`);
       else if (targets.length === sources.length) add(t, s, BY_NAME, `${part} ${count}, by name`);
-      else add(t, s, IN_PROPORTION, `${part} ${count}, in proportion`);
+      else add(t, s, IN_PROPORTION, `${part} ${count}, by proportion`);
     });
   }
 }

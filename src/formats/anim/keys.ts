@@ -110,8 +110,8 @@ export class KeySink implements NumberSink {
       const { count, place } = this.unsorted;
       const times = this.times;
       order = Uint32Array.from({ length: n }, (_, i) => i).sort((a, b) => times[a] - times[b] || a - b);
-      const steps = count === 1 ? 'One key comes' : `${count} keys come`;
-      t.report.warn('keys-unsorted', `${steps} before the key written ahead of it: keys go by time.`, place, 'sorted');
+      const steps = count === 1 ? '1 key is' : `${count} keys are`;
+      t.report.warn('keys-unsorted', `${steps} out of order in time.`, place, 'sorted');
     }
     const take = <A extends Float64Array | Uint8Array>(column: A, empty: A): A => {
       if (order) for (let i = 0; i < n; i++) empty[i] = column[order[i]];
@@ -138,9 +138,9 @@ export class KeySink implements NumberSink {
       }
     }
     if (!doubled) return;
-    const more = doubled.count > 1 ? ` (and ${doubled.count - 1} more such)` : '';
-    const message = `Two keys at the time ${doubled.time}${more}.`;
-    t.report.warn('keys-at-one-time', message, doubled.place, 'a step: the later one holds from that time on');
+    const more = doubled.count > 1 ? ` (and ${doubled.count - 1} more such pairs)` : '';
+    const message = `Found two keys at time ${doubled.time}${more}.`;
+    t.report.warn('keys-at-one-time', message, doubled.place, 'made a step: the later key applies from that time on');
   }
 
   private grow(rows: number): void {

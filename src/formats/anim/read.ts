@@ -110,11 +110,11 @@ function* body(t: Tokens, opened: Mark): Part<Parts> {
 
 function* range(t: Tokens): Part<readonly [number, number]> {
   const place = t.mark();
-  const first = yield* number(t, 'the first second of the range', KEYWORDS);
-  const last = first === undefined ? undefined : yield* number(t, 'the last second of the range', KEYWORDS);
+  const first = yield* number(t, 'the start time of the range', KEYWORDS);
+  const last = first === undefined ? undefined : yield* number(t, 'the end time of the range', KEYWORDS);
   if (first === undefined || last === undefined) return [0, 0];
   if (first <= last) return [first, last];
-  const message = `Expected a range from the earlier to the later time, found ${first} to ${last}.`;
+  const message = `Expected a range that starts before it ends, found ${first} to ${last}.`;
   t.report.warn('range-reversed', message, t.placeOf(place), 'swapped');
   return [last, first];
 }
@@ -150,11 +150,11 @@ function* channel(t: Tokens, sink: KeySink, index: number): Part<Channel> {
     } else yield* skipStrange(t, 'a channel', 'extrapolate or keys');
   }
   if (!keys) {
-    t.warnOnce('keys-missing', '', () => 'Expected keys in a channel, found none.', 'the channel is 0');
+    t.warnOnce('keys-missing', '', () => 'Expected keys in a channel, found none.', 'the channel stays at 0');
   }
   if (!extrapolation) {
     const message = 'Expected extrapolate IN OUT in a channel, found none.';
-    t.warnOnce('extrapolate-missing', '', () => message, 'constant on both sides');
+    t.warnOnce('extrapolate-missing', '', () => message, 'used constant on both sides');
   }
   const [extrapolateIn, extrapolateOut] = extrapolation ?? ['constant', 'constant'];
   return { extrapolateIn, extrapolateOut, ...(keys ?? NO_KEYS) };

@@ -46,7 +46,7 @@ export function* hierarchy(t: Tokens): Part<readonly Root[]> {
   const roots: Root[] = [];
   yield* t.next();
   if (t.keyword() !== 'hierarchy') {
-    t.error('hierarchy-missing', `Expected HIERARCHY, with which a .bvh file begins, found ${t.found()}.`);
+    t.error('hierarchy-missing', `Expected HIERARCHY at the start of a .bvh file, found ${t.found()}.`);
     throw new ParseError('hierarchy-missing');
   }
   for (;;) {
@@ -85,11 +85,11 @@ function* tree(t: Tokens): Part<Root> {
         stack.push(yield* head(t, 'JOINT', count++, joint.index));
         break;
       case 'offset':
-        if (joint.offset) t.error('offset-repeated', `OFFSET a second time in ${describe(joint)}.`);
+        if (joint.offset) t.error('offset-repeated', `OFFSET appears a second time in ${describe(joint)}.`);
         joint.offset = yield* vector(t);
         break;
       case 'channels':
-        if (joint.channels) t.error('channels-repeated', `CHANNELS a second time in ${describe(joint)}.`);
+        if (joint.channels) t.error('channels-repeated', `CHANNELS appears a second time in ${describe(joint)}.`);
         joint.channels = yield* channels(t);
         break;
       case 'end':
@@ -128,12 +128,12 @@ function* endSite(t: Tokens): Part<Vec3> {
     if (kind === 'end') t.failAtEnd(opened, 'an End Site');
     const word = t.keyword();
     if (word === 'offset') {
-      if (offset) t.error('offset-repeated', 'OFFSET a second time in an End Site.');
+      if (offset) t.error('offset-repeated', 'OFFSET appears a second time in an End Site.');
       offset = yield* vector(t);
     } else if (word === 'channels') {
       const place = t.mark();
       if ((yield* channels(t)).length === 0) continue;
-      t.report.error('channels-unexpected', 'An End Site has no CHANNELS.', t.placeOf(place, 'error'));
+      t.report.error('channels-unexpected', 'An End Site takes no CHANNELS.', t.placeOf(place, 'error'));
     } else if (KEYWORDS.has(word)) {
       t.braceMissing('End Site');
       break;

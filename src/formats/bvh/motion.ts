@@ -64,8 +64,8 @@ function* header(t: Tokens): Part<Header> {
     } else if (label === 'frametime') found.frameSeconds = yield* frameTime(t);
     else {
       const [code, what] = found.framesAt
-        ? ['frame-time-missing', '"Frame Time:" and the seconds between frames']
-        : ['frames-missing', '"Frames:" and their number'];
+        ? ['frame-time-missing', '"Frame Time:" and a number of seconds']
+        : ['frames-missing', '"Frames:" and a number'];
       t.error(code, `Expected ${what}, found ${t.found()}.`);
       throw new ParseError(code);
     }
@@ -90,11 +90,11 @@ function* labelOf(t: Tokens): Part<string> {
 }
 
 function* frameTime(t: Tokens): Part<number> {
-  const value = yield* number(t, 'the seconds between frames', KEYWORDS);
+  const value = yield* number(t, 'the frame time in seconds', KEYWORDS);
   // Missing is an error, and told already.
   if (value === undefined) return ASSUMED.frameSeconds;
   if (value >= SHORTEST && value <= LONGEST) return value;
-  const message = `Expected seconds between frames, from ${SHORTEST} to ${LONGEST}, found ${t.found()}.`;
+  const message = `Expected a frame time from ${SHORTEST} to ${LONGEST} seconds, found ${t.found()}.`;
   t.warn('frame-time', message, ASSUMED.text);
   return ASSUMED.frameSeconds;
 }
@@ -105,7 +105,7 @@ function tellCount(t: Tokens, declared: number | undefined, found: number, mark:
   if (found > 0) {
     t.report.warn('count-mismatch', `Expected ${declared} frames as declared, found ${found}.`, place, `used ${found}`);
   } else {
-    const expected = declared ? `${declared} frames as declared` : 'rows of channels';
-    t.report.warn('frames-none', `Expected ${expected}, found none.`, place, 'the skeleton without motion');
+    const expected = declared ? `${declared} frames as declared` : 'rows of channel values';
+    t.report.warn('frames-none', `Expected ${expected}, found none.`, place, 'opened the skeleton without motion');
   }
 }

@@ -184,10 +184,10 @@ export class Rows {
     const { bytes, from } = t.pieceAtHand();
     const before = width - this.numbersOnLine(bytes, from, t.tokenAt);
     if (before <= 0)
-      t.error('row-too-long', `Expected ${width} numbers a row, one a channel, found more on this line.`);
+      t.error('row-too-long', `Expected ${width} numbers per row, one per channel, found more on this line.`);
     else {
       const { line } = t.place();
-      const message = `Expected ${width} numbers a row, one a channel, found ${before}: line ${line} would make them more.`;
+      const message = `Expected ${width} numbers per row, one per channel, found ${before}; line ${line} has too many to complete it.`;
       t.report.error('row-incomplete', message, this.rowPlace ?? t.placeAt(this.rowAt));
     }
     throw new ParseError('row');
@@ -205,13 +205,13 @@ export class Rows {
       if (numbers < width || width === 0) continue;
       t.report.error(
         'row-expected',
-        `Expected a row of ${width} numbers, found ${found}, and rows again below.`,
+        `Expected a row of ${width} numbers, found ${found}, with more rows below.`,
         place,
       );
       throw new ParseError('row-expected');
     }
-    const expected = width === 0 ? 'no rows, for there are no channels' : `a row of ${width} numbers`;
-    t.report.warn('rows-end', `Expected ${expected}, found ${found}.`, place, 'the motion ends before it');
+    const expected = width === 0 ? 'no rows, since there are no channels' : `a row of ${width} numbers`;
+    t.report.warn('rows-end', `Expected ${expected}, found ${found}.`, place, 'motion ends before it');
   }
 
   /** The last row is short. */
@@ -219,8 +219,8 @@ export class Rows {
     const { t, width } = this;
     const found = this.count - this.row;
     if (found === 0 || found === width) return;
-    const message = `Expected ${width} numbers in the last row, one a channel, found ${found}.`;
-    t.report.warn('row-incomplete', message, this.rowPlace ?? t.placeAt(this.rowAt), 'the motion ends before it');
+    const message = `Expected ${width} numbers in the last row, one per channel, found ${found}.`;
+    t.report.warn('row-incomplete', message, this.rowPlace ?? t.placeAt(this.rowAt), 'motion ends before it');
   }
 }
 

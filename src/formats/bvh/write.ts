@@ -58,7 +58,7 @@ export function writeBvh(figures: readonly Figure[], fileName = ''): WriteResult
 
 /** As `writeBvh`, in pieces. */
 export function writeBvhPieces(figures: readonly Figure[], fileName = ''): WrittenPieces {
-  if (!fitOneBvh(figures)) throw new Error('Figures of one .bvh need the same frames: write a file for each.');
+  if (!fitOneBvh(figures)) throw new Error('Figures in one .bvh file need the same frames: write one file per figure.');
   const text = new Text(fileName);
   text.line(0, 'HIERARCHY');
   for (const { skeleton } of figures) writeTree(text, skeleton.joints);

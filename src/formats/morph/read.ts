@@ -51,7 +51,7 @@ function* morphFile(t: Tokens): Part<Morph> {
     } else yield* skipStrange(t, 'a .morph file', 'positions or normals');
   }
   if (!positions?.indices.length && !normals?.indices.length) {
-    t.report.error('vertex-missing', 'Expected at least one vertex that is replaced, found none.', WHOLE_FILE);
+    t.report.error('vertex-missing', 'Expected at least one replaced vertex, found none.', WHOLE_FILE);
   }
   return { name: stemOf(t.fileName), positions: positions ?? NO_ROWS, normals: normals ?? NO_ROWS };
 }
@@ -73,7 +73,7 @@ class MorphSink implements NumberSink {
   found = 0;
   private indices = new Uint32Array(64);
   private vectors = new Float64Array(192);
-  private wrong = new WrongIndices('the index of a vertex', () => ' from 0 up');
+  private wrong = new WrongIndices('the index of a vertex', () => ' (0 or more)');
   private repeated = 0;
   private repeatedAt: Place | undefined;
   private highest = -1;
@@ -120,7 +120,7 @@ class MorphSink implements NumberSink {
   tell(t: Tokens, what: string): void {
     this.wrong.tell(t);
     if (!this.repeatedAt) return;
-    const message = `The ${what} have ${this.repeated} vertices that were there already, the first one here.`;
+    const message = `Found ${this.repeated === 1 ? 'a repeated vertex' : `${this.repeated} repeated vertices`} in the ${what}, the first one here.`;
     t.report.warn('index-repeated', message, this.repeatedAt, 'the last one is used');
   }
 

@@ -33,7 +33,7 @@ export function* couple(t: Tokens, owner: number, keywords: Keywords): Part<Open
   if (full === undefined) return undefined;
   const place = t.mark();
   const dot = full.lastIndexOf('.');
-  if (dot < 0) t.error('couple-target', `Expected JOINT.DOF for what ${dof} follows, found ${t.found()}.`);
+  if (dot < 0) t.error('couple-target', `Expected the JOINT.DOF that ${dof} follows, found ${t.found()}.`);
   const gain = yield* number(t, `the gain of ${dof}`, keywords);
   if (gain === undefined) return undefined;
   const offset = yield* number(t, `the offset of ${dof}`, keywords);
@@ -66,8 +66,8 @@ export function resolveCouples(t: Tokens, joints: readonly Joint[], couples: rea
     if (joint === undefined || !hasDof(t, joints, joint, follows, place)) continue;
     const own = found.get(owner) ?? new Map();
     if (own.has(dof)) {
-      const message = `${dof} of ${called(joints, owner)} follows something a second time.`;
-      t.report.warn('repeated', message, t.placeOf(dofPlace, 'warning'), 'the later is used');
+      const message = `${dof} of ${called(joints, owner)} is linked a second time.`;
+      t.report.warn('repeated', message, t.placeOf(dofPlace, 'warning'), 'the later one is used');
     }
     found.set(owner, own.set(dof, { couple: { dof, joint, follows, gain, offset }, place: dofPlace }));
   }
@@ -82,7 +82,7 @@ export function resolveCouples(t: Tokens, joints: readonly Joint[], couples: rea
     const joint = first.findLastIndex((start) => start <= dof);
     const own = dofsOf(joints[joint].motion)[dof - first[joint]].name;
     const place = found.get(joint)?.get(own)?.place;
-    const message = `${own} of ${called(joints, joint)} follows a DOF that goes round to itself.`;
+    const message = `${own} of ${called(joints, joint)} ends up following itself.`;
     if (place) t.report.error('couple-cycle', message, t.placeOf(place, 'error'));
   }
   return coupled;
@@ -116,7 +116,7 @@ function jointNamed(
   const message =
     fits.length === 0
       ? `Expected the name of a joint to follow, found "${target}".`
-      : `Expected a joint's own name, found "${target}", which ${fits.length} joints have: #${fits.join(', #')}.`;
+      : `Expected a unique joint name or #index, found "${target}", which ${fits.length} joints have: #${fits.join(', #')}.`;
   t.report.error(fits.length ? 'joint-ambiguous' : 'joint-unknown', message, t.placeOf(place, 'error'));
   return undefined;
 }

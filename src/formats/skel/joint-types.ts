@@ -39,7 +39,7 @@ export function skelTypeOf(keyword: string): SkelType | undefined {
 
 /** What a joint is called in the file. Throws for a joint of BVH, which no `.skel` has. */
 export function keywordOf(motion: Motion): string {
-  if (isOfBvh(motion)) throw new Error('A joint of BVH has to be converted before it is written to .skel.');
+  if (isOfBvh(motion)) throw new Error('A BVH joint has to be converted before it is written to .skel.');
   return jointTypeOf(motion).keyword;
 }
 
@@ -72,7 +72,7 @@ function* readValue(
       const place = t.mark();
       const found = yield* vectorToken(t, token, keywords);
       if (!found || found.some((part) => part !== 0)) return found;
-      t.report.error('axis-zero', 'Expected an axis of any length but zero, found 0 0 0.', t.placeOf(place, 'error'));
+      t.report.error('axis-zero', 'Expected an axis with a direction, found 0 0 0.', t.placeOf(place, 'error'));
       return undefined;
     }
   }

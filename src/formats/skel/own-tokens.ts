@@ -36,7 +36,7 @@ export function* listOfWords<W extends string>(
         t.again();
         return list;
       }
-      t.error(`${token}-unknown`, `Expected some of ${words.join(', ')} after ${token}, found ${t.found()}.`);
+      t.error(`${token}-unknown`, `Expected one or more of ${words.join(', ')} after ${token}, found ${t.found()}.`);
     } else if (list.includes(word))
       t.error(`${token}-repeated`, `Expected each of ${token} once, found ${word} again.`);
     else list.push(word);

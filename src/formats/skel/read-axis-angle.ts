@@ -102,7 +102,7 @@ function* axisOf(t: Tokens, index: number): Part<Vec3> {
   const y = yield* number(t, `y of the axis of joint #${index}`);
   const z = yield* number(t, `z of the axis of joint #${index}`);
   if (place && y === 0 && z === 0 && t.report.errorCount === errorCount) {
-    const message = `Expected an axis of any length but zero for joint #${index}, found 0 0 0.`;
+    const message = `Expected an axis with a direction for joint #${index}, found 0 0 0.`;
     t.report.error('axis-zero', message, t.placeOf(place, 'error'));
   }
   return [x, y, z];

@@ -79,7 +79,7 @@ function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
     const type = skelTypeOf(t.keyword());
     if (type) {
       if (roots.length === 1) {
-        const message = 'A second root: a skeleton has one, so each root becomes a skeleton of its own.';
+        const message = 'Found a second root; each root becomes its own skeleton.';
         t.report.info('several-roots', message, t.place());
       }
       roots.push(yield* tree(t, type));
@@ -221,7 +221,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
     t.report.warn('dof-unknown', message, t.placeOf(place, 'warning'), 'limit ignored');
   }
   if (given.length && dofs.length && !takesLimits(motion)) {
-    const message = `Found limits of ${describe(joint)}, which takes none: as its DOFs mean nothing one by one.`;
+    const message = `Found limits on ${describe(joint)}, which takes none: its DOFs mean nothing on their own.`;
     t.report.warn('limits-not-taken', message, t.placeOf(given[0].place, 'warning'), 'kept, and ignored when clamping');
   }
   const values = dofs.map((dof, i) => pose?.values[i] ?? dof.rest);
@@ -232,7 +232,7 @@ function close(t: Tokens, joint: OpenJoint): Joint {
   }
   const outside = dofs.filter((_, i) => takesLimits(motion) && isOutside(values[i], limits[i]));
   if (outside.length > 0) {
-    const message = `The pose of ${describe(joint)} is out of its limits in ${outside.map((d) => d.name).join(', ')}.`;
+    const message = `The pose of ${describe(joint)} is outside its limits in ${outside.map((d) => d.name).join(', ')}.`;
     t.report.info('pose-out-of-limits', message, t.placeOf(pose?.place ?? joint.place, 'info'), 'clamped when shown');
   }
   return {

@@ -14,13 +14,13 @@ export function writeAxisAngleTree(text: Text, { joints, name }: Skeleton): void
   joints.forEach(({ motion, length, pose }, j) => {
     const axis = jointTypeOf(motion).isAxisAngle ? axisOf(motion) : undefined;
     if (!axis || length === undefined) {
-      throw new Error(`Joint #${j} of ${name} is no hinge with a bone: it can't be written in the axis-angle form.`);
+      throw new Error(`Joint #${j} of ${name} is not a hinge with a bone, so it can't be written in axis-angle form.`);
     }
     text.line(0, `${text.numbers([length, ...axis, degreesOf(pose[0])])} ${children[j]}`);
   });
   const named = joints.filter((joint) => joint.name !== '').length;
   if (named) {
-    const what = named === 1 ? '1 joint has a name' : `${named} joints have names`;
-    text.left('names-left-out', `The axis-angle form has no names of joints; in ${name} ${what}.`);
+    const what = named === 1 ? '1 named joint' : `${named} named joints`;
+    text.left('names-left-out', `The axis-angle form stores no joint names; ${name} has ${what}.`);
   }
 }

@@ -24,7 +24,7 @@ export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteR
     tellForm(text, skeleton, skeletons.length);
     const { joints } = skelSkeleton(skeleton);
     const ends = joints.reduce((sum, { endSites = [] }) => sum + endSites.length, 0);
-    if (ends) text.left('end-sites-left-out', `A .skel has no End Sites; ${skeleton.name} has ${ends}.`);
+    if (ends) text.left('end-sites-left-out', `A .skel file stores no End Sites; ${skeleton.name} has ${ends}.`);
     writeTree(text, joints);
   }
   return text.result();
@@ -33,8 +33,8 @@ export function writeSkel(skeletons: readonly Skeleton[], fileName = ''): WriteR
 /** One that came from the axis-angle form, and can't go back there. */
 function tellForm(text: Text, skeleton: Skeleton, count: number): void {
   if (skeleton.form !== 'axis-angle') return;
-  const why = axisAngleObstacle(skeleton) ?? `that holds one tree, and here are ${count}.`;
-  text.changedForm(`${skeleton.name} can't be written in the axis-angle form: ${why}`);
+  const why = axisAngleObstacle(skeleton) ?? `it holds one tree, and there are ${count}.`;
+  text.changedForm(`${skeleton.name} can't be written in axis-angle form: ${why}`);
 }
 
 /** Pre-order makes this a walk: joints that are no ancestors of the next one are closed before it. */

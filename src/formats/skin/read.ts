@@ -101,7 +101,7 @@ function* block(t: Tokens, parts: Parts): Part<void> {
       parts.material = yield* material(t);
       return;
     default:
-      yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or the like');
+      yield* skipStrange(t, 'a .skin file', 'positions, normals, skinweights, triangles, bindings or material');
   }
 }
 
@@ -112,7 +112,7 @@ function* skinweights(t: Tokens): Part<AttachmentSink> {
   sink.tell(t);
   if (t.kind !== '}') return sink;
   if (sink.missing > 0) {
-    const message = `The last row of skinweights lacks ${sink.missing} numbers: a row is k and k times a joint and a weight.`;
+    const message = `The last row of skinweights is ${sink.missing} numbers short: a row is a count, then a joint and a weight for each.`;
     t.error('row-incomplete', message + sink.hint());
   } else checkCount(t, 'skinweights', declared, sink.rows);
   return sink;
@@ -168,7 +168,7 @@ function* matrix(t: Tokens, joint: number): Part<Float64Array> {
     for (let row = 0; row < 3; row++) m[4 * column + row] = sink.values[3 * column + row];
   }
   if (isSingular(m)) {
-    const message = `The matrix of ${what} has no inverse: its columns lie in one plane, or one of them is 0.`;
+    const message = `The matrix of ${what} has no inverse: its columns are coplanar, or one of them is 0.`;
     t.report.error('binding-singular', message, t.placeOf(place));
   }
   return m;
@@ -218,7 +218,7 @@ function skinOf(t: Tokens, parts: Parts): Skin {
   if (!normals && vertices > 0) {
     report.info(
       'normals-computed',
-      'There are no normals: they are computed from the triangles.',
+      'Found no normals; they are computed from the triangles.',
       NOWHERE,
       'area-weighted',
     );

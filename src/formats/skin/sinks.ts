@@ -90,8 +90,8 @@ export class AttachmentSink implements NumberSink {
   private sum = 0;
   /** Whether a joint came without its weight yet. (A huge `missing` doesn't tell odd from even.) */
   private isHalf = false;
-  private readonly wrongCounts = new WrongIndices('a number of attachments', () => ' from 0 up');
-  private readonly wrongJoints = new WrongIndices('the index of a joint', () => ' from 0 up');
+  private readonly wrongCounts = new WrongIndices('a number of attachments', () => ' (0 or more)');
+  private readonly wrongJoints = new WrongIndices('the index of a joint', () => ' (0 or more)');
   private readonly stairs = new Stairs();
   private offSums = 0;
   private firstOff: { vertex: number; sum: number; place: Place } | undefined;
@@ -189,13 +189,13 @@ export class AttachmentSink implements NumberSink {
     this.wrongJoints.tell(t);
     if (this.firstOff) {
       const { vertex, sum, place } = this.firstOff;
-      const others = this.offSums > 1 ? `, and ${this.offSums - 1} other vertices' are off too` : '';
+      const others = this.offSums > 1 ? `; ${otherVertices(this.offSums - 1)} off too` : '';
       const message = `Expected weights that sum to 1, found ${Number(sum.toPrecision(6))} for vertex ${vertex}${others}.`;
       t.report.warn('weights-sum', message, place, 'used as given');
     }
     if (this.firstBare) {
       const { vertex, place } = this.firstBare;
-      const others = this.bare > 1 ? `, and ${this.bare - 1} other vertices have none either` : '';
+      const others = this.bare > 1 ? `; ${otherVertices(this.bare - 1)} without any too` : '';
       t.report.warn(
         'attachments-missing',
         `Vertex ${vertex} has no attachments${others}.`,
@@ -239,8 +239,12 @@ function trimmed<A extends Uint32Array | Float64Array>(array: A, length: number)
 }
 
 function range(count: number | undefined, what = 'vertices'): string {
-  if (count === undefined) return ' from 0 up';
+  if (count === undefined) return ' (0 or more)';
   return count === 0 ? `, but there are no ${what}` : ` from 0 to ${count - 1} (there are ${count} ${what})`;
+}
+
+function otherVertices(count: number): string {
+  return count === 1 ? '1 other vertex is' : `${count} other vertices are`;
 }
 
 function countAtLeast(indices: Uint32Array, length: number, bound: number): number {

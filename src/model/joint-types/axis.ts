@@ -27,7 +27,7 @@ export const HINGE: JointType<MotionOf<'hinge'>> = {
   factors: () => undefined,
   carriesCharacter: () => false,
   mirrored: (motion, across) => ({ ...motion, axis: negated(reflected(motion.axis, across)) }),
-  text: ({ axis }) => `hingejoint, axis ${axis.join(' ')}`,
+  text: ({ axis }, number) => `hingejoint, axis ${axis.map((value) => number(value)).join(' ')}`,
 };
 
 export const PRISMATIC: JointType<MotionOf<'prismatic'>> = {
@@ -44,13 +44,13 @@ export const PRISMATIC: JointType<MotionOf<'prismatic'>> = {
   factors: () => undefined,
   carriesCharacter: () => false,
   mirrored: (motion, across) => ({ ...motion, axis: reflected(motion.axis, across) }),
-  text: ({ axis }) => `prismaticjoint, axis ${axis.join(' ')}`,
+  text: ({ axis }, number) => `prismaticjoint, axis ${axis.map((value) => number(value)).join(' ')}`,
 };
 
 export const SCREW: JointType<MotionOf<'screw'>> = {
   keyword: 'screwjoint',
   label: 'Screw',
-  summary: 'turns about an axis and moves along it, as far as the pitch says',
+  summary: 'rotates about an axis and moves along it by the pitch',
   format: 'skel',
   initial: { kind: 'screw', axis: X, pitch: 0 },
   parameters: { axis: AXIS, pitch: PITCH },
@@ -66,5 +66,6 @@ export const SCREW: JointType<MotionOf<'screw'>> = {
     axis: negated(reflected(motion.axis, across)),
     pitch: -motion.pitch + 0,
   }),
-  text: ({ axis, pitch }) => `screwjoint, axis ${axis.join(' ')}, ${pitch} a turn`,
+  text: ({ axis, pitch }, number) =>
+    `screwjoint, axis ${axis.map((value) => number(value)).join(' ')}, ${number(pitch)} per turn`,
 };

@@ -47,7 +47,7 @@ export const FIXED: JointType<MotionOf<'fixed'>> = {
 export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
   keyword: 'compoundjoint',
   label: 'Compound',
-  summary: 'DOFs of your choice, multiplied from left to right',
+  summary: 'DOFs you choose, multiplied left to right',
   format: 'skel',
   initial: { kind: 'compound', dofs: [] },
   parameters: { dofs: COMPOUND },
@@ -68,15 +68,15 @@ function bvhFactors({ channels }: BvhMotion): readonly CompoundDof[] {
 
 export const BVH: JointType<BvhMotion> = {
   keyword: 'bvh',
-  label: 'Channels of BVH',
-  summary: 'what the .bvh lists for it',
+  label: 'BVH channels',
+  summary: 'the channels listed in the .bvh',
   format: 'bvh',
   initial: { kind: 'bvh', channels: [], positions: 'replace' },
   parameters: {
     channels: { type: 'list', subject: 'The channels', choices: [...TRANSLATIONS, 'rx', 'ry', 'rz'] },
     positions: {
       type: 'choice',
-      subject: 'What position channels mean',
+      subject: 'The meaning of position channels',
       choices: ['replace', 'add'],
       describe: (meaning) => meaning,
     },
@@ -91,7 +91,7 @@ export const BVH: JointType<BvhMotion> = {
   text({ channels, positions }) {
     if (channels.length === 0) return 'BVH joint without channels';
     const moves = channels.some((channel) => channel.startsWith('t'));
-    const meaning = positions === 'add' ? ', added to its offset' : ', in place of its offset';
+    const meaning = positions === 'add' ? ', added to its offset' : ', replacing its offset';
     return `BVH joint, channels ${channels.join(' ')}${moves ? meaning : ''}`;
   },
   heading: ({ channels }) => channels.join(' ') || 'no channels',

@@ -71,7 +71,7 @@ export const AXIS: Parameter = {
 };
 
 /** How far a whole turn advances along the axis. */
-export const PITCH: Parameter = { type: 'number', subject: 'The pitch', label: 'Pitch a turn', inherit: () => 1 };
+export const PITCH: Parameter = { type: 'number', subject: 'The pitch', label: 'Pitch per turn', inherit: () => 1 };
 
 const ORDER = {
   type: 'choice',
@@ -96,10 +96,10 @@ function inheritedOrder({ factors }: Inherited): EulerOrder {
 }
 
 const MODE_LABELS: Readonly<Record<ScaleMode, string>> = {
-  uniform: 'All axes alike',
-  xyz: 'Each axis by itself',
+  uniform: 'Uniform',
+  xyz: 'Per axis',
   axis: 'Along an axis',
-  volume: 'Axis, volume kept',
+  volume: 'Along an axis, volume preserved',
 };
 
 export const MODE: Parameter = {

@@ -20,7 +20,7 @@ function rotations(order: EulerOrder | AxisPair): readonly Rotation[] {
 export const BALL: JointType<MotionOf<'ball'>> = {
   keyword: 'balljoint',
   label: 'Ball',
-  summary: 'three rotations, one after the other',
+  summary: 'three rotations in order',
   format: 'skel',
   initial: { kind: 'ball', order: 'xyz' },
   parameters: { order: EULER_ORDER },
@@ -54,7 +54,7 @@ export const UNIVERSAL: JointType<MotionOf<'universal'>> = {
 export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
   keyword: 'quaternionjoint',
   label: 'Quaternion',
-  summary: 'any rotation, as four numbers without gimbal lock',
+  summary: 'any rotation, without gimbal lock',
   format: 'skel',
   initial: { kind: 'quaternion' },
   parameters: {},
@@ -71,7 +71,7 @@ export const QUATERNION_JOINT: JointType<MotionOf<'quaternion'>> = {
 export const FREE: JointType<MotionOf<'free'>> = {
   keyword: 'freejoint',
   label: 'Free',
-  summary: 'moves along x y z, and turns as a ball does',
+  summary: 'moves along x y z and rotates like a ball joint',
   format: 'skel',
   initial: { kind: 'free', order: 'xyz' },
   parameters: { order: EULER_ORDER },

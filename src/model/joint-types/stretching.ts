@@ -20,7 +20,7 @@ export function scalesAlongAxis({ mode }: ScaleMotion): boolean {
 export const SCALE: JointType<ScaleMotion> = {
   keyword: 'scalejoint',
   label: 'Scale',
-  summary: 'grows and shrinks',
+  summary: 'scales',
   format: 'skel',
   initial: { kind: 'scale', mode: 'uniform', axis: X },
   parameters: { mode: MODE, axis: AXIS },
@@ -32,14 +32,14 @@ export const SCALE: JointType<ScaleMotion> = {
   factors: ({ mode }) => (mode === 'xyz' ? ['sx', 'sy', 'sz'] : undefined),
   carriesCharacter: () => false,
   mirrored: (motion, across) => ({ ...motion, axis: reflected(motion.axis, across) }),
-  text: (motion) =>
-    `scalejoint, mode ${motion.mode}${scalesAlongAxis(motion) ? `, axis ${motion.axis.join(' ')}` : ''}`,
+  text: (motion, number) =>
+    `scalejoint, mode ${motion.mode}${scalesAlongAxis(motion) ? `, axis ${motion.axis.map((value) => number(value)).join(' ')}` : ''}`,
 };
 
 export const SHEAR: JointType<MotionOf<'shear'>> = {
   keyword: 'shearjoint',
   label: 'Shear',
-  summary: 'leans x y z over each other',
+  summary: 'shears along x y z',
   format: 'skel',
   initial: { kind: 'shear' },
   parameters: {},

@@ -41,8 +41,8 @@ export interface JointType<M extends Motion = Motion> {
    * @param across 0, 1 or 2 for x, y or z
    */
   mirrored(motion: M, across: number): M;
-  /** The type and its parameters: `hingejoint, axis 1 1 0.5`. */
-  text(motion: M): string;
+  /** The type and its parameters: `hingejoint, axis 1 1 0.5`; `number` writes its numbers. */
+  text(motion: M, number: (value: number) => string): string;
   /** For a heading, where that is not `text` without its "joint". */
   heading?(motion: M): string;
   /** The same motion as one that `.skel` has, for a type that it does not have. */

@@ -136,10 +136,10 @@ export function checkParts(before: Character | undefined, after: Character): Dia
   if (newSkeleton && after.skeleton && positionsTaken(after.skeleton) === 'replace') {
     if (positionsMeant(after.skeleton, shownClip(after)) === 'add') {
       const message =
-        'Position channels stay at 0 where OFFSETs do not, as if they were meant to be added to OFFSET: ' +
-        'if the figure falls in on itself, set "Positions" in the character’s folder to that.';
+        'Position channels stay near 0 where OFFSETs do not, as if meant to be added to OFFSET. ' +
+        'If the figure looks collapsed, change "Positions" in the Character section.';
       const file = called(parts.skeleton, `${after.skeleton.name}.bvh`);
-      problems.push(withoutPlace('info', 'positions-near-zero', message, file, 'they replace it'));
+      problems.push(withoutPlace('info', 'positions-near-zero', message, file, 'positions replace offsets'));
     }
   }
   after.skins.forEach((skin, i) => {
@@ -148,8 +148,8 @@ export function checkParts(before: Character | undefined, after: Character): Dia
     if (after.skeleton && (isNew || newSkeleton)) problems.push(...checkSkin(skin, after.skeleton, file));
     const texture = skin.material?.texture;
     if (isNew && texture !== undefined && !after.textures.some((t) => sameName(t.name, baseName(texture)))) {
-      const message = `The texture "${texture}" that the skin names was not among the files given.`;
-      problems.push(withoutPlace('warning', 'texture-not-given', message, file, 'drawn untextured'));
+      const message = `The texture "${texture}" named by the skin was not among the files.`;
+      problems.push(withoutPlace('warning', 'texture-not-given', message, file, 'drawn without texture'));
     }
   });
   const skin = shownSkin(after);

@@ -165,7 +165,7 @@ const PART_NAMES = {
 };
 
 function partNotGiven(rig: ParsedFile, kind: GivenFile['kind'], name: string): Diagnostic {
-  const message = `The ${PART_NAMES[kind]} "${name}" that the rig names was not among the files given.`;
-  const assumed = kind === 'morph' ? 'the morphs after it move up one' : 'the rig goes without it';
+  const message = `The ${PART_NAMES[kind]} "${name}" named by the rig was not among the files.`;
+  const assumed = kind === 'morph' ? 'later morphs move up by one' : 'opened without it';
   return withoutPlace('warning', 'part-not-given', message, rig.source.name, assumed);
 }

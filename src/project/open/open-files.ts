@@ -91,7 +91,7 @@ class Opening {
     // They go to what is there by now.
     for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
     for (const rig of grouping.idleRigs.filter(isRead)) {
-      this.unused.push({ file: rig, why: 'None of the files that it names was given.' });
+      this.unused.push({ file: rig, why: 'None of the files it names was opened.' });
     }
     this.takeUpWaiting();
     this.dressAll();
@@ -102,7 +102,9 @@ class Opening {
     const unused = sameFiles(this.unused, document.unused) ? document.unused : this.unused;
     for (const { file, why } of unused) {
       if (!files.includes(file)) continue;
-      this.diagnostics.push(withoutPlace('info', 'file-unused', `Not used: ${why}`, file.source.name, 'it waits'));
+      this.diagnostics.push(
+        withoutPlace('info', 'file-unused', `Not used: ${why}`, file.source.name, 'kept for a matching file'),
+      );
     }
     const changed = files.filter((f) => used.has(f) || f.kind === 'texture');
     const rest = {
@@ -172,7 +174,7 @@ class Opening {
       characters.find((c) => c.id === meant?.id) ??
       (isMorph ? onlySkinned(characters) : undefined);
     if (target && (!isMorph || target.skins.length)) this.settle(target, withPart(target, file, target), [file]);
-    else if (isMorph) this.unused.push({ file, why: 'There is no skin here that it could change.' });
+    else if (isMorph) this.unused.push({ file, why: 'No open character has a skin for it.' });
     // Alone it is shown as it is, and waits for a skeleton.
     else this.settle(undefined, withPart(this.make(stemOf(file.source)), file, undefined), [file]);
   }
@@ -186,7 +188,7 @@ class Opening {
     const known = characters.filter((c) => hasSource(c, file.source));
     const target = fittingCharacter(file, [...known, ...(meant ? [meant] : []), ...fresh, ...characters]);
     if (!target) {
-      this.unused.push({ file, why: 'No character here has the joints that its poses are of.' });
+      this.unused.push({ file, why: 'No open character has the joints of its poses.' });
       return;
     }
     const { character, diagnostics } = givePoses(target, file);
@@ -224,7 +226,7 @@ class Opening {
     const shown = this.characters.flatMap((c) => c.textures);
     for (const file of this.textures) {
       if (file.kind !== 'texture' || shown.includes(file.texture)) continue;
-      this.unused.push({ file, why: 'No skin here names it as its texture.' });
+      this.unused.push({ file, why: 'No open skin names it as its texture.' });
     }
   }
 

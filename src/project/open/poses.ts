@@ -47,7 +47,7 @@ export function givePoses(character: Character, { poses, source }: PoseFile) {
   if (missing.size > 0) {
     const [first] = missing;
     const others = missing.size > 1 ? ` and ${missing.size - 1} more` : '';
-    const message = `${character.name} has no joint "${first}"${others} that the poses are of.`;
+    const message = `${character.name} has no joint "${first}"${others} for the poses.`;
     diagnostics.push(withoutPlace('warning', 'pose-joint-missing', message, source.name, 'left out'));
   }
   const kept = character.sources.filter(({ name }) => name.toLowerCase().endsWith('.pose'));

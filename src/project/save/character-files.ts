@@ -61,7 +61,7 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
   if (frames.frameCount > Math.max(MOST_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
     const count = frames.frameCount.toLocaleString('en');
     throw new CommandError(
-      `${name} would have ${count} frames; up to ${MOST_FRAMES.toLocaleString('en')} are possible.`,
+      `${name} would have ${count} frames, but the maximum is ${MOST_FRAMES.toLocaleString('en')}.`,
     );
   }
   const made = toBvhFigure(character, frames, `${name}.bvh`);
@@ -75,13 +75,13 @@ export function hasOwnRate(clip: ChannelClip): boolean {
 }
 
 function rateAssumed(clip: ChannelClip, name: string): Diagnostic {
-  const message = `Expected keys at an even rate, or a rate for ${clip.name}, found keys at times of their own.`;
+  const message = `Expected keys at an even rate or a frame rate for ${clip.name}, found keys at uneven times.`;
   return withoutPlace(
     'info',
     'rate-assumed',
     message,
     `${name}.bvh`,
-    `used ${DEFAULT_FRAMES_PER_SECOND} frames a second`,
+    `used ${DEFAULT_FRAMES_PER_SECOND} frames per second`,
   );
 }
 

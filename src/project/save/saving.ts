@@ -148,8 +148,8 @@ function writeTakes(name: string, roots: readonly Owned[], { framesPerSecond }: 
   const figures = made.map(({ figure }) => figure);
   if (!fitOneBvh(figures)) {
     throw new Error(
-      `The figures of ${name} have different frames now, and one .bvh gives all of them the same: ` +
-        'trim and resample them alike, or rename the takes to save each by itself.',
+      `The figures of ${name} now have different frames, but one .bvh file needs the same frames for all: ` +
+        'trim and resample them to match, or rename the takes to save each one separately.',
     );
   }
   const written = writeBvhPieces(figures, name);

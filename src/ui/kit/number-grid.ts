@@ -4,7 +4,7 @@
  */
 import { copyText } from './clipboard.ts';
 import { element, setText } from './dom.ts';
-import { exact, fitted } from './number-text.ts';
+import { aligned, decimalsWithin, exact } from './number-text.ts';
 
 export interface GridOptions {
   readonly label: string;
@@ -14,7 +14,6 @@ export interface GridOptions {
   readonly rowLabels?: readonly string[];
   /** Above each column; `x y z` are coloured. */
   readonly columnLabels?: readonly string[];
-  readonly decimals?: number;
 }
 
 const COPIED_MS = 700;
@@ -25,11 +24,9 @@ export class NumberGrid {
   readonly element: HTMLTableElement;
   private readonly cells: HTMLElement[] = [];
   private readonly values: Float64Array;
-  private readonly decimals: number;
 
   constructor(private readonly options: GridOptions) {
     const { label, rows, columns, rowLabels, columnLabels } = options;
-    this.decimals = options.decimals ?? 4;
     this.values = new Float64Array(rows * columns).fill(Number.NaN);
     this.element = element('table', { class: 'grid', role: 'grid', 'aria-label': label });
     if (columnLabels) {
@@ -57,7 +54,7 @@ export class NumberGrid {
     const index = row * this.options.columns + column;
     if (Object.is(this.values[index], value)) return;
     this.values[index] = value;
-    setText(this.cells[index], fitted(value, this.decimals, CHARACTERS));
+    setText(this.cells[index], aligned(value, decimalsWithin(value, CHARACTERS)));
     this.cells[index].title = `${exactOrNone(value)}  (click to copy)`;
   }
 

@@ -1,62 +1,41 @@
 /**
- * Numbers as text, and back. Three manners: *exact*, the shortest decimal that reads back the same (copied, typed over);
- * *shown*, cut to what a column has room for (never wider while a character plays); and *in a field*, cut further, for a
- * field gives the exact number to who looks at it.
+ * Numbers as text, and back. The interface shows at most three decimals, with a true minus sign and never `-0`; full
+ * precision is given where a number is copied or typed over, as the shortest decimal that reads back the same.
  */
 import { type Units, workedOut } from './arithmetic.ts';
 
-/** The shortest decimal that reads back as the same double. Minus zero is 0. */
+/** Decimals in the interface, unless a number is copied or edited. */
+export const MOST_DECIMALS = 3;
+
+/** The shortest decimal that reads back as the same double, in ASCII. Minus zero is 0. */
 export function exact(value: number): string {
   return String(value === 0 ? 0 : value);
 }
 
-/** At most so many decimals, without trailing zeros; huge and tiny numbers as powers of ten. */
-export function shown(value: number, decimals = 4): string {
-  if (!Number.isFinite(value)) return String(value);
+/** For fields, labels and messages: without trailing zeros, huge numbers as powers of ten. */
+export function shown(value: number, decimals = MOST_DECIMALS): string {
+  const text = aligned(value, decimals);
+  return text.includes('.') && !text.includes('e') ? text.replace(/\.?0+$/, '') : text;
+}
+
+/** The same with trailing zeros, so that columns line up and a running number keeps its width. */
+export function aligned(value: number, decimals = MOST_DECIMALS): string {
+  if (Number.isNaN(value)) return 'NaN';
   const size = Math.abs(value);
-  if (size >= 1e7) return value.toExponential(4);
-  const fixed = value.toFixed(decimals);
-  // Too small for the decimals but not nothing: 1e-9 must not read as 0 where someone looks for a fault.
-  if (size > 0 && Number(fixed) === 0 && size < 0.5 * 10 ** -decimals) {
-    return size < 1e-12 ? '0' : value.toExponential(1);
-  }
-  const trimmed = fixed.includes('.') ? fixed.replace(/\.?0+$/, '') : fixed;
-  return trimmed === '-0' ? '0' : trimmed;
+  const text = size === Infinity ? '∞' : size >= 1e9 ? size.toExponential(2) : size.toFixed(decimals);
+  return value < 0 && Number(text) !== 0 ? `−${text}` : text;
 }
 
-/**
- * For a field, which gives the exact number to who looks at it: at most so many decimals, up to four where fewer would
- * leave nothing of a small number, and 0 for what is smaller still. What a computation leaves behind is no number to read.
- */
-export function inField(value: number, decimals = 4): string {
-  const places = Math.abs(value) < 10 ** -decimals ? Math.max(decimals, LEAST_IN_FIELD) : decimals;
-  return shown(Math.abs(value) < 0.5 * 10 ** -places ? 0 : value, places);
-}
-const LEAST_IN_FIELD = 4;
-
-/** Always so many decimals, so that columns line up; a true minus sign's width is kept by tabular figures. */
-export function aligned(value: number, decimals = 4): string {
-  if (!Number.isFinite(value)) return Number.isNaN(value) ? 'NaN' : value > 0 ? '∞' : '−∞';
-  if (Math.abs(value) >= 1e7) return value.toExponential(2);
-  const fixed = value.toFixed(decimals);
-  return Number(fixed) === 0 ? (0).toFixed(decimals) : fixed;
-}
-
-/** `aligned` with fewer decimals for larger numbers, so that a column of `characters` holds it. */
-export function fitted(value: number, decimals: number, characters: number): string {
-  const whole = Math.max(0, Math.floor(Math.log10(Math.abs(value)))) + (value < 0 ? 3 : 2);
-  return aligned(value, Number.isFinite(whole) ? Math.max(1, Math.min(decimals, characters - whole)) : decimals);
-}
-
-/** `inField` with fewer decimals for larger numbers, so that a field of `characters` holds it. */
-export function brief(value: number, decimals: number, characters: number): string {
+/** Decimals that leave a number within so many characters: fewer for larger numbers. */
+export function decimalsWithin(value: number, characters: number, decimals = MOST_DECIMALS): number {
   const whole = String(Math.trunc(Math.abs(value))).length + (value < 0 ? 2 : 1);
-  return inField(value, Math.max(0, Math.min(decimals, characters - whole)));
+  return Math.max(0, Math.min(decimals, characters - whole));
 }
 
-/** Times on screen: up to 6 decimals of a second. */
-export function seconds(value: number): string {
-  return shown(value, 6);
+/** How large an error or a difference is, 0 or more: `0.02`, `under 0.001` for what would read as 0 but is not. */
+export function errorSize(value: number): string {
+  const least = 10 ** -MOST_DECIMALS;
+  return value > 0 && value < least / 2 ? `under ${least}` : shown(value);
 }
 
 /** How long something lasts, where lists say it: `22.92 s`. */

@@ -2,6 +2,8 @@
  * Ticks of the time ruler. Labels stand at 1, 2 or 5 times a power of ten, as near together as they have room; small
  * ticks divide that by five or two. In frames nothing is finer than a frame.
  */
+import { shown } from './number-text.ts';
+
 export interface Tick {
   readonly timeSeconds: number;
   /** Absent on the small ones. */
@@ -40,7 +42,7 @@ export function rulerTicks(scale: RulerScale): Tick[] {
   const ticks: Tick[] = [];
   for (let i = first; i <= last; i++) {
     const timeSeconds = i * small * unit;
-    if (i % parts === 0) ticks.push({ timeSeconds, label: String(Number(((i / parts) * step).toFixed(decimals))) });
+    if (i % parts === 0) ticks.push({ timeSeconds, label: shown((i / parts) * step, decimals) });
     else ticks.push({ timeSeconds });
   }
   return ticks;

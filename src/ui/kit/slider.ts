@@ -11,7 +11,7 @@ import { NumberController } from 'lil-gui';
 import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
 import { isTypedIn, letGo } from './focus.ts';
-import { exact, inField, notANumber, parseNumber, shown } from './number-text.ts';
+import { exact, notANumber, parseNumber, shown } from './number-text.ts';
 
 export interface SliderOptions {
   /** What the slider spans; absent for a field without a slider. */
@@ -148,7 +148,7 @@ export class Slider extends NumberController {
       this.$slider.classList.toggle('beyond', value < span[0] || value > span[1]);
     }
     if (!this._inputFocused) {
-      const text = inField(value, options.decimals) + (options.suffix ?? '');
+      const text = shown(value, options.decimals) + (options.suffix ?? '');
       if (this.$input.value !== text) this.$input.value = text;
     }
     if (this.isLookedAt) this.describe();
@@ -210,12 +210,12 @@ export function refusalOf(label: string, text: string, options: SliderOptions): 
   const typed = parseNumber(text, units);
   if (typed === undefined) return notANumber(label, text);
   if (!bounds || (typed >= bounds[0] && typed <= bounds[1])) return undefined;
-  const inUnit = (value: number) => `${shown(value, 4)}${suffix}`;
+  const inUnit = (value: number) => `${shown(value)}${suffix}`;
   const [low, high] = bounds;
   // The other end may be none.
-  const end = typed < low ? `goes no lower than ${inUnit(low)}` : `goes no higher than ${inUnit(high)}`;
-  const where = low === high ? `is held at ${inUnit(low)}` : end;
-  return `${label} ${where}; ${inUnit(typed)} was typed.${remedy ? ` ${remedy}` : ''}`;
+  const end = typed < low ? `can’t go below ${inUnit(low)}` : `can’t go above ${inUnit(high)}`;
+  const where = low === high ? `is limited to ${inUnit(low)}` : end;
+  return `${label} ${where}; you entered ${inUnit(typed)}.${remedy ? ` ${remedy}` : ''}`;
 }
 
 /** Removes every controller of a folder. */

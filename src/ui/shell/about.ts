@@ -9,10 +9,10 @@ export function aboutDialog(): DialogContent {
     element(
       'p',
       {},
-      'A workbench for text-based character animation: skeletons, skins, morphs, channels and motion capture as text.',
+      'A workbench for text-based character animation: skeletons, skins, morphs, keyframes and motion capture.',
     ),
     element('p', {}, 'Drop .bvh, .skel, .skin, .morph, .anim and .rig files anywhere, in folders or a zip.'),
-    element('p', {}, 'Everything runs in this page. Nothing is sent anywhere.'),
+    element('p', {}, 'Everything runs in this page. Nothing is uploaded.'),
   );
   return { title: 'About Marrow', body, kind: 'about-dialog' };
 }

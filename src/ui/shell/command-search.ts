@@ -49,7 +49,7 @@ export function commandSearch(wb: Workbench, close: () => void): DialogContent {
       (a) => TRAVELS.includes(a.id),
     ).slice(0, MOST_SHOWN);
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
-    if (!found.length) list.append(element('li', { class: 'empty' }, 'No command is called that.'));
+    if (!found.length) list.append(element('li', { class: 'empty' }, 'No matching command'));
     choose(0);
   };
   input.addEventListener('input', show);

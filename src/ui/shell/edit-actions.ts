@@ -37,7 +37,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.resetToFile',
-    label: 'Reset to the file’s pose',
+    label: 'Reset to file pose',
     group: 'Edit',
     menu: 'Edit',
     section: 1,
@@ -56,7 +56,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.holdLimits',
-    label: 'Hold limits',
+    label: 'Enforce limits',
     group: 'Edit',
     menu: 'Edit',
     section: 1,
@@ -70,7 +70,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'character.copy',
-    label: 'Show once more beside it',
+    label: 'Duplicate instance',
     group: 'Edit',
     menu: 'Edit',
     section: 2,
@@ -88,7 +88,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'character.hide',
-    name: 'Hide or show the character',
+    name: 'Show or hide character',
     label: (wb) => `${currentCharacter(wb)?.isHidden ? 'Show' : 'Hide'} ${currentCharacter(wb)?.name ?? 'character'}`,
     group: 'Edit',
     menu: 'Edit',
@@ -159,7 +159,7 @@ export const EDIT_ACTIONS: readonly Action[] = [
   },
   {
     id: 'select.nothing',
-    label: 'Select nothing',
+    label: 'Deselect all',
     group: 'Select',
     menu: 'Edit/Select',
     section: 1,
@@ -184,7 +184,7 @@ function travel(wb: Workbench, way: 'undo' | 'redo'): void {
   if (way === 'undo') wb.store.undo();
   else wb.store.redo();
   if (label === undefined || idsOf() === before) return;
-  wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo brings it back.` : `Redone: ${label}.`);
+  wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo restores it.` : `Redone: ${label}.`);
 }
 
 function reset(wb: Workbench, to: 'file' | 'zero'): void {

@@ -35,7 +35,7 @@ export const FILE_ACTIONS: readonly Action[] = [
   {
     id: 'file.reload',
     label: 'Reload from disk',
-    detail: 'Reads those files of the character again that changed.',
+    detail: 'Reads the character’s changed files again',
     group: 'Files',
     menu: 'Open',
     section: 1,
@@ -126,7 +126,7 @@ export function sampleActions(wb: Workbench): Action[] {
     label: sample.label,
     detail: sample.description,
     group: 'Files',
-    menu: 'Samples',
+    menu: 'Examples',
     run: () => wb.files.openSample(sample.id),
   }));
 }

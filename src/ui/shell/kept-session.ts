@@ -11,7 +11,7 @@ import type { Workbench } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
 
 export function keptSession(wb: Workbench): HTMLElement {
-  const line = element('section', { class: 'kept-session', 'aria-label': 'Work that was not finished' });
+  const line = element('section', { class: 'kept-session', 'aria-label': 'Unsaved work' });
   // Told when it appears; the buttons outside of it are not read out again with each change.
   const text = element('span', { class: 'kept-text', role: 'status' });
   const show = () => {
@@ -26,14 +26,14 @@ export function keptSession(wb: Workbench): HTMLElement {
     const [work, ...others] = offer.works;
     line.classList.toggle('small', offer.isAside);
     const close = button(
-      'Not now: offered again next time, and in the Open menu',
+      'Not now. Offered again next time and in the Open menu',
       { class: 'tool small' },
       icon('close'),
       offer.later,
     );
     if (offer.discarded) {
-      text.textContent = `Your work of ${whenText(offer.discarded.savedAtMs)} is discarded.`;
-      const back = button('Keep it after all', { class: 'link' }, 'Keep it after all', offer.putBack);
+      text.textContent = `Unsaved work from ${whenText(offer.discarded.savedAtMs)} was discarded.`;
+      const back = button('Keep it', { class: 'link' }, 'Keep it', offer.putBack);
       line.replaceChildren(text, back, close);
       return;
     }
@@ -43,10 +43,10 @@ export function keptSession(wb: Workbench): HTMLElement {
     }
     const when = whenText(work.savedAtMs);
     text.textContent = offer.isAside
-      ? `Work of ${when}`
-      : `Your work of ${when} is still here: ${contentText(work.characters)}.`;
+      ? `Work from ${when}`
+      : `Unsaved work from ${when}: ${contentText(work.characters)}.`;
     text.title = contentText(work.characters);
-    const restoring = offer.isAside ? 'Restore: takes the place of what is open; undo brings that back' : 'Restore';
+    const restoring = offer.isAside ? 'Restore. Replaces what is open; undo brings that back' : 'Restore';
     line.replaceChildren(
       text,
       button(restoring, { class: 'kept-restore' }, 'Restore', () => offer.restore(work.id)),

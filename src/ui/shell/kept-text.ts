@@ -21,8 +21,8 @@ export function contentText(characters: KeptWork['characters']): string {
     const names = `${first.name}, ${characters[1].name}`;
     return others > 0 ? `${names} and ${plural(others, 'more character')}` : names.replace(', ', ' and ');
   }
-  const parts = [first.name || 'a character without a name'];
+  const parts = [first.name || 'unnamed character'];
   if (first.joints > 0) parts.push(plural(first.joints, 'joint'));
-  if (first.clips > 0) parts.push(plural(first.clips, 'clip'));
+  if (first.clips > 0) parts.push(plural(first.clips, 'take'));
   return parts.join(', ');
 }

@@ -153,11 +153,11 @@ function whatIsLoaded(wb: Workbench): HTMLElement {
 /** `wasp · 31 joints · 1,042 vertices · wasp_walk`. */
 export function loadedText(document: Document): string {
   const { characters } = document;
-  if (!characters.length) return 'Nothing is loaded';
+  if (!characters.length) return 'Nothing is open';
   const joints = characters.reduce((sum, c) => sum + (c.skeleton?.joints.length ?? 0), 0);
   const vertices = characters.reduce((sum, c) => sum + (shownSkinSize(c) ?? 0), 0);
   const parts = [characters.length === 1 ? characters[0].name : plural(characters.length, 'character')];
-  if (document.isOpeningSample) parts[0] = `Sample: ${parts[0]}`;
+  if (document.isOpeningSample) parts[0] = `Example: ${parts[0]}`;
   if (joints) parts.push(plural(joints, 'joint'));
   if (vertices) parts.push(plural(vertices, 'vertex', 'vertices'));
   const take = characters.length === 1 ? shownClip(characters[0])?.name : undefined;

@@ -40,7 +40,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'page.viewportOnly',
-    label: 'Fold or unfold both panels',
+    label: 'Toggle side panels',
     group: 'Page',
     shortcuts: ['Ctrl+\\'],
     run(wb) {
@@ -50,7 +50,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
       openPanel(wb, 'outliner', open);
     },
   },
-  choice('theme', 'system', 'Follow the system', 'View/Theme'),
+  choice('theme', 'system', 'System', 'View/Theme'),
   choice('theme', 'light', 'Light', 'View/Theme'),
   choice('theme', 'dark', 'Dark', 'View/Theme'),
   choice('angles', 'degrees', 'Degrees', 'View/Angles'),
@@ -59,7 +59,7 @@ export const PAGE_ACTIONS: readonly Action[] = [
   choice('timeDisplay', 'frames', 'Frames', 'View/Time'),
   {
     id: 'page.otherAngles',
-    label: 'Degrees or radians',
+    label: 'Toggle degrees and radians',
     group: 'Page',
     shortcuts: ['D'],
     run: (wb) => setting(wb, { angles: wb.settings.get().angles === 'degrees' ? 'radians' : 'degrees' }),

@@ -27,7 +27,7 @@ export function saveList(wb: Workbench, close: () => void): DialogContent {
       );
     }
     row.append(
-      saveButton('All of it (.zip)', 'with textures', () => {
+      saveButton('Everything (.zip)', 'with textures', () => {
         close();
         wb.files.saveAll(character.id);
       }),
@@ -65,7 +65,7 @@ function contents(character: Character, content: Kind['content'], framesPerSecon
     case 'bvh': {
       const frames = clip?.samples?.frameCount;
       if (!clip) return 'the pose, 1 frame';
-      return frames === undefined ? `at ${framesPerSecond} frames a second` : plural(frames, 'frame');
+      return frames === undefined ? `at ${framesPerSecond} frames per second` : plural(frames, 'frame');
     }
     case 'pose':
       return plural(character.poses?.length ?? 0, 'pose');

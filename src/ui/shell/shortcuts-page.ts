@@ -33,12 +33,12 @@ function switches(wb: Workbench, said: HTMLElement, refresh: Refresh): HTMLEleme
     wb.settings.update((s) => ({ ...s, singleKeys: box.checked }));
     refresh();
   });
-  const reset = button('Reset all keys to default', { class: 'link' }, 'Reset all to default', () => {
+  const reset = button('Reset all shortcuts to default', { class: 'link' }, 'Reset all to default', () => {
     wb.settings.update((s) => ({ ...s, keys: {}, singleKeys: true }));
     refresh();
   });
   reset.disabled = Object.keys(wb.settings.get().keys).length === 0 && wb.settings.get().singleKeys;
-  const hint = 'Press a single key below to give it another one, Delete to switch it off.';
+  const hint = 'Click a single key below and press a new one. Delete removes it.';
   return element(
     'div',
     { class: 'shortcut-switches' },
@@ -122,7 +122,7 @@ function changeable(
         if (event.key === 'Delete' || event.key === 'Backspace') return replaceBy(undefined);
         const next = shortcutsOf(event, isMac).find(isSingleKey);
         if (next) replaceBy(next);
-        else refresh('Only a single key can be given here: a letter, a digit or a sign, with or without Shift.');
+        else refresh('Only a single key can be used here: a letter, digit or symbol, with or without Shift.');
       },
       { signal: wait.signal },
     );
@@ -137,8 +137,8 @@ function give(wb: Workbench, action: Action, own: readonly string[]): string {
   const name = (a: Action) => `“${a.name ?? actionLabel(wb, a)}”`;
   const lost = losers.map((loser) => {
     const had = loser.shortcuts?.find((key) => own.includes(key)) ?? own[0];
-    const left = keys[loser.id].length ? '' : ', which has no key now';
-    return `${shortcutText(had, isMac)} was taken from ${name(loser)}${left}.`;
+    const left = keys[loser.id].length ? '' : ', which now has no shortcut';
+    return `${shortcutText(had, isMac)} was removed from ${name(loser)}${left}.`;
   });
   return lost.join(' ');
 }

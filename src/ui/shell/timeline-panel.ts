@@ -79,7 +79,7 @@ export function timelinePanel(
     places.find((p) => p.name === other)?.title.focus();
   });
   const fold = keepsFocusElsewhere(
-    button('Fold the timeline', { class: 'tool timeline-fold' }, icon('close'), () =>
+    button('Collapse timeline', { class: 'tool timeline-fold' }, icon('close'), () =>
       wb.settings.update((s) => ({ ...s, panels: { ...s.panels, timelineOpen: false } })),
     ),
   );

@@ -37,7 +37,7 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
   viewport.canvas.setAttribute('role', 'img');
   viewport.canvas.setAttribute(
     'aria-label',
-    'Viewport. Arrow keys up and down go from joint to joint, left and right turn the view while nothing plays.',
+    'Viewport. Up and down arrows select the parent or child joint; left and right orbit the view when paused.',
   );
   const { takes } = wb.timeline;
   const show = () => {
@@ -106,7 +106,7 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
 
 function displayStrip(wb: Workbench): HTMLElement {
   const actions = actionsOf(wb);
-  const strip = element('div', { class: 'display-strip tools', role: 'toolbar', 'aria-label': 'What is drawn' });
+  const strip = element('div', { class: 'display-strip tools', role: 'toolbar', 'aria-label': 'Display' });
   const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool skin-tool' }));
   const boxes = keepsFocusElsewhere(button('Boxes', { class: 'tool' }, icon('boxes'), () => {}));
   const within = (prefix: string) => actions.filter((a) => a.id.startsWith(prefix));
@@ -136,7 +136,7 @@ function displayStrip(wb: Workbench): HTMLElement {
     const { display } = wb.settings.get();
     const label = nameOf(SKIN_STYLES, display.skin);
     const hasSkin = isSkinVisible(wb);
-    const short = !hasSkin ? 'No skin' : display.skin === 'heat' ? 'Influence' : label;
+    const short = !hasSkin ? 'No skin' : display.skin === 'heat' ? 'Weights' : label;
     skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
     skin.setAttribute('aria-label', hasSkin ? `Skin: ${label}` : 'Skin: none');
     skin.disabled = !hasSkin;
@@ -207,7 +207,7 @@ function weightsNote(wb: Workbench): HTMLElement {
     const character = withoutWeights(document, selection);
     const skin = character && shownSkin(character);
     note.hidden = skin === undefined;
-    setText(text, skin ? `${skin.name} has no weights: it follows the root alone.` : '');
+    setText(text, skin ? `${skin.name} has no weights, so it follows only the root.` : '');
   };
   wb.store.subscribe((now, before) => {
     if (now.document.characters !== before.document.characters || now.selection !== before.selection) show();
@@ -229,7 +229,7 @@ export function withoutWeights({ characters }: Document, { characterId }: Select
 /** A sentence, or nothing. */
 export function whatIsMissing(document: Document, selection: Selection, display: Display): string {
   const alone = document.characters.find((c) => !c.skeleton && !c.skins.length && c.clips.length > 0);
-  if (alone) return `${alone.name} has an animation only: drop its .skel`;
+  if (alone) return `${alone.name} has only an animation. Drop its .skel file`;
   const needsJoint = display.skin === 'heat' && selection.joint === undefined;
-  return needsJoint && document.characters.some(shownSkin) ? 'Pick a joint to see its influence' : '';
+  return needsJoint && document.characters.some(shownSkin) ? 'Select a joint to see its weights' : '';
 }

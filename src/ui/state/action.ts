@@ -44,7 +44,7 @@ export function currentCharacter({ store }: Uses<'store'>): Character | undefine
 export function runAction(wb: ActionsOnPage, id: string, args?: unknown): Promise<void> | undefined {
   const action = findAction(wb, id);
   if (!action) throw new Error(`There is no action "${id}".`);
-  if (!isEnabled(wb, action)) throw new Error(`"${id}" can't be done just now.`);
+  if (!isEnabled(wb, action)) throw new Error(`"${id}" is not available now.`);
   return action.run(wb.actions.page, args) ?? undefined;
 }
 

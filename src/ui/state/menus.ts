@@ -1,7 +1,7 @@
 /** How actions are ordered for whoever looks for one: menus, and the headings of the `?` page. */
 
 /** The menus, left to right. */
-export const MENUS = ['Open', 'Save', 'Samples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'] as const;
+export const MENUS = ['Open', 'Save', 'Examples', 'Edit', 'Rig', 'Keys', 'View', 'Play', 'Help'] as const;
 export type MenuName = (typeof MENUS)[number];
 
 /** The headings of the `?` page. */

@@ -23,7 +23,7 @@ export async function onDemand<T>(
     return await load();
   } catch (error) {
     const why = error instanceof Error ? error.message : String(error);
-    messages.note(`${what} could not be loaded; a reload of the page may help. ${why}`, 'error');
+    messages.note(`${what} could not be loaded. Reloading the page may help. ${why}`, 'error');
     return undefined;
   }
 }

@@ -362,20 +362,20 @@ describe('what can not be held', () => {
   };
 
   it('what can not be held is nothing, or a pin that is not there', () => {
-    refused(store(), { pins: [] }, 'Which pins');
+    refused(store(), { pins: [] }, 'at least one pin');
     refused(store(), { pins: [7] }, 'There is no pin 7');
   });
 
   it('what can not be held is a time at which nothing is played, or that runs backwards', () => {
-    refused(store(), { range: [5, 6] }, 'Nothing is played there: the take goes from 0 s to 2 s');
-    refused(store(), { range: [1, 0.5] }, 'go forward');
+    refused(store(), { range: [5, 6] }, 'There is nothing to play there: the take runs from 0 s to 2 s');
+    refused(store(), { range: [1, 0.5] }, 'start before it ends');
   });
 
   it('what can not be held is at no rate, in no time, within no tolerance', () => {
-    refused(store(), { framesPerSecond: 0 }, 'more than 0');
+    refused(store(), { framesPerSecond: 0 }, 'greater than 0');
     refused(store(), { framesPerSecond: 1e9 }, 'frames');
-    refused(store(), { easeSeconds: -1 }, '0 seconds or more');
-    refused(store(), { tolerance: 0 }, 'more than 0');
+    refused(store(), { easeSeconds: -1 }, 'must be 0 or more');
+    refused(store(), { tolerance: 0 }, 'greater than 0');
   });
 
   it('what can not be held is a character without a take, or one that another one moves', () => {

@@ -41,7 +41,7 @@ describe('pinning', () => {
       const joints = CHAIN.joints.map((j) => ({ ...j, offset: [0, size, 0] as const }));
       const store = new Store(documentOf(character({ skeleton: { ...CHAIN, joints } })));
       store.apply(pinPoint, TIP);
-      expect(() => store.apply(pinPoint, { ...TIP, point: [0, 1e-9 * size, 0] })).toThrow('pinned already');
+      expect(() => store.apply(pinPoint, { ...TIP, point: [0, 1e-9 * size, 0] })).toThrow('already pinned');
       store.apply(pinPoint, { ...TIP, joint: 2 });
       store.apply(pinPoint, { ...TIP, point: [0, 0.01 * size, 0] });
       expect(ik(store)?.pins.length).toBe(3);
@@ -72,8 +72,8 @@ describe('letting go', () => {
   it('takes pins by their ids, and the rest keep theirs', () => {
     const store = fresh();
     for (const joint of [1, 2, 3]) store.apply(pinPoint, { ...TIP, joint });
-    expect(unpin.label(store.document, { ...of, pins: [2] })).toBe('Let joint2 go');
-    expect(unpin.label(store.document, { ...of, pins: [1, 3] })).toBe('Let 2 pins go');
+    expect(unpin.label(store.document, { ...of, pins: [2] })).toBe('Unpin joint2');
+    expect(unpin.label(store.document, { ...of, pins: [1, 3] })).toBe('Unpin 2 points');
     store.apply(unpin, { ...of, pins: [2] });
     expect(ik(store)?.pins.map(({ id }) => id)).toEqual([1, 3]);
     store.apply(pinPoint, { ...TIP, joint: 0 });
@@ -88,7 +88,7 @@ describe('letting go', () => {
     expect(store.undoLabel).toBeUndefined();
     store.apply(pinPoint, TIP);
     store.apply(clearPins, of);
-    expect(store.undoLabel).toBe('Let all pins go');
+    expect(store.undoLabel).toBe('Remove all pins');
     expect(store.document.characters[0]).toMatchObject(before);
     expect(store.document.characters[0]).not.toHaveProperty('ik');
   });
@@ -106,9 +106,9 @@ describe('changing a pin', () => {
     const store = pinned();
     store.apply(setPin, { ...of, pin: 1, weight: 3 });
     store.apply(setPin, { ...of, pin: 1, holdsOrientation: true });
-    expect(store.undoLabel).toBe('Hold the orientation of joint3');
+    expect(store.undoLabel).toBe('Pin orientation of joint3');
     store.apply(setPin, { ...of, pin: 1, joint: 1, point: [1, 0, 0] });
-    expect(store.undoLabel).toBe('Move the pin of joint3');
+    expect(store.undoLabel).toBe('Move pin of joint3');
     expect(ik(store)?.pins[0]).toEqual({ id: 1, joint: 1, point: [1, 0, 0], weight: 3, holdsOrientation: true });
   });
 
@@ -117,7 +117,7 @@ describe('changing a pin', () => {
     const before = store.document;
     store.apply(setPin, { ...of, pin: 1, weight: 1, point: [0, 0, 0] });
     expect(store.document).toBe(before);
-    expect(() => store.apply(setPin, { ...of, pin: 1, joint: 2 })).toThrow('pinned already');
+    expect(() => store.apply(setPin, { ...of, pin: 1, joint: 2 })).toThrow('already pinned');
     expect(() => store.apply(setPin, { ...of, pin: 9, weight: 2 })).toThrow('There is no pin 9; there are 1, 2.');
   });
 });
@@ -136,7 +136,7 @@ describe('locking and stiffening joints', () => {
     set([1, 1], 'locked');
     expect(store.document).toBe(document);
     set([1, 3], 1);
-    expect(store.undoLabel).toBe('Free 2 joints');
+    expect(store.undoLabel).toBe('Unlock 2 joints');
     expect(store.document.characters[0]).not.toHaveProperty('ik');
   });
 
@@ -149,7 +149,7 @@ describe('the root', () => {
   it('the root is let travel or kept, and nothing is said of it where that holds anyway', () => {
     const store = fresh();
     store.apply(setRootFree, { ...of, isFree: false });
-    expect(store.undoLabel).toBe('Keep hero in place');
+    expect(store.undoLabel).toBe('Keep root of hero in place');
     expect(ik(store)?.rootIsFree).toBe(false);
     store.apply(setRootFree, { ...of, isFree: true });
     expect(store.document.characters[0]).not.toHaveProperty('ik');

@@ -86,7 +86,7 @@ describe('scaling keys', () => {
   });
 
   it('refuses slopes that are no numbers', () => {
-    expect(() => scaleKeys(two, [0], by({ pivotSeconds: 1, timeFactor: 1e-320 }))).toThrow('steeper');
+    expect(() => scaleKeys(two, [0], by({ pivotSeconds: 1, timeFactor: 1e-320 }))).toThrow('too steep');
   });
 });
 

@@ -145,7 +145,7 @@ describe('poses.paste', () => {
       CommandError,
     );
     expect(bad({ name: 'a', root: [1], joints: [] })).toThrow(CommandError);
-    expect(bad({ name: 'a', joints: [], weights: [] })).toThrow('no joint');
+    expect(bad({ name: 'a', joints: [], weights: [] })).toThrow('none of the joints');
   });
 });
 

@@ -83,7 +83,7 @@ describe('rig.create', () => {
     const made = done(createRig, documentOf(alone), { characterId: 'c1' });
     expect(namesIn(made)).toEqual(['root']);
     expect(made.pose.length).toBe(6);
-    expect(() => createRig.run(body(), { characterId: 'c1' })).toThrow('has a skeleton already');
+    expect(() => createRig.run(body(), { characterId: 'c1' })).toThrow('already has a skeleton');
   });
 });
 
@@ -299,7 +299,7 @@ describe('rig.remove', () => {
   });
 
   it('refuses to leave nothing, and lets an only child be the root', () => {
-    expect(() => removeJoint.run(body(), { ...of(0), children: 'too' })).toThrow('remove the character');
+    expect(() => removeJoint.run(body(), { ...of(0), children: 'too' })).toThrow('Remove the character');
     expect(() => removeJoint.run(body(), { ...of(0), children: 'stay' })).toThrow('has 2 children');
     const chain = documentOf(character({ skeleton: skeleton(3) }));
     const made = done(removeJoint, chain, { ...of(0), children: 'stay' });
@@ -364,9 +364,11 @@ describe('rig.reparent', () => {
   });
 
   it('refuses to hang a joint on what is below it', () => {
-    expect(() => reparentJoint.run(body(), { ...of(1), parent: 2 })).toThrow("can't hang on knee");
+    expect(() => reparentJoint.run(body(), { ...of(1), parent: 2 })).toThrow(
+      'can’t be parented to its descendant knee',
+    );
     expect(() => reparentJoint.run(body(), { ...of(0), parent: 2 })).toThrow('is the root');
-    expect(() => reparentJoint.run(body(), { ...of(2), parent: 0, before: 2 })).toThrow('no child of hip');
+    expect(() => reparentJoint.run(body(), { ...of(2), parent: 0, before: 2 })).toThrow('not a child of hip');
   });
 });
 
@@ -419,9 +421,9 @@ describe('rig.setMotion', () => {
     expect(setMotion.run(document, { ...of(1), motion: { kind: 'ball', order: 'xyz' } })).toBe(document);
     const set = (motion: object) => () => setMotion.run(document, { ...of(1), motion: motion as Motion });
     expect(set({ kind: 'hinge', axis: [0, 0, 0] })).toThrow('0 0 0 has none');
-    expect(set({ kind: 'ball', order: 'xxy' })).toThrow('The order has to be one of');
-    expect(set({ kind: 'wheel' })).toThrow('The type of a joint has to be one of');
-    expect(set({ kind: 'compound', dofs: ['tx', 'tx'] })).toThrow('have tx twice');
+    expect(set({ kind: 'ball', order: 'xxy' })).toThrow('The order must be one of');
+    expect(set({ kind: 'wheel' })).toThrow('The type of a joint must be one of');
+    expect(set({ kind: 'compound', dofs: ['tx', 'tx'] })).toThrow('list tx twice');
   });
 });
 

@@ -221,15 +221,15 @@ describe('rig.mirror', () => {
     expect(joints[4].couples).toEqual([{ dof: 'rz', joint: 3, follows: 'ry', gain: 3, offset: -0.25 }]);
   });
 
-  it('refuses the root, what lies in the plane, and what hangs on a side that has no other yet', () => {
+  it('refuses the root, what in the mirror plane, and what hangs on a side that has no other yet', () => {
     const skeleton = figure(1, 0);
     expect(() => mirrorOf(skeleton, 0, 0)).toThrow('root, which has no other side');
     expect(() => mirrorOf(skeleton, 3, 0)).toThrow('Mirror hip_l first');
     const spine = { name: 'x', joints: [joint(-1), joint(0)] };
-    expect(() => mirrorOf(spine, 1, 0)).toThrow('lies in the plane');
+    expect(() => mirrorOf(spine, 1, 0)).toThrow('in the mirror plane');
     expect(() =>
       mirrorJoint.run(documentOf(character()), { characterId: 'c1', joint: 1, across: 'w' as never }),
-    ).toThrow('has to be one of "x", "y", "z"');
+    ).toThrow('must be one of "x", "y", "z"');
   });
 
   it('makes a second joint of one whose name has no side, and then knows the two by their places', () => {

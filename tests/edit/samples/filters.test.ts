@@ -97,7 +97,7 @@ describe('smoothing within a range', () => {
 
   it('refuses a range without a frame, one turned around, and what is no filter', () => {
     const tried = (args: Args) => () => filter(swing, args);
-    expect(tried({ sigmaSeconds: 0.1, range: [5, 6] })).toThrow('No frame lies there');
+    expect(tried({ sigmaSeconds: 0.1, range: [5, 6] })).toThrow('There are no frames there');
     expect(tried({ sigmaSeconds: 0.1, range: [1, 0] })).toThrow('before it begins');
     expect(tried({ filter: 'median', frames: 4 })).toThrow('3, 5, 7');
     expect(tried({ filter: 'median' })).toThrow(CommandError);
@@ -221,7 +221,7 @@ describe('the Euler filter, of samples', () => {
     const document = documentWith(take((c, t) => (c === 3 ? (t < 1 ? 179 : -179) : 0)));
     const { edit, notes } = finished(eulerFilterSteps(document, { ...c1, channels: [3] }));
     expect(row(clipOf(edit.document), 100)[3]).toBeCloseTo(181, 10);
-    expect(notes).toEqual([expect.stringContaining('whole turns alone')]);
+    expect(notes).toEqual([expect.stringContaining('only whole turns were removed')]);
     expect(RADIANS_PER_DEGREE).toBeCloseTo(Math.PI / 180, 15);
   });
 });

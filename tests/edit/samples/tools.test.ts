@@ -89,9 +89,9 @@ describe('resampling samples', () => {
 
   it('refuses more than a page can hold, frames or values', () => {
     const at = (framesPerSecond: number) => () => resampleSamples.run(documentWith(), { ...c1, framesPerSecond });
-    expect(at(1e6)).toThrow('2,000,001 frames of 12 channels; up to 1,000,000');
+    expect(at(1e6)).toThrow('2,000,001 frames of 12 channels, but the maximum is 1,000,000');
     expect(at(Number.MAX_VALUE)).toThrow(CommandError);
-    expect(() => refuseTooMany(200_001, 500)).toThrow('up to 200,000 frames');
+    expect(() => refuseTooMany(200_001, 500)).toThrow('maximum is 200,000 frames');
     expect(refuseTooMany(200_000, 500)).toBeUndefined();
     // What is there already may be made again.
     expect(refuseTooMany(2_000_000, 500, 2_000_000)).toBeUndefined();
@@ -185,7 +185,7 @@ describe('samples of a character that another one moves', () => {
   ])('samples of a character that another one moves are refused to %s, before any work is done', (_, steps) => {
     const document = driven(swing);
     expect(document.characters[0].driver).toBeDefined();
-    expect(() => steps(document).next()).toThrow('moved by');
+    expect(() => steps(document).next()).toThrow('retargeted from');
   });
 
   it('samples of a character that another one moves are worked with as they are, not as the other one moves', () => {

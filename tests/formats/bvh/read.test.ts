@@ -272,7 +272,7 @@ describe('rows of a .bvh', () => {
   });
 
   it('say how many numbers a short row has', () => {
-    expect(rows('1\n2\n1 2 3\n').diagnostics[0].message).toContain('found 2: line 16');
+    expect(rows('1\n2\n1 2 3\n').diagnostics[0].message).toContain('found 2; line 16');
   });
 
   it('all tell what is wrong with them', () => {

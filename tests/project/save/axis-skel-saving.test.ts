@@ -35,7 +35,7 @@ describe('a skeleton from the axis-angle form', () => {
     await page.saver.saveChanged();
     expect(page.text('arm.axskel')).toContain('limit r -1 2');
     expect(page.messages.list.get().flatMap(({ diagnostics }) => diagnostics.map((d) => d.message))).toEqual([
-      "arm can't be written in the axis-angle form: #1 has limits.",
+      "arm can't be written in axis-angle form: joint 1 has limits.",
     ]);
     expect(page.names()).toEqual([]);
   });

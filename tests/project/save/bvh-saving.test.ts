@@ -74,14 +74,14 @@ describe('saving motion capture', () => {
     expect(page.names()).toEqual([]);
   });
 
-  it('says so, and writes nothing, where the roots of one file have different frames now', async () => {
+  it('says so, and writes nothing, where the roots of one file now have different frames', async () => {
     const page = await pageWith({ 'two.bvh': TWO });
     const longer = (s: Samples) => ({ ...s, frameCount: 2, values: Float64Array.of(7, 8, 9, 7, 8, 9) });
     page.change((c) => withSamples(c, longer), 1);
     await page.saver.saveChanged();
     expect(page.text('two.bvh')).toBe(TWO);
     expect(page.names()).toEqual(['two.bvh']);
-    expect(page.messages.list.get()[0]?.text).toContain('have different frames now');
+    expect(page.messages.list.get()[0]?.text).toContain('now have different frames');
   });
 
   it('exports .skel and .anim as copies, by which nothing counts as saved', async () => {

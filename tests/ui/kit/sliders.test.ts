@@ -53,7 +53,7 @@ describe('sliderOptions', () => {
   it('sliderOptions takes crossed limits for none', () => {
     const crossed = { ...rx, limit: { min: 1, max: -1 } };
     expect(sliderOptions(crossed, arm, 'degrees')).toMatchObject({ span: [-180, 180] });
-    expect(limitText(crossed, arm, 'radians')).toContain('crossed');
+    expect(limitText(crossed, arm, 'radians')).toContain('reversed');
   });
 
   it('spans the character’s reach for lengths, and 0 to 1 for weights', () => {
@@ -72,17 +72,17 @@ it('bears a limit on one side alone', () => {
   expect(sliderOptions(above, arm, 'degrees').span).toEqual([-30, 180]);
   expect(sliderOptions(below, arm, 'degrees').span).toEqual([-180, 45]);
   expect(sliderOptions({ ...rx, limit: { min: 7, max: UNLIMITED.max } }, arm, 'radians').span?.[1]).toBeGreaterThan(7);
-  expect(limitText(above, arm, 'degrees')).toBe('limits from -30°');
+  expect(limitText(above, arm, 'degrees')).toBe('limits from −30°');
   expect(limitText(below, arm, 'degrees')).toBe('limits up to 45°');
 });
 
 describe('coupleText', () => {
   it('says what a DOF follows, in the units that are shown', () => {
     const couple = { dof: 6, follows: 3, gain: 0.5, offset: Math.PI / 18 };
-    expect(coupleText(couple, rx, arm, 'degrees')).toBe('follows 0.5 · rx of hips + 10°');
-    expect(coupleText({ ...couple, offset: 0 }, rx, arm, 'radians')).toBe('follows 0.5 · rx of hips');
+    expect(coupleText(couple, rx, arm, 'degrees')).toBe('linked to 0.5 · rx of hips + 10°');
+    expect(coupleText({ ...couple, offset: 0 }, rx, arm, 'radians')).toBe('linked to 0.5 · rx of hips');
     const length: CharacterDof = { ...rx, name: 't', unit: 'length' };
-    expect(coupleText({ ...couple, gain: 1 }, length, arm, 'degrees')).toBe('follows 0.0175 · rx of hips + 0.1745');
+    expect(coupleText({ ...couple, gain: 1 }, length, arm, 'degrees')).toBe('linked to 0.017 · rx of hips + 0.175');
   });
 });
 
@@ -91,17 +91,17 @@ describe('a typed number that is not taken', () => {
 
   it('a typed number that is not taken is told the limit that it is beyond, and what holds it', () => {
     expect(refusalOf('rx of arm', '90', held)).toBe(
-      'rx of arm goes no higher than 45°; 90° was typed. Hold limits, in the Edit menu, keeps it there.',
+      'rx of arm can’t go above 45°; you entered 90°. Turn off Enforce limits in the Edit menu to go past it.',
     );
-    expect(refusalOf('rx of arm', '-31', held)).toContain('no lower than -30°');
+    expect(refusalOf('rx of arm', '-31', held)).toContain('can’t go below −30°');
     expect(refusalOf('rate', '9', { bounds: [-4, 4], step: 1, decimals: 1, suffix: '×' })).toBe(
-      'rate goes no higher than 4×; 9× was typed.',
+      'rate can’t go above 4×; you entered 9×.',
     );
   });
 
   it('a typed number that is not taken is told that a DOF is locked', () => {
     const locked = sliderOptions({ ...rx, limit: { min: 0, max: 0 } }, arm, 'degrees');
-    expect(refusalOf('rx', '30', locked)).toMatch(/^rx is held at 0°; 30° was typed/);
+    expect(refusalOf('rx', '30', locked)).toMatch(/^rx is limited to 0°; you entered 30°/);
   });
 
   it('a typed number that is not taken is told that it is none', () => {
@@ -116,7 +116,7 @@ describe('a typed number that is not taken', () => {
 
 it('names the DOF of a mark to who can’t see its row', () => {
   expect(markLabel('driven', 'rx of leg_fl')).toBe('Key rx of leg_fl');
-  expect(markLabel('keyed', 'rx of leg_fl')).toBe('Delete this moment’s key of rx of leg_fl');
+  expect(markLabel('keyed', 'rx of leg_fl')).toBe('Delete key of rx of leg_fl at current time');
 });
 
 it('reads typed limits: a number, or nothing for no limit', () => {
@@ -135,8 +135,8 @@ it('has a reach for anything', () => {
 });
 
 it('says what limits there are', () => {
-  expect(limitText(limited, arm, 'degrees')).toBe('limits -30° to 45°');
-  expect(limitText(limited, { clampsToLimits: false }, 'degrees')).toBe('limits -30° to 45°, not held');
+  expect(limitText(limited, arm, 'degrees')).toBe('limits −30° to 45°');
+  expect(limitText(limited, { clampsToLimits: false }, 'degrees')).toBe('limits −30° to 45°, not enforced');
   expect(limitText(rx, arm, 'degrees')).toBe('no limits');
 });
 

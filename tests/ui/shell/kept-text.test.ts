@@ -3,7 +3,7 @@ import { contentText, whenText } from '../../../src/ui/shell/kept-text.ts';
 
 describe('work that was left behind, in words', () => {
   it('tells one character’s joints and clips', () => {
-    expect(contentText([{ name: 'wasp', joints: 31, clips: 2 }])).toBe('wasp, 31 joints, 2 clips');
+    expect(contentText([{ name: 'wasp', joints: 31, clips: 2 }])).toBe('wasp, 31 joints, 2 takes');
     expect(contentText([{ name: 'wasp', joints: 1, clips: 0 }])).toBe('wasp, 1 joint');
   });
 

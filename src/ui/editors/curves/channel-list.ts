@@ -44,8 +44,8 @@ interface Row {
 }
 
 /** In place of `Selected joint` while there is none, in what room there is. */
-const NO_JOINT_LABEL = 'No joint: all';
-const NO_JOINT_TITLE = 'Follows the selected joint. None is selected, so all channels are listed';
+const NO_JOINT_LABEL = 'All (no joint)';
+const NO_JOINT_TITLE = 'No joint is selected, so all channels are listed';
 
 /** What the plot knows of the channels. */
 export interface ListSource {
@@ -55,7 +55,7 @@ export interface ListSource {
 
 export class ChannelList {
   readonly element: HTMLElement;
-  private readonly choice = element('select', { class: 'channel-choice', 'aria-label': 'Which channels are listed' });
+  private readonly choice = element('select', { class: 'channel-choice', 'aria-label': 'Channels listed' });
   private readonly filter = element('input', {
     type: 'search',
     class: 'channel-filter',
@@ -220,7 +220,7 @@ export class ChannelList {
     describe(cells.eye, hidden ? `Show ${name}` : `Hide ${name}`, !hidden);
     const { keyCount, sampleCount } = listed;
     const keys = sampleCount ? plural(sampleCount, 'sample') : keyed ? plural(keyCount, 'key') : 'no keys';
-    const follows = listed.follows === undefined ? '' : `; it follows ${listed.follows}, whatever its keys say`;
+    const follows = listed.follows === undefined ? '' : `; linked to ${listed.follows}, so its keys have no effect`;
     describe(cells.name, `${name}, ${keys}${isolated ? ', isolated' : ''}${follows}`, isolated);
     const pinned = state.pinned.has(channel);
     describe(cells.pin, `${pinned ? 'Unpin' : 'Pin'} ${name}`, pinned);
@@ -357,8 +357,8 @@ function describe(target: HTMLElement, label: string, on = false): void {
 }
 
 function emptyText(wb: Workbench, list: ListChoice, filter: string): string {
-  if (filter) return `No channel here is called “${filter}”.`;
-  if (list === 'pinned') return 'Nothing is pinned. The pin at the end of a channel’s row keeps it here.';
-  if (currentCharacter(wb)?.driver) return 'Its own channels stand aside.';
-  return wb.store.document.characters.length ? 'This joint has nothing that moves.' : 'Channels will stand here.';
+  if (filter) return `No channel matches “${filter}”.`;
+  if (list === 'pinned') return 'No pinned channels. Click the pin at the end of a channel’s row to keep it here.';
+  if (currentCharacter(wb)?.driver) return 'Its own channels are hidden while it is retargeted.';
+  return wb.store.document.characters.length ? 'This joint has no channels.' : 'No channels yet.';
 }

@@ -7,23 +7,24 @@ import { takeInHand } from '../timeline/in-hand.ts';
 
 export function emptyPlotText(wb: Workbench, listed: number): string {
   const character = currentCharacter(wb);
-  if (!character)
-    return 'Curves will stand here. Drop a character and its animation anywhere on the page, or choose Open.';
+  if (!character) return 'No curves yet. Drop a character and its animation here or choose Open.';
   if (character.driver && !listed) {
-    return `The keys of ${character.name} stand aside. What moves it has its own: those of ${character.driver.source.name}.`;
+    return `${character.name} is retargeted from ${character.driver.source.name}, so its own keys are hidden. Bake the retargeting to edit it here.`;
   }
   const take = takeInHand(wb);
-  const at = `${shown(wb.transport.get().timeSeconds, 3)} s`;
+  const at = `${shown(wb.transport.get().timeSeconds)} s`;
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   if (!keyed) {
-    return `${character.name} has no animation. K keys the whole pose at ${at}, Shift+K the selected joint; or drop an .anim file.`;
+    return `${character.name} has no animation. Press K to key the whole pose at ${at} or Shift+K to key the selected joint, or drop an .anim file.`;
   }
   const { list, hidden, filter } = wb.timeline.view.get();
   if (!listed) {
-    if (filter.trim()) return `No channel is called “${filter.trim()}”.`;
-    return list === 'pinned' ? 'Nothing is pinned. The pin in a channel’s row keeps it here.' : 'No channel is listed.';
+    if (filter.trim()) return `No channel matches “${filter.trim()}”.`;
+    return list === 'pinned'
+      ? 'No pinned channels. Click the pin in a channel’s row to keep it here.'
+      : 'No channels listed.';
   }
   if (hidden.length)
-    return 'What is listed is hidden. The eye in a channel’s row shows it again, Alt+H shows everything.';
-  return `Nothing listed has keys yet. Shift+K keys the selected joint at ${at}.`;
+    return 'All listed channels are hidden. Click the eye in a channel’s row to show it, or press Alt+H to show all.';
+  return `No listed channel has keys yet. Press Shift+K to key the selected joint at ${at}.`;
 }

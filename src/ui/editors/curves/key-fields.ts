@@ -11,7 +11,7 @@ import type { DofUnit } from '../../../model/skeleton.ts';
 import { element } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { NumberField, type NumberFieldOptions } from '../../kit/number-field.ts';
-import { brief } from '../../kit/number-text.ts';
+import { decimalsWithin, shown } from '../../kit/number-text.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -31,6 +31,7 @@ export interface SharedNumbers {
 const MOST_KEYS = 5000;
 /** What a field has room for: `-418.731`. */
 const MOST_CHARACTERS = 8;
+const brief = (value: number) => shown(value, decimalsWithin(value, MOST_CHARACTERS));
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
 function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
@@ -88,32 +89,27 @@ export function keyFields(wb: Workbench): HTMLElement {
     units = ofValues,
   ) => new MixedField({ label, commit, text, step, units, refuse: (reason) => wb.messages.note(reason, 'warning') });
   const time = field(
-    'Time of the selected keys',
+    'Time of selected keys',
     (typed) => {
       const { framesPerSecond } = wb.transport.get();
       const seconds = inFrames() ? typed / framesPerSecond : typed;
       set({ timeSeconds: seconds + (takeInHand(wb)?.character.timeOffsetSeconds ?? 0) });
     },
-    (value) => brief(value, inFrames() ? 2 : 4, MOST_CHARACTERS),
+    brief,
     1,
     noUnits,
   );
-  const value = field(
-    'Value of the selected keys',
-    (typed) => set({ value: typed / perUnit() }),
-    (v) => brief(v, 4, MOST_CHARACTERS),
-    1,
-  );
+  const value = field('Value of selected keys', (typed) => set({ value: typed / perUnit() }), brief, 1);
   const slopeIn = field(
-    'Slope before the selected keys, per second',
+    'Incoming slope of selected keys, per second',
     (typed) => set({ slopeIn: typed / perUnit() }),
-    (v) => brief(v, 3, MOST_CHARACTERS),
+    brief,
     1,
   );
   const slopeOut = field(
-    'Slope after the selected keys, per second',
+    'Outgoing slope of selected keys, per second',
     (typed) => set({ slopeOut: typed / perUnit() }),
-    (v) => brief(v, 3, MOST_CHARACTERS),
+    brief,
     1,
   );
   const all = [time, value, slopeIn, slopeOut];

@@ -47,7 +47,7 @@ export class ScaleFrame {
 
   constructor(private readonly plot: FramedPlot) {
     this.grips = GRIPS.map(([x, y, cursor]) => {
-      const grip = button('Scale the selected keys', { class: 'scale-grip', tabindex: -1 }, undefined, () => {});
+      const grip = button('Scale selected keys', { class: 'scale-grip', tabindex: -1 }, undefined, () => {});
       grip.style.left = `${50 + 50 * x}%`;
       grip.style.top = `${50 + 50 * y}%`;
       grip.style.cursor = cursor;

@@ -48,13 +48,13 @@ export function curveToolbar(wb: Workbench): HTMLElement {
     menuButton(made, label, entries);
     return made;
   };
-  const handles = menu('What the other handle does', HANDLE_ICONS.auto, () =>
+  const handles = menu('Opposite handle', HANDLE_ICONS.auto, () =>
     entriesOf(
       wb,
       HANDLE_MODES.map((mode) => `handles.${mode}`),
     ),
   );
-  const collision = menu('A key moved onto another', 'collideReplace', () =>
+  const collision = menu('Overlapping keys', 'collideReplace', () =>
     entriesOf(wb, ['onCollision.replace', 'onCollision.step']),
   );
   const showModes = () => {
@@ -63,7 +63,7 @@ export function curveToolbar(wb: Workbench): HTMLElement {
     handles.title = `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`;
     const replaces = view.onCollision === 'replace';
     collision.replaceChildren(icon(replaces ? 'collideReplace' : 'collideStep'));
-    collision.title = `A key moved onto another ${replaces ? 'replaces it' : 'makes a step with it'}`;
+    collision.title = `Overlapping keys: ${replaces ? 'replace' : 'keep both (step)'}`;
   };
   const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
   const group = (label: string, name: string, ...children: HTMLElement[]) =>
@@ -93,7 +93,7 @@ export function curveToolbar(wb: Workbench): HTMLElement {
     group(
       'Keys',
       'key-tools',
-      tool('insertKey', 'Insert key at the playhead', 'insertKey'),
+      tool('insertKey', 'Insert key at current time', 'insertKey'),
       tool('delete', 'Delete keys', 'deleteKey'),
       collision,
     ),
@@ -102,19 +102,19 @@ export function curveToolbar(wb: Workbench): HTMLElement {
       'snap-tools',
       tool('snapsToFrames', 'Snap to frames', 'snapFrames', true),
       tool('snapsToValues', 'Snap to values', 'snapValues', true),
-      tool('scaleFrame', 'Frame to scale keys with', 'scaleFrame', true),
+      tool('scaleFrame', 'Transform box', 'scaleFrame', true),
     ),
     group(
       'Curves',
       'whole-tools',
-      menu('Before and after the keys', 'extrapolate_cycle_offset', () => [
+      menu('Extrapolation before and after the keys', 'extrapolate_cycle_offset', () => [
         { kind: 'note', text: 'Before and after' },
         ...entriesOf(wb, extrapolation('both')()),
         { kind: 'line' },
         { kind: 'menu', label: 'Before the keys', entries: () => entriesOf(wb, extrapolation('in')()) },
         { kind: 'menu', label: 'After the keys', entries: () => entriesOf(wb, extrapolation('out')()) },
       ]),
-      menu('Tools for whole curves', 'curveTools', () => [
+      menu('Curve tools', 'curveTools', () => [
         ...entriesOf(wb, CURVE_TOOLS),
         { kind: 'line' },
         { kind: 'note', text: 'Samples' },

@@ -12,7 +12,7 @@ const hasKeys = (wb: Workbench) => keysInHand(wb).length > 0;
 export const DOPE_ACTIONS: readonly Action[] = [
   {
     id: 'dope.ripples',
-    label: 'Ripple: later keys move along',
+    label: 'Ripple: move later keys along',
     group: 'Keys',
     menu: MENU,
     section: 15,
@@ -22,11 +22,11 @@ export const DOPE_ACTIONS: readonly Action[] = [
     checked: (wb) => wb.timeline.view.get().ripples,
     run: (wb) => wb.timeline.change({ ripples: !wb.timeline.view.get().ripples }),
   },
-  ripple('dope.rippleLater', 'Push on by a frame, with all later keys', '>', 1),
-  ripple('dope.rippleEarlier', 'Pull back by a frame, with all later keys', '<', -1),
+  ripple('dope.rippleLater', 'Ripple one frame later', '>', 1),
+  ripple('dope.rippleEarlier', 'Ripple one frame earlier', '<', -1),
   {
     id: 'dope.curves',
-    label: 'Show the curves of the selected keys',
+    label: 'Show curves of selected keys',
     group: 'Keys',
     menu: MENU,
     section: 16,
@@ -40,7 +40,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'dope.allRows',
-    label: 'Rows without keys too',
+    label: 'Show rows without keys',
     group: 'Keys',
     menu: MENU,
     section: 17,
@@ -51,7 +51,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'dope.unfoldAll',
-    label: 'Fold out all rows',
+    label: 'Expand all',
     group: 'Keys',
     menu: MENU,
     section: 17,
@@ -64,7 +64,7 @@ export const DOPE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'dope.foldAll',
-    label: 'Fold all rows',
+    label: 'Collapse all',
     group: 'Keys',
     menu: MENU,
     section: 17,

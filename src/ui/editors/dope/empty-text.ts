@@ -6,11 +6,12 @@ import type { Take } from '../timeline/in-hand.ts';
 
 export function emptyText(wb: Workbench, take: Take | undefined): string {
   if (!wb.store.document.characters.length)
-    return 'Keys will stand here. Drop a character and its animation anywhere on the page.';
+    return 'No keys yet. Drop a character and its animation here or choose Open.';
   const driven = take?.character.driver ?? currentCharacter(wb)?.driver;
-  if (driven) return `Keys of its own stand aside. What moves it has its own: those of ${driven.source.name}.`;
+  if (driven)
+    return `Retargeted from ${driven.source.name}, so its own keys are hidden. Bake the retargeting to edit it here.`;
   const keyed = take?.clip.channels.some((_, c) => spanOfChannel(take.clip, c)) ?? false;
   const { filter } = wb.timeline.view.get();
-  if (take && filter.trim() && keyed) return `No row with keys is called “${filter.trim()}”.`;
-  return 'Nothing is keyed yet. K keys the whole pose at the playhead, Shift+K the selected joint; or drop an .anim file.';
+  if (take && filter.trim() && keyed) return `No row with keys matches “${filter.trim()}”.`;
+  return 'No keys yet. Press K to key the whole pose or Shift+K to key the selected joint, or drop an .anim file.';
 }

@@ -145,7 +145,7 @@ export class ScaleKeys extends KeyDrag {
       valueFactor: 1,
       onCollision,
     });
-    return `× ${shown(timeFactor, 3)}`;
+    return `× ${shown(timeFactor)}`;
   }
 }
 
@@ -153,7 +153,7 @@ export class ScaleKeys extends KeyDrag {
 function amountText(wb: Workbench, seconds: number): string {
   const sign = seconds < 0 ? '−' : '+';
   const size = Math.abs(seconds);
-  if (wb.settings.get().timeDisplay !== 'frames') return `${sign}${shown(size, 3)} s`;
+  if (wb.settings.get().timeDisplay !== 'frames') return `${sign}${shown(size)} s`;
   const frames = framesOf(size, wb.transport.get().framesPerSecond);
   return `${sign}${shown(frames, 2)} ${frames === 1 ? 'frame' : 'frames'}`;
 }

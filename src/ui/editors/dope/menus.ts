@@ -61,10 +61,10 @@ export function rowMenu(wb: Workbench, row: DopeRow, at: Place): void {
   const count = countKeys(keys);
   const name = rowName(row);
   const own: MenuEntry[] = [
-    item(`Select ${plural(count, 'key')} of the row`, () => selectKeys(wb, keys), count > 0),
-    item('Add them to the selection', () => selectKeys(wb, unionKeys(selectedKeys(wb), keys)), count > 0),
-    item('Insert keys at the playhead', () => insertAtPlayhead(wb, row.channels), row.channels.length > 0),
-    item('Show its curves', () => showCurves(wb, row.channels)),
+    item(`Select ${plural(count, 'key')} in row`, () => selectKeys(wb, keys), count > 0),
+    item('Add to selection', () => selectKeys(wb, unionKeys(selectedKeys(wb), keys)), count > 0),
+    item('Insert keys at current time', () => insertAtPlayhead(wb, row.channels), row.channels.length > 0),
+    item('Show curves', () => showCurves(wb, row.channels)),
     { kind: 'line' },
   ];
   show(wb, EMPTY_IDS, own, at, name);

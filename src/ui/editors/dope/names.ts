@@ -134,7 +134,7 @@ export class DopeNames {
     if (row.fold !== undefined) twisty.append(icon('fold'));
     const { axis, follows } = row;
     const text = rowName(row);
-    const title = follows === undefined ? text : `${text}: it follows ${follows}, whatever its keys say`;
+    const title = follows === undefined ? text : `${text}: linked to ${follows}, so its keys have no effect`;
     const label = element(row.label || row.kind === 'summary' ? 'span' : 'i', { class: 'label', title }, text);
     if (follows !== undefined) label.append(element('span', { class: 'dope-follows' }, ` ← ${follows}`));
     const made = element(
@@ -286,7 +286,7 @@ export class DopeNames {
 /** What a row is called on screen. */
 export function rowName(row: DopeRow): string {
   if (row.kind === 'summary') return 'All keys';
-  return row.label || (row.joint === undefined ? 'no name' : jointName(undefined, row.joint));
+  return row.label || (row.joint === undefined ? 'unnamed' : jointName(undefined, row.joint));
 }
 
 function dot(axis: string): HTMLElement {

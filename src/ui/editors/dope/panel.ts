@@ -321,7 +321,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
 
   private describe(): void {
     const { take } = this;
-    const label = take ? `Keys of ${take.character.name}. ${selectedText(this.wb)}` : 'Keys. There is no take.';
+    const label = take ? `Keys of ${take.character.name}. ${selectedText(this.wb)}` : 'Keys. No take.';
     setAttribute(this.plot, 'aria-label', label);
   }
 }

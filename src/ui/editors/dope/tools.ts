@@ -7,9 +7,9 @@ import type { Workbench } from '../../state/workbench.ts';
 
 /** Switches and what their tooltips say of them. */
 const SWITCHES: Readonly<Record<string, string>> = {
-  'dope.ripples': 'Ripple: dragged keys take all later ones along; Alt while dragging does the other',
-  'timeline.snapsToFrames': 'Snap to frames; Ctrl while dragging does the other',
-  'dope.allRows': 'Rows without keys too',
+  'dope.ripples': 'Ripple: later keys move with dragged ones. Hold Alt while dragging to invert',
+  'timeline.snapsToFrames': 'Snap to frames. Hold Ctrl while dragging to invert',
+  'dope.allRows': 'Show rows without keys',
 };
 
 export function dopeTools(wb: Workbench): HTMLElement {
@@ -33,7 +33,7 @@ export function dopeTools(wb: Workbench): HTMLElement {
 export function dopeFilter(wb: Workbench): HTMLElement {
   const input = element('input', {
     type: 'search',
-    'aria-label': 'Filter the rows by name',
+    'aria-label': 'Filter rows by name',
     placeholder: 'Filter',
     spellcheck: 'false',
     autocomplete: 'off',

@@ -33,7 +33,7 @@ export function dofButtons(wb: Workbench): { readonly element: HTMLElement; read
         : [];
     });
     if (!own.length) parts.push(element('span', { class: 'dof-note' }, 'fixed: no DOF'));
-    else if (!parts.length) parts.push(element('span', { class: 'dof-note' }, 'turns freely'));
+    else if (!parts.length) parts.push(element('span', { class: 'dof-note' }, 'rotates freely'));
     group.replaceChildren(...parts);
     if (hadFocus) group.querySelector<HTMLElement>('[aria-checked=true]')?.focus();
   };
@@ -73,7 +73,7 @@ function dofButton(
       class: `tool dof-button axis-${axis ?? 'other'}`,
       role: 'radio',
       'aria-checked': String(isActive),
-      title: `${name}: turned by dragging the bone up or down`,
+      title: `${name}: drag the bone up or down to change it`,
       tabindex: isActive ? 0 : -1,
     },
     name,

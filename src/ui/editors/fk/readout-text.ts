@@ -10,7 +10,7 @@ type Unit = Pick<CharacterDof, 'name' | 'unit'>;
 
 export function valueText(dof: Unit, value: number, character: Character, angles: Settings['angles']): string {
   const decimals = dof.unit === 'angle' && angles === 'degrees' ? 1 : 3;
-  const text = aligned(value * shownPerUnit(dof.unit, angles), decimals).replace(/^-/, '−');
+  const text = aligned(value * shownPerUnit(dof.unit, angles), decimals);
   return `${dof.name} ${text}${unitOf(dof, character, angles)}`;
 }
 
@@ -22,7 +22,7 @@ export function limitNote(
   character: Character,
   angles: Settings['angles'],
 ): string {
-  const text = shown(limit * shownPerUnit(dof.unit, angles), 2).replace(/^-/, '−');
+  const text = shown(limit * shownPerUnit(dof.unit, angles), 2);
   return `${holds ? 'limit' : 'past its limit'} ${text}${unitOf(dof, character, angles)}`;
 }
 

@@ -27,8 +27,8 @@ const isLocked = (wb: Workbench) => {
 export const IK_ACTIONS: readonly Action[] = [
   {
     id: 'ik.pinJoint',
-    name: 'Pin the selected joint, or let it go',
-    label: (wb) => (isPinned(wb) ? 'Let the selected joint go' : 'Pin the selected joint'),
+    name: 'Pin or unpin selected joint',
+    label: (wb) => (isPinned(wb) ? 'Unpin selected joint' : 'Pin selected joint'),
     group: 'Pose',
     menu: MENU,
     section: 1,
@@ -43,7 +43,7 @@ export const IK_ACTIONS: readonly Action[] = [
   },
   {
     id: 'ik.lockJoint',
-    label: 'Lock the selected joint',
+    label: 'Lock selected joint',
     group: 'Pose',
     menu: MENU,
     section: 1,
@@ -59,8 +59,8 @@ export const IK_ACTIONS: readonly Action[] = [
   },
   {
     id: 'ik.rootFree',
-    label: 'Root travels',
-    detail: 'The character moves as a whole where a pin asks for it',
+    label: 'Allow root to move',
+    detail: 'The whole character moves when a pin needs it',
     group: 'Pose',
     menu: MENU,
     section: 2,
@@ -75,7 +75,7 @@ export const IK_ACTIONS: readonly Action[] = [
   },
   {
     id: 'ik.letAllGo',
-    label: 'Let all pins go',
+    label: 'Remove all pins',
     group: 'Pose',
     menu: MENU,
     section: 2,
@@ -89,8 +89,8 @@ export const IK_ACTIONS: readonly Action[] = [
   },
   {
     id: 'ik.solve',
-    label: 'Solve the pins from anywhere',
-    detail: 'Looks for a pose further away where a drag is stuck',
+    label: 'Re-solve with restarts',
+    detail: 'Tries other starting poses when a drag is stuck',
     group: 'Pose',
     menu: MENU,
     section: 3,
@@ -104,7 +104,7 @@ export const IK_ACTIONS: readonly Action[] = [
   },
   {
     id: 'ik.holdPins',
-    label: 'Hold the pins over a range…',
+    label: 'Hold pins over range…',
     detail: 'Foot lock: baked into the take',
     group: 'Pose',
     menu: MENU,

@@ -5,7 +5,7 @@ import { lengthUnit } from '../../state/length-unit.ts';
 
 /** `depth +0.230 units`: further away is more. */
 export function depthText(character: Pick<Character, 'space'>, depth: number): string {
-  const text = aligned(Math.abs(depth), 3);
+  const text = aligned(Math.abs(depth));
   const sign = Number(text) === 0 ? '' : depth > 0 ? '+' : '−';
   return `depth ${sign}${text} ${lengthUnit(character)}`;
 }

@@ -16,11 +16,11 @@ const MOST_JOINTS = 2;
  */
 export function gapText(character: Character, joint: number, hindrance: Hindrance): string {
   const { binding, holders, locks, canMove, rootStays } = hindrance;
-  if (!canMove && rootStays) return 'the root stays: let it travel';
+  if (!canMove && rootStays) return 'the root is fixed: allow it to move';
   const limits = canMove ? limitsText(character, joint, binding) : '';
   const locked = locks.length > 0 ? locksText(character, joint, locks) : '';
   if (limits || locked) return [limits, locked].filter((part) => part !== '').join(', ');
-  return canMove ? outOfReach(character, [...new Set(holders)], joint, rootStays) : 'nothing here is free to move';
+  return canMove ? outOfReach(character, [...new Set(holders)], joint, rootStays) : 'nothing here can move';
 }
 
 /** Limits on the way from the joint to the root come first, nearest first: those are the ones that one sees. */
@@ -57,7 +57,7 @@ function namesOf(skeleton: Skeleton | undefined, joints: readonly number[]): str
 
 function outOfReach({ skeleton }: Character, holders: readonly number[], joint: number, rootStays: boolean): string {
   const others = holders.filter((other) => other !== joint);
-  if (others.length === 0) return rootStays ? 'out of reach while the root stays' : 'out of reach';
+  if (others.length === 0) return rootStays ? 'out of reach while the root is fixed' : 'out of reach';
   return `out of reach while ${namesOf(skeleton, others)} ${others.length === 1 ? 'holds' : 'hold'}`;
 }
 

@@ -137,7 +137,7 @@ export class HandPull {
     if (wasCancelled) return;
     if (pull.wantsRoot && !pull.hindrance.canMove) {
       const name = jointName(character.skeleton, this.grip.joint);
-      wb.messages.note(`${name} can’t be moved while ${character.name}’s root stays: let it travel.`);
+      wb.messages.note(`${name} can’t be moved while ${character.name}’s root is fixed. Allow the root to move.`);
     }
     const facts = wb.viewport.character(character.id);
     const now = findCharacter(wb.store.document, character.id);

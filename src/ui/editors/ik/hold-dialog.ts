@@ -8,7 +8,7 @@ import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { DialogContent } from '../../kit/dialog.ts';
 import { element } from '../../kit/dom.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import { errorSize, plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { toolDialog } from '../timeline/tool-dialog.ts';
@@ -27,8 +27,8 @@ const MOST_NAMED = 3;
 export function holdDialog(wb: Workbench, close: () => void): DialogContent {
   const character = currentCharacter(wb);
   const pins = character ? ikOf(character).pins : [];
-  if (!character || pins.length === 0) return nothing('No point of the character is pinned: pin one in IK mode first.');
-  if (!shownClip(character)) return nothing(`${character.name} shows no take: nothing moves that could be held.`);
+  if (!character || pins.length === 0) return nothing('No point of the character is pinned. Pin one in IK mode first.');
+  if (!shownClip(character)) return nothing(`${character.name} shows no take, so there is no motion to hold pins in.`);
   const { range: played, timeSeconds, framesPerSecond } = wb.transport.get();
   const range = firstRange(played, timeSeconds);
   const all = pins.length === 1 ? 'The pin' : `All ${pins.length} pins`;
@@ -38,8 +38,8 @@ export function holdDialog(wb: Workbench, close: () => void): DialogContent {
     name: 'holdPins',
     title: TITLE,
     about:
-      'What is pinned stays where it is at one moment for all of a range, as a foot that is not to slide; the take gets ' +
-      'keys for it, or other frames where it has frames.',
+      'Holds pinned points still over a range, for example to stop a foot from sliding. The take gets ' +
+      'new keys, or new samples if it is sampled.',
     asked: [
       {
         kind: 'choice',
@@ -53,8 +53,8 @@ export function holdDialog(wb: Workbench, close: () => void): DialogContent {
       },
       { kind: 'number', name: 'from', label: 'From', value: tidy(range[0]), unit: 's' },
       { kind: 'number', name: 'to', label: 'To', value: tidy(range[1]), unit: 's' },
-      { kind: 'number', name: 'at', label: 'Where it is at', value: tidy(timeSeconds), unit: 's' },
-      { kind: 'number', name: 'ease', label: 'Way there and back', value: EASE_SECONDS, unit: 's' },
+      { kind: 'number', name: 'at', label: 'Hold position at', value: tidy(timeSeconds), unit: 's' },
+      { kind: 'number', name: 'ease', label: 'Ease in and out', value: EASE_SECONDS, unit: 's' },
     ],
     command: holdPins,
     args: (answers) => {
@@ -103,7 +103,7 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
   const named = names.slice(0, MOST_NAMED);
   const more = names.length - named.length;
   const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
-  return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys stand for it over what is played.`;
+  return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys replace the cycle over the played range.`;
 }
 
 function isRepetition(side: Extrapolation): boolean {
@@ -112,9 +112,9 @@ function isRepetition(side: Extrapolation): boolean {
 
 /** `12 curves changed; slides at most 0.0001 where it slid 0.21.` */
 function heldText({ channels, pins, unreached }: HeldTake): string {
-  if (channels.length === 0) return 'Nothing has to change: it stays there anyway.';
-  const most = (of: (pin: HeldTake['pins'][number]) => number) => shown(Math.max(...pins.map(of)), 4);
-  const slides = `slides at most ${most((pin) => pin.slideAfter)} where it slid ${most((pin) => pin.slideBefore)}`;
+  if (channels.length === 0) return 'Nothing to change: the points already stay there.';
+  const most = (of: (pin: HeldTake['pins'][number]) => number) => errorSize(Math.max(...pins.map(of)));
+  const slides = `largest slide ${most((pin) => pin.slideAfter)}, was ${most((pin) => pin.slideBefore)}`;
   const missed = unreached > 0 ? ` Out of reach in ${plural(unreached, 'frame')}.` : '';
   return `${plural(channels.length, 'curve')} changed; ${slides}.${missed}`;
 }

@@ -10,23 +10,23 @@ import { whileShown } from '../posing/while-shown.ts';
 /** Made once; it follows the page while it is shown. */
 export function ikControls(wb: Workbench): HTMLElement {
   const root = keepsFocusElsewhere(
-    button('Root travels', { class: 'tool ik-root' }, 'Root travels', () => runAction(wb, 'ik.rootFree')),
+    button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => runAction(wb, 'ik.rootFree')),
   );
   const rootTitle = keepTooltip(wb, root, 'ik.rootFree', () => {
     const character = currentCharacter(wb);
-    if (!character) return 'Whether the whole character travels';
+    if (!character) return 'Allow root to move';
     return ikOf(character).rootIsFree
-      ? `${character.name} travels as a whole where a pin asks for it`
-      : `${character.name} stays where it is: only its joints bend`;
+      ? `${character.name}’s root moves when a pin needs it`
+      : `${character.name}’s root is fixed; only joints bend`;
   });
   const all = keepsFocusElsewhere(
-    button('Let all pins go', { class: 'tool' }, 'Let all go', () => runAction(wb, 'ik.letAllGo')),
+    button('Remove all pins', { class: 'tool' }, 'Unpin all', () => runAction(wb, 'ik.letAllGo')),
   );
-  keepTooltip(wb, all, 'ik.letAllGo', () => 'Let all pins of the character go');
+  keepTooltip(wb, all, 'ik.letAllGo', () => 'Remove all pins of the character');
   const hold = keepsFocusElsewhere(
-    button('Hold the pins over a range', { class: 'tool' }, 'Hold…', () => runAction(wb, 'ik.holdPins')),
+    button('Hold pins over range', { class: 'tool' }, 'Hold…', () => runAction(wb, 'ik.holdPins')),
   );
-  keepTooltip(wb, hold, 'ik.holdPins', () => 'Hold the pins over a range of the take');
+  keepTooltip(wb, hold, 'ik.holdPins', () => 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
   const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
   const inHand = wb.posing.ik;
@@ -36,7 +36,7 @@ export function ikControls(wb: Workbench): HTMLElement {
     root.disabled = setup === undefined;
     all.disabled = hold.disabled = !setup?.pins.length;
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
-    setText(root, setup?.rootIsFree === false ? 'Root stays' : 'Root travels');
+    setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
     root.classList.toggle('asked', setup?.rootIsFree === false && inHand.wantsRoot.get());
     rootTitle();
     setText(hint, hintText(setup?.pins.length ?? 0));
@@ -59,6 +59,6 @@ export function ikControls(wb: Workbench): HTMLElement {
 
 /** What to do first, and what next. */
 export function hintText(pins: number): string {
-  if (pins === 0) return 'Click pins a point; drag any other: pins hold.';
-  return 'Drag any point: pins hold. Click a pin to let it go.';
+  if (pins === 0) return 'Click a point to pin it. Drag others; pins hold.';
+  return 'Drag any point; pins hold. Click a pin to remove it.';
 }

@@ -11,7 +11,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
-import { inField } from '../../kit/number-text.ts';
+import { shown } from '../../kit/number-text.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -24,9 +24,9 @@ const USUAL_STIFFNESS = 4;
 
 type Bending = 'usual' | 'stiff' | 'locked';
 const BENDING: readonly (readonly [Bending, string])[] = [
-  ['usual', 'as usual'],
-  ['stiff', 'stiffer'],
-  ['locked', 'locked'],
+  ['usual', 'Default'],
+  ['stiff', 'Stiff'],
+  ['locked', 'Locked'],
 ];
 
 /** A pin's row, kept while the pin is there. */
@@ -40,17 +40,21 @@ export class IkFolder {
   private readonly joint = element('span', { class: 'ik-joint' });
   private readonly bending = element(
     'select',
-    { 'aria-label': 'How the selected joint bends' },
+    { 'aria-label': 'Bending of selected joint' },
     ...BENDING.map(([value, text]) => element('option', { value }, text)),
   );
   private readonly stiffness: NumberField;
   private readonly jointRow: HTMLElement;
   private readonly list = element('ul', { class: 'ik-pins', 'aria-label': 'Pins' });
-  private readonly empty = element('p', { class: 'faint' }, 'No pins: in IK mode click a point of the character.');
+  private readonly empty = element(
+    'p',
+    { class: 'faint' },
+    'No pins. In IK mode, click a point on the character to pin it.',
+  );
   private readonly note = element(
     'p',
     { class: 'faint' },
-    'While IK is on, drags, sliders and numbers keep pinned points in place; in FK they move.',
+    'In IK mode, pinned points stay in place while you pose. In FK mode they move.',
   );
   private readonly hold: HTMLButtonElement;
   private readonly rows = new Map<number, Row>();
@@ -61,24 +65,19 @@ export class IkFolder {
     private readonly folder: GUI,
   ) {
     this.stiffness = new NumberField({
-      label: 'How stiff: 1 is as usual, 4 half as far for the same need',
-      text: (value) => inField(value, 3),
+      label: 'Stiffness (1 default, 4 moves half as far)',
+      text: (value) => shown(value),
       commit: (value) => this.bend(value),
       refuse: (reason) => wb.messages.note(reason, 'warning'),
       step: 1,
     });
-    const bends = element('label', { class: 'ik-bends' }, element('span', { class: 'faint' }, 'Bends'), this.bending);
+    const bends = element('label', { class: 'ik-bends' }, element('span', { class: 'faint' }, 'Bending'), this.bending);
     this.jointRow = element('div', { class: 'ik-row' }, this.joint, bends, this.stiffness.element);
-    this.hold = button('Hold the pins over a range', { class: 'plain ik-hold' }, undefined, () =>
+    this.hold = button('Hold pins over range', { class: 'plain ik-hold' }, undefined, () =>
       runAction(wb, 'ik.holdPins'),
     );
-    this.hold.textContent = 'Hold the pins over a range…';
-    const rootRow = element(
-      'label',
-      { class: 'ik-row', for: 'ik-root' },
-      this.root,
-      'Root travels where a pin asks for it',
-    );
+    this.hold.textContent = 'Hold pins over range…';
+    const rootRow = element('label', { class: 'ik-row', for: 'ik-root' }, this.root, 'Allow root to move');
     folder.$children.append(
       element('div', { class: 'ik-folder' }, rootRow, this.jointRow, this.list, this.empty, this.note, this.hold),
     );
@@ -118,7 +117,7 @@ export class IkFolder {
     const own = ikOf(character).stiff.find((one) => one.joint === joint);
     const now: Bending = !own ? 'usual' : own.stiffness === undefined ? 'locked' : 'stiff';
     setText(this.joint, jointName(character.skeleton, joint));
-    this.joint.title = `${jointName(character.skeleton, joint)}: how it bends`;
+    this.joint.title = `${jointName(character.skeleton, joint)}: bending`;
     this.bending.value = now;
     this.stiffness.element.hidden = now !== 'stiff';
     this.stiffness.show(own?.stiffness ?? Number.NaN);
@@ -147,14 +146,14 @@ export class IkFolder {
     const { wb } = this;
     const name = element('span', { class: 'ik-pin-joint' });
     const kind = element('span', { class: 'ik-pin-point' });
-    const choose = button('Select the pin', { class: 'ik-pin-name' }, undefined, () => {
+    const choose = button('Select pin', { class: 'ik-pin-name' }, undefined, () => {
       const pin = this.pinOf(ref);
       if (pin) selectPin(wb, ref, pin.joint);
     });
     choose.append(name, kind);
     const weight = new NumberField({
-      label: 'Weight beside the other pins',
-      text: (value) => inField(value, 3),
+      label: 'Relative weight',
+      text: (value) => shown(value),
       commit: (value) => {
         changePin(wb, ref, { weight: value });
         this.update();
@@ -162,16 +161,11 @@ export class IkFolder {
       refuse: (reason) => wb.messages.note(reason, 'warning'),
       step: 1,
     });
-    const turn = button(
-      'Hold the orientation too',
-      { class: 'tool small', 'aria-pressed': 'false' },
-      icon('axes'),
-      () => {
-        const pin = this.pinOf(ref);
-        if (pin) changePin(wb, ref, { holdsOrientation: !pin.holdsOrientation });
-      },
-    );
-    const free = button('Let the pin go', { class: 'tool small' }, icon('close'), () => {
+    const turn = button('Pin orientation too', { class: 'tool small', 'aria-pressed': 'false' }, icon('axes'), () => {
+      const pin = this.pinOf(ref);
+      if (pin) changePin(wb, ref, { holdsOrientation: !pin.holdsOrientation });
+    });
+    const free = button('Remove pin', { class: 'tool small' }, icon('close'), () => {
       const next = made.nextElementSibling ?? made.previousElementSibling;
       letGo(wb, ref);
       // The focus goes on to a neighbour, not to nowhere.
@@ -187,12 +181,12 @@ export class IkFolder {
         const text = `${jointName(character.skeleton, pin.joint)}, ${pointName(character, pin)}`;
         setText(name, jointName(character.skeleton, pin.joint));
         setText(kind, pointName(character, pin));
-        setAttribute(choose, 'aria-label', `Select the pin of ${text}`);
+        setAttribute(choose, 'aria-label', `Select pin of ${text}`);
         choose.title = text;
-        setAttribute(free, 'aria-label', `Let ${text} go`);
-        setAttribute(turn, 'aria-label', `Hold the orientation of ${text} too`);
+        setAttribute(free, 'aria-label', `Remove pin of ${text}`);
+        setAttribute(turn, 'aria-label', `Pin orientation of ${text} too`);
         setAttribute(turn, 'aria-pressed', String(pin.holdsOrientation));
-        setAttribute(weight.element, 'aria-label', `Weight of ${text} beside the other pins`);
+        setAttribute(weight.element, 'aria-label', `Relative weight of ${text}`);
         weight.show(pin.weight);
         const chosen = selectedPin(wb);
         const isChosen = chosen?.pin.id === pin.id && chosen.character.id === character.id;
@@ -209,7 +203,7 @@ export class IkFolder {
     const to =
       event.key === 'ArrowDown' ? row.nextElementSibling : event.key === 'ArrowUp' ? row.previousElementSibling : null;
     if (event.key === 'Delete' || event.key === 'Backspace') {
-      row.querySelector<HTMLButtonElement>('[aria-label^="Let"]')?.click();
+      row.querySelector<HTMLButtonElement>('[aria-label^="Remove"]')?.click();
     } else if (to) to.querySelector<HTMLElement>('.ik-pin-name')?.focus();
     else return;
     event.preventDefault();

@@ -9,6 +9,7 @@ import type { Pin } from '../../../model/ik.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { reachOf } from '../../../model/reach.ts';
 import type { PinColor, PinPainter } from '../../../view/pins/pin-overlay.ts';
+import { shown } from '../../kit/number-text.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { gapText } from './gap-text.ts';
@@ -106,7 +107,7 @@ function sideOf(wb: Workbench, { skeleton, world, toWorld }: SeenSkeleton, x: nu
 export function pinText(character: Character, pin: Pin): string {
   const parts = [pointName(character, pin)];
   if (pin.holdsOrientation) parts.push('orientation');
-  if (pin.weight !== 1) parts.push(`weight ${Number(pin.weight.toPrecision(3))}`);
+  if (pin.weight !== 1) parts.push(`weight ${shown(pin.weight)}`);
   return `${jointName(character.skeleton, pin.joint)} · ${parts.join(', ')}`;
 }
 

@@ -43,7 +43,7 @@ export function solvePins(wb: Workbench, character: Character): void {
   const hindrance = { binding: bound, holders: [], locks, canMove: true, rootStays: !setup.rootIsFree };
   const { timeSeconds } = wb.transport.get();
   if (changed.length) {
-    const command = { ...setDofs, label: () => `Solve the pins of ${character.name}` };
+    const command = { ...setDofs, label: () => `Re-solve pins of ${character.name}` };
     attempt(wb.messages, () => {
       wb.store.apply(command, { characterId: id, dofs: changed, timeSeconds, key: autoKey(wb) });
       const after = wb.viewport.character(id);
@@ -53,9 +53,9 @@ export function solvePins(wb: Workbench, character: Character): void {
   if (missed) {
     const { joint } = setup.pins[worst];
     wb.messages.note(
-      `${jointName(character.skeleton, joint)} is as near as it can be: ${gapText(character, joint, hindrance)}.`,
+      `${jointName(character.skeleton, joint)} is as close as it can get: ${gapText(character, joint, hindrance)}.`,
     );
-  } else if (!changed.length) wb.messages.note('All pins are where they hold.');
+  } else if (!changed.length) wb.messages.note('All pins are reached.');
   wb.viewport.requestRender();
 }
 

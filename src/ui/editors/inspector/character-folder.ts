@@ -41,8 +41,8 @@ export class CharacterFolder {
     private readonly folder: GUI,
   ) {
     this.buttons.append(
-      button('Show once more beside it', { class: 'plain' }, 'Add copy', () => runAction(wb, 'character.copy')),
-      button('Remove this copy', { class: 'plain remove-copy' }, 'Remove copy', () => this.removeShownCopy()),
+      button('Add an instance beside it', { class: 'plain' }, 'Add instance', () => runAction(wb, 'character.copy')),
+      button('Remove this instance', { class: 'plain remove-copy' }, 'Remove instance', () => this.removeShownCopy()),
     );
     wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, folder));
   }
@@ -136,7 +136,7 @@ export class CharacterFolder {
 
   private addLimits(character: Character): void {
     const binding = { clamps: character.clampsToLimits };
-    const row = this.folder.add(binding, 'clamps').name('Hold limits');
+    const row = this.folder.add(binding, 'clamps').name('Enforce limits');
     row.onChange((clamps: boolean) => this.wb.store.apply(setClamping, { characterId: this.id, clamps }));
     this.rows.push(() => {
       binding.clamps = this.character?.clampsToLimits ?? true;
@@ -146,9 +146,9 @@ export class CharacterFolder {
 
   /** Rather than the offset that is kept: that is added to the transport's time, and 1.5 of it begins 1.5 s earlier. */
   private addStart(character: Character): void {
-    const options = { step: 0.01, decimals: 4, suffix: ' s' };
-    const row = new Slider(this.folder, 'Starts at', startSeconds(character), options, this.refuse);
-    row.domElement.title = 'When its take begins, in seconds of the transport';
+    const options = { step: 0.01, decimals: 3, suffix: ' s' };
+    const row = new Slider(this.folder, 'Start time', startSeconds(character), options, this.refuse);
+    row.domElement.title = 'When its take starts on the timeline, in seconds';
     row.onChange((atSeconds: number) => {
       const { character: now } = this;
       if (!now) return;
@@ -197,7 +197,7 @@ export class CharacterFolder {
       this.folder,
       'Scale',
       this.placement.scale,
-      { step: 0.01, decimals: 4, suffix: '×' },
+      { step: 0.01, decimals: 3, suffix: '×' },
       this.refuse,
     );
     let typed = this.placement.scale;
@@ -208,7 +208,7 @@ export class CharacterFolder {
     });
     scale.onTakenBack(() => this.edit.cancel());
     scale.onFinishChange(() => {
-      if (typed <= 0) this.refuse(`A scale is above 0; ${exact(typed)} was typed.`);
+      if (typed <= 0) this.refuse(`The scale must be greater than 0; you entered ${exact(typed)}.`);
       this.finish();
       typed = this.placement.scale;
     });

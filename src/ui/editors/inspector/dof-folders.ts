@@ -5,6 +5,7 @@ import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../..
 import { jointName } from '../../../model/joint-name.ts';
 import { dofsOf, motionHeading, motionText } from '../../../model/joint-types.ts';
 import { element, setText } from '../../kit/dom.ts';
+import { plural, shown } from '../../kit/number-text.ts';
 import { emptyFolder } from '../../kit/slider.ts';
 import { keyNameOf } from '../posing/unkeyed-values.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
@@ -78,20 +79,19 @@ export class DofFolders {
     this.note.hidden = count === 0;
     if (!count) return;
     const key = keyNameOf(this.context.wb, 'key.pose');
-    const [what, goes] = count === 1 ? ['One value is', 'It goes'] : [`${count} values are`, 'They go'];
-    const text = `${what} set by hand and not keyed. ${goes} when time moves${key ? `; ${key} keys the pose` : ''}.`;
-    setText(this.note, text);
+    const what = plural(count, 'unkeyed change');
+    setText(this.note, `${what}, lost when the time changes${key ? `. ${key} keys the pose` : ''}.`);
   }
 
   private fillJoint(character: Character, dofs: readonly CharacterDof[], index: number | undefined): void {
     const joint = index === undefined ? undefined : character.skeleton?.joints[index];
     this.joint.show(character.skeleton !== undefined);
     this.joint.$children.dataset.empty = joint
-      ? `${motionText(joint.motion)}: no degrees of freedom.`
-      : 'Pick a joint in the viewport or the tree to see its DOFs.';
+      ? `${motionText(joint.motion, shown)}: no degrees of freedom.`
+      : 'Select a joint in the viewport or outliner to see its DOFs.';
     this.joint.title(joint && index !== undefined ? jointName(character.skeleton, index) : 'Joint');
     // Also where a vertex was picked, whose numbers stand below in place of the joint's.
-    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, motionHeading(joint.motion)));
+    if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, motionHeading(joint.motion, shown)));
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
     if (!joint || !character.skeleton || index === undefined) return;
     const first = firstDofs(character.skeleton)[index];

@@ -49,17 +49,17 @@ export class DofMark {
 }
 
 const TITLES: Readonly<Record<DofState, string>> = {
-  keyed: 'Keyed at this moment. Click to delete the key',
-  driven: 'Driven by keys at other moments. Click to key it here',
-  unkeyed: 'Set by hand, not keyed: goes when time moves. Click to key it',
-  moved: 'Driven by the take of another character. Bake it to key it',
-  free: 'Not animated. Click to key it here',
+  keyed: 'Keyed at current time. Click to delete the key',
+  driven: 'Animated, not keyed at current time. Click to key it',
+  unkeyed: 'Unkeyed change, lost when the time changes. Click to key it',
+  moved: 'Retargeted from another character. Bake it to key it',
+  free: 'Not animated. Click to key it',
 };
 
 /** What a screen reader says of a click: among hundreds of marks it tells which one is meant. */
 export function markLabel(state: DofState, name: string): string {
-  if (state === 'moved') return `${name} is driven by another character’s take`;
-  return state === 'keyed' ? `Delete this moment’s key of ${name}` : `Key ${name}`;
+  if (state === 'moved') return `${name} is retargeted from another character`;
+  return state === 'keyed' ? `Delete key of ${name} at current time` : `Key ${name}`;
 }
 
 export function dofState(wb: Workbench, character: Character, dof: number): DofState {

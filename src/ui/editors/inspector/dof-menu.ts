@@ -59,15 +59,15 @@ function entries(
   };
   const list: MenuEntry[] = [
     // Another character's take moves it: no key of its own would be seen.
-    item('Key here', character.skeleton !== undefined && index >= silentChannels(character), () =>
+    item('Key at current time', character.skeleton !== undefined && index >= silentChannels(character), () =>
       keyNow(wb, id, [index]),
     ),
-    item('Delete the key here', isKeyedNow(wb, character, index), () => deleteKeysNow(wb, character, [index])),
-    item('Delete all its keys', hasKeys, () => deleteAllKeys(wb, character, index)),
+    item('Delete key at current time', isKeyedNow(wb, character, index), () => deleteKeysNow(wb, character, [index])),
+    item('Delete all keys', hasKeys, () => deleteAllKeys(wb, character, index)),
     { kind: 'line' },
-    item('Show its curve', hasKeys, () => showCurve(wb, character, index)),
+    item('Show curve', hasKeys, () => showCurve(wb, character, index)),
     { kind: 'line' },
-    item('Reset to the file’s pose', isOwn && value !== inFile, () => set(inFile)),
+    item('Reset to file pose', isOwn && value !== inFile, () => set(inFile)),
     item(`Reset to ${dof.rest === 0 ? 'zero' : 'one'}`, isOwn && value !== dof.rest, () => set(dof.rest)),
   ];
   if (!dof.takesLimits) return list;
@@ -76,9 +76,9 @@ function entries(
   return [
     ...list,
     { kind: 'line' },
-    item('Limit from here', value <= max, () => limit({ min: value, max })),
-    item('Limit to here', value >= min, () => limit({ min, max: value })),
-    item('Type limits…', true, () => editLimits(wb, slider, id, index)),
+    item('Set lower limit here', value <= max, () => limit({ min: value, max })),
+    item('Set upper limit here', value >= min, () => limit({ min, max: value })),
+    item('Edit limits…', true, () => editLimits(wb, slider, id, index)),
     item('No limits', !isUnlimited(dof.limit), () => wb.store.apply(clearLimit, { characterId: id, dof: index })),
   ];
 }

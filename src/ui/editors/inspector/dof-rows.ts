@@ -8,7 +8,7 @@ import type { CharacterDof } from '../../../model/dofs.ts';
 import { reachOf } from '../../../model/reach.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton.ts';
 import { element, uniqueId } from '../../kit/dom.ts';
-import { shown } from '../../kit/number-text.ts';
+import { MOST_DECIMALS, shown } from '../../kit/number-text.ts';
 import { Slider, type SliderOptions } from '../../kit/slider.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
@@ -140,7 +140,7 @@ export function sliderOptions(
 }
 
 function held(limits: readonly [number, number]) {
-  return { bounds: limits, remedy: 'Hold limits, in the Edit menu, keeps it there.' };
+  return { bounds: limits, remedy: 'Turn off Enforce limits in the Edit menu to go past it.' };
 }
 
 /** From limit to limit; where there is none on one side, as far as a slider without any goes. */
@@ -156,10 +156,10 @@ function fullSpan(dof: CharacterDof, skeleton: Skeleton | undefined): readonly [
 }
 
 function resolutionOf(dof: CharacterDof, span: readonly [number, number], angles: Settings['angles']) {
-  if (dof.unit === 'angle') return angles === 'degrees' ? { step: 0.1, decimals: 2 } : { step: 0.001, decimals: 4 };
+  if (dof.unit === 'angle') return angles === 'degrees' ? { step: 0.1, decimals: 2 } : { step: 0.001, decimals: 3 };
   // About a thousandth of the span, as a power of ten.
   const power = Math.floor(Math.log10((span[1] - span[0]) / 1000));
-  return { step: 10 ** power, decimals: Math.max(0, Math.min(8, 1 - power)) };
+  return { step: 10 ** power, decimals: Math.max(0, Math.min(MOST_DECIMALS, 1 - power)) };
 }
 
 function scale([low, high]: readonly [number, number], factor: number): readonly [number, number] {
@@ -168,16 +168,16 @@ function scale([low, high]: readonly [number, number], factor: number): readonly
 
 /** `limits −30° to 45°`, `limits from −30°`, `no limits`. */
 export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsToLimits'>, angles: Settings['angles']) {
-  if (dof.unit === 'weight') return '0 to 1, and beyond if typed';
+  if (dof.unit === 'weight') return '0 to 1; type a value to go beyond';
   if (!dof.takesLimits || isUnlimited(dof.limit)) return 'no limits';
   const factor = shownPerUnit(dof.unit, angles);
   const unit = unitText(dof.unit, angles);
-  const [low, high] = [dof.limit.min, dof.limit.max].map((value) => `${shown(value * factor, 4)}${unit}`);
+  const [low, high] = [dof.limit.min, dof.limit.max].map((value) => `${shown(value * factor)}${unit}`);
   let range = `${low} to ${high}`;
   if (dof.limit.min <= UNLIMITED.min) range = `up to ${high}`;
   else if (dof.limit.max >= UNLIMITED.max) range = `from ${low}`;
-  if (dof.limit.min > dof.limit.max) return `limits ${range} are crossed, and ignored`;
-  return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not held`;
+  if (dof.limit.min > dof.limit.max) return `limits ${range} are reversed and ignored`;
+  return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not enforced`;
 }
 
 /** `follows 0.5 · rx of elbow + 10°`: why a row can't be moved. */
@@ -190,9 +190,9 @@ export function coupleText(
   const { unit } = namedChannel(character, follows);
   const from = shownPerUnit(unit, angles);
   const to = shownPerUnit(dof.unit, angles);
-  const factor = shown((gain / from) * to, 4);
-  const added = offset === 0 ? '' : ` + ${shown(offset * to, 4)}${unitText(dof.unit, angles)}`;
-  return `follows ${factor} · ${spokenName(namedChannel(character, follows))}${added}`;
+  const factor = shown((gain / from) * to);
+  const added = offset === 0 ? '' : ` + ${shown(offset * to)}${unitText(dof.unit, angles)}`;
+  return `linked to ${factor} · ${spokenName(namedChannel(character, follows))}${added}`;
 }
 
 /** `walker_blink` of the walker is its `blink`; the whole name is in the tooltip. */

@@ -14,9 +14,9 @@ export class FactList {
   private readonly parts: (() => string)[] = [];
 
   constructor(title: string) {
-    const copyAll = button('Copy all of it', { class: 'link copy-all' }, 'Copy all', () => {
+    const copyAll = button('Copy all values', { class: 'link copy-all' }, 'Copy all', () => {
       void copyText(this.text()).then((done) => {
-        copyAll.textContent = done ? 'Copied' : 'Not allowed';
+        copyAll.textContent = done ? 'Copied' : 'Blocked';
         setTimeout(() => {
           copyAll.textContent = 'Copy all';
         }, 1200);
@@ -26,11 +26,14 @@ export class FactList {
     this.parts.push(() => title);
   }
 
-  /** A line; gives what sets its text. */
-  fact(label: string, value: string | HTMLElement): (text: string) => void {
+  /**
+   * A line; gives what sets its text.
+   * @param copied what is copied instead of the text shown: its numbers in full
+   */
+  fact(label: string, value: string | HTMLElement, copied?: string): (text: string) => void {
     const cell = element('span', { class: 'fact-value' }, value);
     this.element.append(element('div', { class: 'fact' }, element('span', { class: 'faint' }, label), cell));
-    this.parts.push(() => `${label}: ${cell.textContent}`);
+    this.parts.push(() => `${label}: ${copied ?? cell.textContent}`);
     return (text) => setText(cell, text);
   }
 

@@ -19,7 +19,7 @@ export function addGhostRows(wb: Workbench, folder: GUI): (display: Display) => 
   after.onChange((count: number) => setDisplay(wb, { ghostsAfter: Math.round(count) }));
   const step = new Slider(
     folder,
-    'Ghosts every',
+    'Ghost step',
     display.ghostStep,
     { bounds: [0.001, 1000], step: 0.01, decimals: 3 },
     refuse,
@@ -28,7 +28,7 @@ export function addGhostRows(wb: Workbench, folder: GUI): (display: Display) => 
     if (ghostStep > 0) setDisplay(wb, { ghostStep });
   });
   const binding = { unit: display.ghostStepIn };
-  const unit = folder.add(binding, 'unit', [...GHOST_UNITS]).name('Ghosts in');
+  const unit = folder.add(binding, 'unit', [...GHOST_UNITS]).name('Ghost step unit');
   unit.onChange((ghostStepIn: GhostUnit) => setDisplay(wb, { ghostStepIn, ghostStep: USUAL_STEP[ghostStepIn] }));
   const rows = [before, after, step, unit];
   const show = (now: Display) => {

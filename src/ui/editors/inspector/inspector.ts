@@ -24,7 +24,7 @@ import { displayFolder, playbackFolder } from './page-folders.ts';
 /** @param panel empty, in its place (`inspector-panel.ts`) */
 export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
-  const empty = element('p', { class: 'empty' }, 'The DOFs, morphs and numbers of a character will stand here.');
+  const empty = element('p', { class: 'empty' }, 'Open a character to see its DOFs, morphs and details.');
   gui.$children.prepend(empty);
 
   const folder = (id: string, title: string, open: boolean): GUI => rememberedFolder(wb, gui, id, title, open);
@@ -34,7 +34,7 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const dofs = new DofFolders({ wb, edit, live }, gui, folder);
   const ik = new IkFolder(wb, folder('ik', 'IK', true));
   const facts = jointFacts(wb);
-  const factsFolder = folder('facts', 'Numbers', true);
+  const factsFolder = folder('facts', 'Details', true);
   factsFolder.$children.append(facts.element);
   const character = new CharacterFolder(wb, edit, folder('character', 'Character', false));
   const display = folder('display', 'Display', false);
@@ -95,7 +95,7 @@ function rigFolder(wb: Workbench, edit: HandEdit, folder: GUI) {
     folder.show(mode === 'rig');
     if (mode !== 'rig') return;
     if (rows) return rows.show(...shown);
-    const module = await onDemand(wb.messages, 'The folder of rigging', () => import('../rig/rig-folder.ts'));
+    const module = await onDemand(wb.messages, 'The Rig section', () => import('../rig/rig-folder.ts'));
     rows ??= module && new module.RigFolder(wb, edit, folder);
     rows?.show(...shown);
   };

@@ -13,7 +13,7 @@ import { movedVertices } from '../../../model/moved-vertices.ts';
 import { UNLIMITED } from '../../../model/skeleton.ts';
 import { element } from '../../kit/dom.ts';
 import { atMostEvery } from '../../kit/frame.ts';
-import { plural, shown } from '../../kit/number-text.ts';
+import { exact, plural, shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { shownPerUnit, withoutNoise } from '../../state/angles.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -79,7 +79,7 @@ function makeView(
   if (character?.skeleton && joint !== undefined && character.skeleton.joints[joint]) {
     return factsOfJoint(wb, character, joint);
   }
-  const text = 'Pick a joint or a skin vertex: its matrices, limits and weights stand here, each to be copied.';
+  const text = 'Select a joint or vertex to see and copy its matrices, limits and weights.';
   return { element: element('p', { class: 'empty' }, text), fill: () => {} };
 }
 
@@ -89,9 +89,9 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
   const joint = skeleton.joints[index];
   const list = new FactList(jointName(skeleton, index));
   list.fact('Index', `${index} (0–${skeleton.joints.length - 1})`);
-  list.fact('Type', motionText(joint.motion));
+  list.fact('Type', motionText(joint.motion, shown), motionText(joint.motion, exact));
   list.fact('Parent', joint.parent < 0 ? 'none, it is the root' : parentLink(wb, character, joint.parent));
-  if (joint.length !== undefined) list.fact('Bone', shown(joint.length, 6));
+  if (joint.length !== undefined) list.fact('Bone', shown(joint.length), exact(joint.length));
   list.grid({ label: 'Offset', rows: 1, columns: 3, columnLabels: ['x', 'y', 'z'] }).grid.setRow(0, joint.offset);
 
   const fillEnds = endSiteTables(joint, index, list);
@@ -144,7 +144,6 @@ function dofTable(wb: Workbench, character: Character, index: number, list: Fact
     columns: 3,
     rowLabels: rows.map((dof) => dof.name),
     columnLabels: ['value', 'min', 'max'],
-    decimals: angles === 'degrees' ? 3 : 4,
   });
   note(rows.some((dof) => dof.unit === 'angle') ? angles : '');
   own.forEach((dof, i) => {
@@ -177,5 +176,5 @@ function parentLink(wb: Workbench, character: Character, parent: number): HTMLEl
 /** Says so where a matrix mirrors: normals and winding turn over there. */
 function mirrorText(matrix: Float64Array, offset: number): string {
   const determinant = determinant3(matrix, offset);
-  return determinant < 0 ? `mirrors: determinant ${determinant.toPrecision(4)}` : '';
+  return determinant < 0 ? `mirrored, determinant ${shown(determinant)}` : '';
 }

@@ -14,15 +14,15 @@ type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[k
 const SWITCHES: readonly (readonly [Switch, string])[] = [
   ['bones', 'Bones'],
   ['axes', 'Joint axes'],
-  ['names', 'Names'],
+  ['names', 'Joint names'],
   ['characterNames', 'Character names'],
   ['normals', 'Normals'],
-  ['trail', 'Trail of the joint'],
-  ['ghosts', 'Ghosts'],
+  ['trail', 'Motion path'],
+  ['ghosts', 'Onion skin'],
   ['grid', 'Grid'],
   ['shadow', 'Shadow'],
   ['orthographic', 'Orthographic'],
-  ['follow', 'Follow the joint'],
+  ['follow', 'Follow joint'],
   ['inPlace', 'In place'],
 ];
 
@@ -69,7 +69,7 @@ export function playbackFolder(wb: Workbench, folder: GUI): void {
   const { transport, settings } = wb;
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const rates: SliderOptions = { span: [-4, 4], bounds: [-4, 4], step: 0.05, decimals: 3, suffix: '×' };
-  const rate = new Slider(folder, 'Rate', transport.get().rate, rates, refuse);
+  const rate = new Slider(folder, 'Speed', transport.get().rate, rates, refuse);
   rate.onChange((value: number) => transport.update((p) => ({ ...p, rate: value })));
   const binding = {
     loop: transport.get().loop,
@@ -84,9 +84,9 @@ export function playbackFolder(wb: Workbench, folder: GUI): void {
   fps.onChange((framesPerSecond: number) => {
     if (framesPerSecond >= 1) transport.update((p) => ({ ...p, framesPerSecond }));
   });
-  const time = folder.add(binding, 'time', [...TIME_DISPLAYS]).name('Time in');
+  const time = folder.add(binding, 'time', [...TIME_DISPLAYS]).name('Time unit');
   time.onChange((timeDisplay: (typeof TIME_DISPLAYS)[number]) => settings.update((s) => ({ ...s, timeDisplay })));
-  const angles = folder.add(binding, 'angles', [...ANGLES]).name('Angles in');
+  const angles = folder.add(binding, 'angles', [...ANGLES]).name('Angle unit');
   angles.onChange((unit: (typeof ANGLES)[number]) => settings.update((s) => ({ ...s, angles: unit })));
 
   transport.subscribe((now, before) => {

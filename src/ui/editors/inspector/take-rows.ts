@@ -6,7 +6,7 @@ import { type Character, findCharacter, shownClip } from '../../../model/documen
 import type { Interpolation } from '../../../model/samples.ts';
 import { element } from '../../kit/dom.ts';
 import { NumberField } from '../../kit/number-field.ts';
-import { inField } from '../../kit/number-text.ts';
+import { shown } from '../../kit/number-text.ts';
 import { withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import { openPanel } from '../../state/panels.ts';
@@ -34,7 +34,7 @@ export function addTakeRows(
   const name = folder.add(binding, 'name').name('Take');
   name.domElement.classList.add('take-name');
   name.onFinishChange((typed: string) => {
-    if (!typed.trim()) wb.messages.note('A take needs a name: its file is called so.', 'warning');
+    if (!typed.trim()) wb.messages.note('A take needs a name. Its file is named after it.', 'warning');
     else if (now()) attempt(wb.messages, () => wb.store.apply(renameClip, { characterId: id, name: typed }));
     update();
   });
@@ -43,7 +43,7 @@ export function addTakeRows(
   const end = (label: string, make: (value: number, range: readonly [number, number]) => readonly [number, number]) =>
     new NumberField({
       label,
-      text: (value) => inField(value, 4),
+      text: (value) => shown(value),
       commit(value) {
         const clip = now();
         if (clip) wb.store.apply(setClipRange, { characterId: id, range: make(value / perUnit(), clip.range) });
@@ -52,8 +52,8 @@ export function addTakeRows(
       },
       refuse: (reason) => wb.messages.note(reason, 'warning'),
     });
-  const from = end('Take begins', (value, [, to]) => [value, Math.max(value, to)]);
-  const to = end('Take ends', (value, [first]) => [Math.min(value, first), value]);
+  const from = end('Take start', (value, [, to]) => [value, Math.max(value, to)]);
+  const to = end('Take end', (value, [first]) => [Math.min(value, first), value]);
   const unit = element('span', { class: 'faint unit' });
   const line = element(
     'div',

@@ -2,7 +2,7 @@
 import { vertexDeformer } from '../../../evaluate/one-vertex.ts';
 import type { Character } from '../../../model/document.ts';
 import { type Skin, vertexCount } from '../../../model/skin.ts';
-import { count, shown } from '../../kit/number-text.ts';
+import { count, errorSize } from '../../kit/number-text.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { FactList, type FactView } from './fact-list.ts';
 
@@ -18,7 +18,7 @@ export function vertexFacts(wb: Workbench, character: Character, skin: Skin, ver
   const { normals } = skin;
   const normal = normals && list.grid({ label: 'Normal', rows: 2, columns: 3, rowLabels, columnLabels: AXES }).grid;
   if (normals) normal?.setRow(0, normals, 3 * vertex);
-  else list.fact('Normal', 'not in the file, made from the triangles');
+  else list.fact('Normal', 'not in the file, computed from the triangles');
   if (skin.texcoords) {
     const texture = list.grid({ label: 'Texture', rows: 1, columns: 2, columnLabels: ['u', 'v'] });
     texture.grid.setRow(0, skin.texcoords, 2 * vertex);
@@ -37,10 +37,10 @@ export function vertexFacts(wb: Workbench, character: Character, skin: Skin, ver
 
 function addAttachments(list: FactList, character: Character, skin: Skin, vertex: number): void {
   const { attachments } = skin;
-  if (!attachments) return void list.fact('Attachments', 'none in the file: it hangs on the root');
+  if (!attachments) return void list.fact('Attachments', 'none in the file; it follows the root');
   const from = attachments.start[vertex];
   const size = attachments.start[vertex + 1] - from;
-  if (size === 0) return void list.fact('Attachments', 'none: it stays where it is');
+  if (size === 0) return void list.fact('Attachments', 'none; it stays in place');
   const weights = attachments.weights.subarray(from, from + size);
   const joints = [...attachments.joints.subarray(from, from + size)];
   const { grid, note } = list.grid({
@@ -54,5 +54,5 @@ function addAttachments(list: FactList, character: Character, skin: Skin, vertex
     grid.set(i, 0, weight);
   });
   const sum = weights.reduce((total, weight) => total + weight, 0);
-  note(Math.abs(sum - 1) > 1e-9 ? `sum ${shown(sum, 6)}` : 'sum 1');
+  note(Math.abs(sum - 1) > 1e-9 ? `sum off by ${errorSize(Math.abs(sum - 1))}` : 'sum 1');
 }

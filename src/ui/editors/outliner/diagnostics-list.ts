@@ -18,7 +18,7 @@ export function diagnosticsList(wb: Workbench): HTMLElement {
   const carets = caretsInView();
   const show = (messages: readonly Message[]) => {
     if (!messages.length) {
-      list.replaceChildren(element('p', { class: 'empty' }, 'What is wrong with a file stands here, line and all.'));
+      list.replaceChildren(element('p', { class: 'empty' }, 'Problems in your files appear here, with line numbers.'));
       return;
     }
     let room = MOST_SHOWN;
@@ -60,7 +60,11 @@ function messageBlock(wb: Workbench, message: Message, room: number): HTMLElemen
     fate && element('p', { class: 'message-fate' }, `${fate[0].toUpperCase()}${fate.slice(1)}`),
     ...shown.map((d) => diagnosticBlock(d, mixed)),
     diagnostics.length > shown.length &&
-      element('p', { class: 'faint' }, `… and ${count(diagnostics.length - shown.length)} more; Copy takes them all.`),
+      element(
+        'p',
+        { class: 'faint' },
+        `… and ${count(diagnostics.length - shown.length)} more. Copy includes all of them.`,
+      ),
   );
 }
 

@@ -81,7 +81,7 @@ export function filesAndMessages(wb: Workbench): HTMLElement {
 function messageTools(wb: Workbench): HTMLElement {
   const copy = async () => {
     const text = messagesText(wb.messages.list.get());
-    if (!(await copyText(text))) wb.messages.note('The browser did not allow copying.', 'warning');
+    if (!(await copyText(text))) wb.messages.note('The browser blocked copying.', 'warning');
   };
   return element(
     'div',
@@ -107,8 +107,8 @@ function filesList(wb: Workbench): HTMLElement {
     const rows = document.characters.flatMap((c) => c.sources.map((source) => fileRow('file', source, '')));
     const unused = document.unused.map(({ file, why }) => fileRow('unused', file.source, why));
     const nothing = document.isOpeningSample
-      ? 'A sample is open. It leaves when you open files of your own.'
-      : 'The files you open are listed here, and those that fit nothing, with the reason.';
+      ? 'An example is open. It closes when you open your own files.'
+      : 'Files you open are listed here. Unused ones show the reason.';
     list.replaceChildren(...rows, ...unused);
     if (!list.children.length) list.append(element('p', { class: 'empty' }, nothing));
   };

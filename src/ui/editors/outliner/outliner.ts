@@ -79,7 +79,7 @@ export function outliner(wb: Workbench): HTMLElement {
     firstMatch = query.trim() ? rows.find((row) => !row.onTheWay) : undefined;
     empty.hidden = rows.length > 0;
     tree.element.hidden = rows.length === 0;
-    empty.textContent = document.characters.length && query ? `Nothing here is called “${query}”.` : EMPTY;
+    empty.textContent = document.characters.length && query ? `Nothing matches “${query}”.` : EMPTY;
     tree.show(rows);
   };
   /** What selecting has unfolded of one of many characters: folded again when another is selected. */
@@ -180,8 +180,7 @@ export function outliner(wb: Workbench): HTMLElement {
   return panel;
 }
 
-const EMPTY =
-  'Characters will stand here. Drop .bvh, .skel, .skin, .morph, .anim or .rig files anywhere on the page, or choose Open.';
+const EMPTY = 'No characters yet. Drop files here or choose Open.';
 
 function searchBox() {
   const input = element('input', {
@@ -196,7 +195,7 @@ function searchBox() {
 
 function drawRow(wb: Workbench, row: OutlineRow): Node[] {
   const unsaved = isUnsaved(wb, row);
-  const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'no name';
+  const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
   if (row.label) {
     label.textContent = row.label;
@@ -290,7 +289,7 @@ function rowMenu(
   const pick = (id: string) => actions.filter((a) => a.id === id).map((a) => itemOf(wb, a));
   const entries = ids.flatMap(pick);
   if (row.kind === 'joint') {
-    void onDemand(wb.messages, 'The menu of a joint', () => import('./tree-menu.ts')).then((module) => {
+    void onDemand(wb.messages, 'The joint menu', () => import('./tree-menu.ts')).then((module) => {
       // Where it can't be fetched there is still the rest.
       const rigging = module?.jointEntries(wb, character, row.index, () => rename(row)) ?? [];
       openMenu(at, [...rigging, ...entries], { label: row.label || 'Joint' });
@@ -305,7 +304,7 @@ function rowMenu(
       ...movedEntries(wb, character),
       { kind: 'item', label: 'Rename', shortcut: 'F2', enabled: true, run: () => rename(row) },
       ...entries,
-      { kind: 'item', label: 'Remove last copy', enabled: last > 0, run: removeLast },
+      { kind: 'item', label: 'Remove last instance', enabled: last > 0, run: removeLast },
       { kind: 'line' },
       ...pick('character.remove'),
     ],

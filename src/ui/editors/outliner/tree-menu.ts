@@ -50,9 +50,9 @@ export function jointEntries(
     return [
       // The tree's own key.
       item('Rename', rename, 'F2'),
-      item(isPinned ? 'Let its pin go (IK)' : 'Pin (IK)', ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
+      item(isPinned ? 'Unpin (IK)' : 'Pin (IK)', ofSelected('ik.pinJoint'), keyOf('ik.pinJoint')),
       item(isLocked ? 'Unlock (IK)' : 'Lock (IK)', ofSelected('ik.lockJoint'), keyOf('ik.lockJoint')),
-      item('Change the skeleton here (rig mode)', rig),
+      item('Edit in rig mode', rig),
     ];
   }
   const doing = (label: string, run: (module: Awaited<ReturnType<typeof edits>>) => void, shortcut?: string) =>
@@ -61,7 +61,7 @@ export function jointEntries(
   const nameOf = (j: number) => jointName(character.skeleton, j);
   const parents: MenuEntry = {
     kind: 'menu',
-    label: 'Move under',
+    label: 'Parent to',
     entries: () => [
       ...possibleParents(joints, joint).map(
         (parent): MenuEntry => ({
@@ -79,16 +79,16 @@ export function jointEntries(
   const isRoot = joint === 0;
   return [
     item('Rename', rename, keyOf('rigging.rename')),
-    doing('Add a child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild')),
+    doing('Add child', (m) => m.addChild(wb, joint), keyOf('rigging.addChild')),
     item('Add joints by clicking', () => {
       select();
       wb.posing.rig.adding.set(true);
     }),
-    doing('Mirror the branch across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x')),
+    doing('Mirror hierarchy across x', (m) => m.mirrorIt(wb, 'x', joint), keyOf('rigging.mirror.x')),
     ...(isRoot ? [] : [parents]),
     { kind: 'line' },
-    doing('Delete; its children stay', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete')),
-    doing('Delete with all below it', (m) => m.removeIt(wb, 'too', joint), keyOf('rigging.deleteBranch')),
+    doing('Delete, keep children', (m) => m.removeIt(wb, 'stay', joint), keyOf('rigging.delete')),
+    doing('Delete with descendants', (m) => m.removeIt(wb, 'too', joint), keyOf('rigging.deleteBranch')),
     { kind: 'line' },
   ];
 }

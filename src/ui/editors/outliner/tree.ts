@@ -19,7 +19,7 @@ export interface TreeEvents {
 }
 
 const OVERSCAN = 6;
-const MEANT = 'Nothing is selected: channels and keys are those of this character';
+const MEANT = 'Nothing is selected; channels and keys are those of this character';
 /** Pixels that a row is moved in by for each level down to this one; deeper levels less, and those below not at all. */
 const INDENTS: readonly (readonly [depth: number, pixels: number])[] = [
   [3, 12],

@@ -42,7 +42,7 @@ export const POSE_ACTIONS: readonly Action[] = [
   {
     id: 'pose.mirror',
     label: 'Mirror pose',
-    detail: 'Left and right change places',
+    detail: 'Swaps left and right',
     group: 'Edit',
     menu: MENU,
     section: 2,
@@ -52,9 +52,9 @@ export const POSE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.mirrorBranch',
-    name: 'Mirror pose of the selected joint',
-    label: (wb) => `Mirror pose of ${selectedName(wb) ?? 'the selected joint'}`,
-    detail: 'And all below it, with their other side',
+    name: 'Mirror pose of selected joint',
+    label: (wb) => `Mirror pose of ${selectedName(wb) ?? 'selected joint'}`,
+    detail: 'Including its descendants',
     group: 'Edit',
     menu: MENU,
     section: 2,
@@ -63,8 +63,8 @@ export const POSE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.copyToOther',
-    name: 'Copy pose of the selected joint to the other side',
-    label: (wb) => `Copy ${selectedName(wb) ?? 'the selected joint'} to the other side`,
+    name: 'Copy pose of selected joint to other side',
+    label: (wb) => `Copy ${selectedName(wb) ?? 'selected joint'} to other side`,
     group: 'Edit',
     menu: MENU,
     section: 2,
@@ -74,8 +74,8 @@ export const POSE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.keep',
-    label: 'Keep pose',
-    detail: 'In the character’s library',
+    label: 'Save to pose library',
+    detail: 'Keeps the current pose for this character',
     group: 'Edit',
     menu: MENU,
     section: 3,
@@ -85,7 +85,7 @@ export const POSE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'pose.library',
-    label: 'Library of poses',
+    label: 'Pose library',
     group: 'Edit',
     menu: MENU,
     section: 3,

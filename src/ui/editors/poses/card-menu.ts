@@ -18,10 +18,10 @@ export function cardEntries(joint: string | undefined, does: CardActions): reado
     run,
     shortcut,
   });
-  const branch = item(`Take on from ${joint} down`, () => does.take({ share: 1, branch: true }));
+  const branch = item(`Apply from ${joint} down`, () => does.take({ share: 1, branch: true }));
   return [
-    item('Take on', () => does.take({ share: 1, branch: false }), 'Enter'),
-    item('Take on half of it', () => does.take({ share: 0.5, branch: false })),
+    item('Apply', () => does.take({ share: 1, branch: false }), 'Enter'),
+    item('Apply at 50%', () => does.take({ share: 0.5, branch: false })),
     ...(joint === undefined ? [] : [branch]),
     { kind: 'line' },
     // Keys of the grid itself.

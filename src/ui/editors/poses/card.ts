@@ -26,8 +26,8 @@ export class PoseCard {
 
   show(name: string, isChosen: boolean): void {
     setText(this.name, name);
-    setAttribute(this.name, 'title', `${name}. A double click renames it.`);
-    setAttribute(this.element, 'title', `${name}. A click takes it on; Alt and a drag to the side blends to it.`);
+    setAttribute(this.name, 'title', `${name}. Double-click to rename`);
+    setAttribute(this.element, 'title', `${name}. Click to apply, Alt+drag sideways to blend`);
     setAttribute(this.element, 'aria-selected', String(isChosen));
     setAttribute(this.element, 'aria-label', name);
   }
@@ -48,7 +48,7 @@ export class PoseCard {
   startRename(events: CardEvents): void {
     if (this.field) return;
     const before = this.name.textContent ?? '';
-    const field = element('input', { type: 'text', class: 'rename', 'aria-label': 'Name of the pose', value: before });
+    const field = element('input', { type: 'text', class: 'rename', 'aria-label': 'Pose name', value: before });
     const end = (keep: boolean) => {
       if (this.field !== field) return;
       this.field = undefined;

@@ -122,8 +122,8 @@ class PosesPanel implements TimelineTab {
 
   private sayHow(character: Character | undefined): void {
     const says = character
-      ? `${character.name} has no poses yet. Pose it and press “Keep pose”, or drop a .pose file here.`
-      : 'Poses of a character will stand here: open one first.';
+      ? `${character.name} has no saved poses yet. Pose it and click Save pose, or drop a .pose file here.`
+      : 'No poses yet. Open a character first.';
     if (this.empty.textContent !== says) this.empty.replaceChildren(element('p', {}, says));
   }
 

@@ -39,10 +39,7 @@ export function pasteCopied(wb: Workbench): void {
     const { missing, found } = takePose(character, copied.pose);
     if (missing.length === 0) return;
     const joints = plural(found, 'joint');
-    wb.messages.note(
-      `Pasted ${joints}; ${character.name} has no ${someNames(missing)}, which stayed behind.`,
-      'warning',
-    );
+    wb.messages.note(`Pasted ${joints}; ${character.name} has no ${someNames(missing)}, which was skipped.`, 'warning');
   });
 }
 
@@ -81,6 +78,6 @@ export function moment(wb: Workbench) {
 
 function someNames(names: readonly string[]): string {
   const [first] = names;
-  const quoted = `“${first || 'joint without a name'}”`;
+  const quoted = `“${first || 'unnamed joint'}”`;
   return names.length > 1 ? `${quoted} and ${names.length - 1} more` : quoted;
 }

@@ -15,10 +15,10 @@ export interface PoseOptions {
 }
 
 const BUTTONS: readonly (readonly [id: string, text: string, label: string])[] = [
-  ['pose.keep', 'Keep pose', 'Keep the pose shown'],
-  ['pose.copy', 'Copy', 'Copy the pose shown'],
-  ['pose.paste', 'Paste', 'Paste the pose that was copied'],
-  ['pose.mirror', 'Mirror', 'Mirror the pose shown'],
+  ['pose.keep', 'Save pose', 'Save current pose to library'],
+  ['pose.copy', 'Copy', 'Copy current pose'],
+  ['pose.paste', 'Paste', 'Paste copied pose'],
+  ['pose.mirror', 'Mirror', 'Mirror current pose'],
 ];
 
 export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTMLElement {
@@ -39,27 +39,27 @@ export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTML
     min: 0,
     max: 100,
     step: 1,
-    'aria-label': 'How much of a pose is taken on',
+    'aria-label': 'Blend amount of an applied pose',
   });
   const percent = element('span', { class: 'pose-percent number' });
   slider.addEventListener('input', () => options.update((now) => ({ ...now, share: Number(slider.value) / 100 })));
   slider.addEventListener('dblclick', () => options.update((now) => ({ ...now, share: 1 })));
   const share = element(
     'label',
-    { class: 'pose-blend', title: 'How much of a pose a click takes on' },
+    { class: 'pose-blend', title: 'Blend amount of an applied pose' },
     'Blend',
     slider,
     percent,
   );
   const branch = keepsFocusElsewhere(
     button(
-      'Only the selected joint and what is below it',
+      'Only the selected joint and its descendants',
       {
         class: 'tool text-tool',
         'aria-pressed': 'false',
-        title: 'Of a card: only the selected joint and what is below it',
+        title: 'Apply only to the selected joint and its descendants',
       },
-      'Branch only',
+      'Hierarchy only',
       () => options.update((now) => ({ ...now, branch: !now.branch })),
     ),
   );
@@ -81,7 +81,7 @@ export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTML
     element('div', { class: 'tools', role: 'toolbar', 'aria-label': 'Poses' }, ...buttons),
     element(
       'div',
-      { class: 'pose-cards', role: 'group', 'aria-label': 'What a click on a card takes on' },
+      { class: 'pose-cards', role: 'group', 'aria-label': 'How a pose is applied' },
       element('span', { class: 'faint', 'aria-hidden': 'true' }, 'Cards'),
       branch,
       share,

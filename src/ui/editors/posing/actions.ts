@@ -24,7 +24,7 @@ export const POSING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'posing.leave',
-    label: 'Back to FK, then select nothing',
+    label: 'Back to FK, then deselect all',
     group: 'Pose',
     shortcuts: ['Escape'],
     // A drag has the keyboard to itself (`tools/canvas-tools.ts`): this comes to what is left.
@@ -33,12 +33,12 @@ export const POSING_ACTIONS: readonly Action[] = [
       else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);
     },
   },
-  dofKey('posing.nextDof', 'Next DOF of the joint', ['V'], (wb) => chooseNextDof(wb, 1)),
-  dofKey('posing.previousDof', 'Previous DOF of the joint', ['Shift+V'], (wb) => chooseNextDof(wb, -1)),
-  dofKey('posing.more', 'Turn the active DOF up by a degree', ['+', '='], (wb) => nudgeDof(wb, 1)),
-  dofKey('posing.less', 'Turn the active DOF down by a degree', ['-'], (wb) => nudgeDof(wb, -1)),
-  turn('posing.turnLeft', 'Turn the view left, or step back while playing', 'Left', -1),
-  turn('posing.turnRight', 'Turn the view right, or step forward while playing', 'Right', 1),
+  dofKey('posing.nextDof', 'Next DOF of joint', ['V'], (wb) => chooseNextDof(wb, 1)),
+  dofKey('posing.previousDof', 'Previous DOF of joint', ['Shift+V'], (wb) => chooseNextDof(wb, -1)),
+  dofKey('posing.more', 'Increase active DOF by a step', ['+', '='], (wb) => nudgeDof(wb, 1)),
+  dofKey('posing.less', 'Decrease active DOF by a step', ['-'], (wb) => nudgeDof(wb, -1)),
+  turn('posing.turnLeft', 'Orbit left, or step back while playing', 'Left', -1),
+  turn('posing.turnRight', 'Orbit right, or step forward while playing', 'Right', 1),
 ];
 
 /** From FK to IK; back to FK from anything else. */

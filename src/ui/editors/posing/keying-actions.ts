@@ -23,7 +23,7 @@ const shownTake = (wb: Workbench) => {
 export const KEYING_ACTIONS: readonly Action[] = [
   {
     id: 'key.pose',
-    label: 'Key the pose',
+    label: 'Key pose',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['K'],
@@ -33,7 +33,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.joint',
-    label: 'Key the selected joint',
+    label: 'Key selected joint',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Shift+K'],
@@ -42,7 +42,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.changed',
-    label: 'Key what was changed',
+    label: 'Key changed values',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Ctrl+Alt+K'],
@@ -51,7 +51,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.deleteHere',
-    label: 'Delete the keys at this moment',
+    label: 'Delete keys at current time',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+K'],
@@ -60,7 +60,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.deleteJointHere',
-    label: 'Delete the joint’s keys at this moment',
+    label: 'Delete joint’s keys at current time',
     group: 'Keys',
     menu: 'Keys',
     shortcuts: ['Alt+Shift+K'],
@@ -69,7 +69,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'key.dropUnkeyed',
-    label: 'Drop unkeyed values',
+    label: 'Discard unkeyed changes',
     group: 'Keys',
     menu: 'Keys',
     enabled: (wb) => wb.store.document.characters.some((c) => c.unkeyed !== undefined),
@@ -113,7 +113,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.duplicate',
-    label: 'Duplicate the take',
+    label: 'Duplicate take',
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
@@ -122,7 +122,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rename',
-    label: 'Rename the take…',
+    label: 'Rename take…',
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
@@ -131,8 +131,8 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.remove',
-    name: 'Remove the take',
-    label: (wb) => `Remove ${shownTake(wb)?.name ?? 'the take'}`,
+    name: 'Remove take',
+    label: (wb) => `Remove ${shownTake(wb)?.name ?? 'take'}`,
     group: 'Keys',
     menu: 'Keys/Take',
     section: 1,
@@ -141,7 +141,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rangeFromPlayed',
-    label: 'Take’s range from the played range',
+    label: 'Set take range to playback range',
     group: 'Keys',
     menu: 'Keys/Take',
     section: 2,
@@ -153,7 +153,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.rangeFromKeys',
-    label: 'Take’s range from its keys and samples',
+    label: 'Fit take range to keys and samples',
     group: 'Keys',
     menu: 'Keys/Take',
     section: 2,

@@ -11,9 +11,9 @@ import type { Workbench } from '../../state/workbench.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
 const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
-  fk: 'Forward kinematics: turn joints one by one, by their rings or by dragging the bone up and down',
-  ik: 'Inverse kinematics: click pins a point, drag moves any point while the pins hold',
-  rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click adds a child',
+  fk: 'Forward kinematics: rotate joints one at a time with their rings or by dragging a bone up and down',
+  ik: 'Inverse kinematics: click to pin a point, drag to move any point while pins hold',
+  rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click to add a child',
 };
 
 export function modeBar(wb: Workbench): HTMLElement {
@@ -66,10 +66,10 @@ function limitsSwitch(wb: Workbench): HTMLElement {
   made.append(element('span', { class: 'limits-text' }, 'Limits'));
   const title = keepTooltip(wb, made, 'pose.holdLimits', () => {
     const character = currentCharacter(wb);
-    if (!character) return 'Limits of joints hold';
+    if (!character) return 'Enforce joint limits';
     return character.clampsToLimits
-      ? `Limits hold: ${character.name}’s joints stop at them`
-      : `Limits don’t hold: ${character.name}’s joints go past them`;
+      ? `Limits on: ${character.name}’s joints stop at them`
+      : `Limits off: ${character.name}’s joints can go past them`;
   });
   const show = () => {
     const character = currentCharacter(wb);

@@ -12,5 +12,5 @@ export function tellFollows(wb: Workbench, character: Character, dofs: readonly 
   const what = `${id} ${driver.sourceId}`;
   if (toldToFollow.has(what)) return;
   toldToFollow.add(what);
-  wb.messages.note(`${name} follows ${driver.source.name}: bake it to keep what you pose.`);
+  wb.messages.note(`${name} is retargeted from ${driver.source.name}. Bake it to keep your pose.`);
 }

@@ -25,10 +25,10 @@ export function dropStale(wb: Workbench, timeSeconds: number): void {
   store.apply(dropUnkeyed, { exceptSeconds: timeSeconds });
   const undo = keyNameOf(wb, 'edit.undo');
   const key = canBeKeyed ? keyNameOf(wb, 'key.pose') : undefined;
-  const hints = [undo && `${undo} brings ${count === 1 ? 'it' : 'them'} back`, key && `${key} keeps such values`];
+  const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];
   const said = hints.filter(Boolean).join(', ');
-  const what = count === 1 ? 'A value set by hand was' : `${count} values set by hand were`;
-  messages.note(`${what} not keyed and ${count === 1 ? 'is' : 'are'} gone${said && `: ${said}`}.`);
+  const what = count === 1 ? 'Unkeyed change' : `${count} unkeyed changes`;
+  messages.note(`${what} discarded${said && `. ${said}`}.`);
 }
 
 /** The key of an action as a menu shows it; undefined where it has none. */

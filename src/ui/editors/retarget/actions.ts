@@ -8,7 +8,7 @@ const commands = () => import('../../../edit/commands/retarget.ts');
 export const RETARGET_ACTIONS: readonly Action[] = [
   {
     id: 'retarget.open',
-    label: 'Put a take onto a character…',
+    label: 'Retarget take…',
     group: 'Edit',
     menu: 'Edit',
     section: 3,
@@ -17,9 +17,9 @@ export const RETARGET_ACTIONS: readonly Action[] = [
   },
   {
     id: 'retarget.bake',
-    name: 'Bake the take that moves the character',
-    label: (wb) => `Bake ${currentCharacter(wb)?.driver?.source.clip.name ?? 'what moves the character'}`,
-    detail: 'As a take of the character’s own',
+    name: 'Bake retargeting',
+    label: (wb) => `Bake ${currentCharacter(wb)?.driver?.source.clip.name ?? 'retargeting'}`,
+    detail: 'As the character’s own take',
     group: 'Edit',
     menu: 'Edit',
     section: 3,
@@ -32,9 +32,9 @@ export const RETARGET_ACTIONS: readonly Action[] = [
   },
   {
     id: 'retarget.clear',
-    name: 'Let go of the take that moves the character',
-    label: (wb) => `Let go of ${currentCharacter(wb)?.driver?.source.clip.name ?? 'what moves the character'}`,
-    detail: 'Its own take and pose again',
+    name: 'Stop retargeting',
+    label: (wb) => `Stop retargeting ${currentCharacter(wb)?.driver?.source.clip.name ?? ''}`.trim(),
+    detail: 'Returns to its own take and pose',
     group: 'Edit',
     menu: 'Edit',
     section: 3,

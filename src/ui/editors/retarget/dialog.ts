@@ -23,7 +23,7 @@ import { pairTable } from './pair-table.ts';
 import { resultText } from './result-text.ts';
 import { firstTarget, possibleTargets } from './targets.ts';
 
-const TITLE = 'Put a take onto a character';
+const TITLE = 'Retarget take';
 /** Typing is answered at most so often. */
 const PREVIEW_MS = 120;
 /** Contacts of each foot that are looked at for the words below: a long take has thousands. */
@@ -34,11 +34,11 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
   const kind = 'tool-dialog retarget-dialog';
   const first = firstTarget(wb);
   if (!first) {
-    const text = 'Open a take and a character with a skeleton first: what the one does can then be put onto the other.';
+    const text = 'Open a take and another character with a skeleton first.';
     return { title: TITLE, kind, body: element('div', {}, element('p', {}, text)) };
   }
   const trial = new Trial(store, TITLE, () => {
-    wb.messages.note(`${TITLE} was not applied: something else has changed meanwhile.`, 'warning');
+    wb.messages.note(`${TITLE} was not applied because the document has changed. Try again.`, 'warning');
     stop();
     close();
   });
@@ -52,28 +52,28 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
   const scale = element('input', { type: 'text', inputmode: 'decimal', autocomplete: 'off', class: 'number-field' });
   const reference = choice([
     ['automatic', 'Automatic'],
-    ['rest', 'File’s pose'],
-    ['now', 'This moment'],
+    ['rest', 'File pose'],
+    ['now', 'Current time'],
   ]);
   const feet = element('input', { type: 'checkbox' });
   const result = element('p', { class: 'tool-result', role: 'status' });
   const table = pairTable(() => soon());
   const apply = element('button', { type: 'submit', class: 'plain primary' }, 'Apply');
   const bake = element('button', { type: 'button', class: 'plain' }, 'Bake');
-  const takeOff = element('button', { type: 'button', class: 'plain' }, 'Let go');
-  const again = element('button', { type: 'button', class: 'plain' }, 'Match again');
+  const takeOff = element('button', { type: 'button', class: 'plain' }, 'Stop retargeting');
+  const again = element('button', { type: 'button', class: 'plain' }, 'Rematch joints');
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  bake.title = 'As a take of the character’s own, with a pose for every frame';
+  bake.title = 'Creates the character’s own take, with a pose for every frame';
   apply.title = 'Live: follows the other character’s take as it is edited';
   const body = element(
     'form',
     { class: 'tool-form' },
     field('Character', targets),
-    field('moves like', sources),
+    field('Source', sources),
     table.element,
-    field('Scale of its way', scale),
-    field('Both stand alike in', reference),
-    element('label', { class: 'tool-check' }, feet, element('span', {}, 'Plant feet where the take’s stand')),
+    field('Root motion scale', scale),
+    field('Reference pose', reference),
+    element('label', { class: 'tool-check' }, feet, element('span', {}, 'Plant feet where the source plants them')),
     result,
     element(
       'div',
@@ -95,7 +95,8 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
   const optionsNow = (): Partial<RetargetOptions> => {
     const typed = scale.value.trim();
     const number = parseNumber(typed);
-    if (typed !== '' && number === undefined) throw new CommandError('The scale has to be a number, or nothing.');
+    if (typed !== '' && number === undefined)
+      throw new CommandError('The scale must be a number, or empty for automatic.');
     return {
       scale: number,
       reference: reference.value === 'now' ? moment : reference.value === 'rest' ? 'rest' : 'automatic',
@@ -134,7 +135,7 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
       const moved = findCharacter(after, target.id);
       if (!moved?.driver || !moved.skeleton) return;
       const plan = retargetPlan(moved.driver, moved, moved.skeleton);
-      if (scale.value.trim() === '') scale.placeholder = `automatic: ${shown(plan.scale, 3)}`;
+      if (scale.value.trim() === '') scale.placeholder = `automatic: ${shown(plan.scale)}`;
       setText(result, resultText(moved.driver, moved.skeleton, measureSliding(plan, MEASURED)));
     });
   const soon = atMostEvery(PREVIEW_MS, preview);
@@ -208,7 +209,7 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
   );
   body.addEventListener('submit', (event) => {
     event.preventDefault();
-    if (!apply.disabled) end(made, `Put ${sourceTake()} onto ${target.name}`);
+    if (!apply.disabled) end(made, `Retarget ${sourceTake()} to ${target.name}`);
   });
   targets.value = target.id;
   showSources();

@@ -9,5 +9,5 @@ export function followsText({ driver }: Character): string {
 /** `moves walker`; empty where its take moves nobody else. */
 export function movesText({ characters }: Document, { id }: Character): string {
   const names = characters.filter(({ driver }) => driver?.sourceId === id).map(({ name }) => name);
-  return names.length ? `moves ${names.join(', ')}` : '';
+  return names.length ? `drives ${names.join(', ')}` : '';
 }

@@ -18,7 +18,7 @@ export function movedChoices(wb: Workbench, characterId: string): readonly Moved
   return [
     {
       label: 'Bake',
-      title: 'Make what is seen a take of its own, which can be edited and saved',
+      title: 'Make it the character’s own take, which can be edited and saved',
       run: () => void change(wb, ({ bakeRetarget }) => wb.store.apply(bakeRetarget, { characterId })),
     },
     {
@@ -30,8 +30,8 @@ export function movedChoices(wb: Workbench, characterId: string): readonly Moved
       },
     },
     {
-      label: 'Let go',
-      title: 'Its own take and pose again',
+      label: 'Stop',
+      title: 'Returns to its own take and pose',
       run: () => void change(wb, ({ clearRetarget }) => wb.store.apply(clearRetarget, { characterId })),
     },
   ];
@@ -42,7 +42,7 @@ async function change(
   wb: Workbench,
   run: (commands: typeof import('../../../edit/commands/retarget.ts')) => void,
 ): Promise<void> {
-  const commands = await onDemand(wb.messages, 'What bakes takes', () => import('../../../edit/commands/retarget.ts'));
+  const commands = await onDemand(wb.messages, 'Baking', () => import('../../../edit/commands/retarget.ts'));
   if (commands) attempt(wb.messages, () => run(commands));
 }
 
@@ -57,7 +57,7 @@ export function movedEntries(wb: Workbench, { id, driver }: Character): MenuEntr
 
 /** The same as buttons. */
 export function movedButtons(wb: Workbench, characterId: () => string | undefined): HTMLElement {
-  const buttons = ['Bake', 'Change…', 'Let go'].map((label, i) => {
+  const buttons = ['Bake', 'Change…', 'Stop'].map((label, i) => {
     const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'plain' }, label));
     made.title = movedChoices(wb, '')[i].title;
     made.addEventListener('click', () => {
@@ -84,8 +84,8 @@ export function movedNotice(wb: Workbench): HTMLElement {
     if (!character || !by) return;
     const isGone = findCharacter(wb.store.document, by.sourceId) === undefined;
     const take = by.source.clip.name || by.source.name;
-    const how = isGone ? 'retargeted; the take itself was removed' : 'retargeted';
-    setText(text, `${character.name} is moved by ${take} (${how}). Bake to edit it here.`);
+    const how = isGone ? 'the source take was removed' : 'retargeted';
+    setText(text, `${character.name} is retargeted from ${take} (${how}). Bake to edit it here.`);
     text.title = text.textContent ?? '';
   };
   wb.store.subscribe((now, before) => {

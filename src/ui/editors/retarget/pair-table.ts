@@ -10,7 +10,7 @@ import type { JointPair } from '../../../model/retarget.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { element, setText, uniqueId } from '../../kit/dom.ts';
 
-const AT_REST = 'stays as posed';
+const AT_REST = 'keeps its pose';
 /** Matches below this are guesses. */
 const UNSURE = 0.6;
 
@@ -62,7 +62,7 @@ export function pairTable(changed: () => void): PairTable {
             const isFound = match !== undefined && match.source === s;
             row.classList.toggle('unmatched', s === undefined);
             row.classList.toggle('unsure', isFound && match.confidence < UNSURE);
-            const reason = isFound ? match.reason : 'chosen by hand';
+            const reason = isFound ? match.reason : 'set by hand';
             const isGuess = isFound && match.confidence < UNSURE;
             setText(why, s === undefined ? AT_REST : isGuess ? `guess: ${reason}` : reason);
             why.title = isFound ? `${reason}. ${sureness(match.confidence)}` : '';
@@ -86,7 +86,7 @@ function sureness(confidence: number): string {
   const percent = `${Math.round(100 * confidence)} %`;
   if (confidence >= 0.85) return `Sure (${percent}).`;
   if (confidence >= UNSURE) return `Likely (${percent}).`;
-  return `A guess (${percent}): see whether it moves as it should.`;
+  return `A guess (${percent}). Check that it moves correctly.`;
 }
 
 function head(text: string): HTMLElement {

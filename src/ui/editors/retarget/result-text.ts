@@ -6,11 +6,11 @@ import { plural, shown } from '../../kit/number-text.ts';
 
 export function resultText({ pairs, options }: Driver, skeleton: Skeleton, sliding: Sliding): string {
   const following = `${pairs.length} of ${plural(skeleton.joints.length, 'joint')} follow.`;
-  if (sliding.contacts === 0) return `${following} No foot is seen to stand.`;
-  const feet = options.plantsFeet ? 'Feet are planted' : 'Feet are left to the legs';
+  if (sliding.contacts === 0) return `${following} No foot contacts found.`;
+  const feet = options.plantsFeet ? 'Feet are planted' : 'Feet are not planted';
   const slide = `slide ${centimetres(sliding.mean)} on average, ${centimetres(sliding.worst)} at most`;
   const other = `${centimetres(sliding.sourceMean)} and ${centimetres(sliding.sourceWorst)}`;
-  return `${following} ${feet}: in ${plural(sliding.contacts, 'contact')} they ${slide} (the take’s own, at this size: ${other}).`;
+  return `${following} ${feet}: over ${plural(sliding.contacts, 'contact')} they ${slide} (source at this scale: ${other}).`;
 }
 
 function centimetres(metres: number): string {

@@ -34,7 +34,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   {
     id: 'rigging.mode',
     label: 'Rig mode',
-    detail: 'Joints are handles; most of this menu is for it',
+    detail: 'Edit joints with handles in the viewport',
     group: 'Rig',
     menu: 'Rig',
     checked: inRigMode,
@@ -43,7 +43,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   {
     id: 'rigging.new',
     label: 'New skeleton',
-    detail: 'From nothing: one joint, and a click for each further one',
+    detail: 'Starts with one joint; click to add more',
     group: 'Rig',
     menu: 'Rig',
     alsoIn: { menu: 'Open' },
@@ -68,14 +68,14 @@ export const RIG_ACTIONS: readonly Action[] = [
   }),
   ofJoint({
     id: 'rigging.addChild',
-    label: 'Add a child',
+    label: 'Add child',
     section: 1,
     shortcuts: ['Shift+C'],
     run: async (wb) => (await edits()).addChild(wb),
   }),
   ofJoint({
     id: 'rigging.rename',
-    label: 'Rename the joint',
+    label: 'Rename joint',
     section: 2,
     shortcuts: ['F2'],
     run(wb) {
@@ -87,9 +87,9 @@ export const RIG_ACTIONS: readonly Action[] = [
   ...(['x', 'y', 'z'] as const).map((axis: Axis) =>
     ofJoint({
       id: `rigging.mirror.${axis}`,
-      name: `Mirror the branch across ${axis}`,
+      name: `Mirror hierarchy across ${axis}`,
       label: axis === 'x' ? 'Across x: left and right' : `Across ${axis}`,
-      menu: 'Rig/Mirror the branch',
+      menu: 'Rig/Mirror hierarchy',
       section: 2,
       ...(axis === 'x' && { shortcuts: ['Shift+M'] }),
       run: async (wb) => (await edits()).mirrorIt(wb, axis),
@@ -97,22 +97,22 @@ export const RIG_ACTIONS: readonly Action[] = [
   ),
   ofJoint({
     id: 'rigging.delete',
-    label: 'Delete the joint; its children stay',
+    label: 'Delete joint, keep children',
     section: 3,
     shortcuts: ['Delete'],
     run: async (wb) => (await edits()).removeIt(wb, 'stay'),
   }),
   ofJoint({
     id: 'rigging.deleteBranch',
-    label: 'Delete the joint and all below it',
+    label: 'Delete joint and descendants',
     section: 3,
     shortcuts: ['Shift+Delete'],
     run: async (wb) => (await edits()).removeIt(wb, 'too'),
   }),
   inRig({
     id: 'rigging.skinStays',
-    label: 'Skin stays where it is',
-    detail: 'Bind mode; otherwise it follows the joints, as if posed',
+    label: 'Keep skin in place',
+    detail: 'Rebinds the skin; otherwise it follows the joints',
     group: 'Rig',
     menu: 'Rig',
     section: 4,
@@ -122,7 +122,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   }),
   inRig({
     id: 'rigging.childrenStay',
-    label: 'Children stay when a joint is dragged',
+    label: 'Keep children in place',
     group: 'Rig',
     menu: 'Rig',
     section: 4,
@@ -131,8 +131,8 @@ export const RIG_ACTIONS: readonly Action[] = [
   }),
   inRig({
     id: 'rigging.worldAxes',
-    label: 'Arrows along the world’s axes',
-    detail: 'Otherwise along the parent’s, as offsets count',
+    label: 'World-axis handles',
+    detail: 'Otherwise along the parent’s axes, like offsets',
     group: 'Rig',
     menu: 'Rig',
     section: 4,
@@ -141,7 +141,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   }),
   inRig({
     id: 'rigging.filePose',
-    label: 'Take the pose shown as the file’s pose',
+    label: 'Set current pose as file pose',
     group: 'Rig',
     menu: 'Rig',
     section: 5,
@@ -150,7 +150,7 @@ export const RIG_ACTIONS: readonly Action[] = [
   }),
   inRig({
     id: 'rigging.filePoseRest',
-    label: 'Make the file’s pose all zero',
+    label: 'Set file pose to zero',
     group: 'Rig',
     menu: 'Rig',
     section: 5,

@@ -10,12 +10,12 @@ import type { Workbench } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
 const SKIN_TEXT: Readonly<Record<RigSkin, readonly [text: string, tip: string]>> = {
-  stays: ['stays', 'The skin stays where it is, and is bound anew (bind mode)'],
-  follows: ['follows', 'The skin keeps its binding, and follows as if posed (pose mode)'],
+  stays: ['stays', 'The skin stays in place and is rebound (bind mode)'],
+  follows: ['follows', 'The skin keeps its binding and follows the joints (pose mode)'],
 };
 const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: string]>> = {
-  follow: ['follow', 'Joints below one that is dragged go along'],
-  stay: ['stay', 'Joints below one that is dragged stay where they are'],
+  follow: ['follow', 'Children move with a dragged joint'],
+  stay: ['stay', 'Children stay in place when a joint is dragged'],
 };
 
 /** Made once; it follows the page while it is shown. */
@@ -26,7 +26,7 @@ export function rigControls(wb: Workbench): HTMLElement {
       runAction(wb, 'rigging.addJoints'),
     ),
   );
-  keepTooltip(wb, adding, 'rigging.addJoints', () => 'Add joints: each click hangs a new one on the selected joint');
+  keepTooltip(wb, adding, 'rigging.addJoints', () => 'Add joints: each click adds a child to the selected joint');
   const text = element('span');
   const hint = element('p', { class: 'rig-hint', role: 'status' }, text);
   const show = () => {
@@ -61,13 +61,13 @@ export function hintText(wb: Pick<Workbench, 'store' | 'posing'>): string {
   const isAny = document.characters.some((c) => c.skeleton);
   const hasJoint = selection.joint !== undefined;
   if (wb.posing.rig.adding.get()) {
-    if (!isAny) return 'Click where the first joint stands.';
-    if (!hasJoint) return 'Click the joint that the new one hangs on.';
-    return 'Click adds a joint; on a joint, it branches. Esc ends.';
+    if (!isAny) return 'Click to place the first joint.';
+    if (!hasJoint) return 'Click the parent of the new joint.';
+    return 'Click to add a joint, or on a joint to branch from it. Esc to finish.';
   }
-  if (!isAny) return 'Add joints, and click where the first one stands.';
-  if (!hasJoint) return 'Click a joint to change it; drag it to another place.';
-  return 'Drag the joint, an arrow, or a face of its box. Ctrl+click adds a child.';
+  if (!isAny) return 'Choose Add joints and click to place the first one.';
+  if (!hasJoint) return 'Click a joint to edit it, drag to move it.';
+  return 'Drag the joint, an arrow or a face of its box. Ctrl+click to add a child.';
 }
 
 function group(...children: HTMLElement[]): HTMLElement {

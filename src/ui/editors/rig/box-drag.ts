@@ -55,8 +55,8 @@ export function dragFace(
       const by = withoutDust([reached - from, 0, 0], unit)[0];
       const next = boxWithFace(box, axis, side, by, { both: now.altKey, step, unitsPerPixel: unit });
       edit.preview(setBox, { ...rigging(wb, character), joint, box: next });
-      const size = next.max.map((most, k) => shown(Math.abs(most - next.min[k]), 4)).join(' × ');
-      readout.set(`Box: ${side} ${'xyz'[axis]} ${shown(next[side][axis], 4)} · ${size}`);
+      const size = next.max.map((most, k) => shown(Math.abs(most - next.min[k]))).join(' × ');
+      readout.set(`Box: ${side} ${'xyz'[axis]} ${shown(next[side][axis])} · ${size}`);
     },
     end() {
       edit.commit();

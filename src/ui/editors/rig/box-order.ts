@@ -12,8 +12,8 @@ export function whyNoCorner(box: Box, side: keyof Box, corner: Vec3): string | u
   for (const axis of [0, 1, 2] as const) {
     if (!(next.min[axis] > next.max[axis]) || box.min[axis] > box.max[axis]) continue;
     const letter = 'xyz'[axis];
-    const [from, to] = [next.min[axis], next.max[axis]].map((value) => shown(value, 4));
-    return `The box would go from ${from} to ${to} along ${letter}: its lower corner lies below its upper one.`;
+    const [from, to] = [next.min[axis], next.max[axis]].map((value) => shown(value));
+    return `The box would go from ${from} to ${to} along ${letter}, but its lower corner must be below its upper one.`;
   }
   return undefined;
 }

@@ -52,14 +52,14 @@ export function coupleRow(
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const gain = new NumberField({
     label: `Gain of ${dof.name}`,
-    text: (value) => shown(value, 4),
+    text: (value) => shown(value),
     commit: (value) => change({ gain: (value * from()) / to }),
     refuse,
     step: 0.1,
   });
   const offset = new NumberField({
     label: `Offset of ${dof.name}`,
-    text: (value) => `${shown(value, 4)}${unitText(dof.unit, angles)}`,
+    text: (value) => `${shown(value)}${unitText(dof.unit, angles)}`,
     commit: (value) => change({ offset: value / to }),
     refuse,
     step: 1,
@@ -77,7 +77,7 @@ export function coupleRow(
     offset.show(withoutNoise(couple.offset * to));
   };
   update();
-  const remove = button(`${dof.name} follows nothing`, { class: 'plain' }, '×', () => put(null));
+  const remove = button(`Unlink ${dof.name}`, { class: 'plain' }, '×', () => put(null));
   const line = element(
     'div',
     { class: 'rig-couple' },
@@ -105,15 +105,15 @@ export function addCoupleRow(
   const own = skeleton.joints[joint];
   const free = dofsOf(own.motion).filter(({ name }) => !own.couples?.some((couple) => couple.dof === name));
   if (!free.length) return undefined;
-  const add = element('select', { 'aria-label': 'Let a DOF follow another' });
-  add.append(element('option', { value: '' }, 'Let a DOF follow…'));
+  const add = element('select', { 'aria-label': 'Link a DOF to another' });
+  add.append(element('option', { value: '' }, 'Link DOF…'));
   for (const dof of free) add.append(element('option', { value: dof.name }, dof.name));
   add.addEventListener('change', () => {
     const dof = free.find(({ name }) => name === add.value);
     add.value = '';
     if (!dof) return;
     const found = firstToFollow(skeleton, joint, dof);
-    if (!found) return wb.messages.note('There is no other DOF to follow.');
+    if (!found) return wb.messages.note('There is no other DOF to link to.');
     coupleIt(wb, characterId, { joint, dof: dof.name, follows: { ...found, gain: 1, offset: 0 } });
   });
   return element('div', { class: 'rig-row is-alone' }, add);

@@ -62,7 +62,7 @@ function dragJoint(
       if (!moved || skeleton === undefined) return;
       const children = state.children.get();
       edit.preview(setOffset, { ...rigging(wb, character), joint, offset: moved.offset, children });
-      const numbers = moved.offset.map((part) => shown(part, 4)).join(', ');
+      const numbers = moved.offset.map((part) => shown(part)).join(', ');
       state.readout.set(`${jointName(skeleton, joint)}: offset ${numbers}${moved.note ?? ''}`);
     },
     end() {

@@ -9,13 +9,13 @@ export function nameNote(character: Pick<Character, 'skeleton'>, joint: number):
   const name = skeleton?.joints[joint]?.name;
   if (!skeleton || !name) return '';
   const notes: string[] = [];
-  if (savesAsAxisAngle(skeleton)) notes.push('The axis-angle form saves no names.');
+  if (savesAsAxisAngle(skeleton)) notes.push('The axis-angle form stores no names.');
   else {
     const written = isBvh(character) ? restOfLine(name) : oneToken(name);
     if (written !== name) notes.push(`Saved as “${written}”.`);
   }
   if (skeleton.joints.some((other, j) => j !== joint && other.name === name)) {
-    notes.push('Another joint is called so too; they are told apart by their numbers.');
+    notes.push('Another joint has the same name. They are told apart by index.');
   }
   return notes.join(' ');
 }

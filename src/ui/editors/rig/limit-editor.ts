@@ -80,6 +80,6 @@ export function typedLimit(lower: string, upper: string, perUnit: number, units?
   };
   const min = numberIn(lower, UNLIMITED.min);
   const max = numberIn(upper, UNLIMITED.max);
-  if (Number.isNaN(min) || Number.isNaN(max)) return 'A limit is a number, or empty for none.';
+  if (Number.isNaN(min) || Number.isNaN(max)) return 'A limit must be a number, or empty for none.';
   return min > max ? 'The lower limit is above the upper one.' : { min, max };
 }

@@ -33,7 +33,7 @@ export function limitRow(
     const value = dofNow()?.limit[side];
     if (value === undefined || value === UNLIMITED[side]) return '';
     const number = withoutNoise(value * perUnit());
-    return asExact ? exact(number) : shown(number, 4);
+    return asExact ? exact(number) : shown(number);
   };
   const take = (side: 'min' | 'max') => {
     const now = dofNow();

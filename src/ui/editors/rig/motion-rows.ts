@@ -94,7 +94,7 @@ function parameterRows(
 
 function noDirection(axis: Vec3): string | undefined {
   return axis.every((part) => part === 0)
-    ? 'An axis of 0 0 0 has no direction: type the new one first, or choose x, y or z below.'
+    ? 'An axis of 0 0 0 has no direction. Enter the new one first, or choose x, y or z below.'
     : undefined;
 }
 

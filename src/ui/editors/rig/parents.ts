@@ -27,7 +27,7 @@ export function whyNoDrop(
 ): string | undefined {
   if (row === joint || joint <= 0 || row < joint || row >= branchEnd(joints, joint)) return undefined;
   const called = (j: number) => joints[j].name || `joint ${j}`;
-  return `${called(joint)} can’t hang on ${called(row)}, which hangs on it.`;
+  return `${called(joint)} can’t be parented to its descendant ${called(row)}.`;
 }
 
 /** Where in a row the pointer is: its upper part, its middle, its lower part. */

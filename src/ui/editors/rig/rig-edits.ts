@@ -121,7 +121,7 @@ export function mirrorIt(wb: Workbench, across: Axis, joint?: number): void {
   withJoint(wb, joint, (character, meant) => {
     const before = wb.store.document;
     wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint: meant, across });
-    if (wb.store.document === before) wb.messages.note('Both sides match already.');
+    if (wb.store.document === before) wb.messages.note('Both sides already match.');
   });
 }
 

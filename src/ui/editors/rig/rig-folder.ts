@@ -59,7 +59,7 @@ export class RigFolder {
     private readonly folder: GUI,
   ) {
     this.context = { wb, edit, folder };
-    folder.$children.dataset.empty = 'Pick a joint in the viewport or the tree to change it.';
+    folder.$children.dataset.empty = 'Select a joint in the viewport or outliner to edit it.';
   }
 
   /** After an edit, or another selection. */
@@ -167,7 +167,7 @@ export class RigFolder {
         const lost = keysLostBy(this.wb.store.document, args);
         this.apply(setMotion, args);
         if (lost !== undefined)
-          this.wb.messages.note(`The joint moves otherwise now, without ${lost}. Undo brings them back.`);
+          this.wb.messages.note(`Changing the type of the joint removed ${lost}. Undo restores them.`);
       },
       preview: (motion: Motion) => this.preview(setMotion, { ...this.args(), motion }),
     });
@@ -189,7 +189,7 @@ export class RigFolder {
     const has = { bone: own.length !== undefined };
     const row = this.folder.add(has, 'bone').name('Bone along y');
     row.domElement.title =
-      'A bone of the joint’s own, from its pivot along its y axis, as long as you say. Without it, bones lead to its children.';
+      'Gives the joint its own bone along its y axis, of the length you set. Without it, bones lead to its children.';
     row.onChange((bone: boolean) => this.apply(setLength, { ...this.args(), length: bone ? usualLength(own) : null }));
     if (own.length !== undefined) {
       const bounds = [0, Number.POSITIVE_INFINITY] as const;
@@ -234,7 +234,7 @@ export class RigFolder {
   }
 
   private addPose(joint: number): void {
-    this.append(heading('Pose in the file'));
+    this.append(heading('File pose'));
     const take = (label: string, text: string, from: 'shown' | 'rest', of?: number) =>
       button(label, { class: 'plain' }, text, () => {
         const { skin, timeSeconds, characterId } = this.args();
@@ -244,9 +244,9 @@ export class RigFolder {
       element(
         'div',
         { class: 'rig-row rig-buttons' },
-        take('The file begins with this joint posed as it is shown now', 'Take as shown', 'shown', joint),
-        take('The file begins with all DOFs of this joint at rest', 'Set to zero', 'rest', joint),
-        take('The file begins with all joints posed as they are shown now', 'Take all as shown', 'shown'),
+        take('Saves the current pose of this joint in the file', 'Set to current', 'shown', joint),
+        take('Saves this joint at zero in the file', 'Set to zero', 'rest', joint),
+        take('Saves the current pose of all joints in the file', 'Set all to current', 'shown'),
       ),
     );
   }

@@ -87,12 +87,12 @@ export function rigTool(wb: Workbench): ModeTool {
     standStill(wb);
     const rigged = riggedNow(wb);
     const refuse = (why: string) => wb.messages.note(why, 'warning');
-    if (!rigged && currentCharacter(wb)?.skeleton) refuse('The character is hidden: show it first.');
+    if (!rigged && currentCharacter(wb)?.skeleton) refuse('The character is hidden. Show it first.');
     else if (!rigged) startSkeletonAt(wb, at);
-    else if (parent === undefined) wb.messages.note('Pick the joint that the new one hangs on first.');
+    else if (parent === undefined) wb.messages.note('Select the parent of the new joint first.');
     else {
       const place = placeForChild(wb, rigged, parent, at);
-      if (!place) refuse('That joint flattens its space: nothing can be placed in it.');
+      if (!place) refuse('That joint is scaled to zero, so nothing can be placed under it.');
       else addTo(rigged.character, parent, place.offset);
     }
   };

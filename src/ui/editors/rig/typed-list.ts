@@ -11,8 +11,8 @@ export function typedList(text: string, choices: readonly string[]): readonly st
   const list: string[] = [];
   for (const word of words) {
     if (!choices.includes(word)) return `“${word.slice(0, 12)}” is none of ${choices.join(' ')}.`;
-    if (list.includes(word)) return `${word} is listed twice; a compound joint has each DOF once at most.`;
+    if (list.includes(word)) return `${word} is listed twice. A compound joint can have each DOF only once.`;
     list.push(word);
   }
-  return list.length ? list : 'A compound joint has at least one DOF: what it had stays.';
+  return list.length ? list : 'A compound joint needs at least one DOF. Nothing was changed.';
 }

@@ -12,7 +12,7 @@ export const SKIN_ACTIONS: readonly Action[] = [
   {
     id: 'skin.weights',
     label: 'Automatic skin weights…',
-    detail: 'Which joints move each vertex, found from the bones',
+    detail: 'Binds each vertex to the bones near it',
     group: 'Edit',
     menu: 'Edit',
     section: 4,

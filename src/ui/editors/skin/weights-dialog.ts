@@ -23,27 +23,27 @@ import { type Asked, toolDialog } from '../timeline/tool-dialog.ts';
 const TITLE = 'Automatic skin weights';
 
 const PLACES: Readonly<Record<BindPlace, string>> = {
-  bound: 'Where it was bound',
-  drawn: 'As drawn now',
-  file: 'Mesh as in its file',
+  bound: 'Original bind pose',
+  drawn: 'Current pose',
+  file: 'Mesh as in file',
 };
 
 export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
   const character = currentCharacter(wb);
   const skin = character && shownSkin(character);
   if (!character?.skeleton || !skin) {
-    const said = element('p', {}, 'A character with a skeleton and a skin has to be there.');
+    const said = element('p', {}, 'Open a character with a skeleton and a skin first.');
     return { title: TITLE, body: said, kind: 'tool-dialog' };
   }
   const { skeleton } = character;
   const { timeSeconds } = wb.transport.get();
   const places = bindPlaces(character, skin, timeSeconds);
-  const replaces = skin.attachments ? ` It replaces those that ${skin.name} has.` : '';
+  const replaces = skin.attachments ? ` Replaces the weights of ${skin.name}.` : '';
   const dialog = toolDialog<AutoWeights>(wb, close, {
     name: 'skinWeights',
     title: TITLE,
     about:
-      'Heat that flows from the bones over the skin: each vertex follows the nearest bone that it sees through the ' +
+      'Heat diffusion from the bones: each vertex follows the nearest bone it can see through the ' +
       `inside, blended where bones meet.${replaces}`,
     asked: asked(places),
     command: autoWeights,
@@ -69,7 +69,7 @@ function asked(places: readonly BindPlace[]): Asked[] {
   const most: Asked = {
     kind: 'number',
     name: 'most',
-    label: 'Joints per vertex, at most',
+    label: 'Max joints per vertex',
     value: USUAL_INFLUENCES,
   };
   if (places.length < 2) return [most];
@@ -87,15 +87,15 @@ export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
   const named = idle.slice(0, MOST_NAMED).map((joint) => jointName(skeleton, joint));
   const names = [...named, ...(idle.length > MOST_NAMED ? ['…'] : [])].join(', ');
   const isOne = idle.length === 1;
-  const move = isOne ? 'moves nothing: its bone lies' : 'move nothing: their bones lie';
-  return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others’ lie nearer (${names}).`;
+  const move = isOne ? 'moves nothing: its bone is' : 'move nothing: their bones are';
+  return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others are nearer (${names}).`;
 }
 
 /** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
 export function resultText({ skin, moving, byDistance }: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
-  const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} of them each` : '';
+  const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} per vertex on average` : '';
   const apart = byDistance
-    ? ` ${plural(byDistance, 'vertex', 'vertices')} no bone is seen from: by distance alone.`
+    ? ` ${plural(byDistance, 'vertex', 'vertices')} see${byDistance === 1 ? 's' : ''} no bone; weighted by distance.`
     : '';
   return `${plural(vertexCount(skin), 'vertex', 'vertices')} follow ${plural(moving, 'joint')}${each}.${apart}`;
 }

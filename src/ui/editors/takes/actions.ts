@@ -47,7 +47,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.list',
-    label: 'List of takes',
+    label: 'Take list',
     group: 'Play',
     menu: MENU,
     section: 4,
@@ -72,7 +72,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.toggleShown',
-    label: 'Show or hide the take',
+    label: 'Show or hide take',
     group: 'Play',
     // Heat has the key elsewhere, and Space plays here too.
     panel: 'takes',
@@ -84,9 +84,9 @@ export const TAKE_ACTIONS: readonly Action[] = [
     id: 'take.together',
     label: (wb) => {
       const { length } = chosenTakes(wb);
-      return length > 1 ? `Play these ${length} together` : 'Play the chosen takes together';
+      return length > 1 ? `Play these ${length} together` : 'Play selected takes together';
     },
-    name: 'Play the chosen takes together',
+    name: 'Play selected takes together',
     group: 'Play',
     menu: MENU,
     section: 5,
@@ -104,7 +104,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.compare',
-    label: (wb) => (wb.timeline.takes.comparison.get() ? 'Stop comparing' : 'Compare the two chosen takes'),
+    label: (wb) => (wb.timeline.takes.comparison.get() ? 'Stop comparing' : 'Compare selected takes'),
     name: 'Compare two takes',
     group: 'Play',
     menu: MENU,
@@ -119,7 +119,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
   {
     id: 'take.alignStarts',
     label: 'Align starts',
-    detail: 'Of the chosen takes, or of all that are seen',
+    detail: 'Selected takes, or all visible ones',
     group: 'Play',
     menu: MENU,
     section: 7,
@@ -128,17 +128,17 @@ export const TAKE_ACTIONS: readonly Action[] = [
   },
   {
     id: 'take.resetOffsets',
-    label: 'At their own times',
-    detail: 'As the files have them, moved neither way',
+    label: 'Original start times',
+    detail: 'As in the files',
     group: 'Play',
     menu: MENU,
     section: 7,
     enabled: hasTakes,
     run: resetOffsets,
   },
-  put('grid', 'Side by side', 'In rows, each where it begins'),
-  put('spot', 'On one spot', 'All begin where the first one does'),
-  put('space', 'In one space', 'All in the first one’s coordinates'),
+  put('grid', 'Side by side', 'In rows, without overlap'),
+  put('spot', 'Same spot', 'All start where the first one does'),
+  put('space', 'Same space', 'All in the coordinates of the first one'),
 ];
 
 function put(how: Arrangement, label: string, detail: string): Action {

@@ -7,7 +7,7 @@ import { element, setAttribute } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
-import { seconds, shown } from '../../kit/number-text.ts';
+import { shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
@@ -147,7 +147,7 @@ export class DistanceChart {
     const line = (pair: number, kind: ChartLine['kind'], ordinal: number): ChartLine => ({
       values: values.subarray(pair * frameCount, (pair + 1) * frameCount),
       kind,
-      label: joints[match.first[pair]]?.name || 'no name',
+      label: joints[match.first[pair]]?.name || 'unnamed',
       ordinal,
     });
     const isThere = (pair: number) => pair < match.first.length;
@@ -182,9 +182,7 @@ export class DistanceChart {
     if (!nearest) return undefined;
     const timeSeconds = startSeconds + frame * frameSeconds;
     const distance = nearest.values[frame];
-    const when = view.inFrames
-      ? `frame ${shown(timeSeconds * view.framesPerSecond, 1)}`
-      : `${seconds(Number(timeSeconds.toFixed(3)))} s`;
+    const when = view.inFrames ? `frame ${shown(timeSeconds * view.framesPerSecond, 1)}` : `${shown(timeSeconds)} s`;
     const who = nearest.kind === 'most' ? `Largest: ${this.farthest(frame)}` : nearest.label;
     return { timeSeconds, distance, text: `${who}  ${distanceText(distance, this.unit)}  at ${when}` };
   }
@@ -204,7 +202,7 @@ export class DistanceChart {
   private describe(scene: ChartScene): void {
     const names = scene.lines.filter((l) => l.kind === 'joint').map((l) => l.label);
     const lines = ['mean', 'largest', ...names].join(', ');
-    setAttribute(this.element, 'aria-label', `Distance of the joints over time: ${lines}. A press scrubs.`);
+    setAttribute(this.element, 'aria-label', `Distance of the joints over time: ${lines}. Drag to scrub.`);
   }
 
   // Pointer and keys.

@@ -20,13 +20,13 @@ export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): vo
   const skeletons = [first, second].map((row) => findCharacter(document, row.characterId)?.skeleton);
   const [a, b] = skeletons;
   if (!a || !b) {
-    wb.messages.note('Takes are compared joint by joint: both need a skeleton.', 'warning');
+    wb.messages.note('Takes are compared joint by joint, so both need a skeleton.', 'warning');
     return;
   }
   const match = matchJoints(a, b);
   if (!match.first.length) {
     wb.messages.note(
-      `${first.name} and ${second.name} have no joints in common: they are matched by their names and parents.`,
+      `${first.name} and ${second.name} have no joints in common. Joints are matched by name and parent.`,
       'warning',
     );
     return;
@@ -40,7 +40,7 @@ export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): vo
     if (!isSameSkeleton(match)) {
       const missing = match.onlyFirst.length + match.onlySecond.length;
       wb.messages.note(
-        `${match.first.length} joints are compared; ${missing} have no partner and are left out.`,
+        `${match.first.length} joints are compared; ${missing} have no counterpart and are left out.`,
         'info',
       );
     }

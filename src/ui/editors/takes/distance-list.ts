@@ -15,8 +15,8 @@ export interface ListEvents {
 
 const HEADS: readonly (readonly [DistanceView['order'], string, string])[] = [
   ['name', 'Joint', 'Sort by name'],
-  ['mean', 'Mean', 'Sort by the mean distance'],
-  ['most', 'Max', 'Sort by the largest distance'],
+  ['mean', 'Mean', 'Sort by mean distance'],
+  ['most', 'Max', 'Sort by largest distance'],
 ];
 
 export class DistanceList {
@@ -30,7 +30,7 @@ export class DistanceList {
   private focused = -1;
 
   constructor(private readonly events: ListEvents) {
-    this.rows.setAttribute('aria-label', 'Joints by their distance');
+    this.rows.setAttribute('aria-label', 'Joints by distance');
     this.rows.setAttribute('aria-multiselectable', 'true');
     this.heads = HEADS.map(([order, label, title]) => {
       const made = element('button', { type: 'button', tabindex: -1, title, 'data-order': order }, label);
@@ -66,7 +66,7 @@ export class DistanceList {
       const option = this.options.get(pair) ?? this.option(pair);
       const [mark, name, mean, most] = option.children;
       const ordinal = picked.indexOf(pair);
-      setText(name, names[pair] || 'no name');
+      setText(name, names[pair] || 'unnamed');
       setAttribute(name, 'title', names[pair]);
       setText(mean, distanceNumber(distances.jointMean[pair], unit));
       setText(most, distanceNumber(distances.jointMost[pair], unit));

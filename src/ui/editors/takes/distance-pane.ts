@@ -7,7 +7,7 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
-import { plural, seconds } from '../../kit/number-text.ts';
+import { plural, shown } from '../../kit/number-text.ts';
 import { comparedIn } from '../../state/takes.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { DistanceChart } from './chart.ts';
@@ -53,7 +53,7 @@ export class DistancePane {
     );
     this.element = element(
       'section',
-      { class: 'distance', 'aria-label': 'Distance of two takes', hidden: true },
+      { class: 'distance', 'aria-label': 'Distance between takes', hidden: true },
       head,
       element('div', { class: 'distance-plot' }, this.chart.element, this.note),
       this.list.element,
@@ -104,11 +104,11 @@ export class DistancePane {
       ...namesOf(first.skeleton, match.onlyFirst, first.name),
       ...namesOf(second.skeleton, match.onlySecond, second.name),
     ];
-    const left = missing.length ? ` · ${plural(missing.length, 'joint')} without a partner` : '';
+    const left = missing.length ? ` · ${plural(missing.length, 'joint')} without a counterpart` : '';
     setText(this.facts, (distances ? factsText(measured, this.unit) : '') + left);
     setAttribute(this.facts, 'title', missing.length ? `Not compared: ${missing.join(', ')}` : undefined);
     this.note.hidden = distances !== undefined;
-    setText(this.note, 'These takes have no time in common: align their starts, or give one of them another offset.');
+    setText(this.note, 'These takes do not overlap in time. Align their starts or change a start time.');
   }
 
   private showList(): void {
@@ -153,14 +153,17 @@ export class DistancePane {
 }
 
 const ALIGNMENT_LABELS: Readonly<Record<Alignment, readonly [string, string]>> = {
-  world: ['in the world', 'As they stand in the picture'],
-  root: ['from the root', 'Where the root is has no part in it'],
-  turned: ['from the root, turned alike', 'Where the root is and how it is turned have no part in it'],
+  world: ['in world space', 'As seen in the viewport'],
+  root: ['relative to root position', 'Ignores where the root is'],
+  turned: ['relative to root', 'Ignores where the root is and how it is turned'],
 };
 
 function alignmentChoice(wb: Workbench): HTMLSelectElement {
   const { distances } = wb.timeline.takes;
-  const choice = element('select', { class: 'distance-alignment', 'aria-label': 'What distances are measured from' });
+  const choice = element('select', {
+    class: 'distance-alignment',
+    'aria-label': 'Space in which distances are measured',
+  });
   for (const alignment of ALIGNMENTS) {
     const [label, title] = ALIGNMENT_LABELS[alignment];
     choice.append(element('option', { value: alignment, title }, label));
@@ -190,7 +193,7 @@ function factsText({ distances, first }: Measured, unit: DistanceUnit): string {
   let farthest = 0;
   for (let k = 1; k < joints; k++) if (jointMost[k] > jointMost[farthest]) farthest = k;
   const name = first.skeleton?.joints[match.first[farthest]]?.name ?? '';
-  const at = seconds(Number((startSeconds + jointMostAt[farthest] * frameSeconds).toFixed(2)));
+  const at = shown(startSeconds + jointMostAt[farthest] * frameSeconds, 2);
   const most = `most ${distanceText(jointMost[farthest], unit)} (${name} at ${at} s)`;
   return `mean ${distanceText(mean, unit)}, RMS ${distanceText(rms, unit)}, ${most} · ${plural(frameCount, 'frame')}`;
 }

@@ -21,7 +21,7 @@ export function distanceUnit(a: Character, b: Character, largest: number): Dista
 export function distanceNumber(distance: number, { factor }: DistanceUnit): string {
   const value = distance * factor;
   const whole = Math.floor(Math.log10(Math.max(1e-3, value))) + 1;
-  return shown(value, Math.max(0, Math.min(4, 3 - Math.max(0, whole))));
+  return shown(value, Math.max(0, 3 - Math.max(0, whole)));
 }
 
 export function distanceText(distance: number, unit: DistanceUnit): string {

@@ -143,8 +143,8 @@ class TakesPanel implements TimelineTab {
     setText(
       this.empty,
       filter
-        ? `No take here is called “${filter}”.`
-        : 'Takes will be listed here: drop BVH files, a whole folder of them, or a character with its .anim files.',
+        ? `No take matches “${filter}”.`
+        : 'No takes yet. Drop BVH files, a folder of them, or a character with its .anim files.',
     );
     this.table.show(rows, {
       order,

@@ -46,13 +46,13 @@ export class RowView {
       new NumberField({
         label,
         // Nothing finer is told apart here; the tooltip has it all.
-        text: (value) => shown(Number(value.toFixed(decimals)), decimals),
+        text: (value) => shown(value, decimals),
         commit: (value) => commit(this.row, value),
         refuse: events.refuse,
         step,
       });
     this.fields = {
-      start: field('Starts at, seconds', 3, events.startAt, 0.1),
+      start: field('Start time in seconds', 3, events.startAt, 0.1),
       x: field('Place along x', 2, (r, x) => events.place(r, { x }), 0.1),
       z: field('Place along z', 2, (r, z) => events.place(r, { z }), 0.1),
     };
@@ -107,11 +107,11 @@ export class RowView {
       eye.replaceChildren(icon(row.isShown ? 'eye' : 'eyeOff'));
       eye.classList.toggle('on', row.isShown);
       setAttribute(eye, 'aria-pressed', String(row.isShown));
-      eye.title = row.isShown ? 'Shown; a click hides it' : 'Not shown; a click shows it';
+      eye.title = row.isShown ? 'Visible. Click to hide' : 'Hidden. Click to show';
     }
     setAttribute(eye, 'aria-label', `Show ${row.name}`);
     this.mark.className = `take-mark ${compared ?? ''}`;
-    setText(this.name, row.name || 'no name');
+    setText(this.name, row.name || 'unnamed');
     setText(this.note, row.note);
     setAttribute(this.nameCell, 'title', row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);
@@ -121,7 +121,7 @@ export class RowView {
     const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
     setText(this.frames, count(frames));
     this.frames.classList.toggle('faint', isKeyed);
-    setAttribute(this.frames, 'title', isKeyed ? `Keys; ${count(frames)} frames as the transport counts` : undefined);
+    setAttribute(this.frames, 'title', isKeyed ? `Keys; ${count(frames)} frames at the playback rate` : undefined);
     setText(this.rate, isKeyed ? 'keys' : `${shown(row.framesPerSecond ?? 0, 2)}`);
     this.rate.classList.toggle('faint', isKeyed);
     setText(this.file, row.file);

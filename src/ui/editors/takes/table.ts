@@ -33,11 +33,11 @@ export interface TableState {
 
 const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string, title: string])[] = [
   ['name', 'Take', '', 'Name of the take'],
-  ['character', 'Character', 'take-character', 'Where it is called otherwise'],
-  ['duration', 'Length', 'number', 'Seconds from first to last frame or key played'],
-  ['frames', 'Frames', 'number take-frames', 'Faint: of keys, as the transport counts'],
-  ['rate', 'Rate', 'number take-rate', 'Frames a second'],
-  ['start', 'Starts at', 'number', 'When the take begins, in seconds of the transport'],
+  ['character', 'Character', 'take-character', 'If its name differs from the take'],
+  ['duration', 'Length', 'number', 'Seconds from first to last played frame or key'],
+  ['frames', 'Frames', 'number take-frames', 'Faint: keys, counted at the playback rate'],
+  ['rate', 'FPS', 'number take-rate', 'Frames per second'],
+  ['start', 'Start time', 'number', 'When the take starts on the timeline, in seconds'],
   ['x', 'x', 'number take-place', 'Place along x'],
   ['z', 'z', 'number take-place', 'Place along z'],
   ['file', 'File', 'take-file', 'Where it came from'],
@@ -115,7 +115,7 @@ export class TakeTable {
           role: 'columnheader',
           class: className,
           tabindex: -1,
-          title: `${title}. A click sorts by it`,
+          title: `${title}. Click to sort`,
         },
         element('span', {}, label),
       );
@@ -310,5 +310,5 @@ function isControl(target: EventTarget | null): boolean {
 /** `3 of 52 takes`. */
 export function countText(shown: number, all: number, chosen: number): string {
   const takes = shown === all ? plural(all, 'take') : `${shown} of ${plural(all, 'take')}`;
-  return chosen > 1 ? `${takes}, ${chosen} chosen` : takes;
+  return chosen > 1 ? `${takes}, ${chosen} selected` : takes;
 }

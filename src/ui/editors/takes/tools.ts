@@ -14,9 +14,9 @@ import { countText } from './table.ts';
 
 /** Buttons with words, and what their tooltips say. */
 const BUTTONS: readonly (readonly [id: string, text: string, title: string])[] = [
-  ['take.alone', 'Alone', 'Play the chosen take alone (Enter)'],
-  ['take.together', 'Together', 'Play the chosen takes together, and nothing else'],
-  ['take.compare', 'Compare', 'Lay two chosen takes over each other, and measure the distance of their joints'],
+  ['take.alone', 'Alone', 'Play selected take alone (Enter)'],
+  ['take.together', 'Together', 'Play only the selected takes, together'],
+  ['take.compare', 'Compare', 'Overlay two selected takes and measure the distance between their joints'],
   ['take.showAll', 'Show all', 'Show all characters'],
 ];
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
@@ -39,7 +39,7 @@ export function takeTools(wb: Workbench): HTMLElement {
   const arrange = keepsFocusElsewhere(
     element('button', { type: 'button', class: 'tool text-tool' }, 'Arrange', icon('fold')),
   );
-  arrange.title = 'When and where the chosen takes play, or all that are seen';
+  arrange.title = 'When and where the selected takes play, or all visible ones';
   menuButton(arrange, 'Arrange', () => arrangeEntries(wb));
   const step = (id: string, label: string, name: 'previousTake' | 'nextTake') => {
     const action = findAction(wb, id);
@@ -88,7 +88,7 @@ function takeFilter(wb: Workbench): HTMLElement {
   const { takes } = wb.timeline;
   const input = element('input', {
     type: 'search',
-    'aria-label': 'Filter the takes by name',
+    'aria-label': 'Filter takes by name',
     placeholder: 'Filter',
     spellcheck: 'false',
     autocomplete: 'off',

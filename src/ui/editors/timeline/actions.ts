@@ -30,9 +30,9 @@ export const LIST_LABELS: Readonly<Record<ChannelList, string>> = {
 };
 
 export const HANDLE_LABELS: Readonly<Record<HandleMode, string>> = {
-  auto: 'Other side follows where slopes are equal',
-  alone: 'Other side stays',
-  together: 'Other side always follows',
+  auto: 'Move opposite handle when unified',
+  alone: 'Keep opposite handle',
+  together: 'Always move opposite handle',
 };
 
 type Switch = 'snapsToFrames' | 'snapsToValues' | 'scaleFrame' | 'normalised';
@@ -92,7 +92,7 @@ function sampled(name: SampleTool, label: string): Action {
 }
 
 function move(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
-  return curves(id, label, shortcuts, { menu: 'Keys/Look at', section: 16, repeats: true, run });
+  return curves(id, label, shortcuts, { menu: 'Keys/Scroll and zoom', section: 16, repeats: true, run });
 }
 
 export const TIMELINE_ACTIONS: readonly Action[] = [
@@ -120,7 +120,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     enabled: hasKeys,
     run: tool('scaleKeys'),
   }),
-  curves('scaleDrag', 'Scale the selected keys by dragging, while held', ['S'], {
+  curves('scaleDrag', 'Scale selected keys (hold and drag)', ['S'], {
     enabled: (wb) => hasKeys(wb) && wb.timeline.view.get().tab === 'curves',
     run: (wb) => wb.timeline.scaling.set(true),
   }),
@@ -141,23 +141,23 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     ['smoothSamples', 'Smooth samples…'],
     ['resampleSamples', 'Resample samples…'],
   ]),
-  sampled('crop', 'Crop samples to the played range'),
-  sampled('trimStart', 'Trim samples before the playhead'),
-  sampled('trimEnd', 'Trim samples after the playhead'),
-  sampled('split', 'Split the take at the playhead'),
-  sampled('reverse', 'Reverse the take'),
+  sampled('crop', 'Crop samples to playback range'),
+  sampled('trimStart', 'Trim samples before current time'),
+  sampled('trimEnd', 'Trim samples after current time'),
+  sampled('split', 'Split take at current time'),
+  sampled('reverse', 'Reverse take'),
   toggle('snapsToFrames', 'Snap to frames', ['Shift+F'], 'snapFrames', 15),
   toggle('snapsToValues', 'Snap to values', ['Shift+V'], 'snapValues', 15),
-  choice('onCollision', 'replace', 'A key moved onto another replaces it', 'Keys/Editing', 16),
-  choice('onCollision', 'step', 'A key moved onto another makes a step', 'Keys/Editing', 16),
+  choice('onCollision', 'replace', 'Overlapping keys: replace', 'Keys/Editing', 16),
+  choice('onCollision', 'step', 'Overlapping keys: keep both (step)', 'Keys/Editing', 16),
   choice('handles', 'auto', HANDLE_LABELS.auto, 'Keys/Editing', 17),
   choice('handles', 'alone', HANDLE_LABELS.alone, 'Keys/Editing', 17),
   choice('handles', 'together', HANDLE_LABELS.together, 'Keys/Editing', 17),
-  toggle('scaleFrame', 'Frame to scale keys with', ['T'], 'scaleFrame', 18),
+  toggle('scaleFrame', 'Transform box', ['T'], 'scaleFrame', 18),
   choice('list', 'selected', LIST_LABELS.selected, 'Keys/Channels', 15),
   choice('list', 'all', LIST_LABELS.all, 'Keys/Channels', 15),
   choice('list', 'pinned', LIST_LABELS.pinned, 'Keys/Channels', 15),
-  curves('pin', 'Pin these channels', ['Shift+P'], {
+  curves('pin', 'Pin channels', ['Shift+P'], {
     menu: 'Keys/Channels',
     section: 17,
     enabled: inHand,
@@ -169,7 +169,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     enabled: (wb) => wb.timeline.view.get().pinned.length > 0,
     run: (wb) => wb.timeline.change({ pinned: [] }),
   }),
-  curves('isolate', 'Isolate channels of the selected keys', ['Q'], {
+  curves('isolate', 'Isolate channels of selected keys', ['Q'], {
     menu: 'Keys/Channels',
     section: 18,
     enabled: (wb) => hasKeys(wb) || wb.timeline.view.get().isolated !== undefined,
@@ -179,7 +179,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
       wb.timeline.isolate(isolated ? undefined : keysInHand(wb).map((k) => k.channel));
     },
   }),
-  curves('hide', 'Hide channels of the selected keys', ['Shift+H'], {
+  curves('hide', 'Hide channels of selected keys', ['Shift+H'], {
     menu: 'Keys/Channels',
     section: 18,
     enabled: hasKeys,
@@ -188,7 +188,7 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
       wb.timeline.change({ hidden: union(wb.timeline.view.get().hidden, gone) });
     },
   }),
-  curves('showAll', 'Show every channel', ['Alt+H'], {
+  curves('showAll', 'Show all channels', ['Alt+H'], {
     menu: 'Keys/Channels',
     section: 18,
     enabled: hasTake,
@@ -198,14 +198,14 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
     },
   }),
   curves('fitSelected', 'Fit selected keys', ['F'], {
-    menu: 'Keys/Look at',
+    menu: 'Keys/Scroll and zoom',
     section: 15,
     icon: 'frame',
     enabled: inView,
     run: (wb) => wb.timeline.tab?.fitSelected(),
   }),
   curves('fitAll', 'Fit all', ['A'], {
-    menu: 'Keys/Look at',
+    menu: 'Keys/Scroll and zoom',
     section: 15,
     icon: 'fitAll',
     enabled: hasTake,
@@ -213,18 +213,18 @@ export const TIMELINE_ACTIONS: readonly Action[] = [
   }),
   {
     ...toggle('normalised', 'Normalised', ['N'], 'normalised', 15),
-    menu: 'Keys/Look at',
+    menu: 'Keys/Scroll and zoom',
   },
   move('zoomIn', 'Zoom in', ['+', '='], (wb) => wb.timeline.tab?.zoom?.(1 / ZOOM, 1 / ZOOM)),
   move('zoomOut', 'Zoom out', ['-'], (wb) => wb.timeline.tab?.zoom?.(ZOOM, ZOOM)),
-  move('zoomTimeIn', 'Zoom into time', ['Ctrl+Alt+Right'], (wb) => wb.timeline.tab?.zoom?.(1 / ZOOM, 1)),
-  move('zoomTimeOut', 'Zoom out of time', ['Ctrl+Alt+Left'], (wb) => wb.timeline.tab?.zoom?.(ZOOM, 1)),
-  move('zoomValueIn', 'Zoom into values', ['Ctrl+Alt+Up'], (wb) => wb.timeline.tab?.zoom?.(1, 1 / ZOOM)),
-  move('zoomValueOut', 'Zoom out of values', ['Ctrl+Alt+Down'], (wb) => wb.timeline.tab?.zoom?.(1, ZOOM)),
-  move('panLeft', 'Look earlier', ['Shift+PageUp'], (wb) => wb.timeline.tab?.pan?.(-PAN, 0)),
-  move('panRight', 'Look later', ['Shift+PageDown'], (wb) => wb.timeline.tab?.pan?.(PAN, 0)),
-  move('panUp', 'Look higher', ['PageUp'], (wb) => wb.timeline.tab?.pan?.(0, PAN)),
-  move('panDown', 'Look lower', ['PageDown'], (wb) => wb.timeline.tab?.pan?.(0, -PAN)),
+  move('zoomTimeIn', 'Zoom time in', ['Ctrl+Alt+Right'], (wb) => wb.timeline.tab?.zoom?.(1 / ZOOM, 1)),
+  move('zoomTimeOut', 'Zoom time out', ['Ctrl+Alt+Left'], (wb) => wb.timeline.tab?.zoom?.(ZOOM, 1)),
+  move('zoomValueIn', 'Zoom values in', ['Ctrl+Alt+Up'], (wb) => wb.timeline.tab?.zoom?.(1, 1 / ZOOM)),
+  move('zoomValueOut', 'Zoom values out', ['Ctrl+Alt+Down'], (wb) => wb.timeline.tab?.zoom?.(1, ZOOM)),
+  move('panLeft', 'Scroll left', ['Shift+PageUp'], (wb) => wb.timeline.tab?.pan?.(-PAN, 0)),
+  move('panRight', 'Scroll right', ['Shift+PageDown'], (wb) => wb.timeline.tab?.pan?.(PAN, 0)),
+  move('panUp', 'Scroll up', ['PageUp'], (wb) => wb.timeline.tab?.pan?.(0, PAN)),
+  move('panDown', 'Scroll down', ['PageDown'], (wb) => wb.timeline.tab?.pan?.(0, -PAN)),
 ];
 
 const ZOOM = 1.25;

@@ -33,7 +33,7 @@ export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
   const after = takeInHand(wb)?.clip.channels ?? [];
   const count = after.filter((channel, i) => channel !== clip.channels[i]).length;
   const standStill = keyed.every((c) => period(clip.channels[c]) === 0);
-  const nothing = standStill ? 'A loop takes two keys, at two times.' : 'These curves loop already.';
+  const nothing = standStill ? 'A loop needs two keys at different times.' : 'These curves already loop.';
   wb.messages.note(count ? `${plural(count, 'curve')} now loop.` : nothing);
 }
 
@@ -42,7 +42,7 @@ function filterAngles(wb: Workbench, args: OfChannels): void {
   const { store, messages } = wb;
   const label = eulerFilter.label(store.document, args);
   const trial = new Trial(store, label, () => {
-    messages.note(`${label} was stopped: something else has changed meanwhile.`, 'warning');
+    messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
   });
   inSlices(eulerFilterSteps(trial.base, args), {
     isOver: () => trial.over,
@@ -53,7 +53,7 @@ function filterAngles(wb: Workbench, args: OfChannels): void {
         trial.show(aboutKeysInHand(wb, { ...eulerFilter, run: () => edit }).run(trial.base, args));
         trial.keep();
       } else trial.putBack();
-      const text = length ? `${plural(length, 'curve')} filtered.` : 'Nothing to filter: no angle jumps.';
+      const text = length ? `${plural(length, 'curve')} filtered.` : 'Nothing to filter: no Euler flips.';
       messages.note([text, ...notes].join(' '));
     },
     failed(error) {

@@ -46,7 +46,7 @@ function key(id: string, label: string, shortcuts: readonly string[], more: Omit
 }
 
 const edits: readonly Action[] = [
-  key('insertKey', 'Insert key at the playhead', ['I', 'Enter'], {
+  key('insertKey', 'Insert key at current time', ['I', 'Enter'], {
     menu: 'Keys',
     section: 10,
     icon: 'insertKey',
@@ -74,25 +74,25 @@ const edits: readonly Action[] = [
     enabled: hasKeys,
     run: (wb) => void copyToTray(wb),
   }),
-  key('paste', 'Paste keys at the playhead', ['Ctrl+V'], {
+  key('paste', 'Paste keys at current time', ['Ctrl+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
     enabled: hasCopied,
     run: (wb) => paste(wb, 'merge'),
   }),
-  key('pasteInsert', 'Paste, pushing later keys on', ['Ctrl+Shift+V'], {
+  key('pasteInsert', 'Ripple paste (push later keys)', ['Ctrl+Shift+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
     enabled: hasCopied,
     run: (wb) => paste(wb, 'insert'),
   }),
-  key('pasteInto', 'Paste into the channels in view', ['Ctrl+Alt+V'], {
+  key('pasteInto', 'Paste into visible channels', ['Ctrl+Alt+V'], {
     menu: 'Keys/Copy and paste',
     section: 10,
     enabled: (wb) => hasCopied(wb) && inView(wb),
     run: (wb) => paste(wb, 'merge', channelsInView(wb)),
   }),
-  key('duplicate', 'Duplicate to the playhead', ['Ctrl+D'], {
+  key('duplicate', 'Duplicate at current time', ['Ctrl+D'], {
     menu: 'Keys/Copy and paste',
     section: 10,
     enabled: hasKeys,
@@ -107,43 +107,43 @@ const edits: readonly Action[] = [
 ];
 
 const selecting: readonly Action[] = [
-  key('selectAll', 'All keys in view', ['Ctrl+A'], {
+  key('selectAll', 'All visible keys', ['Ctrl+A'], {
     menu: 'Keys/Select',
     section: 12,
     enabled: inView,
     run: (wb) => selectWhere(wb, channelsInView(wb), () => true),
   }),
-  key('selectNone', 'No keys', ['Escape', 'Ctrl+Shift+A'], {
+  key('selectNone', 'Deselect keys', ['Escape', 'Ctrl+Shift+A'], {
     menu: 'Keys/Select',
     section: 12,
     enabled: hasKeys,
     run: (wb) => selectKeys(wb, []),
   }),
-  key('invert', 'The other keys in view', ['Ctrl+I'], {
+  key('invert', 'Invert selection', ['Ctrl+I'], {
     menu: 'Keys/Select',
     section: 12,
     enabled: inView,
     run: invertSelection,
   }),
-  walk('nextKey', 'Next key in the channel', ['Ctrl+Right', ']'], 1, false),
-  walk('previousKey', 'Previous key in the channel', ['Ctrl+Left', '['], -1, false),
-  walk('addNextKey', 'Next key too', ['Ctrl+Shift+Right', '}'], 1, true),
-  walk('addPreviousKey', 'Previous key too', ['Ctrl+Shift+Left', '{'], -1, true),
-  crossing('nextChannel', 'Key in the next channel', ['Ctrl+Down'], 1),
-  crossing('previousChannel', 'Key in the previous channel', ['Ctrl+Up'], -1),
-  key('selectBefore', 'Keys before the playhead', [], {
+  walk('nextKey', 'Next key in channel', ['Ctrl+Right', ']'], 1, false),
+  walk('previousKey', 'Previous key in channel', ['Ctrl+Left', '['], -1, false),
+  walk('addNextKey', 'Extend to next key', ['Ctrl+Shift+Right', '}'], 1, true),
+  walk('addPreviousKey', 'Extend to previous key', ['Ctrl+Shift+Left', '{'], -1, true),
+  crossing('nextChannel', 'Key in next channel', ['Ctrl+Down'], 1),
+  crossing('previousChannel', 'Key in previous channel', ['Ctrl+Up'], -1),
+  key('selectBefore', 'Keys before current time', [], {
     menu: 'Keys/Select',
     section: 14,
     enabled: inView,
     run: (wb) => selectWhere(wb, channelsInView(wb), (time) => time < now(wb) - SAME_SECONDS),
   }),
-  key('selectHere', 'Keys at the playhead', [], {
+  key('selectHere', 'Keys at current time', [], {
     menu: 'Keys/Select',
     section: 14,
     enabled: inView,
     run: (wb) => selectWhere(wb, channelsInView(wb), (time) => Math.abs(time - now(wb)) <= SAME_SECONDS),
   }),
-  key('selectAfter', 'Keys after the playhead', [], {
+  key('selectAfter', 'Keys after current time', [], {
     menu: 'Keys/Select',
     section: 14,
     enabled: inView,
@@ -240,14 +240,14 @@ const tangents: readonly Action[] = [
       run: (wb) => makeTangents(wb, kind, 'both'),
     }),
   ),
-  key('unify', 'Unify: one slope on both sides', ['U'], {
+  key('unify', 'Unify: same slope on both sides', ['U'], {
     menu: 'Keys/Tangents',
     section: 13,
     icon: 'unify',
     enabled: hasKeys,
     run: (wb) => joinTangents(wb, 'unify'),
   }),
-  key('break', 'Break: each side by itself', ['B'], {
+  key('break', 'Break: separate slopes', ['B'], {
     menu: 'Keys/Tangents',
     section: 13,
     icon: 'break',

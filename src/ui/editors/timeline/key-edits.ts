@@ -9,7 +9,7 @@ import type { Side } from '../../../edit/keys/tangents.ts';
 import type { Extrapolation, TangentKind } from '../../../model/clip.ts';
 import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import { plural } from '../../kit/number-text.ts';
+import { plural, shown } from '../../kit/number-text.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { channelName, dofsFor, namedChannel } from './channels.ts';
@@ -135,7 +135,7 @@ export function joinTangents(wb: Workbench, how: 'unify' | 'break'): void {
   if (!take || !keys.length) return;
   const handles = how === 'break' ? 'alone' : 'auto';
   if (how === 'break' && wb.timeline.view.get().handles !== 'alone') {
-    wb.messages.note('Broken: each handle moves by itself now, until U unifies.');
+    wb.messages.note('Tangents broken. Each handle now moves on its own; U unifies them.');
   }
   wb.timeline.change({ handles });
   const command = how === 'unify' ? unifyTangents : breakTangents;
@@ -194,7 +194,7 @@ export function selectedText(wb: Workbench, keys: readonly ChannelKeys[] = keysI
   const { framesPerSecond } = wb.transport.get();
   const text = (clipSeconds: number) => {
     const at = clipSeconds - take.character.timeOffsetSeconds;
-    return inFrames ? `frame ${framesOf(at, framesPerSecond)}` : `${Number(at.toFixed(4))} s`;
+    return inFrames ? `frame ${framesOf(at, framesPerSecond)}` : `${shown(at)} s`;
   };
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;

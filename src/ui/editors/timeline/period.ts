@@ -47,9 +47,9 @@ export function periodNote(before: ChannelClip, after: ChannelClip, name: (chann
   if (!changed.length) return undefined;
   const [first] = changed;
   const [from, to] = [period(before.channels[first]), period(after.channels[first])];
-  const which = changed.length === 1 ? name(first) : `${plural(changed.length, 'channel')}, ${name(first)} among them,`;
+  const which = changed.length === 1 ? name(first) : `${plural(changed.length, 'channel')}, including ${name(first)},`;
   const verb = changed.length === 1 ? 'repeats' : 'repeat';
-  return `${which} now ${verb} every ${shown(to, 3)} s instead of every ${shown(from, 3)} s.`;
+  return `${which} now ${verb} every ${shown(to)} s instead of every ${shown(from)} s.`;
 }
 
 /** A single key stands still, whatever is done beyond it. */

@@ -9,7 +9,7 @@ import {
 import { Trial } from '../../../edit/trial.ts';
 import { rangeOfSamples } from '../../../model/samples.ts';
 import { inSlices } from '../../kit/in-slices.ts';
-import { count, plural, seconds } from '../../kit/number-text.ts';
+import { count, plural, shown } from '../../kit/number-text.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { clipTime, type Take, takeInHand } from './in-hand.ts';
 
@@ -50,9 +50,7 @@ export function cutText(tool: 'crop' | 'trimStart' | 'trimEnd', before: Take, { 
   if (!samples) return '';
   if (clip === before.clip) return `${clip.name} has no frames to cut there.`;
   const had = before.clip.samples?.frameCount ?? 0;
-  const [from, to] = rangeOfSamples(samples).map((time) =>
-    seconds(Number((time - character.timeOffsetSeconds).toFixed(3))),
-  );
+  const [from, to] = rangeOfSamples(samples).map((time) => shown(time - character.timeOffsetSeconds));
   const now =
     had === samples.frameCount ? plural(had, 'frame') : `${count(samples.frameCount)} of ${count(had)} frames`;
   return `${tool === 'crop' ? 'Cropped' : 'Trimmed'} ${clip.name} to ${now}, ${from} – ${to} s.`;
@@ -63,7 +61,7 @@ function reverse(wb: Workbench, characterId: string): void {
   const { store, messages } = wb;
   const label = reverseSamples.label(store.document, { characterId });
   const trial = new Trial(store, label, () => {
-    messages.note(`${label} was stopped: something else has changed meanwhile.`, 'warning');
+    messages.note(`${label} was stopped because the document has changed. Try again.`, 'warning');
   });
   inSlices(reverseSteps(trial.base, { characterId }), {
     isOver: () => trial.over,

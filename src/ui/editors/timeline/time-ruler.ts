@@ -2,7 +2,7 @@
  * Time, drawn: ruler, grid, range and playhead on a canvas, alike in the curve editor and the dope sheet, which look at
  * the same window of time. Everything is in CSS pixels: the context is scaled by the caller.
  */
-import { shown } from '../../kit/number-text.ts';
+import { aligned, shown } from '../../kit/number-text.ts';
 import { drawPlayheadAt } from '../../kit/playhead.ts';
 import { rulerTicks } from '../../kit/ruler.ts';
 import type { TimeWindow } from '../../kit/time-window.ts';
@@ -144,7 +144,7 @@ export function drawPlayhead(
   colours: TimeColours,
 ): void {
   const x = timeX(view, timeSeconds);
-  const text = view.inFrames ? shown(timeSeconds * view.framesPerSecond, 1) : timeSeconds.toFixed(2);
+  const text = view.inFrames ? shown(timeSeconds * view.framesPerSecond, 1) : aligned(timeSeconds, 2);
   const place = { width: view.width, rulerHeight: TIME_RULER_HEIGHT, inset: 2 };
   drawPlayheadAt(g, { x, text, lineWidth: 1, bottom }, place, colours);
 }

@@ -98,7 +98,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
       const asked = tool.asked.find((one) => one.name === name);
       const unit = asked?.kind === 'number' ? asked.unit : undefined;
       const typed = parseNumber(fields.get(name)?.value ?? '', unit ? unitsBehind(unit) : undefined);
-      if (typed === undefined) throw new CommandError(`${labelOf(tool.asked, name)} has to be a number.`);
+      if (typed === undefined) throw new CommandError(`${labelOf(tool.asked, name)} must be a number.`);
       return typed;
     },
     choice: (name) => fields.get(name)?.value ?? '',
@@ -106,7 +106,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   const name = tool.title.replace('…', '');
   const command = aboutKeysInHand(wb, asEdit(tool.command));
   const trial = new Trial(store, name, () => {
-    wb.messages.note(`${name} was not applied: something else has changed meanwhile.`, 'warning');
+    wb.messages.note(`${name} was not applied because the document has changed. Try again.`, 'warning');
     unsubscribe();
     close();
   });
@@ -132,7 +132,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
   const goOn = (steps: Generator<number, Stepped>, mine: number) =>
     inSlices(steps, {
       isOver: () => trial.over || mine !== asked,
-      progress: (part) => setText(result, `Working … ${Math.floor(100 * part)} %`),
+      progress: (part) => setText(result, `Working… ${Math.floor(100 * part)}%`),
       done({ change, text, warning }) {
         trial.show(change);
         setText(result, text);
@@ -160,7 +160,7 @@ export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog
         if (waits) {
           asked++;
           trial.show(base);
-          setText(result, 'This takes a moment: it is worked out when it is previewed or applied.');
+          setText(result, 'This takes a moment. Preview or apply it to see the result.');
           return;
         }
         goOn(tool.steps(base, args), ++asked);

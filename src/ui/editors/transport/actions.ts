@@ -2,6 +2,7 @@
 import { LOOP_MODES, type LoopMode, type Playback, pause, play, stepFrames } from '../../../edit/playback.ts';
 import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { playingCharacters } from '../../../model/document.ts';
+import { shown } from '../../kit/number-text.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
 import type { Action, Workbench } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
@@ -10,7 +11,7 @@ export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
   once: 'Once',
   loop: 'Loop',
   pingpong: 'Ping-pong',
-  continue: 'Run on past the range',
+  continue: 'Continue past range',
 };
 
 export const RATES = [-4, -2, -1, -0.5, -0.25, 0.25, 0.5, 1, 2, 4] as const;
@@ -38,7 +39,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
   at('play.stepForward', 'Step forward one frame', ['Right'], 1, 'forward', (p) => stepFrames(p, 1)),
   {
     id: 'play.previousKey',
-    label: 'To previous key',
+    label: 'Go to previous key',
     group: 'Play',
     menu: 'Play',
     section: 1,
@@ -50,7 +51,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
   },
   {
     id: 'play.nextKey',
-    label: 'To next key',
+    label: 'Go to next key',
     group: 'Play',
     menu: 'Play',
     section: 1,
@@ -60,19 +61,19 @@ export const PLAY_ACTIONS: readonly Action[] = [
     enabled: hasKeys,
     run: (wb) => toKey(wb, nextKey),
   },
-  at('play.toStart', 'To start of range', ['Home'], 1, 'start', (p) => ({ ...p, timeSeconds: p.range[0] })),
-  at('play.toEnd', 'To end of range', ['End'], 1, 'end', (p) => ({ ...p, timeSeconds: p.range[1], playing: false })),
-  at('play.setIn', 'Range begins here', ['I'], 2, undefined, (p) => ({
+  at('play.toStart', 'Go to range start', ['Home'], 1, 'start', (p) => ({ ...p, timeSeconds: p.range[0] })),
+  at('play.toEnd', 'Go to range end', ['End'], 1, 'end', (p) => ({ ...p, timeSeconds: p.range[1], playing: false })),
+  at('play.setIn', 'Set range start', ['I'], 2, undefined, (p) => ({
     ...p,
     range: [p.timeSeconds, Math.max(p.timeSeconds, p.range[1])],
   })),
-  at('play.setOut', 'Range ends here', ['O'], 2, undefined, (p) => ({
+  at('play.setOut', 'Set range end', ['O'], 2, undefined, (p) => ({
     ...p,
     range: [Math.min(p.timeSeconds, p.range[0]), p.timeSeconds],
   })),
   {
     id: 'play.wholeRange',
-    label: 'Range of the takes',
+    label: 'Fit range to takes',
     group: 'Play',
     menu: 'Play',
     section: 2,
@@ -112,7 +113,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
       id: `play.rate.${rate}`,
       label: rateText(rate),
       group: 'Play',
-      menu: 'Play/Rate',
+      menu: 'Play/Speed',
       section: 3,
       radio: true,
       checked: (wb) => wb.transport.get().rate === rate,
@@ -130,7 +131,7 @@ function switchesInstead(wb: Workbench): boolean {
 /** `−½×`. */
 export function rateText(rate: number): string {
   const size = Math.abs(rate);
-  const text = size === 0.5 ? '½' : size === 0.25 ? '¼' : String(Number(size.toFixed(2)));
+  const text = size === 0.5 ? '½' : size === 0.25 ? '¼' : shown(size, 2);
   return `${rate < 0 ? '−' : ''}${text}×`;
 }
 

@@ -4,7 +4,7 @@
  */
 import { setClipRange } from '../../../edit/commands/clips.ts';
 import { type Character, playingCharacters } from '../../../model/document.ts';
-import { seconds, shown } from '../../kit/number-text.ts';
+import { shown } from '../../kit/number-text.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Workbench } from '../../state/workbench.ts';
 
@@ -18,7 +18,7 @@ export function onlyTake(wb: Workbench): Character | undefined {
 export function typeRange(wb: Workbench, range: readonly [number, number]): void {
   const [from, to] = range;
   if (from > to) {
-    wb.messages.note(`A range can’t end at ${timeText(wb, to)} where it begins at ${timeText(wb, from)}.`, 'warning');
+    wb.messages.note(`A range that starts at ${timeText(wb, from)} can’t end at ${timeText(wb, to)}.`, 'warning');
     return;
   }
   const character = onlyTake(wb);
@@ -33,6 +33,6 @@ export function typeRange(wb: Workbench, range: readonly [number, number]): void
 
 /** `1.25 s`, or `frame 30` where times are typed in frames. */
 function timeText(wb: Workbench, timeSeconds: number): string {
-  if (wb.settings.get().timeDisplay === 'seconds') return `${seconds(timeSeconds)} s`;
-  return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond, 3)}`;
+  if (wb.settings.get().timeDisplay === 'seconds') return `${shown(timeSeconds)} s`;
+  return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond)}`;
 }

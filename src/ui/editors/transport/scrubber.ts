@@ -9,7 +9,7 @@ import { findCharacter, rangeOfClips } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
-import { seconds, shown } from '../../kit/number-text.ts';
+import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { drawPlayhead, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
@@ -118,7 +118,7 @@ export class Scrubber {
     this.colours ??= readColours(this.element);
     const { timeSeconds, range } = this.wb.transport.get();
     const { framesPerSecond } = this;
-    const timeText = framesPerSecond ? shown(timeSeconds * framesPerSecond, 1) : timeSeconds.toFixed(2);
+    const timeText = framesPerSecond ? shown(timeSeconds * framesPerSecond, 1) : aligned(timeSeconds, 2);
     const picture: ScrubberPicture = {
       window: this.window,
       range,
@@ -150,7 +150,7 @@ export class Scrubber {
     this.element.setAttribute('aria-valuemax', String(range[1]));
     this.element.setAttribute('aria-valuenow', String(timeSeconds));
     const frame = shown(timeSeconds * this.wb.transport.get().framesPerSecond, 2);
-    this.element.setAttribute('aria-valuetext', `${seconds(timeSeconds)} seconds, frame ${frame}`);
+    this.element.setAttribute('aria-valuetext', `${shown(timeSeconds)} seconds, frame ${frame}`);
   }
 
   private dragging = false;

@@ -5,7 +5,7 @@ import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { NumberField } from '../../kit/number-field.ts';
-import { inField, seconds } from '../../kit/number-text.ts';
+import { aligned, shown } from '../../kit/number-text.ts';
 import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { keepTooltip, withKey } from '../../state/tooltips.ts';
@@ -56,13 +56,13 @@ function buttons(wb: Workbench): HTMLElement {
   return element(
     'div',
     { class: 'tools', role: 'group', 'aria-label': 'Playback' },
-    make('play.toStart', 'To start of range', 'start'),
-    make('play.previousKey', 'To previous key', 'previousKey'),
+    make('play.toStart', 'Go to range start', 'start'),
+    make('play.previousKey', 'Go to previous key', 'previousKey'),
     make('play.stepBack', 'Step back one frame', 'back'),
     play,
     make('play.stepForward', 'Step forward one frame', 'forward'),
-    make('play.nextKey', 'To next key', 'nextKey'),
-    make('play.toEnd', 'To end of range', 'end'),
+    make('play.nextKey', 'Go to next key', 'nextKey'),
+    make('play.toEnd', 'Go to range end', 'end'),
   );
 }
 
@@ -111,10 +111,10 @@ function rate(wb: Workbench): HTMLElement {
   const show = () => {
     const text = rateText(wb.transport.get().rate);
     made.textContent = text;
-    made.title = 'Rate';
-    made.setAttribute('aria-label', `Rate ${text}`);
+    made.title = 'Speed';
+    made.setAttribute('aria-label', `Speed ${text}`);
   };
-  menuButton(made, 'Rate', (): MenuEntry[] => {
+  menuButton(made, 'Speed', (): MenuEntry[] => {
     const actions = actionsOf(wb);
     return RATES.flatMap((r) => actions.filter((a) => a.id === `play.rate.${r}`).map((a) => itemOf(wb, a)));
   });
@@ -127,14 +127,14 @@ function rate(wb: Workbench): HTMLElement {
 
 /** The switch that records: red while it is on, and the page around the viewport with it. */
 function keying(wb: Workbench): HTMLElement {
-  const key = keepsFocusElsewhere(button('Key the pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
-  keepTooltip(wb, key, 'key.pose', () => 'Key the pose');
+  const key = keepsFocusElsewhere(button('Key pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
+  keepTooltip(wb, key, 'key.pose', () => 'Key pose');
   const auto = keepsFocusElsewhere(
     button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => runAction(wb, 'key.auto')),
   );
   const isOn = () => wb.timeline.autoKey.get();
   const title = keepTooltip(wb, auto, 'key.auto', () =>
-    isOn() ? 'Auto-key is on: what is changed by hand is keyed' : 'Auto-key: keys what is changed by hand',
+    isOn() ? 'Auto-key is on: changes are keyed automatically' : 'Auto-key: key changes automatically',
   );
   const show = () => {
     auto.setAttribute('aria-pressed', String(isOn()));
@@ -152,7 +152,7 @@ function times(wb: Workbench): HTMLElement[] {
   const time = new NumberField({
     label: 'Time in seconds',
     class: 'time-field',
-    text: (value) => (wb.transport.get().playing ? value.toFixed(3) : seconds(value)),
+    text: (value) => (wb.transport.get().playing ? aligned(value) : shown(value)),
     commit: at,
     refuse,
     step: 0.01,
@@ -160,7 +160,7 @@ function times(wb: Workbench): HTMLElement[] {
   const frame = new NumberField({
     label: 'Frame',
     class: 'frame-field',
-    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : inField(value, 3)),
+    text: (value) => (wb.transport.get().playing ? String(Math.round(value)) : shown(value)),
     commit: (value) => at(value / wb.transport.get().framesPerSecond),
     refuse,
     step: 1,
@@ -168,11 +168,11 @@ function times(wb: Workbench): HTMLElement[] {
   const fps = new NumberField({
     label: 'Frames per second',
     class: 'fps-field',
-    text: (value) => inField(value, 3),
+    text: (value) => shown(value),
     commit(framesPerSecond) {
       const [least, most] = FRAME_RATES;
       if (framesPerSecond >= least && framesPerSecond <= most) wb.transport.update((p) => ({ ...p, framesPerSecond }));
-      else refuse(`Frames per second have to be from ${least} to ${most}; ${framesPerSecond} was typed.`);
+      else refuse(`Frames per second must be from ${least} to ${most}; you entered ${framesPerSecond}.`);
     },
     refuse,
     step: 1,
@@ -212,7 +212,7 @@ function range(wb: Workbench): HTMLElement[] {
     new NumberField({
       label,
       class: 'range-field',
-      text: (value) => inField(value, 4),
+      text: (value) => shown(value),
       commit(value) {
         typeRange(wb, make(value / perUnit(), wb.transport.get().range));
         // What was refused shows as it is.
@@ -220,8 +220,8 @@ function range(wb: Workbench): HTMLElement[] {
       },
       refuse: (reason) => wb.messages.note(reason, 'warning'),
     });
-  const first = end('Range begins', (value, now) => [value, now[1]]);
-  const last = end('Range ends', (value, now) => [now[0], value]);
+  const first = end('Range start', (value, now) => [value, now[1]]);
+  const last = end('Range end', (value, now) => [now[0], value]);
   const show = () => {
     const [from, to] = wb.transport.get().range;
     first.show(noNoise(from * perUnit()));
@@ -231,11 +231,11 @@ function range(wb: Workbench): HTMLElement[] {
   // The fields' own tooltips give their numbers in full; the keys stand at the word.
   const showKeys = () => {
     const keys = [
-      ['play.setIn', 'Begins here'],
-      ['play.setOut', 'Ends here'],
+      ['play.setIn', 'Start here'],
+      ['play.setOut', 'End here'],
       ['play.wholeRange', 'Whole take'],
     ].map(([id, text]) => withKey(wb, findAction(wb, id), text));
-    setAttribute(begins, 'title', `Range, saved with the take where one plays. ${keys.join(', ')}`);
+    setAttribute(begins, 'title', `Playback range, saved with the take. ${keys.join(', ')}`);
   };
   wb.transport.subscribe(show);
   wb.settings.subscribe(() => {

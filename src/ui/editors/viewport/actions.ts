@@ -8,15 +8,15 @@ import type { Action, Workbench } from '../../state/workbench.ts';
 export const SKIN_STYLES: readonly (readonly [SkinStyle, string])[] = [
   ['textured', 'Textured'],
   ['solid', 'Solid'],
-  ['wire', 'Wire'],
+  ['wire', 'Wireframe'],
   ['xray', 'X-ray'],
-  ['heat', 'Influence of the joint'],
+  ['heat', 'Joint weights'],
   ['hidden', 'Hidden'],
 ];
 
 export const BOX_STYLES: readonly (readonly [BoxStyle, string])[] = [
-  ['bare', 'Unless skinned'],
-  ['wire', 'Wire'],
+  ['bare', 'When unskinned'],
+  ['wire', 'Wireframe'],
   ['solid', 'Solid'],
   ['hidden', 'Hidden'],
 ];
@@ -37,8 +37,8 @@ export const isSkinVisible = (wb: Workbench) => isAnyVisible(wb, (c) => shownSki
 export const areBoxesVisible = (wb: Workbench) =>
   isAnyVisible(wb, ({ skeleton }) => skeleton !== undefined && hasBoxes(skeleton));
 
-export const NO_SKIN = 'None of the characters shown has a skin.';
-export const NO_BOXES = 'None of the characters shown has boxes: they are drawn as bones.';
+export const NO_SKIN = 'No visible character has a skin.';
+export const NO_BOXES = 'No visible character has boxes; they are drawn as bones.';
 
 /** Without boxes it only counts whether bones are drawn in their place. */
 const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
@@ -69,7 +69,7 @@ export const VIEW_ACTIONS: readonly Action[] = [
   look('top', 'Top', '7'),
   look('bottom', 'Bottom', 'Shift+7'),
   { ...toggle('orthographic', 'Orthographic', 'perspective', ['5'], 'View/Camera', 1), group: 'Camera' },
-  { ...toggle('follow', 'Follow the joint', undefined, ['Shift+F'], 'View/Camera', 2), group: 'Camera' },
+  { ...toggle('follow', 'Follow joint', undefined, ['Shift+F'], 'View/Camera', 2), group: 'Camera' },
   { ...toggle('inPlace', 'In place', undefined, [], 'View/Camera', 2), group: 'Camera' },
   ...SKIN_STYLES.map(
     ([skin, label]): Action => ({
@@ -117,11 +117,11 @@ export const VIEW_ACTIONS: readonly Action[] = [
   },
   toggle('bones', 'Bones', 'bones', ['Shift+B']),
   toggle('axes', 'Joint axes', 'axes', ['X']),
-  toggle('names', 'Names', 'names', ['N']),
+  toggle('names', 'Joint names', 'names', ['N']),
   toggle('characterNames', 'Character names', undefined, []),
   toggle('normals', 'Normals', 'normals', ['Shift+N']),
-  toggle('trail', 'Trail of the joint', undefined, []),
-  toggle('ghosts', 'Ghosts before and after', 'ghosts', ['Shift+O']),
+  toggle('trail', 'Motion path', undefined, []),
+  toggle('ghosts', 'Onion skin', 'ghosts', ['Shift+O']),
   toggle('grid', 'Grid', 'grid', ['G']),
   toggle('shadow', 'Shadow', 'shadow', ['Shift+G']),
 ];

@@ -24,7 +24,7 @@ describe('what is in the way of a pin', () => {
   });
   it('is the distance where no limit binds and nothing holds, and the locks where nothing can move', () => {
     expect(text({})).toBe('out of reach');
-    expect(text({ canMove: false })).toBe('nothing here is free to move');
+    expect(text({ canMove: false })).toBe('nothing here can move');
   });
   it('what is in the way of a pin is the pins that hold against it, each joint once and never its own', () => {
     expect(text({ holders: [4] })).toBe('out of reach while knee_r holds');
@@ -40,8 +40,8 @@ describe('what is in the way of a pin', () => {
     expect(text({ locks: [2] })).toBe('it is locked');
   });
   it('what is in the way of a pin is the root where that could travel and does not', () => {
-    expect(text({ canMove: false, rootStays: true })).toBe('the root stays: let it travel');
-    expect(text({ rootStays: true })).toBe('out of reach while the root stays');
+    expect(text({ canMove: false, rootStays: true })).toBe('the root is fixed: allow it to move');
+    expect(text({ rootStays: true })).toBe('out of reach while the root is fixed');
     expect(text({ rootStays: true, holders: [4] })).toBe('out of reach while knee_r holds');
   });
   it('what is in the way of a pin has one cause, the first that one would change', () => {

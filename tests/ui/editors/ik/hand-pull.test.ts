@@ -168,7 +168,7 @@ describe('a hand that drags a point', () => {
     expect(hand.state.hindrance).toMatchObject({ canMove: false, rootStays: true });
     expect(wantsRoot.get()).toBe(true);
     hand.finish();
-    expect(wb.messages.passing.get()).toContain('root stays: let it travel');
+    expect(wb.messages.passing.get()).toContain('root is fixed. Allow the root to move');
     expect(wb.store.undoLabel).toBeUndefined();
     begin().cancel();
     expect(wantsRoot.get()).toBe(false);

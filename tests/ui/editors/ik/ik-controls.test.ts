@@ -6,6 +6,6 @@ const ROOM = 52;
 
 it.each([0, 1, 6])('tells what to do first in one line (%i pins)', (pins) => {
   const hint = hintText(pins);
-  expect(hint).toContain(pins === 0 ? 'Click pins' : 'Click a pin to let it go');
+  expect(hint).toContain(pins === 0 ? 'Click a point to pin it' : 'Click a pin to remove it');
   expect(hint.length).toBeLessThanOrEqual(ROOM);
 });

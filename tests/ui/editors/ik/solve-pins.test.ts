@@ -39,7 +39,7 @@ describe('solving all pins', () => {
     expect(apart(placeOf(HAND_L), [-1, 1.5, 0.5])).toBeLessThan(THERE);
     expect(apart(placeOf(HAND_R), [-3, 0, 0])).toBeLessThan(THERE);
     expect(said()).toBeUndefined();
-    expect(wb.store.undoLabel).toBe('Solve the pins of wasp');
+    expect(wb.store.undoLabel).toBe('Re-solve pins of wasp');
     wb.store.undo();
     expect(pose()).toEqual(before);
     expect(wb.store.undoLabel).toBeUndefined();
@@ -48,14 +48,14 @@ describe('solving all pins', () => {
   it('says so where there is nothing to do', () => {
     solve();
     expect(page.wb.store.undoLabel).toBeUndefined();
-    expect(said()).toBe('All pins are where they hold.');
+    expect(said()).toBe('All pins are reached.');
   });
 
   it('names what can’t be reached, and keeps where it is to be', () => {
     const { wb } = page;
     wantLeftHandAt([30, 0, 0]);
     solve();
-    expect(said()).toMatch(/^hand_[lr] is as near as it can be: out of reach\.$/);
+    expect(said()).toMatch(/^hand_[lr] is as close as it can get: out of reach\.$/);
     const left = wb.posing.ik.targets.leftOf('c1', Float64Array.from(page.pose()));
     expect(left?.targets.get(1)?.target.position).toEqual([30, 0, 0]);
   });
@@ -67,7 +67,7 @@ describe('solving all pins', () => {
     // Nearer to the middle than a straight arm comes.
     wantLeftHandAt([0.3, 0.2, 0]);
     solve();
-    expect(said()).toBe('hand_l is as near as it can be: fore_l is locked.');
+    expect(said()).toBe('hand_l is as close as it can get: fore_l is locked.');
   });
 
   it('leaves locked joints as they are', () => {

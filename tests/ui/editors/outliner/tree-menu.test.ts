@@ -16,15 +16,15 @@ function menu(mode: 'fk' | 'rig', keys: Record<string, readonly string[]> = {}) 
 it('shows the keys that do the same with the selected joint', () => {
   const items = menu('rig');
   expect(items.get('Rename')).toEqual(['F2', 'F2']);
-  expect(items.get('Add a child')).toEqual(['Shift+C', 'Shift+C']);
-  expect(items.get('Delete with all below it')?.[1]).toBe('Shift+Delete');
+  expect(items.get('Add child')).toEqual(['Shift+C', 'Shift+C']);
+  expect(items.get('Delete with descendants')?.[1]).toBe('Shift+Delete');
   expect(items.get('Add joints by clicking')).toEqual([undefined, undefined]);
 });
 
 it('shows them as they were changed', () => {
   const items = menu('rig', { 'rigging.rename': ['Ctrl+R'], 'rigging.addChild': [] });
   expect(items.get('Rename')).toEqual(['Ctrl+R', 'Control+R']);
-  expect(items.get('Add a child')).toEqual([undefined, undefined]);
+  expect(items.get('Add child')).toEqual([undefined, undefined]);
 });
 
 it('names the tree’s own key outside of rig mode', () => {
@@ -40,9 +40,9 @@ it('pins and locks a joint outside of rig mode, and says what it would do', () =
       entry.kind === 'item' ? entry.label : entry.kind,
     );
   };
-  expect(labels()).toEqual(['Rename', 'Pin (IK)', 'Lock (IK)', 'Change the skeleton here (rig mode)']);
+  expect(labels()).toEqual(['Rename', 'Pin (IK)', 'Lock (IK)', 'Edit in rig mode']);
   const held = labels({ pins: [pin], stiff: [{ joint: 1 }], rootIsFree: true });
-  expect(held.slice(1, 3)).toEqual(['Let its pin go (IK)', 'Unlock (IK)']);
+  expect(held.slice(1, 3)).toEqual(['Unpin (IK)', 'Unlock (IK)']);
   const stiffer = labels({ pins: [], stiff: [{ joint: 1, stiffness: 10 }], rootIsFree: true });
   expect(stiffer.slice(1, 3)).toEqual(['Pin (IK)', 'Lock (IK)']);
 });

@@ -42,7 +42,7 @@ describe('the keys of posing', () => {
   it('the keys of posing has one line on the page of shortcuts for what Escape leaves', () => {
     const { wb } = posing();
     const lines = actionsOf(wb).filter(({ shortcuts, panel }) => shortcuts?.includes('Escape') && !panel);
-    expect(lines.map((action) => action.label)).toEqual(['Back to FK, then select nothing']);
+    expect(lines.map((action) => action.label)).toEqual(['Back to FK, then deselect all']);
   });
 
   it('Space switches where there is nothing to play, and plays where there is', () => {

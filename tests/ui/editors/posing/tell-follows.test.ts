@@ -42,7 +42,7 @@ describe('posing what another take moves', () => {
     gesture.preview(setDofs.run(gesture.base, args));
     tellFollows(wb, own, [ARM]);
     gesture.commit();
-    expect(wb.messages.passing.get()).toBe('walker follows dancer: bake it to keep what you pose.');
+    expect(wb.messages.passing.get()).toBe('walker is retargeted from dancer. Bake it to keep your pose.');
     wb.messages.passing.set(undefined);
     tellFollows(wb, own, [ARM]);
     expect(wb.messages.passing.get()).toBeUndefined();

@@ -39,7 +39,7 @@ it('is said in the outliner and in both rows of the takes', () => {
   const before = store.document;
   expect(rowOf('t')?.detail).toBe('follows take');
   expect(takeRows(before).map(({ name, note, isShown }) => ({ name, note, isShown }))).toEqual([
-    { name: 'take', note: 'moves walker', isShown: true },
+    { name: 'take', note: 'drives walker', isShown: true },
     { name: 'own', note: 'aside: walker follows take', isShown: false },
   ]);
   store.apply(clearRetarget, { characterId: 't' });

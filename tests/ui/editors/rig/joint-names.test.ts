@@ -21,9 +21,7 @@ describe('what is said of a joint’s name', () => {
 
   it('what is said of a joint’s name is that another joint is called so, which is no fault', () => {
     const twice = { skeleton: named('a b', 'c', 'a b') };
-    expect(nameNote(twice, 2)).toBe(
-      'Saved as “a_b”. Another joint is called so too; they are told apart by their numbers.',
-    );
+    expect(nameNote(twice, 2)).toBe('Saved as “a_b”. Another joint has the same name. They are told apart by index.');
     expect(nameNote(twice, 1)).toBe('');
     expect(nameNote({ skeleton: named('', '') }, 1)).toBe('');
   });

@@ -64,8 +64,8 @@ describe('why a joint stays where it is dropped', () => {
   const named = joints.map((one, j) => ({ ...one, name: j === 4 ? '' : `j${j}` }));
 
   it('why a joint stays where it is dropped is told where it would hang on what hangs on it', () => {
-    expect(whyNoDrop(named, 3, 4)).toBe('j3 can’t hang on joint 4, which hangs on it.');
-    expect(whyNoDrop(named, 1, 2)).toBe('j1 can’t hang on j2, which hangs on it.');
+    expect(whyNoDrop(named, 3, 4)).toBe('j3 can’t be parented to its descendant joint 4.');
+    expect(whyNoDrop(named, 1, 2)).toBe('j1 can’t be parented to its descendant j2.');
   });
 
   it('needs no word where it is let go on itself or elsewhere', () => {

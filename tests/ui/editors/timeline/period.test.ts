@@ -50,7 +50,7 @@ describe('another period', () => {
 
   it('another period is said of several channels at once', () => {
     keyNow(wb, 'c1');
-    expect(said()).toBe('2 channels, hips tx among them, now repeat every 3 s instead of every 2 s.');
+    expect(said()).toBe('2 channels, including hips tx, now repeat every 3 s instead of every 2 s.');
   });
 
   it('another period is said at the end of a drag, and not while it lasts nor when it is given up', () => {

@@ -94,15 +94,13 @@ describe('values set by hand and not keyed', () => {
     expect(now()).toEqual(unkeyed);
     seek(0.5);
     expect(now()).toBeUndefined();
-    expect(wb.messages.passing.get()).toBe(
-      'A value set by hand was not keyed and is gone: Ctrl+Z brings it back, K keeps such values.',
-    );
+    expect(wb.messages.passing.get()).toBe('Unkeyed change discarded. Ctrl+Z restores it, K keys such changes.');
   });
 
   it('come back with undo, at their moment', () => {
     const { wb, now, seek } = setAt();
     seek(0.5);
-    expect(wb.store.undoLabel).toBe('Drop 1 unkeyed value');
+    expect(wb.store.undoLabel).toBe('Discard 1 unkeyed change');
     wb.transport.update((p) => ({ ...p, playing: true }));
     wb.store.undo();
     expect(now()).toEqual(unkeyed);

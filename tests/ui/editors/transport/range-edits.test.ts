@@ -8,9 +8,9 @@ it('refuses a range that goes backward, in the unit in which it was typed', () =
   const { range } = wb.transport.get();
   const said = () => wb.messages.list.get().at(-1)?.text;
   typeRange(wb, [2, 1 / 3]);
-  expect(said()).toBe('A range can’t end at 0.333333 s where it begins at 2 s.');
+  expect(said()).toBe('A range that starts at 2 s can’t end at 0.333 s.');
   wb.settings.update((s) => ({ ...s, timeDisplay: 'frames' }));
   typeRange(wb, [2, 0.5]);
-  expect(said()).toBe('A range can’t end at frame 12 where it begins at frame 48.');
+  expect(said()).toBe('A range that starts at frame 48 can’t end at frame 12.');
   expect(wb.transport.get().range).toBe(range);
 });

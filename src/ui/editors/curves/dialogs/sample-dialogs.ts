@@ -20,7 +20,7 @@ import type { Samples } from '../../../../model/samples.ts';
 import type { Skeleton } from '../../../../model/skeleton.ts';
 import type { DialogContent } from '../../../kit/dialog.ts';
 import { element } from '../../../kit/dom.ts';
-import { count, plural, seconds, shown } from '../../../kit/number-text.ts';
+import { count, errorSize, plural, shown } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import { lengthUnit } from '../../../state/length-unit.ts';
 import type { Workbench } from '../../../state/workbench.ts';
@@ -41,21 +41,21 @@ export function convertDialog(wb: Workbench, close: () => void): DialogContent {
       name: 'convertToKeys',
       title: 'Convert to keys',
       about:
-        `Fewest keys for ${count(samples.frameCount)} frames with every joint and End Site where it was: cubics fitted ` +
-        'to each curve, angles freed of jumps first, and all joints measured at every frame until none is further off there.',
+        `Fits as few keys as possible to ${count(samples.frameCount)} frames: curves are fitted after an Euler filter, then ` +
+        'refined until every joint and End Site is within tolerance at every frame.',
       asked: [
         ...channelsAsked(wb, channels.length, all),
         {
           kind: 'number',
           name: 'position',
-          label: 'Joints within',
+          label: 'Position tolerance',
           value: Number((POSITION_PART * (skeleton ? sizeOf(skeleton) : 1)).toPrecision(2)),
           unit: lengthUnit(character),
         },
         {
           kind: 'number',
           name: 'angle',
-          label: 'Turned within',
+          label: 'Rotation tolerance',
           value: degrees,
           unit: unitText('angle', angles).trim(),
         },
@@ -87,8 +87,8 @@ export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
       name: 'smoothSamples',
       title: 'Smooth samples',
       about:
-        'Over the frames around each, alike to both sides, so that nothing comes later. Joints with three angles are ' +
-        'filtered as rotations. Within a range it sets in and ends little by little.',
+        'Filters each frame over its neighbours on both sides, so the motion is not delayed. Joints with three angles are ' +
+        'filtered as rotations. Within a range, the effect fades in and out.',
       asked: [
         ...channelsAsked(wb, channels.length, all),
         {
@@ -116,8 +116,8 @@ export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
           label: 'Over',
           value: 'take',
           options: [
-            ['take', 'The whole take'],
-            ['played', `Played, ${shown(from, 3)} – ${shown(to, 3)} s`],
+            ['take', 'Whole take'],
+            ['played', `Playback range, ${shown(from)} – ${shown(to)} s`],
           ],
         },
       ],
@@ -146,7 +146,7 @@ export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogC
     return toolDialog<ResampleSamples>(wb, close, {
       name: 'resampleSamples',
       title: 'Resample samples',
-      about: 'The same motion at another frame rate; joints turn along their way from rotation to rotation.',
+      about: 'The same motion at another frame rate. Rotations take the shortest path between frames.',
       asked: [{ kind: 'number', name: 'rate', label: 'Frames per second', value: preset }],
       command: resampleSamples,
       args(answers) {
@@ -157,7 +157,8 @@ export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogC
       *steps(document, args) {
         const change = yield* resampleSteps(document, args);
         const now = samplesOf(change, character.id);
-        const text = now === samples ? `The take has ${preset} frames a second already.` : resampledText(samples, now);
+        const text =
+          now === samples ? `The take already has ${preset} frames per second.` : resampledText(samples, now);
         return { change, text };
       },
       result: () => '',
@@ -179,11 +180,11 @@ function smoothedText(args: SmoothSamples, before: Samples, after: Samples | und
   const { sigmaSeconds } = args;
   if (args.filter === 'median' || sigmaSeconds === undefined) {
     const changed = framesChanged(before, after ?? before);
-    return changed ? `${plural(changed, 'frame')} of ${count(before.frameCount)} changed.` : 'No spikes there.';
+    return changed ? `${plural(changed, 'frame')} of ${count(before.frameCount)} changed.` : 'No spikes found.';
   }
   const frames = sigmaSeconds / before.frameSeconds;
   const halved = (Math.PI * sigmaSeconds) / Math.sqrt(Math.LN2 / 2);
-  return `σ is ${shown(frames, 1)} frames: of what goes to and fro ${shown(1 / halved, 1)} times a second half is left.`;
+  return `σ is ${shown(frames, 1)} frames: motion at ${shown(1 / halved, 1)} Hz is halved.`;
 }
 
 /** Frames in which any value is another. */
@@ -222,7 +223,7 @@ function channelsAsked(wb: Workbench, inHand: number, all: number): Asked[] {
       value: isOfJoint ? 'view' : 'all',
       options: [
         ['all', `All ${count(all)}`],
-        ['view', inHand === 1 ? 'The one in view' : `The ${count(inHand)} in view`],
+        ['view', inHand === 1 ? 'The visible one' : `The ${count(inHand)} visible`],
       ],
     },
   ];
@@ -234,13 +235,13 @@ function convertedText(wb: Workbench, character: Character, report: Converted): 
   const { samplesBefore, keysAfter, worstPosition, worstAngle } = report;
   const { skeleton, timeOffsetSeconds } = character;
   const nameOf = (joint: number) => jointName(skeleton, joint);
-  const at = (time: number) => `at ${seconds(Number((time - timeOffsetSeconds).toFixed(3)))} s`;
-  const off = `${shown(worstPosition.error, 4)} ${lengthUnit(character)}`;
-  const turned = `${shown(worstAngle.error * shownPerUnit('angle', angles), 3)}${unitText('angle', angles)}`;
+  const at = (time: number) => `at ${shown(time - timeOffsetSeconds)} s`;
+  const off = `${errorSize(worstPosition.error)} ${lengthUnit(character)}`;
+  const turned = `${errorSize(worstAngle.error * shownPerUnit('angle', angles))}${unitText('angle', angles)}`;
   return [
     `${plural(samplesBefore, 'sample')} → ${plural(keysAfter, 'key')}, ${shown(samplesBefore / keysAfter, 1)} to 1.`,
-    `Furthest off: ${nameOf(worstPosition.joint)} by ${off} ${at(worstPosition.atSeconds)}.`,
-    `Turned most: ${nameOf(worstAngle.joint)} by ${turned} ${at(worstAngle.atSeconds)}.`,
+    `Largest position error: ${nameOf(worstPosition.joint)}, ${off} ${at(worstPosition.atSeconds)}.`,
+    `Largest rotation error: ${nameOf(worstAngle.joint)}, ${turned} ${at(worstAngle.atSeconds)}.`,
   ].join('\n');
 }
 

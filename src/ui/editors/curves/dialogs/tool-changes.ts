@@ -2,7 +2,7 @@
 
 import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
 import type { ChannelClip, Extrapolation } from '../../../../model/clip.ts';
-import { plural, seconds } from '../../../kit/number-text.ts';
+import { plural, shown } from '../../../kit/number-text.ts';
 import { period } from '../../timeline/period.ts';
 
 const SIDES = [
@@ -34,10 +34,10 @@ export function changesBeyond(before: ChannelClip, after: ChannelClip, channels:
 /** What repeats does so with all that is keyed by then. */
 function spansText(spans: readonly (readonly [number, number])[]): string {
   const [[was, now]] = spans;
-  const what = `${plural(spans.length, 'curve')} will repeat all keys, the new ones too:`;
+  const what = `${plural(spans.length, 'curve')} will repeat all keys, including the new ones:`;
   const alike = spans.every(([w, n]) => !isOther(w, was) && !isOther(n, now));
-  if (!alike) return `${what} not as before.`;
-  return `${what} every ${seconds(now)} s instead of every ${seconds(was)} s.`;
+  if (!alike) return `${what} at other intervals than before.`;
+  return `${what} every ${shown(now)} s instead of every ${shown(was)} s.`;
 }
 
 function nameOf(extrapolation: Extrapolation): string {

@@ -15,7 +15,7 @@ import { type Document, findCharacter, shownClip } from '../../../../model/docum
 import type { DofUnit } from '../../../../model/skeleton.ts';
 import type { DialogContent } from '../../../kit/dialog.ts';
 import { element } from '../../../kit/dom.ts';
-import { count, plural, shown } from '../../../kit/number-text.ts';
+import { count, errorSize, plural } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import type { Workbench } from '../../../state/workbench.ts';
 import { channelsInHand, keysInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
@@ -32,10 +32,10 @@ import { changesBeyond } from './tool-changes.ts';
 
 /** What is hardly seen: half a degree, a hundredth of a length, half a per cent of a scale or morph. In what is shown. */
 const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> = {
-  angle: ['Angles within', 0.5, 0.01],
-  length: ['Lengths within', 0.01, 0.01],
-  factor: ['Factors within', 0.005, 0.005],
-  weight: ['Weights within', 0.005, 0.005],
+  angle: ['Angle tolerance', 0.5, 0.01],
+  length: ['Length tolerance', 0.01, 0.01],
+  factor: ['Factor tolerance', 0.005, 0.005],
+  weight: ['Weight tolerance', 0.005, 0.005],
 };
 
 export function simplifyDialog(wb: Workbench, close: () => void): DialogContent {
@@ -46,7 +46,7 @@ export function simplifyDialog(wb: Workbench, close: () => void): DialogContent 
     return toolDialog(wb, close, {
       name: 'simplify',
       title: 'Simplify',
-      about: `Fewer keys on ${plural(channels.length, 'curve')}, none of which gets further off than this anywhere.`,
+      about: `Removes keys from ${plural(channels.length, 'curve')} while each curve stays within this tolerance.`,
       asked: found.map((unit) => {
         const [label, inDegrees, otherwise] = TOLERANCES[unit];
         const value = unit === 'angle' && angles === 'degrees' ? inDegrees : otherwise;
@@ -65,7 +65,7 @@ export function resampleDialog(wb: Workbench, close: () => void): DialogContent 
     return toolDialog(wb, close, {
       name: 'resample',
       title: 'Resample',
-      about: `A key on every frame of ${plural(channels.length, 'curve')}; keys outside stay.`,
+      about: `Sets a key on every frame of ${plural(channels.length, 'curve')}. Keys outside the range are kept.`,
       asked: [
         number('rate', 'Frames per second', wb.transport.get().framesPerSecond),
         ...rangeAsked(keysSpan(take, channels)),
@@ -94,7 +94,7 @@ export function bakeDialog(wb: Workbench, close: () => void): DialogContent {
     return toolDialog(wb, close, {
       name: 'bake',
       title: 'Bake extrapolation to keys',
-      about: `What ${plural(channels.length, 'curve')} do beyond their ends, as keys of their own.`,
+      about: `Turns the extrapolation of ${plural(channels.length, 'curve')} into keys.`,
       asked: rangeAsked(wb.transport.get().range),
       command: bakeExtrapolation,
       args: (answers) => bakeArguments(take.character, channels, answers),
@@ -116,13 +116,13 @@ export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
       keys.map((k) => k.channel),
     );
     const pivots = found.map((unit): Asked => {
-      const what = `${{ angle: 'Angles', length: 'Lengths', factor: 'Factors', weight: 'Weights' }[unit]} about`;
+      const what = `${{ angle: 'Angle', length: 'Length', factor: 'Factor', weight: 'Weight' }[unit]} pivot`;
       return { kind: 'number', name: unit, label: what, value: 0, unit: unitText(unit, angles).trim() };
     });
     return toolDialog(wb, close, {
       name: 'scaleKeys',
       title: 'Scale keys',
-      about: `${plural(countKeys(keys), 'key')}, nearer together or further apart. −1 mirrors.`,
+      about: `Scales ${plural(countKeys(keys), 'key')} about a pivot. −1 mirrors.`,
       asked: [
         number('time', 'Time ×', 1),
         number('pivot', 'about', wb.transport.get().timeSeconds, 's'),
@@ -143,7 +143,7 @@ function withTake(wb: Workbench, make: (take: Take, channels: readonly number[])
   const take = takeInHand(wb);
   const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.times.length);
   if (take && channels.length) return make(take, channels);
-  const body = element('p', { class: 'empty' }, 'No curve is in view, and no key is selected.');
+  const body = element('p', { class: 'empty' }, 'No curve is visible and no key is selected.');
   return { title: 'Curve tools', body, kind: 'tool-dialog' };
 }
 
@@ -180,7 +180,7 @@ function reductionText(wb: Workbench, { keysBefore, keysAfter, largest }: Reduct
   const errors = UNITS.flatMap((unit) => {
     const worst = largest[unit];
     if (!worst) return [];
-    return `${shown(worst.largestError * shownPerUnit(unit, angles), 4)}${unitText(unit, angles)}`;
+    return `${errorSize(worst.largestError * shownPerUnit(unit, angles))}${unitText(unit, angles)}`;
   });
   const error = errors.length ? `, largest error ${errors.join(' / ')}` : '';
   return `${count(keysBefore)} → ${plural(keysAfter, 'key')}${error}`;

@@ -2,6 +2,7 @@
  * Ticks of the value axes. Angles in degrees stand at divisors of the turn, so that 45° and 90° are always among them;
  * everything else at 1, 2 or 5 times a power of ten, as time does (`ruler.ts`).
  */
+import { shown } from '../../../kit/number-text.ts';
 import { niceStep } from '../../../kit/ruler.ts';
 import type { AxisName, ValueAxis } from './space.ts';
 
@@ -72,8 +73,7 @@ function stepFor(least: number, inDegrees: boolean): readonly [number, number] {
 function labelOf(value: number, step: number, inDegrees: boolean): string {
   const decimals = Math.min(12, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
   const size = Math.abs(value);
-  const number =
-    size >= 1e6 || (decimals > 6 && size > 0) ? value.toExponential(2) : String(Number(value.toFixed(decimals)));
-  const text = number === '-0' ? '0' : number.replace('-', '−');
+  const isExtreme = size >= 1e6 || (decimals > 6 && size > 0);
+  const text = isExtreme ? value.toExponential(2).replace('-', '−') : shown(value, decimals);
   return inDegrees ? `${text}°` : text;
 }

@@ -1,6 +1,6 @@
 /** Numbers of the plot in words: where the pointer is, and what a drag has come to. */
 import type { DofUnit } from '../../../../model/skeleton.ts';
-import { shown } from '../../../kit/number-text.ts';
+import { MOST_DECIMALS, shown } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import type { Workbench } from '../../../state/workbench.ts';
 import { framesOf } from '../../timeline/snapping.ts';
@@ -8,7 +8,7 @@ import { framesOf } from '../../timeline/snapping.ts';
 /** `0.4 s · 12`, or `12 · 0.4 s` where the page counts in frames. */
 export function timeText(wb: Workbench, timeSeconds: number): string {
   const frames = `frame ${shown(framesOf(timeSeconds, wb.transport.get().framesPerSecond), 1)}`;
-  const seconds = `${shown(timeSeconds, 3)} s`;
+  const seconds = `${shown(timeSeconds)} s`;
   return wb.settings.get().timeDisplay === 'frames' ? `${frames} · ${seconds}` : `${seconds} · ${frames}`;
 }
 
@@ -16,14 +16,14 @@ export function timeText(wb: Workbench, timeSeconds: number): string {
 export function valueText(wb: Workbench, unit: DofUnit, value: number): string {
   const { angles } = wb.settings.get();
   const inDegrees = unit === 'angle' && angles === 'degrees';
-  return `${shown(value * shownPerUnit(unit, angles), inDegrees ? 2 : 4)}${unitText(unit, angles)}`;
+  return `${shown(value * shownPerUnit(unit, angles), inDegrees ? 2 : MOST_DECIMALS)}${unitText(unit, angles)}`;
 }
 
 /** `Δ +3 frames   +4.2°`. */
 export function deltaText(wb: Workbench, unit: DofUnit, seconds: number, value: number): string {
   const inFrames = wb.settings.get().timeDisplay === 'frames';
   const frames = framesOf(seconds, wb.transport.get().framesPerSecond);
-  const time = inFrames ? `${signed(shown(frames, 2))} frames` : `${signed(shown(seconds, 3))} s`;
+  const time = inFrames ? `${signed(shown(frames, 2))} frames` : `${signed(shown(seconds))} s`;
   return `Δ ${time}   ${signed(valueText(wb, unit, value))}`;
 }
 
@@ -33,5 +33,5 @@ export function slopeText(wb: Workbench, unit: DofUnit, slope: number): string {
 }
 
 function signed(text: string): string {
-  return text.startsWith('-') ? text.replace('-', '−') : `+${text}`;
+  return text.startsWith('−') ? text : `+${text}`;
 }

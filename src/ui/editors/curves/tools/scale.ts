@@ -84,8 +84,8 @@ export function scaler(plot: PlotAccess) {
       onCollision: wb.timeline.view.get().onCollision,
     });
     if (edit.cancelled) return;
-    const time = timeFactor === 1 ? '' : `time × ${shown(timeFactor, 3)}`;
-    const value = valueFactor === 1 ? '' : `values × ${shown(valueFactor, 3)}`;
+    const time = timeFactor === 1 ? '' : `time × ${shown(timeFactor)}`;
+    const value = valueFactor === 1 ? '' : `values × ${shown(valueFactor)}`;
     plot.say([time, value].filter(Boolean).join('   '));
   };
   return { edit, to };

@@ -16,7 +16,7 @@ it('says where a curve holds that repeated, and where it repeats all that is key
   const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 2), ...cycle }, channel());
   const baked = { ...channel(0, 2, 4), ...cycle, extrapolateOut: 'constant' } as const;
   expect(changesBeyond(before, take(baked, baked, channel()), [0, 1, 2])).toEqual([
-    'Before the keys, 2 curves will repeat all keys, the new ones too: every 4 s instead of every 2 s.',
+    'Before the keys, 2 curves will repeat all keys, including the new ones: every 4 s instead of every 2 s.',
     'After the keys, 2 curves will be constant instead of cycle.',
   ]);
 });
@@ -24,7 +24,7 @@ it('says where a curve holds that repeated, and where it repeats all that is key
 it('gives no numbers where each curve has its own', () => {
   const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 1), ...cycle });
   const after = take({ ...channel(0, 2, 4), ...cycle }, { ...channel(0, 1, 4), ...cycle });
-  const sentence = '2 curves will repeat all keys, the new ones too: not as before.';
+  const sentence = '2 curves will repeat all keys, including the new ones: at other intervals than before.';
   expect(changesBeyond(before, after, [0, 1])).toEqual([`Before the keys, ${sentence}`, `After the keys, ${sentence}`]);
 });
 
