@@ -38,7 +38,8 @@ export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: A
     parts.inspector,
     veil,
   );
-  root.classList.add('page');
+  // From here on the page's own: what was there is the frame of `index.html`.
+  root.className = 'page';
   root.replaceChildren(parts.menuBar, body, parts.transport, parts.timeline);
 
   const narrow = window.matchMedia(NARROW);

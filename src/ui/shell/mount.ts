@@ -1,27 +1,4 @@
 /** Builds the page around a workbench: the one function that `main.ts` calls. */
-import '../styles/tokens.css';
-import '../styles/base.css';
-import '../styles/layout.css';
-import '../styles/menu.css';
-import '../styles/outliner.css';
-import '../styles/lil-gui.css';
-import '../styles/inspector.css';
-import '../styles/facts.css';
-import '../styles/transport.css';
-import '../styles/stage.css';
-import '../styles/posing.css';
-import '../styles/ik.css';
-import '../styles/rig.css';
-import '../styles/kept.css';
-import '../styles/timeline.css';
-import '../styles/curves.css';
-import '../styles/channel-list.css';
-import '../styles/tool-dialog.css';
-import '../styles/retarget.css';
-import '../styles/dope.css';
-import '../styles/takes.css';
-import '../styles/poses.css';
-import '../styles/dialogs.css';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';

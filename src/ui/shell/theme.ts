@@ -11,6 +11,9 @@ export function followTheme(wb: Workbench, signal: AbortSignal, changed: () => v
     if (next === shown) return;
     shown = next;
     document.documentElement.dataset.theme = next;
+    // The browser's own bar goes on where the menu bar ends, also where the theme is not the system's.
+    const surface = getComputedStyle(document.documentElement).getPropertyValue('--surface');
+    for (const meta of document.querySelectorAll<HTMLMetaElement>('meta[name=theme-color]')) meta.content = surface;
     wb.viewport.setTheme(next);
     changed();
   };

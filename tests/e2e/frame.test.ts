@@ -1,0 +1,74 @@
+/** The page's frame is on screen before any script, in the system's theme, and stays where it is when the script comes. */
+import type { Page } from 'playwright-core';
+import { describe, expect, it } from 'vitest';
+import { withPage } from '../helpers/page.ts';
+
+const PARTS = ['.menu-bar', '.menu-titles', '.outliner', '.stage', '.inspector', '.transport', '.timeline'];
+/** Of the whole page, text that comes later in its place included; a good page has 0.1 (web.dev/cls). */
+const MOST_SHIFT = 0.01;
+
+const boxes = (page: Page) =>
+  page.evaluate(
+    (parts) =>
+      parts.map((part) => {
+        const box = document.querySelector(part)?.getBoundingClientRect();
+        return `${part} ${box?.x} ${box?.y} ${box?.width} ${box?.height}`;
+      }),
+    PARTS,
+  );
+
+/** The addresses stay the same, so the page that comes without its script is the page that gets it after all. */
+async function withoutScript(page: Page, look: () => Promise<void>): Promise<void> {
+  await page.route('**/*.js', (route) => route.abort());
+  await page.reload();
+  await look();
+  await page.unroute('**/*.js');
+}
+
+describe('the frame of the page', () => {
+  it.each([
+    { width: 1280, height: 800 },
+    { width: 1024, height: 700 },
+  ])('keeps its place when the script comes, at $width × $height', (size) =>
+    withPage(
+      async ({ page }) => {
+        const before: string[] = [];
+        await withoutScript(page, async () => void before.push(...(await boxes(page))));
+        await page.reload();
+        await page.waitForFunction(() => window.marrow?.characters().length > 0);
+        await page.locator('.inspector .lil-gui').first().waitFor();
+        expect(await boxes(page)).toEqual(before);
+        const shift = await page.evaluate(
+          () =>
+            new Promise<number>((resolve) => {
+              // It gives what was before, too; nothing where nothing moved.
+              const found = (list: PerformanceObserverEntryList) =>
+                resolve(
+                  list.getEntries().reduce((sum, entry) => sum + (entry as unknown as { value: number }).value, 0),
+                );
+              new PerformanceObserver(found).observe({ type: 'layout-shift', buffered: true });
+              setTimeout(() => resolve(0), 500);
+            }),
+        );
+        expect(shift).toBeLessThan(MOST_SHIFT);
+      },
+      { size, expected: /\.js/ },
+    ),
+  );
+
+  it.each([
+    ['light', 'rgb(246, 247, 248)'],
+    ['dark', 'rgb(33, 36, 39)'],
+  ] as const)('is %s without any script where the system is', (colorScheme, surface) =>
+    withPage(
+      async ({ page }) => {
+        await withoutScript(page, async () => {
+          const bar = page.locator('.menu-bar');
+          expect(await bar.evaluate((element) => getComputedStyle(element).backgroundColor)).toBe(surface);
+          expect(await page.getByText('Marrow').first().isVisible()).toBe(true);
+        });
+      },
+      { colorScheme, expected: /\.js/ },
+    ),
+  );
+});
