@@ -171,7 +171,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     await dialog.getByRole('button', { name: 'Apply' }).focus();
     await page.keyboard.press('Enter');
     await dialog.waitFor({ state: 'detached' });
-    expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Put step onto walker');
+    expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
 
     // Arms and legs point where the take's do. Where feet are planted, legs may give way a little.
     const own = BONES.map(([, way]) => way);
@@ -194,7 +194,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       .first()
       .click();
     await expect
-      .poll(() => page.getByRole('note').filter({ hasText: 'walker is moved by step' }).isVisible())
+      .poll(() => page.getByRole('note').filter({ hasText: 'walker is retargeted from step' }).isVisible())
       .toBe(true);
     await page.getByRole('tree').evaluate((tree) => {
       tree.scrollTop = 0;
@@ -206,7 +206,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       .filter({ visible: true })
       .first()
       .waitFor();
-    expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Put step onto walker');
+    expect(await page.evaluate(() => window.marrow.steps().undo)).toBe('Retarget step to walker');
     // A value set by hand stands over what moves it, for that moment; then it is gone, and so is its step.
     const tx = page.locator('.dof[data-dof="0"]').first();
     await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
@@ -217,7 +217,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
     await page.evaluate(() => window.marrow.seek(1.9));
     await expect.poll(() => tx.getAttribute('data-driver')).toBe('moved');
     await page.evaluate(() => {
-      while (window.marrow.steps().undo !== 'Put step onto walker') window.marrow.undo();
+      while (window.marrow.steps().undo !== 'Retarget step to walker') window.marrow.undo();
     });
 
     const times = [0, 0.35, 0.8, 1.75];
@@ -257,7 +257,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
       while (window.marrow.steps().undo !== until && window.marrow.undo()) steps.push(window.marrow.steps().redo);
       return steps;
     }, opened);
-    expect(undone).toEqual(['Bake step into walker', 'Put step onto walker']);
+    expect(undone).toEqual(['Bake step into walker', 'Retarget step to walker']);
     expect(await clips(page)).toEqual(['walker_walk']);
     expect(await saved(page)).toEqual(before);
     while (await page.evaluate(() => window.marrow.redo()));
