@@ -204,6 +204,7 @@ function infoOf(character: Character, dofs: Float64Array | undefined): Character
 function keysOf(character: Character, channel: number): KeyInfo[] {
   const found = shownClip(character)?.channels[channel];
   if (!found) throw new Error(`${character.name} shows no take with a channel ${channel}.`);
+  if (found.kind !== 'keys') return [];
   const slopes = resolvedSlopes(found);
   return Array.from(found.times, (time, k) => {
     return { time, value: found.values[k], slopeIn: slopes.in[k], slopeOut: slopes.out[k] };

@@ -5,7 +5,7 @@
  */
 
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { type Channel, type ChannelClip, isSampled } from '../model/clip.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/clip.ts';
 import { type Document, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { indexIn, listOf } from './arguments.ts';
@@ -54,14 +54,13 @@ export function withClipChannels(document: Document, characterId: string, channe
 export function changeKeys(
   document: Document,
   { characterId, keys }: OfKeys,
-  change: (channel: Channel, indices: readonly number[], entry: number) => Moved,
+  change: (channel: KeyedChannel, indices: readonly number[], entry: number) => Moved,
 ): Edit {
   const clip = clipOf(document, characterId);
-  checkKeys(clip, keys);
   const channels = [...clip.channels];
   const now: ChannelKeys[] = [];
-  keys.forEach(({ channel: index, indices }, entry) => {
-    const moved = change(channels[index], indices, entry);
+  checkedKeys(clip, keys).forEach(({ channel, index, indices }, entry) => {
+    const moved = change(channel, indices, entry);
     channels[index] = moved.channel;
     if (moved.indices.length) now.push({ channel: index, indices: moved.indices });
   });
@@ -72,26 +71,39 @@ export function changeKeys(
 export function changeTangents(
   document: Document,
   of: OfKeys,
-  change: (channel: Channel, indices: readonly number[]) => Channel,
+  change: (channel: KeyedChannel, indices: readonly number[]) => KeyedChannel,
 ): Edit {
   return changeKeys(document, of, (channel, indices) => ({ channel: change(channel, indices), indices }));
 }
 
-/** Refuses keys that are not there, and lists that are not in order. */
-export function checkKeys(clip: ChannelClip, keys: unknown): void {
+/** Keys of one channel, and the channel that has them. */
+interface KeysOfChannel {
+  readonly channel: KeyedChannel;
+  readonly index: number;
+  /** Of the keys. */
+  readonly indices: readonly number[];
+}
+
+/** The keys with their channels. Refuses keys that are not there, and lists that are not in order. */
+export function checkedKeys({ channels }: ChannelClip, keys: unknown): readonly KeysOfChannel[] {
+  const checked: KeysOfChannel[] = [];
   let before = -1;
   for (const entry of listOf(keys, '"keys"')) {
     if (typeof entry !== 'object' || entry === null || !('channel' in entry) || !('indices' in entry)) {
       throw new CommandError('"keys" must be a list of { channel, indices }.');
     }
-    const channel = indexIn(entry.channel, 0, clip.channels.length, 'channel');
-    if (channel <= before) throw new CommandError('"keys" must name each channel once, in ascending order.');
-    before = channel;
-    checkIndices(entry.indices, clip.channels[channel].times.length);
+    const index = indexIn(entry.channel, 0, channels.length, 'channel');
+    if (index <= before) throw new CommandError('"keys" must name each channel once, in ascending order.');
+    before = index;
+    const channel = channels[index];
+    const indices = checkedIndices(entry.indices, keysOf(channel).times.length);
+    // Without keys it had none of those indices.
+    if (channel.kind === 'keys') checked.push({ channel, index, indices });
   }
+  return checked;
 }
 
-function checkIndices(given: unknown, keyCount: number): void {
+function checkedIndices(given: unknown, keyCount: number): readonly number[] {
   const indices = listOf(given, '"indices"');
   if (indices.length === 0) throw new CommandError('"indices" must name at least one key.');
   let before = -1;
@@ -103,10 +115,12 @@ function checkIndices(given: unknown, keyCount: number): void {
     }
     before = k;
   }
+  // Each was found to be a number.
+  return indices as readonly number[];
 }
 
 /** Refuses channels that are not there. Each once, ascending. */
-export function checkedChannels(clip: ChannelClip, channels: unknown): readonly number[] {
+export function checkedChannels(clip: Pick<ChannelClip, 'channels'>, channels: unknown): readonly number[] {
   const list = listOf(channels, '"channels"').map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
   return [...new Set(list)].sort((a, b) => a - b);
 }
@@ -116,14 +130,14 @@ export function checkedChannels(clip: ChannelClip, channels: unknown): readonly 
  * place of thousands of frames. Refuses, with the way out, where none is left of some.
  */
 export function keyable(clip: ChannelClip, channels: readonly number[]): readonly number[] {
-  const left = channels.filter((channel) => !isSampled(clip, channel));
+  const left = channels.filter((channel) => clip.channels[channel]?.kind !== 'samples');
   if (left.length === 0 && channels.length > 0) throw new CommandError(followsSamples(channels.length));
   return left;
 }
 
 /** Refuses all of them where one follows the samples: what would be done in part would not be what was meant. */
 export function allKeyable(clip: ChannelClip, channels: readonly number[]): void {
-  const count = channels.filter((channel) => isSampled(clip, channel)).length;
+  const count = channels.filter((channel) => clip.channels[channel]?.kind === 'samples').length;
   if (count > 0) throw new CommandError(followsSamples(count));
 }
 

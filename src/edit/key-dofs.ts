@@ -3,7 +3,7 @@
  * lacks, on the way; what was set by hand and is keyed now is not unkeyed any more.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
-import { FLAT, isSampled, LINEAR, SMOOTH } from '../model/clip.ts';
+import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { finiteNumber, listOf, oneOf } from './arguments.ts';
@@ -62,7 +62,7 @@ export function keyDofs(
   const keys: ChannelKeys[] = [];
   let changed = false;
   const signed = withNearerSigns(character, channels, values, time);
-  const keyable = [...values.keys()].filter((dof) => !isSampled(clip, dof));
+  const keyable = [...values.keys()].filter((dof) => channels[dof]?.kind !== 'samples');
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
     const { channel, index } = putKey(before, time, signed.get(dof) ?? 0, kind);

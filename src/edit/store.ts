@@ -5,7 +5,7 @@
  * is kept of them is their difference (`history.ts`), so a step costs what it changed. (ProseMirror needs inverses for
  * collaboration; we don't.)
  */
-import type { ChannelClip } from '../model/clip.ts';
+import { type ChannelClip, keysOf } from '../model/clip.ts';
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
@@ -287,7 +287,9 @@ function stateKept({ document: before, selection }: State, change: Document | Ed
   // Keys are known by index: they stay selected where their channel's column of times stays.
   const was = clipOf(before, characterId)?.channels;
   const now = clipOf(document, characterId)?.channels;
-  const kept = selection.keys.filter(({ channel }) => was?.[channel] && was[channel].times === now?.[channel]?.times);
+  const kept = selection.keys.filter(
+    ({ channel }) => was?.[channel] && keysOf(was[channel]).times === keysOf(now?.[channel]).times,
+  );
   return { document, selection: kept.length === selection.keys.length ? selection : withKeys(selection, kept) };
 }
 

@@ -2,7 +2,7 @@
  * Takes: a character's clips as something to write into. What is keyed goes into the take that is shown; where there is
  * none, one is made that changes nothing by itself, for its channels have no keys and stand where the pose stands.
  */
-import { type Channel, type ChannelClip, keylessChannel, spanOfChannel } from '../model/clip.ts';
+import { type Channel, type ChannelClip, restChannel, spanOfChannel } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import { characterDofs } from '../model/dofs.ts';
 import { type SourceFile, sameName, stemOf } from '../model/files.ts';
@@ -48,7 +48,7 @@ export function withNewTake(character: Character, name: string, range: readonly 
 }
 
 function restingChannels({ pose }: Character, from: number, to: number): Channel[] {
-  return Array.from({ length: to - from }, (_, i) => keylessChannel(pose[from + i] ?? 0));
+  return Array.from({ length: to - from }, (_, i) => restChannel(pose[from + i] ?? 0));
 }
 
 /**
@@ -92,13 +92,6 @@ export function fileInTheWay(character: Character, take: number, name: string): 
 
 function takeFiles({ sources }: Character): readonly SourceFile[] {
   return sources.filter(({ name }) => /\.anim$/i.test(name));
-}
-
-/** A channel without keys, standing at another value; the same object where it stands there already. */
-export function standingAt(channel: Channel, value: number): Channel {
-  const { rest = 0, ...others } = channel;
-  if (rest === value) return channel;
-  return value === 0 ? others : { ...others, rest: value };
 }
 
 /** First to last key or frame of a clip's channels, in seconds of the clip; undefined where nothing is animated. */

@@ -12,7 +12,7 @@ import { writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { boneEnds } from '../model/bone-ends.ts';
-import { type ChannelClip, isSampled, keylessChannel } from '../model/clip.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
@@ -83,7 +83,7 @@ function isUntouched(character: Character, clip: ChannelClip | undefined, frames
   if (clampsToLimits && !compiled.lower.every((v, d) => v <= UNLIMITED.min && compiled.upper[d] >= UNLIMITED.max)) {
     return false;
   }
-  for (let d = 0; d < compiled.dofCount; d++) if (!isSampled(clip, d)) return false;
+  for (let d = 0; d < compiled.dofCount; d++) if (clip.channels[d]?.kind !== 'samples') return false;
   return true;
 }
 
@@ -149,7 +149,7 @@ class Figuring {
     const clip: ChannelClip = {
       name: shownClip(this.character)?.name ?? this.character.name,
       range: [0, (frameCount - 1) * frameSeconds],
-      channels: Array.from({ length: firstChannel + width }, () => keylessChannel()),
+      channels: Array.from({ length: firstChannel + width }, (_, c) => (c < firstChannel ? restChannel() : SAMPLED)),
       samples: {
         frameCount,
         frameSeconds,
@@ -263,7 +263,7 @@ class Figuring {
             continue;
           }
           const dof = starts[j] + angle.dof;
-          const column = isOwn && clip && isSampled(clip, dof) ? columnOf(samples, dof) : -1;
+          const column = isOwn && clip?.channels[dof]?.kind === 'samples' ? columnOf(samples, dof) : -1;
           const raw = column >= 0 && samples ? samples.values[frame * samples.scales.length + column] : 0;
           const isRaw = column >= 0 && samples?.scales[column] === RADIANS_PER_DEGREE;
           // What was read in degrees is written as it was read, unless a limit had a say.

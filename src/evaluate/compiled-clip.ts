@@ -5,13 +5,19 @@
  * before is copied as far as it is the same.
  */
 import { hermiteCubic } from '../math/hermite.ts';
-import { type Channel, type ChannelClip, EXTRAPOLATIONS, type Extrapolation, isSampled } from '../model/clip.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  EXTRAPOLATIONS,
+  type Extrapolation,
+  type KeyedChannel,
+} from '../model/clip.ts';
 import { columnOf, type Samples } from '../model/samples.ts';
 import { slope } from './slopes.ts';
 
 /**
- * A clip ready to be evaluated. Its keys are those of the channels, one after the other; a channel that stands at a
- * value without keys has one here.
+ * A clip ready to be evaluated. Its keys are those of the channels, one after the other; a channel at rest at
+ * any value but 0 has one here.
  */
 export interface CompiledClip {
   readonly channelCount: number;
@@ -25,9 +31,9 @@ export interface CompiledClip {
   readonly extrapolations: Uint8Array;
   /** Four a channel: the period in seconds, how far the value gets in one, slope before and slope after the keys. */
   readonly beyond: Float64Array;
-  /** What the channels without keys follow that have a column in it. */
+  /** What the sampled channels follow. */
   readonly samples: Samples | undefined;
-  /** The column that each channel follows; -1 for none, or where the channel has keys. */
+  /** The column that each channel follows; -1 for one that is not sampled. */
   readonly columns: Int32Array;
 }
 
@@ -39,7 +45,7 @@ const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
  */
 const compiled = new WeakMap<ChannelClip, WeakRef<CompiledClip>>();
 /** Where a channel was compiled last: an edit of one channel copies all others from there. */
-const homes = new WeakMap<Channel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
+const homes = new WeakMap<KeyedChannel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
 
 /** The clip compiled last, which may be the one before an edit. */
 let latest: WeakRef<ChannelClip> | undefined;
@@ -53,7 +59,7 @@ export function compileClip(clip: ChannelClip): CompiledClip {
   compiled.set(clip, reference);
   latest = new WeakRef(clip);
   clip.channels.forEach((channel, index) => {
-    homes.set(channel, { clip: reference, index });
+    if (channel.kind === 'keys') homes.set(channel, { clip: reference, index });
   });
   return made;
 }
@@ -75,41 +81,43 @@ function pack(clip: Pick<ChannelClip, 'channels' | 'samples'>, before?: readonly
     extrapolations: new Uint8Array(2 * channels.length),
     beyond: new Float64Array(4 * channels.length),
     samples,
-    columns: Int32Array.from(channels, (_, c) => (isSampled(clip, c) ? columnOf(samples, c) : -1)),
+    columns: Int32Array.from(channels, ({ kind }, c) => (kind === 'samples' ? columnOf(samples, c) : -1)),
   };
   let next = 0;
   channels.forEach((channel, index) => {
     made.firstKey[index] = next;
-    const home = homes.get(channel);
-    const from = home?.clip.deref();
-    if (home && from) copyChannel(from, home.index, made, index);
-    else compileChannel(channel, made, index, before?.[index]);
+    if (channel.kind === 'keys') compileOrCopy(channel, made, index, before?.[index]);
+    // Constant on both sides of a key at 0 s, as all is that was not set.
+    else if (compiledKeyCount(channel) > 0) made.cubics[4 * next] = channel.kind === 'rest' ? channel.value : 0;
     next += compiledKeyCount(channel);
   });
   made.firstKey[channels.length] = next;
   return made;
 }
 
-function compiledKeyCount({ times, rest }: Channel): number {
-  return times.length === 0 && rest !== undefined ? 1 : times.length;
+function compiledKeyCount(channel: Channel): number {
+  if (channel.kind === 'keys') return channel.times.length;
+  return channel.kind === 'rest' && channel.value !== 0 ? 1 : 0;
+}
+
+function compileOrCopy(channel: KeyedChannel, to: CompiledClip, index: number, before?: Channel): void {
+  const home = homes.get(channel);
+  const from = home?.clip.deref();
+  if (home && from) copyChannel(from, home.index, to, index);
+  else compileChannel(channel, to, index, before);
 }
 
 /**
  * Compiles one channel into its place, which begins at `firstKey[index]`.
  * @param before what may have been edited into this channel: spans that are the same in both are copied
  */
-function compileChannel(channel: Channel, to: CompiledClip, index: number, before?: Channel): void {
+function compileChannel(channel: KeyedChannel, to: CompiledClip, index: number, before?: Channel): void {
   const { cubics, extrapolations, beyond } = to;
   const next = to.firstKey[index];
   const { times, values } = channel;
   const last = times.length - 1;
-  if (last < 0) {
-    // Constant on both sides of a key at 0 s, as all is that was not set.
-    if (channel.rest !== undefined) cubics[4 * next] = channel.rest;
-    return;
-  }
   to.times.set(times, next);
-  const [from, end] = before ? copySameSpans(channel, before, to, next) : [0, last];
+  const [from, end] = before?.kind === 'keys' ? copySameSpans(channel, before, to, next) : [0, last];
   for (let k = from; k < end; k++) {
     const h = times[k + 1] - times[k];
     const m0 = slope(channel, k, channel.tangentsOut);
@@ -137,7 +145,12 @@ const LONG_CHANNEL = 512;
  *
  * @returns from which span up to (not including) which the rest has to be compiled
  */
-function copySameSpans(channel: Channel, before: Channel, to: CompiledClip, next: number): readonly [number, number] {
+function copySameSpans(
+  channel: KeyedChannel,
+  before: KeyedChannel,
+  to: CompiledClip,
+  next: number,
+): readonly [number, number] {
   const count = channel.times.length;
   const all = [0, count - 1] as const;
   if (count < LONG_CHANNEL || before.times.length < LONG_CHANNEL) return all;
@@ -166,7 +179,7 @@ function copySameSpans(channel: Channel, before: Channel, to: CompiledClip, next
 
 type Column = Float64Array | Uint8Array;
 
-function columnsOf({ times, values, tangentsIn, tangentsOut }: Channel): readonly Column[] {
+function columnsOf({ times, values, tangentsIn, tangentsOut }: KeyedChannel): readonly Column[] {
   return [times, values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
 }
 

@@ -7,7 +7,8 @@
  * does in between. So a rate counts from 10 a second on where the curves go straight from key to key, and from 23 on
  * (film's 23.976) where they don't.
  */
-import { type Channel, type ChannelClip, LINEAR } from '../model/clip.ts';
+
+import { type ChannelClip, type KeyedChannel, LINEAR } from '../model/clip.ts';
 import { perObject } from '../model/per-object.ts';
 import type { Frames } from './bake.ts';
 
@@ -21,8 +22,8 @@ export const keyFrames = perObject(find);
 
 function find({ channels, range, samples }: ChannelClip): Frames | undefined {
   if (samples) return undefined;
-  const keyed = channels.filter(({ times }) => times.length > 0);
-  const longest = keyed.reduce<Channel | undefined>(
+  const keyed = channels.filter((channel) => channel.kind === 'keys');
+  const longest = keyed.reduce<KeyedChannel | undefined>(
     (best, channel) => (channel.times.length > (best?.times.length ?? 1) ? channel : best),
     undefined,
   );
@@ -53,6 +54,6 @@ function evenTimes(times: Float64Array): Frames | undefined {
   return { startSeconds, frameSeconds: isExact ? first : mean, frameCount };
 }
 
-function isStraight({ tangentsIn, tangentsOut }: Channel): boolean {
+function isStraight({ tangentsIn, tangentsOut }: KeyedChannel): boolean {
   return tangentsIn.kinds.every((kind) => kind === LINEAR) && tangentsOut.kinds.every((kind) => kind === LINEAR);
 }

@@ -8,7 +8,7 @@
  *     5. limits                of the joints, unless the character's switch is off
  *     6. couples               DOFs that follow others, whatever has been said of them before
  */
-import { type Channel, isSampled } from '../model/clip.ts';
+import type { Channel } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
 import { rootDofCount } from '../model/dofs.ts';
@@ -87,7 +87,7 @@ export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Ar
   if (skeleton) settleDofs(skeleton, out, character.clampsToLimits);
 }
 
-/** The channel that has the say over a DOF, whether it has keys or only stands at a value; none where another has. */
+/** The channel that has the say over a DOF, whatever its kind; none where another has. */
 export function channelOf(character: Character, dof: number): Channel | undefined {
   if (!character.skeleton || dof >= dofCountOf(character) || dof < silentChannels(character)) return undefined;
   return shownClip(character)?.channels[dof];
@@ -96,7 +96,6 @@ export function channelOf(character: Character, dof: number): Channel | undefine
 /** Whether keys or samples of the clip shown drive the DOF, or another character's take does. */
 export function isDriven(character: Character, dof: number): boolean {
   if (dof < silentChannels(character)) return movedDofs(character)?.has(dof) ?? false;
-  const clip = shownClip(character);
   const channel = channelOf(character, dof);
-  return clip !== undefined && channel !== undefined && (channel.times.length > 0 || isSampled(clip, dof));
+  return channel !== undefined && channel.kind !== 'rest';
 }

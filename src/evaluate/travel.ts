@@ -6,8 +6,7 @@
  * whose translation changes over the clip, by a 20th at least of the most that any of these joints' does: noise on a root
  * that stands is no travel.
  */
-
-import { type ChannelClip, isSampled } from '../model/clip.ts';
+import type { ChannelClip } from '../model/clip.ts';
 import { type Character, type Space, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
 import { dofsOf } from '../model/joint-types.ts';
@@ -76,17 +75,17 @@ function chainOf({ joints }: Skeleton): number[] {
 }
 
 /** From the least to the greatest value of a channel's keys or frames. */
-function rangeOf(clip: ChannelClip, channel: number): number {
+function rangeOf({ channels, samples }: ChannelClip, index: number): number {
   let least = Infinity;
   let greatest = -Infinity;
   const take = (value: number) => {
     least = Math.min(least, value);
     greatest = Math.max(greatest, value);
   };
-  const { samples, channels } = clip;
-  if (samples && isSampled(clip, channel)) {
+  const channel = channels[index];
+  if (samples && channel?.kind === 'samples') {
     const { values, scales } = samples;
-    for (let v = columnOf(samples, channel); v < values.length; v += scales.length) take(values[v]);
-  } else channels[channel]?.values.forEach(take);
+    for (let v = columnOf(samples, index); v < values.length; v += scales.length) take(values[v]);
+  } else if (channel?.kind === 'keys') channel.values.forEach(take);
   return greatest > least ? greatest - least : 0;
 }

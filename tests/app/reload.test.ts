@@ -3,7 +3,7 @@ import { Opener } from '../../src/app/opening.ts';
 import { canReload, reload } from '../../src/app/reload.ts';
 import { DEFAULT_PLAYBACK } from '../../src/edit/playback.ts';
 import { DiskError, type DiskFile } from '../../src/io/disk-files.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { keysOf, restChannel } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { saveCharacter } from '../../src/project/save/saving.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
@@ -56,7 +56,7 @@ async function page(texts: Readonly<Record<string, string>> = HERO) {
 }
 
 const longer = (c: Character): Character => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 7] })) });
-const value = (c: Character) => c.clips[0].channels[0].values[0];
+const value = (c: Character) => keysOf(c.clips[0].channels[0]).values[0];
 
 describe('reloading', () => {
   it('replaces the part whose file changed, and nothing else', async () => {
@@ -106,7 +106,7 @@ describe('reloading', () => {
     expect(here.store.selection.keys).toEqual(keys);
     const other = clip('hero_walk', new Array(9).fill(0.5), [0, 2]);
     const text = saveCharacter(
-      character({ clips: [{ ...other, channels: other.channels.map((c, i) => (i === 4 ? keylessChannel() : c)) }] }),
+      character({ clips: [{ ...other, channels: other.channels.map((c, i) => (i === 4 ? restChannel() : c)) }] }),
       'anim',
     )[0].text;
     here.edit('hero_walk.anim', text);
@@ -121,7 +121,7 @@ describe('reloading', () => {
     here.edit('hero_run.anim', animOf(3, 'hero_run'));
     await here.reloadIt();
     expect(here.own().shownClip).toBe(walk);
-    expect(here.own().clips[run].channels[0].values[0]).toBe(3);
+    expect(keysOf(here.own().clips[run].channels[0]).values[0]).toBe(3);
   });
 
   it('changes nothing where a file is broken, and takes it when it is whole again', async () => {
@@ -199,7 +199,7 @@ describe('reloading', () => {
     here.disk.files.set(handle, animOf(6, 'new'));
     await here.reloadIt();
     expect(here.own().clips.map((c) => c.name)).toEqual(['hero_walk', 'new']);
-    expect(here.own().clips[1].channels[0].values[0]).toBe(6);
+    expect(keysOf(here.own().clips[1].channels[0]).values[0]).toBe(6);
   });
 
   it('reloading is for what came from files only, and not for the opening sample', async () => {

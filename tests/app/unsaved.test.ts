@@ -7,7 +7,7 @@ import { keepPose, renamePose } from '../../src/edit/commands/poses.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
 import { Store } from '../../src/edit/store.ts';
 import { partsOf } from '../../src/model/character-parts.ts';
-import type { ChannelClip } from '../../src/model/clip.ts';
+import { type ChannelClip, keysOf } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import type { ParsedFile } from '../../src/model/files.ts';
 import { openFiles } from '../../src/project/open/open-files.ts';
@@ -44,7 +44,7 @@ const hero = () => [
 ];
 const moved = (own: ChannelClip, by = 1): ChannelClip => ({
   ...own,
-  channels: own.channels.map((c, i) => (i === 0 ? { ...c, values: c.values.map((v) => v + by) } : c)),
+  channels: own.channels.map((c, i) => (i === 0 ? { ...c, values: keysOf(c).values.map((v) => v + by) } : c)),
 });
 const withClip = (edit: (clip: ChannelClip) => ChannelClip) => (c: Character) => ({ ...c, clips: c.clips.map(edit) });
 

@@ -6,7 +6,7 @@
 import { bench, describe } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import type { TraceMap } from '../../src/evaluate/plot/trace-path.ts';
-import { type Channel, type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, keysOf, SMOOTH } from '../../src/model/clip.ts';
 import { LineTrace, traceLine } from '../../src/ui/editors/curves/scene/trace.ts';
 
 const SECONDS = 10;
@@ -16,6 +16,7 @@ const HEIGHT = 300;
 function wiggling(keys: number, seed: number): Channel {
   const tangents = { kinds: new Uint8Array(keys).fill(SMOOTH), slopes: new Float64Array(keys) };
   return {
+    kind: 'keys',
     extrapolateIn: 'cycle',
     extrapolateOut: 'cycle',
     times: Float64Array.from({ length: keys }, (_, i) => (SECONDS * i) / (keys - 1)),
@@ -62,7 +63,7 @@ for (const [channels, keys] of [
     const high = new Float32Array(WIDTH);
     bench('bare loop', () => {
       const { left, perSecond, bottom, perUnit, low: floor } = mapOfFrame();
-      for (const { times, values } of clip.channels) {
+      for (const { times, values } of clip.channels.map(keysOf)) {
         low.fill(Number.POSITIVE_INFINITY);
         high.fill(Number.NEGATIVE_INFINITY);
         for (let k = 0; k < times.length; k++) {

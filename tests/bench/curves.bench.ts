@@ -35,6 +35,7 @@ function randomClip(keys: number): ChannelClip {
     name: 'random',
     range: [0, SECONDS],
     channels: Array.from({ length: CHANNELS }, () => ({
+      kind: 'keys',
       extrapolateIn: 'cycle',
       extrapolateOut: 'cycle',
       times: keyTimes(keys, random),

@@ -8,7 +8,7 @@ import { commonFrames, measureDistances } from '../../src/evaluate/distance.ts';
 import { matchJoints } from '../../src/evaluate/joint-match.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import { runThrough } from '../../src/view/slices.ts';
 import { character, joint } from '../helpers/builders.ts';
@@ -36,7 +36,7 @@ function sway(phase: number): ChannelClip {
   return {
     name: 'sway',
     range: [0, (FRAMES - 1) * FRAME_SECONDS],
-    channels: Array.from({ length: 3 + WIDTH }, () => keylessChannel()),
+    channels: Array.from({ length: 3 + WIDTH }, (_, c) => (c < 3 ? restChannel() : SAMPLED)),
     samples: {
       frameCount: FRAMES,
       frameSeconds: FRAME_SECONDS,

@@ -7,7 +7,7 @@
  */
 import { bench, describe } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
-import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import { INTERPOLATIONS, type Interpolation, RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import type { Joint } from '../../src/model/skeleton.ts';
 import { PosePlayer } from '../../src/view/pose-track.ts';
@@ -53,7 +53,7 @@ function walk(seed: number, interpolation: Interpolation): ChannelClip {
   return {
     name: 'walk',
     range: [0, (FRAMES - 1) * FRAME_SECONDS],
-    channels: Array.from({ length: WIDTH }, () => keylessChannel()),
+    channels: Array.from({ length: WIDTH }, () => SAMPLED),
     samples: {
       frameCount: FRAMES,
       frameSeconds: FRAME_SECONDS,

@@ -21,7 +21,7 @@ import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { compileSkin } from '../../src/evaluate/deform.ts';
 import { compileSkeleton } from '../../src/evaluate/kinematics.ts';
 import { resolvedSlopes } from '../../src/evaluate/slopes.ts';
-import { type ChannelClip, SMOOTH } from '../../src/model/clip.ts';
+import { type ChannelClip, keysOf, SMOOTH } from '../../src/model/clip.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { character, joint, skin } from '../helpers/builders.ts';
@@ -37,6 +37,7 @@ const walk: ChannelClip = {
   name: 'walk',
   range: [0, SECONDS],
   channels: Array.from({ length: CHANNELS }, (_, c) => ({
+    kind: 'keys',
     extrapolateIn: 'cycle',
     extrapolateOut: 'cycle',
     times: Float64Array.from({ length: KEYS }, (_, k) => (k * SECONDS) / (KEYS - 1)),
@@ -189,8 +190,9 @@ function plainCharacter(scene: Scene) {
 
 /** Hermite slopes as Bezier handles: a third of the way to the neighbouring key. */
 function plainTrack(c: number): NumberKeyframeTrack {
-  const { times, values } = walk.channels[c];
-  const slopes = resolvedSlopes(walk.channels[c]);
+  const keys = keysOf(walk.channels[c]);
+  const { times, values } = keys;
+  const slopes = resolvedSlopes(keys);
   const axis = 'xyz'[c % 3];
   const name = c < 3 ? `.bones[b0].position[${axis}]` : `.bones[b${Math.floor((c - 3) / 3)}].rotation[${axis}]`;
   const track = new NumberKeyframeTrack(name, Array.from(times), Array.from(values), InterpolateBezier);

@@ -22,6 +22,7 @@ const walk: ChannelClip = {
   name: 'walk',
   range: [0, SECONDS],
   channels: Array.from({ length: CHANNELS }, (_, c) => ({
+    kind: 'keys',
     extrapolateIn: 'cycle',
     extrapolateOut: 'cycle',
     times: Float64Array.from({ length: KEYS }, (_, k) => (k * SECONDS) / (KEYS - 1)),

@@ -4,7 +4,7 @@ import { expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
-import type { ChannelClip } from '../../src/model/clip.ts';
+import { type ChannelClip, keysOf } from '../../src/model/clip.ts';
 import { TIME_RULER_HEIGHT } from '../../src/ui/editors/timeline/time-ruler.ts';
 import { dropFiles, type Pixels, readPixels, withPage } from '../helpers/page.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
@@ -66,7 +66,7 @@ async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> {
   const curves = compileClip(clip);
   const edges = clip.range.map(xOf);
   const top = TIME_RULER_HEIGHT + 1;
-  clip.channels.forEach(({ times }, channel) => {
+  clip.channels.map(keysOf).forEach(({ times }, channel) => {
     let solid = 0;
     let dotted = 0;
     let gaps = 0;
@@ -101,7 +101,7 @@ async function expectDrawn(page: Page, clip: ChannelClip): Promise<void> {
 
 /** Keys and other curves lie over the line. */
 function coveredByKey(clip: ChannelClip, channel: number, x: number, xOf: (time: number) => number): boolean {
-  return clip.channels.some(({ times }, c) => {
+  return clip.channels.map(keysOf).some(({ times }, c) => {
     const near = Array.from(times).some((time) => Math.abs(xOf(time) - x) < 8);
     return near || (c > channel && crosses(clip, channel, c, x, xOf));
   });

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createClip, duplicateClip, removeClip, renameClip, setClipRange } from '../../src/edit/commands/clips.ts';
 import { rangeOfKeys } from '../../src/edit/takes.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { restChannel } from '../../src/model/clip.ts';
 import { character, clip, clipsFrom, documentOf } from '../helpers/builders.ts';
 
 const walk = clip('walk', [1, 2], [0, 1]);
@@ -40,7 +40,7 @@ describe('clip.create', () => {
     const made = only(createClip.run(none, { characterId: 'c1', range: [0, 3] }));
     expect(made.shownClip).toBe(0);
     expect(made.clips[0]).toMatchObject({ name: 'hero_anim', range: [0, 3] });
-    expect(made.clips[0].channels).toEqual(made.pose.map((value) => keylessChannel(value)));
+    expect(made.clips[0].channels).toEqual(made.pose.map((value) => restChannel(value)));
   });
 
   it('numbers a name that a file has whose take is called something else by now', () => {
@@ -126,7 +126,7 @@ describe('clip.remove', () => {
 describe('rangeOfKeys', () => {
   it('goes from the first key to the last, and is none without keys', () => {
     const at = (time: number) => ({ ...walk.channels[0], times: Float64Array.of(time) });
-    expect(rangeOfKeys({ ...walk, channels: [at(2), keylessChannel(1), at(-1)] })).toEqual([-1, 2]);
-    expect(rangeOfKeys({ ...walk, channels: [keylessChannel()] })).toBeUndefined();
+    expect(rangeOfKeys({ ...walk, channels: [at(2), restChannel(1), at(-1)] })).toEqual([-1, 2]);
+    expect(rangeOfKeys({ ...walk, channels: [restChannel()] })).toBeUndefined();
   });
 });

@@ -5,7 +5,7 @@
 import type { FollowedDof } from '../../src/edit/commands/couples.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { poseByNames } from '../../src/edit/pose/by-names.ts';
-import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type ChannelClip, restChannel } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, DEFAULT_SPACE, type Document } from '../../src/model/document.ts';
 import { DEFAULT_BOX, UNLIMITED } from '../../src/model/skeleton.ts';
 import { tube } from '../evaluate/weights/meshes.ts';
@@ -47,7 +47,7 @@ const LINE = channelOf(
 const WALK: ChannelClip = {
   name: 'hero_walk',
   range: [0, 2],
-  channels: Array.from({ length: DOFS }, (_, c) => (c === 3 ? WAVE : c === 6 ? LINE : keylessChannel())),
+  channels: Array.from({ length: DOFS }, (_, c) => (c === 3 ? WAVE : c === 6 ? LINE : restChannel())),
 };
 
 const HERO: Character = character({

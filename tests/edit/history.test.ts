@@ -1,7 +1,7 @@
 /** What undo costs: the history may hold what its steps changed, and nothing else. */
 import { describe, expect, it } from 'vitest';
 import { type Command, type Edit, Store } from '../../src/edit/store.ts';
-import type { ChannelClip } from '../../src/model/clip.ts';
+import { type ChannelClip, keysOf } from '../../src/model/clip.ts';
 import type { Document } from '../../src/model/document.ts';
 import { character, clip, documentOf, skin } from '../helpers/builders.ts';
 
@@ -23,7 +23,7 @@ const setValue: Command<{ readonly key: number; readonly value: number }, Edit> 
   run(document, { key, value }) {
     const [first] = document.characters;
     const [channel] = first.clips[0].channels;
-    const values = channel.values.slice();
+    const values = keysOf(channel).values.slice();
     // Two keys, as far apart as they can be.
     values[key] = value;
     values[values.length - 1 - key] = -value;

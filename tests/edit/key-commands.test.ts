@@ -13,7 +13,7 @@ import { pasteKeys } from '../../src/edit/commands/paste.ts';
 import { setSlopes, setTangents, unifyTangents } from '../../src/edit/commands/tangents.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
 import { Store, withKeys } from '../../src/edit/store.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { keysOf, restChannel } from '../../src/model/clip.ts';
 import { shownClip } from '../../src/model/document.ts';
 import { character, documentOf } from '../helpers/builders.ts';
 import { channelOf, pointsOf, rowsOf } from './keys/channels.ts';
@@ -31,7 +31,7 @@ const walk = {
       [0.5, 1],
       [1, 2],
     ]),
-    keylessChannel(4),
+    restChannel(4),
   ],
 };
 const start = documentOf(character({ clips: [walk], shownClip: 0 }));
@@ -64,7 +64,7 @@ describe('commands on keys', () => {
     const store = opened();
     store.apply(moveKeys, { characterId, keys: [{ channel: 0, indices: [0] }], seconds: 0, values: [1] });
     expect(channelIn(store, 1)).toBe(walk.channels[1]);
-    expect(channelIn(store, 0).times).toBe(walk.channels[0].times);
+    expect(keysOf(channelIn(store, 0)).times).toBe(keysOf(walk.channels[0]).times);
   });
 
   it('make no step where nothing changes', () => {
@@ -100,7 +100,7 @@ describe('commands on keys', () => {
   it('leave an emptied channel standing at the value it had at that moment', () => {
     const store = opened();
     store.apply(removeKeys, { characterId, keys: [{ channel: 1, indices: [0, 1] }], timeSeconds: 0.75 });
-    expect(channelIn(store, 1)).toEqual(keylessChannel(1.5));
+    expect(channelIn(store, 1)).toEqual(restChannel(1.5));
     expect(store.selection.keys).toBeUndefined();
   });
 
@@ -111,8 +111,8 @@ describe('commands on keys', () => {
       { channel: 1, indices: [1] },
     ];
     store.apply(rippleKeys, { characterId, keys, seconds: -3 });
-    expect([...channelIn(store, 0).times]).toEqual([0, 0.5, 1.5]);
-    expect([...channelIn(store, 1).times]).toEqual([0.5, 0.5]);
+    expect([...keysOf(channelIn(store, 0)).times]).toEqual([0, 0.5, 1.5]);
+    expect([...keysOf(channelIn(store, 1)).times]).toEqual([0.5, 0.5]);
   });
 
   it('scale each channel about a value of its own', () => {
@@ -122,8 +122,8 @@ describe('commands on keys', () => {
       { channel: 1, indices: [1] },
     ];
     store.apply(scaleKeys, { characterId, keys, pivotSeconds: 0, timeFactor: 1, valueFactor: 2, pivotValues: [10, 0] });
-    expect([...channelIn(store, 0).values]).toEqual([-10, 10, 0]);
-    expect([...channelIn(store, 1).values]).toEqual([1, 4]);
+    expect([...keysOf(channelIn(store, 0)).values]).toEqual([-10, 10, 0]);
+    expect([...keysOf(channelIn(store, 1)).values]).toEqual([1, 4]);
   });
 
   it('keep keys selected whose channel is extrapolated otherwise', () => {

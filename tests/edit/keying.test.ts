@@ -8,7 +8,7 @@ import { evaluateClip } from '../../src/evaluate/curves.ts';
 import { dofCountOf, isDriven, poseAt } from '../../src/evaluate/pose.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { type Channel, FLAT, keylessChannel, LINEAR, SMOOTH } from '../../src/model/clip.ts';
+import { type Channel, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/clip.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 
@@ -34,14 +34,14 @@ const take = (c: Character) => {
   if (!shown) throw new Error('no take is shown');
   return shown;
 };
-const keysOf = ({ times, values }: Channel) => [...times].map((time, k) => [time, values[k]]);
+const points = (channel: Channel) => [...keysOf(channel).times].map((time, k) => [time, keysOf(channel).values[k]]);
 
 describe('pose.key on a character without animation', () => {
   it('makes a take that finds its skeleton again by its name', () => {
     const made = take(only(key(bare, 0).document));
     expect(made.name).toBe('wasp_anim');
     expect(made.channels).toHaveLength(10);
-    expect(made.channels.map(keysOf)).toEqual(bare.pose.map((value) => [[0, value]]));
+    expect(made.channels.map(points)).toEqual(bare.pose.map((value) => [[0, value]]));
   });
 
   it('extends constantly from smooth keys, or has the tangents that are wanted', () => {
@@ -52,7 +52,7 @@ describe('pose.key on a character without animation', () => {
     ] as const) {
       const [channel] = take(only(key(bare, 0, { tangents }).document)).channels;
       expect([channel.extrapolateIn, channel.extrapolateOut]).toEqual(['constant', 'constant']);
-      expect([channel.tangentsIn.kinds[0], channel.tangentsOut.kinds[0]]).toEqual([kind, kind]);
+      expect([keysOf(channel).tangentsIn.kinds[0], keysOf(channel).tangentsOut.kinds[0]]).toEqual([kind, kind]);
     }
   });
 
@@ -63,7 +63,7 @@ describe('pose.key on a character without animation', () => {
       { channel: 3, indices: [0] },
       { channel: 4, indices: [0] },
     ]);
-    expect(take(keyed).channels.map((c) => c.times.length)).toEqual([0, 0, 0, 1, 1, 0, 0, 0, 0, 0]);
+    expect(take(keyed).channels.map((c) => keysOf(c).times.length)).toEqual([0, 0, 0, 1, 1, 0, 0, 0, 0, 0]);
     for (const time of [-1, 0.5, 7]) expect(posed(keyed, time)).toEqual(posed(bare, 0));
     expect([3, 5].map((dof) => isDriven(keyed, dof))).toEqual([true, false]);
   });
@@ -94,15 +94,15 @@ describe('pose.key over a take', () => {
       setDofs.run(documentOf(walking), { characterId: 'c1', dofs: [{ index: 3, value: 0.5 }], timeSeconds: 0 }),
     );
     const [, , , channel] = take(only(key(only(moved), 0).document)).channels;
-    expect(keysOf(channel)).toEqual([[0, 0.5]]);
-    expect(channel.tangentsIn.kinds[0]).toBe(FLAT);
+    expect(points(channel)).toEqual([[0, 0.5]]);
+    expect(keysOf(channel).tangentsIn.kinds[0]).toBe(FLAT);
   });
 
   it('finds the key again whose time went through an offset', () => {
     const shifted = { ...walking, timeOffsetSeconds: 0.1 };
     const once = only(key(shifted, 0.2, { dofs: [3] }).document);
     const again = only(key(once, 0.3 - 0.1 + Number.EPSILON, { dofs: [3] }).document);
-    expect(take(again).channels[3].times).toHaveLength(2);
+    expect(keysOf(take(again).channels[3]).times).toHaveLength(2);
   });
 
   it('makes what it keys not unkeyed any more, and nothing else', () => {
@@ -114,7 +114,7 @@ describe('pose.key over a take', () => {
 
   it('adds the channels that are missing, standing at the pose', () => {
     const { channels } = take(only(key(walking, 1, { dofs: [3] }).document));
-    expect(channels.slice(6)).toEqual(bare.pose.slice(6).map((value) => keylessChannel(value)));
+    expect(channels.slice(6)).toEqual(bare.pose.slice(6).map((value) => restChannel(value)));
     expect(channels[0]).toBe(steady.channels[0]);
   });
 

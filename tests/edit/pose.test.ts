@@ -3,7 +3,7 @@ import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts
 import { documentIn } from '../../src/edit/store.ts';
 import { dropUnkeyed } from '../../src/edit/unkeyed.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { keysOf, restChannel } from '../../src/model/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
 
 const limited = joint(-1, {
@@ -92,7 +92,7 @@ describe('what is set by hand over a clip', () => {
 
 describe('what is set by hand where a channel has no keys', () => {
   const take = clip('walk', [0, 0, 0, 0.5]);
-  const channels = [...take.channels, keylessChannel(0.25), keylessChannel()];
+  const channels = [...take.channels, restChannel(0.25), restChannel()];
   const playing = documentOf(
     character({
       skeleton: { name: 's', joints: [limited] },
@@ -106,7 +106,7 @@ describe('what is set by hand where a channel has no keys', () => {
   it('what is set by hand where a channel has no keys is where the channel stands from then on, at every time', () => {
     const once = set(playing, 4, 0.75, 1.5);
     expect(once.characters[0].unkeyed).toBeUndefined();
-    expect(channelsOf(once)[4].rest).toBe(0.75);
+    expect(channelsOf(once)[4]).toMatchObject({ kind: 'rest', value: 0.75 });
     const shown = new Float64Array(7);
     for (const time of [0, 1.5, 9]) {
       poseAt(once.characters[0], time, shown);
@@ -124,12 +124,12 @@ describe('what is set by hand where a channel has no keys', () => {
   it('shows, though it was set by hand over keys that are gone', () => {
     const byHand = set(playing, 3, 0.9, 2);
     const [hero] = byHand.characters;
-    const keyless = documentOf({ ...hero, clips: [{ ...take, channels: take.channels.with(3, keylessChannel()) }] });
+    const keyless = documentOf({ ...hero, clips: [{ ...take, channels: take.channels.with(3, restChannel()) }] });
     expect(set(keyless, 3, 0.1, 2).characters[0].unkeyed).toBeUndefined();
   });
 
   it('is 0 without a word about it, as a channel without keys is', () => {
-    expect(channelsOf(set(playing, 4, 0))[4]).toEqual(keylessChannel());
+    expect(channelsOf(set(playing, 4, 0))[4]).toEqual(restChannel());
     expect(set(playing, 4, 0.25)).toBe(playing);
   });
 
@@ -137,7 +137,7 @@ describe('what is set by hand where a channel has no keys', () => {
     const values = [0.9, 0.8, 0.7].map((value, i) => ({ index: [3, 4, 6][i], value }));
     const once = documentIn(setDofs.run(playing, { characterId: 'c1', dofs: values, timeSeconds: 2 }));
     expect(once.characters[0].unkeyed).toEqual({ timeSeconds: 2, dofs: [3], values: [0.9] });
-    expect(channelsOf(once)[4].rest).toBe(0.8);
+    expect(channelsOf(once)[4]).toMatchObject({ kind: 'rest', value: 0.8 });
     expect(poseOf(once)[6]).toBe(0.7);
   });
 });
@@ -151,8 +151,8 @@ describe('with auto-key', () => {
     const [hero] = documentIn(result).characters;
     const [channel] = hero.clips[0].channels.slice(3);
     // Within the limits, as without it.
-    expect([[...channel.times], [...channel.values]]).toEqual([[0.5], [1]]);
-    expect(hero.clips[0].channels.filter((c) => c.times.length > 0)).toHaveLength(1);
+    expect([[...keysOf(channel).times], [...keysOf(channel).values]]).toEqual([[0.5], [1]]);
+    expect(hero.clips[0].channels.filter((c) => keysOf(c).times.length > 0)).toHaveLength(1);
     expect(hero.unkeyed).toBeUndefined();
     expect(hero.pose).toEqual(poseOf(still));
     expect('document' in result && result.keys).toEqual([{ channel: 3, indices: [0] }]);
@@ -162,7 +162,7 @@ describe('with auto-key', () => {
   it('a reset is one of every DOF', () => {
     const reset = resetPose.run(still, { characterId: 'c1', to: 'zero', timeSeconds: 0, key });
     const [take] = documentIn(reset).characters[0].clips;
-    expect(take.channels.map((c) => [...c.values])).toEqual(new Array(7).fill([0]));
+    expect(take.channels.map((c) => [...keysOf(c).values])).toEqual(new Array(7).fill([0]));
   });
 });
 

@@ -7,14 +7,14 @@ import { describe, expect, it } from 'vitest';
 import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import type { State } from '../../src/edit/history.ts';
 import { CommandError, Store, withKeys } from '../../src/edit/store.ts';
-import { type Channel, keylessChannel } from '../../src/model/clip.ts';
+import { type Channel, followingSamples, restChannel } from '../../src/model/clip.ts';
 import { type Document, shownClip } from '../../src/model/document.ts';
 import { RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
 import { expectSame, expectStep } from '../helpers/expect-edit.ts';
 import { anyCommand, argumentsFor, COMMANDS_HERE, someKeys } from './any-command.ts';
 import { Dice, thrown } from './dice.ts';
-import { channelOf, channels } from './keys/channels.ts';
+import { channelOf, channelsOrRest } from './keys/channels.ts';
 import { swinging, take } from './samples/made.ts';
 
 /** Like the wasp: a root, a body with limits, wings and legs beside each other. 3 + 15 DOFs and a morph. */
@@ -61,7 +61,10 @@ function wasp(animated: readonly Channel[] | undefined): Document {
     {
       name: 'wasp_walk',
       range: [0, 2] as const,
-      channels: [...animated, LONG, ...Array<Channel>(DOFS).fill(keylessChannel(0.5))].slice(0, DOFS),
+      channels: followingSamples(
+        [...animated, LONG, ...Array<Channel>(DOFS).fill(restChannel(0.5))].slice(0, DOFS),
+        SAMPLES,
+      ),
       samples: SAMPLES,
     },
   ];
@@ -178,7 +181,7 @@ function between({ store }: Watched, dice: Dice): void {
   if (clip && dice.is(0.6)) store.select(withKeys(store.selection, someKeys(clip, dice)));
 }
 
-const start = fc.option(fc.array(channels(0, { steps: true, maxLength: 5 }), { maxLength: 6 }), { nil: undefined });
+const start = fc.option(fc.array(channelsOrRest({ steps: true, maxLength: 5 }), { maxLength: 6 }), { nil: undefined });
 /** A hundred commands, now and then something else. What fast-check leaves out of a failure becomes nothing. */
 const hundred = (...others: readonly string[]) => {
   const any = fc.oneof({ weight: 4, arbitrary: anyCommand }, { weight: 1, arbitrary: fc.constantFrom(...others) });

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { compileChannels } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../src/evaluate/curves.ts';
 import { keySlope } from '../../src/evaluate/slopes.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
-import { between, channelOf, channels } from '../edit/keys/channels.ts';
+import { keysOf, restChannel } from '../../src/model/clip.ts';
+import { between, channelOf, channels, channelsOrRest } from '../edit/keys/channels.ts';
 
 /** Of a difference over 2⁻²⁰ s, for slopes of up to some thousands and cubics to match. */
 const WITHIN = 1e-3;
@@ -12,14 +12,14 @@ const WITHIN = 1e-3;
 describe('the slope of a channel', () => {
   it('is the difference quotient of its values, inside and beyond, however it is extrapolated', () => {
     fc.assert(
-      fc.property(channels(0), between(-60, 60), (channel, time) => {
+      fc.property(channelsOrRest(), between(-60, 60), (channel, time) => {
         const curve = compileChannels([channel]);
         const h = 2 ** -20;
         const value = (t: number) => evaluateChannel(curve, 0, t);
         const [left, right] = [(value(time) - value(time - h)) / h, (value(time + h) - value(time)) / h];
         // Not where a key or the seam of a repetition is near: there the curve may have a corner or a jump.
         fc.pre(Math.abs(left - right) < 1);
-        const scale = Math.max(1, Math.abs(left), ...channel.values.map(Math.abs)) * 100;
+        const scale = Math.max(1, Math.abs(left), ...keysOf(channel).values.map(Math.abs)) * 100;
         expect(Math.abs(evaluateSlope(curve, 0, time, 'in') - (left + right) / 2)).toBeLessThan(WITHIN * scale);
         expect(Math.abs(evaluateSlope(curve, 0, time, 'out') - (left + right) / 2)).toBeLessThan(WITHIN * scale);
       }),
@@ -32,7 +32,7 @@ describe('the slope of a channel', () => {
         const curve = compileChannels([channel]);
         for (let k = 1; k < channel.times.length - 1; k++) {
           const [into, out] = (['in', 'out'] as const).map((side) => evaluateSlope(curve, 0, channel.times[k], side));
-          const scale = Math.max(1, Math.abs(into), Math.abs(out), ...channel.values.map(Math.abs));
+          const scale = Math.max(1, Math.abs(into), Math.abs(out), ...keysOf(channel).values.map(Math.abs));
           expect(Math.abs(into - keySlope(channel, k, 'in')) / scale).toBeLessThan(1e-9);
           expect(Math.abs(out - keySlope(channel, k, 'out')) / scale).toBeLessThan(1e-9);
         }
@@ -72,8 +72,8 @@ describe('the slope of a channel', () => {
   });
 
   it('the slope of a channel is 0 where there are no keys, and at times that are none', () => {
-    expect(sides(compileChannels([keylessChannel(3)]), 1)).toEqual([0, 0]);
-    expect(sides(compileChannels([keylessChannel()]), 1)).toEqual([0, 0]);
+    expect(sides(compileChannels([restChannel(3)]), 1)).toEqual([0, 0]);
+    expect(sides(compileChannels([restChannel()]), 1)).toEqual([0, 0]);
     expect(sides(saw('linear'), Number.NaN)).toEqual([0, 0]);
   });
 });

@@ -8,7 +8,7 @@ import {
 } from '../../src/evaluate/distance.ts';
 import { matchJoints } from '../../src/evaluate/joint-match.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
-import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import type { Samples } from '../../src/model/samples.ts';
@@ -101,7 +101,7 @@ describe('the distance of two takes', () => {
       scales: Float64Array.of(1),
       interpolation: 'linear',
     };
-    const ramp: ChannelClip = { name: 'ramp', range: [0, 1], channels: [keylessChannel()], samples };
+    const ramp: ChannelClip = { name: 'ramp', range: [0, 1], channels: [SAMPLED], samples };
     const d = measured(moving([], { clips: [ramp] }), moving([0]), 'world', 2);
     expect([...d.values.subarray(0, d.frameCount)]).toEqual([0, 6, 3]);
     expect(d.jointMost[0]).toBe(6);

@@ -2,13 +2,21 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { keyFrames } from '../../src/evaluate/key-frames.ts';
-import { type Channel, type ChannelClip, keylessChannel, LINEAR, SMOOTH } from '../../src/model/clip.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  type KeyedChannel,
+  LINEAR,
+  restChannel,
+  SMOOTH,
+} from '../../src/model/clip.ts';
 
-function keysAt(times: readonly number[], kind = LINEAR): Channel {
+function keysAt(times: readonly number[], kind = LINEAR): KeyedChannel {
   const side = { kinds: new Uint8Array(times.length).fill(kind), slopes: new Float64Array(times.length) };
   const values = Float64Array.from(times, (_, k) => Math.sin(k));
   const constant = 'constant' as const;
   return {
+    kind: 'keys',
     ...{ extrapolateIn: constant, extrapolateOut: constant, times: Float64Array.from(times), values },
     ...{ tangentsIn: side, tangentsOut: side },
   };
@@ -26,7 +34,7 @@ describe('the rate of a clip of keys', () => {
     fc.assert(
       fc.property(fc.double({ min: 1e-4, max: 0.1, noNaN: true }), fc.integer({ min: 2, max: 500 }), (dt, count) => {
         const times = every(dt, count);
-        const clip = clipOf([0, times[count - 1]], keylessChannel(), keysAt(times), keysAt(times.slice(0, 1)));
+        const clip = clipOf([0, times[count - 1]], restChannel(), keysAt(times), keysAt(times.slice(0, 1)));
         expect(keyFrames(clip)).toEqual({ startSeconds: 0, frameSeconds: dt, frameCount: count });
       }),
     );
@@ -46,7 +54,7 @@ describe('the rate of a clip of keys', () => {
     none([0, 2], keysAt(every(0.01, 101)));
     none([0, 1], keysAt(every(0.5, 3)));
     none([0, 1], keysAt(every(1 / 12, 13), SMOOTH));
-    none([0, 1], keylessChannel());
+    none([0, 1], restChannel());
     none([0, 0], keysAt([0]));
     expect(keyFrames(clipOf([0, 1], keysAt(every(1 / 24, 25), SMOOTH)))?.frameCount).toBe(25);
   });

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { KnownRotations } from '../../src/evaluate/known-rotations.ts';
 import { poseFrom, poseSource } from '../../src/evaluate/pose.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
 import { character, joint } from '../helpers/builders.ts';
@@ -44,7 +44,7 @@ function sampled(degrees: readonly number[]) {
       {
         name: 'two frames',
         range: [0, 1],
-        channels: Array.from({ length: COUNT }, () => keylessChannel()),
+        channels: Array.from({ length: COUNT }, (_, c) => (c < 3 ? restChannel() : SAMPLED)),
         samples: {
           frameCount: 2,
           frameSeconds: 1,

@@ -4,7 +4,7 @@ import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { compileSkeleton, localMatrices } from '../../src/evaluate/kinematics.ts';
 import { nearEuler, readRows } from '../../src/evaluate/near-eulers.ts';
 import { sampledJoints } from '../../src/evaluate/sampled-joints.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import type { Samples } from '../../src/model/samples.ts';
 import type { BvhChannel, Skeleton } from '../../src/model/skeleton.ts';
 import { bvhJoint } from '../helpers/bvh.ts';
@@ -41,7 +41,7 @@ function between(order: readonly BvhChannel[], from: readonly number[], to: read
     scales: new Float64Array(3).fill(1),
     interpolation: 'linear',
   };
-  const channels = Array.from({ length: 6 }, () => keylessChannel());
+  const channels = Array.from({ length: 6 }, (_, c) => (c < 3 ? restChannel() : SAMPLED));
   const joints = sampledJoints(compileClip({ name: 'go', range: [0, 1], channels, samples }), skeleton);
   const out = new Float64Array(6);
   const known = new Float64Array(8 * 6);

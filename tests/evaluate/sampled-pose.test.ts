@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { rootDofCount } from '../../src/model/dofs.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
@@ -26,7 +26,9 @@ function take(motion: Motion, rows: readonly (readonly number[])[], interpolatio
       {
         name: 'take',
         range: [0, rows.length - 1],
-        channels: Array.from({ length: firstChannel + dofs.length }, () => keylessChannel()),
+        channels: Array.from({ length: firstChannel + dofs.length }, (_, c) =>
+          c < firstChannel ? restChannel() : SAMPLED,
+        ),
         samples: {
           frameCount: rows.length,
           frameSeconds: 1,

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../src/evaluate/curves.ts';
 import { columnSlope, frameAt, sampleColumn } from '../../src/evaluate/sampling.ts';
-import { keylessChannel } from '../../src/model/clip.ts';
+import { type KeyedChannel, restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { INTERPOLATIONS, type Interpolation, RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 
@@ -135,9 +135,12 @@ describe('a column by itself', () => {
   });
 
   it('a column by itself is what its channel is as a curve, until the channel has keys', () => {
-    const keyed = { ...keylessChannel(), times: Float64Array.of(0), values: Float64Array.of(7) };
     const tangents = { kinds: Uint8Array.of(0), slopes: Float64Array.of(0) };
-    const channels = [keylessChannel(5), keylessChannel(), { ...keyed, tangentsIn: tangents, tangentsOut: tangents }];
+    const keyed: KeyedChannel = {
+      ...{ kind: 'keys', extrapolateIn: 'constant', extrapolateOut: 'constant' },
+      ...{ times: Float64Array.of(0), values: Float64Array.of(7), tangentsIn: tangents, tangentsOut: tangents },
+    };
+    const channels = [restChannel(5), SAMPLED, keyed];
     const samples = column([1, 2, 3, 4], { frameCount: 2, firstChannel: 1, scales: Float64Array.of(1, 1) });
     const clip = compileClip({ name: 'mixed', range: [0, 1], channels, samples });
     expect([0, 1, 2].map((c) => evaluateChannel(clip, c, 0.25))).toEqual([5, 2, 7]);

@@ -3,7 +3,7 @@ import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { FIXED, FLAT, keylessChannel, LINEAR, SMOOTH } from '../../src/model/clip.ts';
+import { FIXED, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/clip.ts';
 import { told } from './read-in-pieces.ts';
 
 const anim = (text: string) => readAnim(text, 'walk.anim');
@@ -20,6 +20,7 @@ describe('reading .anim', () => {
       range: [0, 1],
       channels: [
         {
+          kind: 'keys',
           extrapolateIn: 'cycle',
           extrapolateOut: 'bounce',
           times: Float64Array.of(0, 0.5, 1),
@@ -36,24 +37,24 @@ describe('reading .anim', () => {
     const text = `channel { keys 0 { } extrapolate linear CYCLE_OFFSET } channel {keys 5000{\n${many}}extrapolate constant constant}`;
     const { value, diagnostics } = animation(text, 'range -1 2 numchannels 2');
     expect(diagnostics).toEqual([]);
-    expect(value?.channels.map((c) => c.times.length)).toEqual([0, 5000]);
+    expect(value?.channels.map((c) => keysOf(c).times.length)).toEqual([0, 5000]);
     expect(value?.channels[0]).toMatchObject({ extrapolateIn: 'linear', extrapolateOut: 'cycle_offset' });
-    expect(value?.channels[1].values[4999]).toBe(-4999);
-    expect(value?.channels[1].tangentsOut.slopes[4999]).toBe(2499.5);
+    expect(keysOf(value?.channels[1]).values[4999]).toBe(-4999);
+    expect(keysOf(value?.channels[1]).tangentsOut.slopes[4999]).toBe(2499.5);
   });
 
   it('sorts keys that are out of order, and says so', () => {
     const { value, diagnostics } = channel('keys 4 {\n2 20 flat flat\n0 1 linear 5\n1 3 flat flat\n0 2 smooth flat\n}');
-    expect(value?.channels[0].times).toEqual(Float64Array.of(0, 0, 1, 2));
-    expect(value?.channels[0].values).toEqual(Float64Array.of(1, 2, 3, 20));
-    expect(value?.channels[0].tangentsIn.kinds).toEqual(Uint8Array.of(LINEAR, SMOOTH, FLAT, FLAT));
-    expect(value?.channels[0].tangentsOut.slopes).toEqual(Float64Array.of(5, 0, 0, 0));
+    expect(keysOf(value?.channels[0]).times).toEqual(Float64Array.of(0, 0, 1, 2));
+    expect(keysOf(value?.channels[0]).values).toEqual(Float64Array.of(1, 2, 3, 20));
+    expect(keysOf(value?.channels[0]).tangentsIn.kinds).toEqual(Uint8Array.of(LINEAR, SMOOTH, FLAT, FLAT));
+    expect(keysOf(value?.channels[0]).tangentsOut.slopes).toEqual(Float64Array.of(5, 0, 0, 0));
     expect(told({ diagnostics })).toEqual(['warning keys-unsorted 7:1', 'warning keys-at-one-time 7:1']);
   });
 
   it('warns of two keys at one time and keeps both in their order', () => {
     const { value, diagnostics } = channel('keys 3 {\n0 1 flat flat\n1 3 flat flat\n1 2 flat flat\n}');
-    expect(value?.channels[0].values).toEqual(Float64Array.of(1, 3, 2));
+    expect(keysOf(value?.channels[0]).values).toEqual(Float64Array.of(1, 3, 2));
     expect(told({ diagnostics })).toEqual(['warning keys-at-one-time 8:1']);
   });
 
@@ -70,7 +71,7 @@ describe('reading .anim', () => {
       const { value, diagnostics } = animation(
         `numchannels ${count}\nchannel {\nextrapolate constant constant\nkeys ${count} {\n0 0 flat flat\n}\n}`,
       );
-      expect(value?.channels[0].times).toHaveLength(1);
+      expect(keysOf(value?.channels[0]).times).toHaveLength(1);
       expect(told({ diagnostics })).toEqual(['warning count-mismatch 8:1', 'warning count-mismatch 10:1']);
     }
   });
@@ -98,7 +99,7 @@ describe('reading .anim', () => {
   });
 
   it('stands still, in a file too, where a channel has a value and no keys', () => {
-    const made = { name: 'a', range: [2, 3] as const, channels: [keylessChannel(0.25)] };
+    const made = { name: 'a', range: [2, 3] as const, channels: [restChannel(0.25)] };
     const { text } = writeAnim(made);
     expect(text).toMatch(/keys 1 \{\s+2 0.25 flat flat\s+\}/);
     const read = readAnim(text, 'a.anim').value;

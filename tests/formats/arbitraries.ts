@@ -212,16 +212,23 @@ const tangents = (length: number): fc.Arbitrary<Tangents> =>
     slopes: Float64Array.from(all.map(([k, s]) => (k === FIXED ? s : 0))),
   }));
 
-const channel: fc.Arbitrary<Channel> = fc.nat(6).chain((n) =>
+const extrapolations = {
+  extrapolateIn: fc.constantFrom(...EXTRAPOLATIONS),
+  extrapolateOut: fc.constantFrom(...EXTRAPOLATIONS),
+};
+const keyed: fc.Arbitrary<Channel> = fc.integer({ min: 1, max: 6 }).chain((n) =>
   fc.record({
-    extrapolateIn: fc.constantFrom(...EXTRAPOLATIONS),
-    extrapolateOut: fc.constantFrom(...EXTRAPOLATIONS),
+    kind: fc.constant('keys' as const),
+    ...extrapolations,
     times: doubles(n).map((times) => times.sort((a, b) => a - b)),
     values: doubles(n),
     tangentsIn: tangents(n),
     tangentsOut: tangents(n),
   }),
 );
+/** As a file of no keys is read. */
+const keyless = fc.record({ kind: fc.constant('rest' as const), value: fc.constant(0), ...extrapolations });
+const channel = fc.oneof({ weight: 6, arbitrary: keyed }, { weight: 1, arbitrary: keyless });
 
 export const clip: fc.Arbitrary<ChannelClip> = fc.record({
   name: fc.constant('x'),

@@ -56,6 +56,7 @@ export function clip(name: string, values: readonly number[], range: readonly [n
     name,
     range,
     channels: values.map((value) => ({
+      kind: 'keys',
       extrapolateIn: 'constant',
       extrapolateOut: 'constant',
       times: Float64Array.of(0),

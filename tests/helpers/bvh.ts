@@ -1,5 +1,5 @@
 /** Figures of BVH made by hand: a skeleton whose joints have channels, and rows of values in degrees. */
-import { keylessChannel } from '../../src/model/clip.ts';
+import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { rootDofCount } from '../../src/model/dofs.ts';
 import type { Figure } from '../../src/model/files.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
@@ -28,7 +28,9 @@ export function bvhFigure(skeleton: Skeleton, rows: readonly (readonly number[])
     clip: {
       name: skeleton.name,
       range: [0, (rows.length - 1) * frameSeconds],
-      channels: Array.from({ length: firstChannel + scales.length }, () => keylessChannel()),
+      channels: Array.from({ length: firstChannel + scales.length }, (_, c) =>
+        c < firstChannel ? restChannel() : SAMPLED,
+      ),
       samples: {
         frameCount: rows.length,
         frameSeconds,

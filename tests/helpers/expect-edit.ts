@@ -140,9 +140,10 @@ function expectReadsBack(character: Character, before: Character | undefined): v
   }
   for (const clip of clips.filter((part) => isNew(part, before?.clips))) {
     // A `.bvh` has no keys; an `.anim` has no samples, and no channel that rests without a key.
-    const isCapture = skeleton !== undefined && isBvh(character) && clip.channels.every((c) => c.times.length === 0);
+    const isCapture = skeleton !== undefined && isBvh(character) && clip.channels.every(({ kind }) => kind !== 'keys');
     if (isCapture && clip.samples) expectRoundTrip({ kind: 'bvh', figures: [{ skeleton, clip }] }, false);
-    const isExact = !clip.samples && clip.channels.every(({ rest }) => rest === undefined);
+    const isExact =
+      !clip.samples && clip.channels.every((c) => c.kind === 'keys' || (c.kind === 'rest' && c.value === 0));
     expectRoundTrip({ kind: 'anim', clip: { ...clip, name: 'x' } }, isExact);
   }
   if (poses && poses !== before?.poses) {

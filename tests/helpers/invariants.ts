@@ -1,12 +1,12 @@
 /** What holds for every document, whatever was done to it. */
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { type ChannelClip, EXTRAPOLATIONS, FIXED, TANGENT_KINDS } from '../../src/model/clip.ts';
+import { type ChannelClip, EXTRAPOLATIONS, FIXED, keysOf, TANGENT_KINDS } from '../../src/model/clip.ts';
 import { couplesOf } from '../../src/model/couples.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
 import { characterDofs } from '../../src/model/dofs.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
 import type { Morph } from '../../src/model/morph.ts';
-import type { Samples } from '../../src/model/samples.ts';
+import { columnOf, type Samples } from '../../src/model/samples.ts';
 import type { Selection } from '../../src/model/session.ts';
 import type { Skeleton } from '../../src/model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../src/model/skin.ts';
@@ -138,8 +138,14 @@ function checkMorph({ name, positions, normals }: Morph): void {
 
 function checkClip({ name, range, channels, samples }: ChannelClip): void {
   must(allFinite(range) && range[0] <= range[1], `the range of ${name} is one`);
-  channels.forEach(({ times, values, tangentsIn, tangentsOut, rest, extrapolateIn, extrapolateOut }, c) => {
+  channels.forEach((channel, c) => {
     const where = `channel ${c} of ${name}`;
+    const { extrapolateIn, extrapolateOut } = channel;
+    const { times, values, tangentsIn, tangentsOut } = keysOf(channel);
+    const hasColumn = columnOf(samples, c) >= 0;
+    must(channel.kind !== 'keys' || times.length > 0, `${where} has keys`);
+    must(channel.kind !== 'samples' || hasColumn, `${where} has a column to follow`);
+    must(channel.kind !== 'rest' || (!hasColumn && Number.isFinite(channel.value)), `${where} is at rest`);
     const columns = [values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
     must(
       columns.every((column) => column.length === times.length),
@@ -150,7 +156,6 @@ function checkClip({ name, range, channels, samples }: ChannelClip): void {
       `${where} is sorted by time`,
     );
     must(allFinite(times) && allFinite(values), `${where} is finite`);
-    must(rest === undefined || (times.length === 0 && Number.isFinite(rest)), `${where} has keys or a rest`);
     must(EXTRAPOLATIONS.includes(extrapolateIn) && EXTRAPOLATIONS.includes(extrapolateOut), `${where} extrapolates`);
     for (const { kinds, slopes } of [tangentsIn, tangentsOut]) {
       must(
@@ -183,7 +188,7 @@ export function checkSelection({ characters }: Document, { characterId, joint, k
   const channels = shownClip(character)?.channels ?? [];
   must(ascends((keys ?? []).map(({ channel }) => channel)), 'channels of selected keys ascend');
   for (const { channel, indices } of keys ?? []) {
-    const count = channels[channel]?.times.length ?? 0;
+    const count = keysOf(channels[channel]).times.length;
     must(
       indices.length > 0 && ascends(indices) && indices.every((k) => isIndex(k, count)),
       `selected keys of channel ${channel} are there`,

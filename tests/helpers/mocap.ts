@@ -1,5 +1,5 @@
 /** A figure of motion capture, made rather than read: hips, head, two legs; as tall and turned as a test wants it. */
-import { type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import type { Character } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
@@ -70,7 +70,7 @@ export function take(skeleton: Skeleton, roots: readonly Point[], others?: numbe
   return {
     name: 'take',
     range: [0, (roots.length - 1) / 10],
-    channels: scales.map(() => keylessChannel()),
+    channels: scales.map(() => SAMPLED),
     samples: {
       frameCount: roots.length,
       frameSeconds: 0.1,

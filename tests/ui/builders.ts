@@ -1,7 +1,7 @@
 /** Small documents and a workbench without a page, for the tests of `ui`. */
 import { DEFAULT_PLAYBACK, type Playback } from '../../src/edit/playback.ts';
 import { Store } from '../../src/edit/store.ts';
-import type { Channel, ChannelClip } from '../../src/model/clip.ts';
+import type { Channel, ChannelClip, KeyedChannel } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
@@ -31,9 +31,10 @@ export function skeleton(...joints: readonly (readonly [string, number])[]): Ske
   return { name: 'test', joints: joints.map(([name, parent]) => joint(name, parent)) };
 }
 
-export function channel(...times: number[]): Channel {
+export function channel(...times: number[]): KeyedChannel {
   const column = () => ({ kinds: new Uint8Array(times.length), slopes: new Float64Array(times.length) });
   return {
+    kind: 'keys',
     extrapolateIn: 'constant',
     extrapolateOut: 'constant',
     times: Float64Array.from(times),

@@ -1,14 +1,15 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { poseAt } from '../../src/evaluate/pose.ts';
-import { type Channel, type ChannelClip, keylessChannel } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { type Interpolation, RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import { PosePlayer } from '../../src/view/pose-track.ts';
 import { character, clip, joint, skeleton } from '../helpers/builders.ts';
 
-function channel(times: number[], values: number[], more: Partial<Channel> = {}): Channel {
+function channel(times: number[], values: number[], more: Partial<KeyedChannel> = {}): KeyedChannel {
   const tangents = () => ({ kinds: new Uint8Array(times.length).fill(1), slopes: new Float64Array(times.length) });
   return {
+    kind: 'keys',
     extrapolateIn: 'linear',
     extrapolateOut: 'cycle_offset',
     times: Float64Array.from(times),
@@ -62,7 +63,7 @@ describe('the track of a character', () => {
   });
 
   it('plays a lone key, and a channel of none', () => {
-    const played = player(playing([channel([2], [5]), channel([], [])]));
+    const played = player(playing([channel([2], [5]), restChannel()]));
     for (const time of [-10, 2, 10]) {
       played.seek(time);
       expect([...played.dofs.subarray(0, 2)]).toEqual([5, 0]);
@@ -84,11 +85,14 @@ describe('the track of a character', () => {
       fc
         .uniqueArray(fc.tuple(number, number), { selector: ([t]) => t, maxLength: 5 })
         .map((keys) => keys.sort((a, b) => a[0] - b[0]))
-        .map((keys) =>
-          channel(
-            keys.map((k) => k[0]),
-            keys.map((k) => k[1]),
-          ),
+        .map(
+          (keys): Channel =>
+            keys.length
+              ? channel(
+                  keys.map((k) => k[0]),
+                  keys.map((k) => k[1]),
+                )
+              : restChannel(),
         ),
       { maxLength: 12 },
     );
@@ -115,7 +119,7 @@ describe('the track of a character', () => {
     const root = joint(-1, { motion, pose: six, limits: six.map(() => ({ min: -1e5, max: 1e5 })) });
     const values = Float64Array.from({ length: 6 * 40 }, (_, i) => 170 * Math.sin(i * i));
     const take = (interpolation: Interpolation): ChannelClip => ({
-      ...playing(six.map(() => keylessChannel())),
+      ...playing(six.map(() => SAMPLED)),
       range: [0, 39 / 30],
       samples: {
         frameCount: 40,

@@ -1,6 +1,7 @@
 /** The way back from what was kept to a session: the inverse of `encode.ts`. */
 import type { ParsedFile } from '../../model/files.ts';
 import { type Encoded, isNumbers, NUMBERS_TYPES, type Numbers, type StoredNumbers } from './encode.ts';
+import { formerColumn, inPresentForm } from './former-channels.ts';
 
 /** A session that can't be had back, in a sentence. */
 export class RestoreError extends Error {
@@ -50,7 +51,7 @@ export function decode(
   const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | Numbers>): unknown => {
     switch (node.is) {
       case 'object':
-        return Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)]));
+        return inPresentForm(Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)])));
       case 'list':
         return node.of.map(valueAt);
       case 'plain':
@@ -71,11 +72,15 @@ export function decode(
 function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
   let value: unknown = file;
   for (const key of path) {
+    const at: unknown = value;
+    if (typeof at !== 'object' || at === null) throw changed(file);
     // Own properties only; what they hold is looked at before the next step.
-    if (typeof value !== 'object' || value === null || !Object.hasOwn(value, key)) {
-      throw new RestoreError(`${file.source.name} now reads differently than before.`);
-    }
-    value = (value as Record<string | number, unknown>)[key];
+    value = Object.hasOwn(at, key) ? (at as Record<string | number, unknown>)[key] : formerColumn(at, key);
+    if (value === undefined) throw changed(file);
   }
   return value;
+}
+
+function changed({ source }: ParsedFile): RestoreError {
+  return new RestoreError(`${source.name} reads differently than it did.`);
 }

@@ -1,5 +1,5 @@
 /** `marrow info`: what is in files, what is wrong with them, and what belongs together. */
-
+import { keysOf } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../model/document.ts';
 import { jointDofCount } from '../../model/dofs.ts';
@@ -73,7 +73,7 @@ function counts(content: FileContent): Record<string, unknown> {
       return { positions: content.morph.positions.indices.length, normals: content.morph.normals.indices.length };
     case 'anim': {
       const { channels, range } = content.clip;
-      return { channels: channels.length, keys: sum(channels.map((c) => c.times.length)), range };
+      return { channels: channels.length, keys: sum(channels.map((c) => keysOf(c).times.length)), range };
     }
     case 'rig': {
       const { skeleton, skin, morphs, animation } = content.rig;

@@ -16,13 +16,13 @@
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
-import { type Channel, type Extrapolation, FIXED, FLAT, LINEAR } from '../../model/clip.ts';
+import { type Extrapolation, FIXED, FLAT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { CommandError } from '../store.ts';
 import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
 
 export interface Baked {
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   readonly keysBefore: number;
   readonly keysAfter: number;
   /** A side that was not baked repeats the keys, and these are others now: it looks different from here on. */
@@ -39,7 +39,7 @@ const MOST_KEYS = 1_000_000;
  * A baked side goes on as it can: `linear` is linear still, but what repeated is `constant` from there on, because a
  * repetition of all the keys would be another one. Throws a `CommandError` where it would take a million keys.
  */
-export function bakeExtrapolation(channel: Channel, from: number, to: number): Baked {
+export function bakeExtrapolation(channel: KeyedChannel, from: number, to: number): Baked {
   const baked = extended(channel, from, to, false);
   const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
   return {
@@ -51,11 +51,11 @@ export function bakeExtrapolation(channel: Channel, from: number, to: number): B
 }
 
 /** The same with a key at both ends even of what is constant, so that all of `from` to `to` lies between keys. */
-export function unrolled(channel: Channel, from: number, to: number): Channel {
+export function unrolled(channel: KeyedChannel, from: number, to: number): KeyedChannel {
   return extended(channel, from, to, true);
 }
 
-function extended(channel: Channel, from: number, to: number, holds: boolean): Channel {
+function extended(channel: KeyedChannel, from: number, to: number, holds: boolean): KeyedChannel {
   const count = channel.times.length;
   if (count === 0) return channel;
   const after = tail(channel, to, holds);
@@ -88,7 +88,7 @@ interface Tail {
 }
 
 /** What follows the keys up to `to`; nothing where that is what the channel does anyway. */
-function tail(channel: Channel, to: number, holds: boolean): Tail | undefined {
+function tail(channel: KeyedChannel, to: number, holds: boolean): Tail | undefined {
   const last = channel.times.length - 1;
   const end = channel.times[last];
   if (!(to - end > roundingOf(channel, to))) return undefined;
@@ -113,7 +113,7 @@ function tail(channel: Channel, to: number, holds: boolean): Tail | undefined {
 }
 
 /** Copies of the keys after them, the last one cut off at `to`. */
-function repetitions(channel: Channel, slopes: Slopes, period: number, to: number): Tail {
+function repetitions(channel: KeyedChannel, slopes: Slopes, period: number, to: number): Tail {
   const last = channel.times.length - 1;
   const start = channel.times[0];
   const stop = channel.times[last];
@@ -161,12 +161,12 @@ function repetitions(channel: Channel, slopes: Slopes, period: number, to: numbe
 }
 
 /** Times that are nearer to each other than this are one time, as in the evaluator. */
-function roundingOf({ times }: Channel, time: number): number {
+function roundingOf({ times }: KeyedChannel, time: number): number {
   return 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(times[0]), Math.abs(times[times.length - 1]));
 }
 
 /** Seconds from a copied key to the next one of its copy. */
-function nextTime({ times }: Channel, turned: boolean, mirror: number, k: number): number {
+function nextTime({ times }: KeyedChannel, turned: boolean, mirror: number, k: number): number {
   return turned ? times[mirror] - times[mirror - 1] : times[k + 1] - times[k];
 }
 
@@ -207,7 +207,7 @@ function keyBetween(before: Sloped, after: Sloped, time: number): Sloped {
 }
 
 /** The channel with time running the other way. */
-function mirrored(channel: Channel): Channel {
+function mirrored(channel: KeyedChannel): KeyedChannel {
   const keys: Key[] = [];
   for (let k = channel.times.length - 1; k >= 0; k--) keys.push(mirroredKey(keyAt(channel, k)));
   return {

@@ -7,7 +7,7 @@
  * peaks, and cost more: one difference a span against a dozen.)
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
-import type { Channel } from '../../model/clip.ts';
+import type { KeyedChannel } from '../../model/clip.ts';
 
 /** The largest difference, and where it is. */
 export interface Difference {
@@ -21,7 +21,7 @@ export interface Difference {
  * The largest |b − a| from the first to the last key that both have in common. At a step both sides of it count, as
  * limits; the moment itself, which has one value only, does not. Two curves of n and m keys cost O(n + m).
  */
-export function largestDifference(a: Channel, b: Channel): Difference {
+export function largestDifference(a: KeyedChannel, b: KeyedChannel): Difference {
   let largestError = 0;
   let atSeconds = a.times[0] ?? 0;
   if (a.times.length < 2 || b.times.length < 2) return { largestError, atSeconds };

@@ -15,7 +15,7 @@
  * A key never leaves its joint's limits, for what is played is clamped to them; one that lies outside stays as it is.
  * A triple at φj = ±π/2 (gimbal lock) has still more forms; they are not looked for.
  */
-import { type Channel, FIXED, type Tangents } from '../../model/clip.ts';
+import { type Channel, FIXED, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 import type { EulerOrder, Limit } from '../../model/skeleton.ts';
 
 const TURN = 2 * Math.PI;
@@ -23,13 +23,10 @@ const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_IN
 
 export type Triple<T> = readonly [T, T, T];
 
-/** Whether three channels have their keys at the same times, and any at all: what `filterRotations` asks for. */
-export function keyedTogether(channels: readonly Channel[]): boolean {
+/** Whether three channels have their keys at the same times: what `filterRotations` asks for. */
+export function keyedTogether(channels: Triple<KeyedChannel>): boolean {
   const [{ times }] = channels;
-  return (
-    times.length > 0 &&
-    channels.every((c) => c.times.length === times.length && c.times.every((t, k) => t === times[k]))
-  );
+  return channels.every((c) => c.times.length === times.length && c.times.every((t, k) => t === times[k]));
 }
 
 /**
@@ -39,10 +36,10 @@ export function keyedTogether(channels: readonly Channel[]): boolean {
  * @param limits of rx, ry, rz; crossed ones (min > max) are none
  */
 export function filterRotations(
-  channels: Triple<Channel>,
+  channels: Triple<KeyedChannel>,
   order: EulerOrder,
   limits: readonly Limit[] = [],
-): Triple<Channel> {
+): Triple<KeyedChannel> {
   const middle = 'xyz'.indexOf(order[1]);
   const count = channels[0].times.length;
   const values = channels.map((c) => c.values.slice());
@@ -74,7 +71,7 @@ export function filterRotations(
 }
 
 /** The channel of one angle, each key within half a turn of the one before it. The very same where they are. */
-export function unrollAngle(channel: Channel, limit: Limit = NO_LIMIT): Channel {
+export function unrollAngle(channel: KeyedChannel, limit: Limit = NO_LIMIT): KeyedChannel {
   const values = channel.values.slice();
   const within = limit.min > limit.max ? NO_LIMIT : limit;
   for (let k = 1; k < values.length; k++) {
@@ -87,8 +84,9 @@ export function unrollAngle(channel: Channel, limit: Limit = NO_LIMIT): Channel 
 export function keysChanged(before: readonly Channel[], after: readonly Channel[]): number {
   let count = 0;
   after.forEach((channel, c) => {
-    if (channel === before[c]) return;
-    for (let k = 0; k < channel.values.length; k++) if (channel.values[k] !== before[c].values[k]) count++;
+    const was = before[c];
+    if (channel === was || channel.kind !== 'keys' || was.kind !== 'keys') return;
+    for (let k = 0; k < channel.values.length; k++) if (channel.values[k] !== was.values[k]) count++;
   });
   return count;
 }
@@ -111,7 +109,7 @@ function nearestTurn(angle: number, target: number, { min, max }: Limit): number
   return turns === 0 ? angle : angle + TURN * turns;
 }
 
-function withAngles(channel: Channel, values: Float64Array, isMirrored?: Uint8Array): Channel {
+function withAngles(channel: KeyedChannel, values: Float64Array, isMirrored?: Uint8Array): KeyedChannel {
   const mirrors = isMirrored?.some((m) => m === 1) ?? false;
   if (!mirrors && values.every((v, k) => v === channel.values[k])) return channel;
   if (!isMirrored || !mirrors) return { ...channel, values };

@@ -12,10 +12,10 @@
  * slopes, whatever their kind, would be right for even keys only.)
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, FLAT, type Tangents } from '../../model/clip.ts';
+import { FIXED, FLAT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 
 export interface Looped {
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   /** How far the last key's value moved; 0 where an offset is kept. */
   readonly moved: number;
   /** Value per second, on both sides of the seam. */
@@ -27,7 +27,7 @@ export interface Looped {
  * from there (`cycle_offset`): for a root that travels. The very same channel where it is that
  * loop already, or where there is no time between its keys.
  */
-export function makeLoop(channel: Channel, keepsOffset = false): Looped {
+export function makeLoop(channel: KeyedChannel, keepsOffset = false): Looped {
   const { times } = channel;
   const last = times.length - 1;
   if (!(times[last] > times[0])) return { channel, moved: 0, slope: 0 };
@@ -50,7 +50,7 @@ export function makeLoop(channel: Channel, keepsOffset = false): Looped {
     return made;
   };
   const goesOn = keepsOffset ? 'cycle_offset' : 'cycle';
-  const looped: Channel = {
+  const looped: KeyedChannel = {
     ...channel,
     values,
     tangentsIn: sloped(channel.tangentsIn),
@@ -62,8 +62,8 @@ export function makeLoop(channel: Channel, keepsOffset = false): Looped {
 }
 
 /** A loop that is made again is no change. */
-function isSame(a: Channel, b: Channel): boolean {
-  const columns = ({ values, tangentsIn, tangentsOut }: Channel) => [
+function isSame(a: KeyedChannel, b: KeyedChannel): boolean {
+  const columns = ({ values, tangentsIn, tangentsOut }: KeyedChannel) => [
     values,
     tangentsIn.kinds,
     tangentsIn.slopes,
@@ -78,7 +78,7 @@ function isSame(a: Channel, b: Channel): boolean {
   );
 }
 
-function seamSlope(channel: Channel, first: number, end: number): number {
+function seamSlope(channel: KeyedChannel, first: number, end: number): number {
   const { times, values, tangentsIn, tangentsOut } = channel;
   const slopes = resolvedSlopes(channel);
   const byHand: number[] = [];

@@ -11,7 +11,7 @@
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, LINEAR } from '../../model/clip.ts';
+import { FIXED, type KeyedChannel, LINEAR } from '../../model/clip.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
 import { CommandError } from '../store.ts';
 import { unrolled } from './bake-extrapolation.ts';
@@ -33,7 +33,7 @@ export interface Resampling {
 
 /** What resampling came to; `largestError` against what the channel did before, extrapolation included. */
 export interface Resampled extends Difference {
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   readonly keysBefore: number;
   readonly keysAfter: number;
 }
@@ -48,7 +48,7 @@ const ON_FRAME = 1e-5;
  * repeated on that side is held from there on, since its period has changed. The very same channel where it has no key
  * or the range no frame. Throws a `CommandError` above a million frames.
  */
-export function resampleChannel(channel: Channel, resampling: Resampling): Resampled {
+export function resampleChannel(channel: KeyedChannel, resampling: Resampling): Resampled {
   const { framesPerSecond, offsetSeconds = 0, from, to, tangents } = resampling;
   const keysBefore = channel.times.length;
   // Plus 0: a key at −0 s would be written as that.
@@ -73,7 +73,7 @@ export function resampleChannel(channel: Channel, resampling: Resampling): Resam
 
 /** Keys on the frames of a channel that reaches from the first to the last one, and its own beside them. */
 function framesOf(
-  channel: Channel,
+  channel: KeyedChannel,
   firstFrame: number,
   lastFrame: number,
   timeOf: (frame: number) => number,
@@ -113,7 +113,7 @@ function framesOf(
 }
 
 /** The frame's key where the channel has keys of its own on it, `from` up to `end`: the nearest one, or their step. */
-function pushOwn({ times, values }: Channel, from: number, end: number, key: Key, keys: Key[]): void {
+function pushOwn({ times, values }: KeyedChannel, from: number, end: number, key: Key, keys: Key[]): void {
   let nearest = from;
   let isStep = false;
   for (let k = from; k < end; k++) {

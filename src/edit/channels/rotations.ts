@@ -1,12 +1,12 @@
 /** Which of a character's channels turn one joint together, and the Euler filter over all of them. */
 
 import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
-import type { Channel } from '../../model/clip.ts';
+import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import { couplesOf } from '../../model/couples.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
 import { jointName } from '../../model/joint-name.ts';
-import { filterRotations, keyedTogether, keysChanged, unrollAngle } from './euler-filter.ts';
+import { filterRotations, keyedTogether, keysChanged, type Triple, unrollAngle } from './euler-filter.ts';
 
 export interface Filtered {
   /** All of the clip's channels; those that needed no change are the very same. */
@@ -52,10 +52,9 @@ export function filterCharacter(
       const together = [first + angles.x, first + angles.y, first + angles.z];
       const limits = together.map((i) => dofs[i].limit);
       const isCoupled = together.some((i) => followed.has(i) || following.has(i));
-      const why = isCoupled ? 'its angles are linked' : hindrance(channels, given, together);
-      if (!why) {
-        const [x, y, z] = together.map((i) => filtered[i]);
-        const made = filterRotations([x, y, z], angles.order, clampsToLimits ? limits : []);
+      const rotation = isCoupled ? 'its angles are linked' : rotationOf(filtered, given, together);
+      if (typeof rotation !== 'string') {
+        const made = filterRotations(rotation, angles.order, clampsToLimits ? limits : []);
         made.forEach((channel, i) => {
           filtered[together[i]] = channel;
           done.add(together[i]);
@@ -63,20 +62,25 @@ export function filterCharacter(
         continue;
       }
       if (!noted.has(dof.joint)) {
-        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${why}; only whole turns were removed.`);
+        notes.push(`${joint.name || `Joint ${dof.joint}`} of ${name}: ${rotation}; only whole turns were removed.`);
       }
       noted.add(dof.joint);
     }
     done.add(index);
-    filtered[index] = unrollAngle(filtered[index], clampsToLimits ? dof.limit : undefined);
+    const angle = filtered[index];
+    if (angle.kind === 'keys') filtered[index] = unrollAngle(angle, clampsToLimits ? dof.limit : undefined);
   }
   return { channels: filtered, keysChanged: keysChanged(channels, filtered), notes };
 }
 
-/** Why three angles can't be taken as one rotation. */
-function hindrance(channels: readonly Channel[], given: readonly number[], together: readonly number[]) {
+/** Three angles that can be taken as one rotation, or why they can't. */
+function rotationOf(
+  channels: readonly Channel[],
+  given: readonly number[],
+  together: readonly number[],
+): Triple<KeyedChannel> | string {
   if (together.some((i) => !given.includes(i))) return 'not all three of its angles are selected';
-  if (together.some((i) => !channels[i]?.times.length)) return 'not all three of its angles have keys';
-  if (!keyedTogether(together.map((i) => channels[i]))) return 'its angles have keys at different times';
-  return undefined;
+  const [x, y, z] = together.map((i) => channels[i]);
+  if (x?.kind !== 'keys' || y?.kind !== 'keys' || z?.kind !== 'keys') return 'not all three of its angles have keys';
+  return keyedTogether([x, y, z]) ? [x, y, z] : 'its angles have keys at different times';
 }

@@ -15,7 +15,7 @@
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, FLAT, LINEAR, SMOOTH, type Tangents } from '../../model/clip.ts';
+import { FIXED, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/clip.ts';
 import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { agrees, type Curve, FREE, fitStretch, type Knots, reaches } from './fit.ts';
@@ -23,7 +23,7 @@ import { agrees, type Curve, FREE, fitStretch, type Knots, reaches } from './fit
 /** What simplifying came to; `largestError` is measured, and never above the tolerance. */
 export interface Simplified extends Difference {
   /** The very same where no key could go. */
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   readonly keysBefore: number;
   readonly keysAfter: number;
 }
@@ -36,7 +36,7 @@ const CORNER = 4;
  * @param range seconds of the clip: only keys inside may go
  */
 export function simplifyChannel(
-  channel: Channel,
+  channel: KeyedChannel,
   tolerance: number,
   range: readonly [number, number] = [Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY],
 ): Simplified {
@@ -63,7 +63,7 @@ export function simplifyChannel(
   return { channel: simplified, keysBefore: count, keysAfter: knots.indices.length, ...difference };
 }
 
-function fitAll(channel: Channel, curve: Curve, range: readonly [number, number]): Knots {
+function fitAll(channel: KeyedChannel, curve: Curve, range: readonly [number, number]): Knots {
   const { slopesIn, slopesOut } = curve;
   const last = channel.times.length - 1;
   const [atFirst, atLast] = endSlopes(channel, curve);
@@ -107,7 +107,7 @@ function isCorner({ times, slopesIn, slopesOut, tolerance }: Curve, k: number): 
 }
 
 /** The slopes out of the first key and into the last one, or FREE. */
-function endSlopes(channel: Channel, { slopesIn, slopesOut }: Curve): readonly [number, number] {
+function endSlopes(channel: KeyedChannel, { slopesIn, slopesOut }: Curve): readonly [number, number] {
   const last = channel.times.length - 1;
   const repeats = [channel.extrapolateIn, channel.extrapolateOut].some((e) => e === 'cycle' || e === 'cycle_offset');
   if (repeats) {
@@ -138,7 +138,7 @@ function leaveUntouched(curve: Curve, { indices, slopesIn, slopesOut }: Knots): 
   }
 }
 
-function withKnots(channel: Channel, slopes: Slopes, knots: Knots): Channel {
+function withKnots(channel: KeyedChannel, slopes: Slopes, knots: Knots): KeyedChannel {
   const taken = takeKeys(channel, knots.indices);
   return {
     ...taken,
@@ -149,7 +149,7 @@ function withKnots(channel: Channel, slopes: Slopes, knots: Knots): Channel {
 
 /** One side's tangents: of the kind they had where that still comes to the same slope, or else numbers. */
 function tangentsOf(
-  channel: Channel,
+  channel: KeyedChannel,
   side: Tangents,
   before: Float64Array,
   { indices }: Knots,

@@ -3,7 +3,7 @@
  * a key keeps its shape only as numbers.
  */
 import type { Slopes } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, FLAT } from '../../model/clip.ts';
+import { FIXED, FLAT, type KeyedChannel } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent } from '../keys/columns.ts';
 
 export interface Sloped extends Key {
@@ -12,7 +12,7 @@ export interface Sloped extends Key {
 }
 
 /** @param slopes the channel's, from `resolvedSlopes` */
-export function slopedKey(channel: Channel, slopes: Slopes, k: number): Sloped {
+export function slopedKey(channel: KeyedChannel, slopes: Slopes, k: number): Sloped {
   return { ...keyAt(channel, k), slopeIn: slopes.in[k], slopeOut: slopes.out[k] };
 }
 

@@ -3,7 +3,7 @@
  * that were selected before are still there, and what has changed is what one wants to see. Where nothing changes the
  * document is the very same, and no step is made.
  */
-import { type Channel, isSampled } from '../../model/clip.ts';
+import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
@@ -85,7 +85,7 @@ export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<E
   const clip = clipOf(document, characterId);
   const character = requireCharacter(document, characterId);
   const given = checkedChannels(clip, args.channels);
-  if (given.some((channel) => isSampled(clip, channel))) refuseMoved(character);
+  if (given.some((channel) => clip.channels[channel]?.kind === 'samples')) refuseMoved(character);
   const { clip: filtered, ...result } = yield* filteringAngles(character, clip, given);
   const keyed = withClipChannels(document, characterId, filtered.channels);
   const after =
@@ -148,10 +148,19 @@ export const makeLoop: Command<MakeLoop, Edit> = {
 
 type Result = Channel | { readonly channel: Channel };
 
-/** What becomes of each of the given channels. */
-function results<R>(document: Document, args: OfChannels, of: (channel: Channel, index: number) => R): Map<number, R> {
-  const clip = clipOf(document, args.characterId);
-  return new Map(checkedChannels(clip, args.channels).map((index) => [index, of(clip.channels[index], index)]));
+/** What becomes of each of the given channels that have keys. */
+function results<R>(
+  document: Document,
+  args: OfChannels,
+  of: (channel: KeyedChannel, index: number) => R,
+): Map<number, R> {
+  const { channels } = clipOf(document, args.characterId);
+  const made = new Map<number, R>();
+  for (const index of checkedChannels({ channels }, args.channels)) {
+    const channel = channels[index];
+    if (channel.kind === 'keys') made.set(index, of(channel, index));
+  }
+  return made;
 }
 
 function edited(document: Document, { characterId }: OfChannels, made: ReadonlyMap<number, Result>): Edit {
@@ -170,7 +179,7 @@ function edited(document: Document, { characterId }: OfChannels, made: ReadonlyM
 }
 
 /** The last simplification of each channel: a preview and the command after it want the same. */
-const simplifiedBefore = new WeakMap<Channel, { readonly key: string; readonly result: Simplified }>();
+const simplifiedBefore = new WeakMap<KeyedChannel, { readonly key: string; readonly result: Simplified }>();
 
 function simplified(document: Document, args: Simplify): Map<number, Simplified> {
   const { tolerance, range } = args;

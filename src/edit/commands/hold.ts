@@ -3,7 +3,7 @@
  * every frame of the range, by inverse kinematics on each frame's own pose; see `hold/`.
  */
 import { ikOf } from '../../evaluate/ik/set-up.ts';
-import type { ChannelClip } from '../../model/clip.ts';
+import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { ChannelKeys } from '../../model/session.ts';
@@ -116,7 +116,7 @@ function keysIn(
 ): readonly ChannelKeys[] {
   const to = times[times.length - 1];
   return changed.flatMap((channel) => {
-    const own = channels[channel].times;
+    const own = keysOf(channels[channel]).times;
     const indices = [...own.keys()].filter((k) => own[k] >= from && own[k] <= to);
     return indices.length > 0 ? [{ channel, indices }] : [];
   });

@@ -1,14 +1,14 @@
 /** Keys: making them, moving them, taking them away. Seconds are the clip's. */
 import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
-import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
+import { followingSamples, TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { finiteNumber, indexIn, listOf, oneOf } from '../arguments.ts';
 import {
   allKeyable,
   changeKeys,
   checkedChannels,
-  checkKeys,
+  checkedKeys,
   clipOf,
   keyable,
   keyCount,
@@ -190,13 +190,13 @@ export const removeKeys: Command<OfKeys & AtTime, Edit> = {
   run(document, { characterId, keys, timeSeconds }) {
     const time = finiteNumber(timeSeconds, '"timeSeconds"');
     const clip = clipOf(document, characterId);
-    checkKeys(clip, keys);
     const curves = compileClip(clip);
     const channels = [...clip.channels];
-    for (const { channel, indices } of keys) {
-      channels[channel] = remove(channels[channel], indices, evaluateChannel(curves, channel, time));
+    for (const { channel, index, indices } of checkedKeys(clip, keys)) {
+      channels[index] = remove(channel, indices, evaluateChannel(curves, index, time));
     }
-    return { document: withClipChannels(document, characterId, channels), keys: [] };
+    const after = withClipChannels(document, characterId, followingSamples(channels, clip.samples));
+    return { document: after, keys: [] };
   },
 };
 
@@ -210,9 +210,8 @@ export const rippleKeys: Command<OfKeys & { readonly seconds: number }, Edit> = 
   run(document, { characterId, keys, seconds }) {
     finiteNumber(seconds, '"seconds"');
     const clip = clipOf(document, characterId);
-    checkKeys(clip, keys);
     let by = seconds;
-    for (const { channel, indices } of keys) by = Math.max(by, rippleRoom(clip.channels[channel], indices[0]));
+    for (const { channel, indices } of checkedKeys(clip, keys)) by = Math.max(by, rippleRoom(channel, indices[0]));
     return changeKeys(document, { characterId, keys }, (channel, indices) => ripple(channel, indices, by));
   },
 };

@@ -15,7 +15,6 @@
 
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
-import { isSampled } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
 import { jointName } from '../../model/joint-name.ts';
@@ -23,7 +22,7 @@ import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
-import { standingAt, withTake } from '../takes.ts';
+import { withTake } from '../takes.ts';
 import { countUnkeyed, dropUnkeyed as drop, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
 export interface DofValue {
@@ -123,7 +122,7 @@ export function setValues(
   finiteNumber(timeSeconds, '"timeSeconds"');
   if (!key) return changeCharacter(document, characterId, () => pose(character, values, timeSeconds));
   const clip = shownClip(character);
-  const overSamples = new Map([...values].filter(([dof]) => clip && isSampled(clip, dof)));
+  const overSamples = new Map([...values].filter(([dof]) => clip?.channels[dof]?.kind === 'samples'));
   const posed = overSamples.size ? pose(character, overSamples, timeSeconds) : character;
   const keyed = keyDofs(posed, values, timeSeconds, key);
   return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys };
@@ -142,8 +141,7 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   let driven: Float64Array | undefined;
   for (const [dof, value] of values) {
     const channel = channelOf(character, dof);
-    const hasKeys = channel && clip && (channel.times.length > 0 || isSampled(clip, dof));
-    if (hasKeys || moved?.has(dof)) {
+    if ((channel && channel.kind !== 'rest') || moved?.has(dof)) {
       driven ??= drivenAt(character, timeSeconds);
       handChanged = true;
       // What is where its keys have it was not set by hand: there is nothing to key, and nothing to lose.
@@ -157,9 +155,9 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
       poseChanged ||= posed[dof] !== value;
       while (posed.length < dof) posed.push(0);
       posed[dof] = value;
-    } else {
-      channels[dof] = standingAt(channel, value);
-      clipChanged ||= channels[dof] !== channel;
+    } else if (channel.value !== value) {
+      channels[dof] = { ...channel, value: value + 0 };
+      clipChanged = true;
     }
   }
   let next = poseChanged ? { ...character, pose: posed } : character;

@@ -8,7 +8,7 @@ import { bakeClip, framesOf } from '../../evaluate/bake.ts';
 import '../../evaluate/retarget/driving.ts';
 import { automaticPairs } from '../../evaluate/retarget/match.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
-import { keylessChannel } from '../../model/clip.ts';
+import { SAMPLED } from '../../model/clip.ts';
 import type { Character, Driver } from '../../model/document.ts';
 import { restPose } from '../../model/dofs.ts';
 import { DEFAULT_RETARGET, type JointPair, type RetargetOptions } from '../../model/retarget.ts';
@@ -133,7 +133,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
       unrollRotations(skeleton, samples);
       const given = name === undefined ? '' : text(name, 'The name').trim();
       const called = given ? uniqueTakeName(c, given) : takeNameOf(c, clip.name);
-      const channels = restPose(skeleton, c.morphs.length).map((rest) => keylessChannel(rest));
+      const channels = restPose(skeleton, c.morphs.length).map(() => SAMPLED);
       const plain = withoutDriver(withoutUnkeyed(c));
       return {
         ...plain,

@@ -3,7 +3,7 @@
  * into keys. Seconds are the clip's. Refused while another character's take moves the character: nobody would see it.
  * Where nothing changes the document is the very same, and no step is made.
  */
-import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
@@ -203,7 +203,7 @@ export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Co
 /** Those of the given channels that follow the samples, or all that do. */
 function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefined): readonly number[] {
   const given = channels === undefined ? [...clip.channels.keys()] : checkedChannels(clip, channels);
-  const sampled = given.filter((channel) => isSampled(clip, channel));
+  const sampled = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
   if (sampled.length > 0) return sampled;
   throw new CommandError(channels ? 'None of these curves is sampled.' : 'This take has no samples.');
 }

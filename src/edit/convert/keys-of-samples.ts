@@ -7,7 +7,7 @@
  * shortest arc, keys each angle by itself; at mocap rates that is no difference to be seen.
  */
 import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
-import { type Channel, type ChannelClip, isSampled, LINEAR, type Tangents } from '../../model/clip.ts';
+import { type Channel, type ChannelClip, type KeyedChannel, LINEAR, type Tangents } from '../../model/clip.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -28,16 +28,14 @@ export function keyedClip(clip: ChannelClip, skeleton: Skeleton | undefined, opt
   const { samples, ...rest } = clip;
   if (!samples) return clip;
   const shared = sharedColumns(samples);
-  const sampled = clip.channels.map((_, c) => isSampled(clip, c));
-  const channels = clip.channels.map((channel, c) => (sampled[c] ? keyed(channel, samples, c, shared) : channel));
-  if (skeleton) unwind(channels, sampled, skeleton);
+  const made = new Map<number, KeyedChannel>();
+  clip.channels.forEach((channel, c) => {
+    if (channel.kind === 'samples') made.set(c, keyed(channel, samples, c, shared));
+  });
+  if (skeleton) unwind(made, skeleton);
   const tolerance = options.tolerance ?? 0;
-  if (tolerance > 0) {
-    channels.forEach((channel, c) => {
-      if (sampled[c]) channels[c] = simplifyChannel(channel, tolerance).channel;
-    });
-  }
-  return { ...rest, channels };
+  if (tolerance > 0) for (const [c, channel] of made) made.set(c, simplifyChannel(channel, tolerance).channel);
+  return { ...rest, channels: clip.channels.map((channel, c) => made.get(c) ?? channel) };
 }
 
 /** What the channels of one clip have in common, made once: none of it ever changes. */
@@ -56,30 +54,31 @@ function keyed(
   samples: Samples,
   channel: number,
   shared: ReturnType<typeof sharedColumns>,
-): Channel {
+): KeyedChannel {
   const { frameCount, scales, values: rows } = samples;
   const column = columnOf(samples, channel);
   const values = new Float64Array(frameCount);
   for (let f = 0; f < frameCount; f++) values[f] = rows[f * scales.length + column] * scales[column];
-  return { extrapolateIn, extrapolateOut, values, ...shared };
+  return { kind: 'keys', extrapolateIn, extrapolateOut, values, ...shared };
 }
 
 /** Takes out the jumps of angles, in place. */
-function unwind(channels: Channel[], sampled: readonly boolean[], skeleton: Skeleton): void {
+function unwind(channels: Map<number, KeyedChannel>, skeleton: Skeleton): void {
   const starts = firstDofs(skeleton);
   skeleton.joints.forEach(({ motion }, j) => {
     const first = starts[j];
     const euler = eulerDofs(motion);
     const together = euler ? [euler.x, euler.y, euler.z].map((dof) => first + dof) : [];
-    if (euler && together.every((c) => sampled[c])) {
-      const [x, y, z] = together.map((c) => channels[c]);
+    const [x, y, z] = together.map((c) => channels.get(c));
+    if (euler && x && y && z) {
       filterRotations([x, y, z], euler.order).forEach((channel, i) => {
-        channels[together[i]] = channel;
+        channels.set(together[i], channel);
       });
       return;
     }
     turningDofs(motion).forEach((turns, d) => {
-      if (turns && sampled[first + d]) channels[first + d] = unrollAngle(channels[first + d]);
+      const angle = turns && channels.get(first + d);
+      if (angle) channels.set(first + d, unrollAngle(angle));
     });
   });
 }

@@ -15,7 +15,7 @@
 
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
-import { type Channel, type ChannelClip, keylessChannel } from '../../model/clip.ts';
+import { type Channel, type ChannelClip, restChannel } from '../../model/clip.ts';
 import { filePose, firstDofs, rootDofCount } from '../../model/dofs.ts';
 import { dofsOf, isOfBvh, offsetBesideDofs } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
@@ -43,7 +43,7 @@ export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: KeyOpti
   const { channelMap } = skelFigure(skeleton);
   const keyed = keyedClip(clip, skeleton, options);
   if (channelMap.every((c, i) => c === i)) return keyed;
-  const none = keylessChannel();
+  const none = restChannel();
   const past = clip.channels.slice(rootDofCount(skeleton) + dofCount(skeleton));
   const channels = channelMap.map((c): Channel => (c < 0 ? none : (keyed.channels[c] ?? none)));
   return { ...keyed, channels: [...channels, ...past] };

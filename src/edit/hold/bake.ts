@@ -6,7 +6,7 @@
  * with few; what is further off than allowed gets less, until nothing is. As *convert to keys* does.
  */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
-import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import type { Pin } from '../../model/ik.ts';
@@ -38,7 +38,7 @@ export function* bakingFrames(
   const columns = new Map<number, Float64Array>();
   for (const dof of changed) {
     const values = times.map((_, f) => held[f * width + dof]);
-    if (isSampled(clip, dof)) columns.set(columnOf(clip.samples, dof), values);
+    if (channels[dof]?.kind === 'samples') columns.set(columnOf(clip.samples, dof), values);
     else {
       const [startsOnCurve, endsOnCurve] = [weights[0] === 0, weights[weights.length - 1] === 0];
       channels[dof] = replaceStretch(channels[dof], { times, values, corners, startsOnCurve, endsOnCurve }, clip.range);
@@ -66,10 +66,9 @@ export function* thinning(
   const range = [times[0], times[times.length - 1]] as const;
   const reach = reachBelow(skeleton, pins);
   const dofs = characterDofs(skeleton, []);
+  const keyed = changed.filter((dof) => dense.channels[dof].kind === 'keys');
   const allowed = new Map(
-    changed
-      .filter((dof) => !isSampled(dense, dof))
-      .map((dof) => [dof, firstTolerance(dofs[dof].unit === 'length', reach[dofs[dof].joint], tolerance)]),
+    keyed.map((dof) => [dof, firstTolerance(dofs[dof].unit === 'length', reach[dofs[dof].joint], tolerance)]),
   );
   if (allowed.size === 0) return dense;
   const seen = withHalves(times);
@@ -77,7 +76,8 @@ export function* thinning(
   let todo = [...allowed.keys()];
   for (let round = 0; ; round++) {
     for (const dof of todo) {
-      channels[dof] = simplifyChannel(dense.channels[dof], allowed.get(dof) ?? tolerance, range).channel;
+      const own = dense.channels[dof];
+      if (own.kind === 'keys') channels[dof] = simplifyChannel(own, allowed.get(dof) ?? tolerance, range).channel;
       yield 1 - 0.5 ** round;
     }
     const thin = { ...dense, channels: [...channels] };

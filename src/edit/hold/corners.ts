@@ -21,7 +21,7 @@ export function cornerTimes(
   const found = new Set<number>();
   for (const channel of channels) {
     const own = clip.channels[channel];
-    if (own.times.length < 2) continue;
+    if (own.kind !== 'keys' || own.times.length < 2) continue;
     const curve = bakeExtrapolation(own, from, to).channel;
     const slopes = resolvedSlopes(curve);
     for (let k = 1; k + 1 < curve.times.length; k++) {

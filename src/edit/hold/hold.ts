@@ -7,7 +7,7 @@
 import { ikOf, type PinTarget, pinTarget, reachOfSkeleton, stiffnessOf } from '../../evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
-import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -78,7 +78,7 @@ export function* holding(
   const reach = reachOfSkeleton(skeleton);
   const tolerance = allowed ?? TOLERANCE * reach;
   const path = dofsOnPaths(skeleton, pins);
-  const isByFrames = path.some((dof) => stiffness[dof] < Infinity && isSampled(clip, dof));
+  const isByFrames = path.some((dof) => stiffness[dof] < Infinity && clip.channels[dof]?.kind === 'samples');
   const samples = isByFrames ? clip.samples : undefined;
   const corners = samples ? [] : cornerTimes(clip, path, clip.range);
   // Before any of them is made.

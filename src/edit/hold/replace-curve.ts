@@ -8,7 +8,7 @@
  * What repeats is written out over all that is played first, or every repetition would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, type Extrapolation, FIXED, FLAT, SMOOTH } from '../../model/clip.ts';
+import { type Channel, type Extrapolation, FIXED, FLAT, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
 import { bakeExtrapolation } from '../channels/bake-extrapolation.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { insertKey } from '../keys/insert.ts';
@@ -29,10 +29,13 @@ export interface Stretch {
  * @param played of the clip, which the stretch lies in. The value at an end that is not on the curve jumps there: at the
  * start the curve before it stays, and at the end what comes after it is led over to.
  */
-export function replaceStretch(channel: Channel, stretch: Stretch, played: readonly [number, number]): Channel {
+export function replaceStretch(channel: Channel, stretch: Stretch, played: readonly [number, number]): KeyedChannel {
   const { times, values, corners, startsOnCurve, endsOnCurve } = stretch;
   const last = times.length - 1;
-  const written = withoutPeriods(bakeExtrapolation(channel, played[0], played[1]).channel, played);
+  const written =
+    channel.kind === 'keys'
+      ? withoutPeriods(bakeExtrapolation(channel, played[0], played[1]).channel, played)
+      : channel;
   const made = insertKey(insertKey(written, times[0]).channel, times[last]).channel;
   const slopes = resolvedSlopes(made);
   const from = findKey(made, times[0]);
@@ -64,7 +67,7 @@ export function replaceStretch(channel: Channel, stretch: Stretch, played: reado
 }
 
 /** What repeats keys at one moment only stands still, and would not with others beside them. */
-function withoutPeriods(channel: Channel, [from, to]: readonly [number, number]): Channel {
+function withoutPeriods(channel: KeyedChannel, [from, to]: readonly [number, number]): KeyedChannel {
   const { times, extrapolateIn, extrapolateOut } = channel;
   const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
   const endsBefore = repeats(extrapolateIn) && times[0] > from;

@@ -17,7 +17,7 @@
  * typed arrays, without an object for a key.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import type { Channel, Tangents } from '../../model/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/clip.ts';
 import { CommandError } from '../store.ts';
 import { takeKeys } from './columns.ts';
 import { sameTime } from './same-time.ts';
@@ -28,7 +28,7 @@ export const COLLISIONS: readonly Collision[] = ['replace', 'step'];
 
 /** A channel after an edit. */
 export interface Moved {
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   /** Where the keys that the edit was about are now, ascending; those that were replaced are missing. */
   readonly indices: readonly number[];
 }
@@ -46,7 +46,7 @@ export interface Arranged extends Moved {
  * @param arriving the keys come from elsewhere: they land on others even where their times are the ones they have
  */
 export function arrange(
-  channel: Channel,
+  channel: KeyedChannel,
   indices: readonly number[],
   newTimes: Float64Array,
   collision: Collision,
@@ -197,7 +197,7 @@ function merged(
 }
 
 /** The channel's keys in another order, at these times. Columns that come out the same stay the same objects. */
-function inOrder(channel: Channel, order: Uint32Array, times: Float64Array): Channel {
+function inOrder(channel: KeyedChannel, order: Uint32Array, times: Float64Array): KeyedChannel {
   const taken = takeKeys(channel, order);
   const { values, tangentsIn, tangentsOut } = channel;
   return {

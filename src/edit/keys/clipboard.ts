@@ -2,12 +2,12 @@
  * Copying keys and pasting them: at another time, into the same channels or others. What is copied are keys, not a
  * curve: tangents by name (`linear`, `smooth`) stay names and follow the neighbours they come to have.
  */
-import type { Channel, ChannelClip, Tangents } from '../../model/clip.ts';
+import type { Channel, ChannelClip, KeyedChannel, Tangents } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { sameValue } from '../delta.ts';
 import { CommandError } from '../store.ts';
 import { arrange, type Moved } from './arrange.ts';
-import { takeKeys } from './columns.ts';
+import { takeKeys, withKeyList } from './columns.ts';
 import { moveKeys } from './move.ts';
 import { removeKeys } from './remove.ts';
 import { sameTime } from './same-time.ts';
@@ -55,9 +55,10 @@ export interface Pasted {
 }
 
 export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): CopiedKeys {
-  const taken = keys
-    .filter(({ channel, indices }) => clip.channels[channel] && indices.length > 0)
-    .map(({ channel, indices }) => ({ channel, keys: takeKeys(clip.channels[channel], indices) }));
+  const taken = keys.flatMap(({ channel, indices }) => {
+    const own = clip.channels[channel];
+    return own?.kind === 'keys' && indices.length > 0 ? [{ channel, keys: takeKeys(own, indices) }] : [];
+  });
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
   for (const { times } of taken.map((t) => t.keys)) {
@@ -107,8 +108,8 @@ function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonl
 }
 
 function makeRoom(channel: Channel, time: number, seconds: number, mode: PasteMode): Channel {
+  if (mode === 'merge' || channel.kind !== 'keys') return channel;
   const { times } = channel;
-  if (mode === 'merge') return channel;
   const isAfterStart = (k: number) => times[k] >= time || sameTime(times[k], time);
   const later: number[] = [];
   for (let k = 0; k < times.length; k++) if (isAfterStart(k)) later.push(k);
@@ -122,16 +123,15 @@ function makeRoom(channel: Channel, time: number, seconds: number, mode: PasteMo
 
 /** A channel with copied keys among its own: put behind them, then brought into order. */
 function joined(channel: Channel, copied: CopiedChannel, time: number): Moved {
-  const own = channel.times.length;
-  const { rest: _rest, ...others } = channel;
-  const both: Channel = {
-    ...others,
-    times: concatenated(channel.times, copied.times),
-    values: concatenated(channel.values, copied.values),
-    tangentsIn: concatenatedTangents(channel.tangentsIn, copied.tangentsIn),
-    tangentsOut: concatenatedTangents(channel.tangentsOut, copied.tangentsOut),
+  const own = channel.kind === 'keys' ? channel : withKeyList(channel, []);
+  const both: KeyedChannel = {
+    ...own,
+    times: concatenated(own.times, copied.times),
+    values: concatenated(own.values, copied.values),
+    tangentsIn: concatenatedTangents(own.tangentsIn, copied.tangentsIn),
+    tangentsOut: concatenatedTangents(own.tangentsOut, copied.tangentsOut),
   };
-  const indices = Array.from({ length: copied.times.length }, (_, k) => own + k);
+  const indices = Array.from({ length: copied.times.length }, (_, k) => own.times.length + k);
   const times = copied.times.map((t) => time + t);
   return arrange(both, indices, times, 'replace', true);
 }

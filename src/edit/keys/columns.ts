@@ -2,7 +2,7 @@
  * Channels are columns; edits are easier to say key by key. Everything that makes a channel out of keys goes through
  * here, so that columns always have one length and only fixed tangents have a slope.
  */
-import { type Channel, FIXED, type Tangents } from '../../model/clip.ts';
+import { type Channel, FIXED, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 
 /** One side's tangent. */
 export interface Tangent {
@@ -24,7 +24,7 @@ export function tangent(kind: number, slope = 0): Tangent {
   return { kind, slope: kind === FIXED ? slope : 0 };
 }
 
-export function keyAt(channel: Channel, index: number): Key {
+export function keyAt(channel: KeyedChannel, index: number): Key {
   return {
     time: channel.times[index],
     value: channel.values[index],
@@ -33,11 +33,12 @@ export function keyAt(channel: Channel, index: number): Key {
   };
 }
 
-/** A channel like `channel` with these keys instead of its own; they are in order of time. */
-export function withKeyList(channel: Channel, keys: readonly Key[]): Channel {
-  const { rest: _rest, ...others } = channel;
+/** A channel with these keys, in order of time, and the extrapolation of `channel`. */
+export function withKeyList({ extrapolateIn, extrapolateOut }: Channel, keys: readonly Key[]): KeyedChannel {
   return {
-    ...others,
+    kind: 'keys',
+    extrapolateIn,
+    extrapolateOut,
     times: Float64Array.from(keys, (k) => k.time),
     values: Float64Array.from(keys, (k) => k.value),
     tangentsIn: tangentColumns(keys.map((k) => k.in)),
@@ -46,7 +47,7 @@ export function withKeyList(channel: Channel, keys: readonly Key[]): Channel {
 }
 
 /** The channel with only those of its keys, in the order given: a subset, or the same keys in another order. */
-export function takeKeys(channel: Channel, indices: ArrayLike<number>): Channel {
+export function takeKeys(channel: KeyedChannel, indices: ArrayLike<number>): KeyedChannel {
   const count = indices.length;
   const times = new Float64Array(count);
   const values = new Float64Array(count);

@@ -18,27 +18,29 @@
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, FLAT, LINEAR, SMOOTH } from '../../model/clip.ts';
-import { type Tangent, tangent } from './columns.ts';
+import { type Channel, FIXED, FLAT, type KeyedChannel, LINEAR, SMOOTH } from '../../model/clip.ts';
+import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
 export interface Inserted {
   /** The very same where there was a key. */
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   /** Of the new key, or the one that was there. */
   readonly index: number;
   /** The channel cycles or bounces, and does so otherwise now. */
   readonly periodChanged: boolean;
 }
 
+/** @param channel not a sampled one */
 export function insertKey(channel: Channel, time: number): Inserted {
+  if (channel.kind !== 'keys') {
+    const value = channel.kind === 'rest' ? channel.value : 0;
+    const first = { time, value, in: tangent(SMOOTH), out: tangent(SMOOTH) };
+    return { channel: withKeyList(channel, [first]), index: 0, periodChanged: false };
+  }
   const there = findKey(channel, time);
   if (there >= 0) return { channel, index: there, periodChanged: false };
-  if (channel.times.length === 0) {
-    const first = { time, value: channel.rest ?? 0, in: tangent(SMOOTH), out: tangent(SMOOTH) };
-    return { channel: withKeyAt(channel, 0, first), index: 0, periodChanged: false };
-  }
   const curve = compileChannels([channel]);
   const value = evaluateChannel(curve, 0, time);
   const slopes = { in: evaluateSlope(curve, 0, time, 'in'), out: evaluateSlope(curve, 0, time, 'out') };
@@ -64,8 +66,8 @@ export function insertKey(channel: Channel, time: number): Inserted {
 }
 
 /** (A lone key has no period; its channel stands still or goes straight.) */
-function changesPeriod(before: Channel, after: Channel): boolean {
-  const repeats = (e: Channel['extrapolateIn']) => e !== 'constant' && e !== 'linear';
+function changesPeriod(before: KeyedChannel, after: KeyedChannel): boolean {
+  const repeats = (e: KeyedChannel['extrapolateIn']) => e !== 'constant' && e !== 'linear';
   if (!repeats(before.extrapolateIn) && !repeats(before.extrapolateOut)) return false;
   const period = lengthOf(before);
   if (period === lengthOf(after)) return false;
@@ -73,17 +75,17 @@ function changesPeriod(before: Channel, after: Channel): boolean {
   return period > 0 || after.values[0] !== after.values[after.values.length - 1];
 }
 
-function lengthOf({ times }: Channel): number {
+function lengthOf({ times }: KeyedChannel): number {
   return times[times.length - 1] - times[0];
 }
 
 /** Makes one side of a key a number if its kind would come to another slope than this. In place: columns are new. */
-function keepSlope(next: Channel, key: number, side: 'in' | 'out', slope: number, asFlat = false): void {
+function keepSlope(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number, asFlat = false): void {
   if (comesTo(next, key, side, keySlope(next, key, side), slope)) return;
   setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED, slope));
 }
 
-function honestTangent(next: Channel, key: number, side: 'in' | 'out', slope: number): Tangent {
+function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number): Tangent {
   const { times, values } = next;
   const neighbour = side === 'in' ? key - 1 : key + 1;
   const hasSegment = neighbour >= 0 && neighbour < times.length;
@@ -104,7 +106,7 @@ function honestTangent(next: Channel, key: number, side: 'in' | 'out', slope: nu
  * Whether two slopes on one side of a key are the same but for rounding. Between keys it is the rounding of a secant's
  * values that counts; past the ends a slope is followed any distance, so there it has to be much the same number.
  */
-function comesTo({ times, values }: Channel, key: number, side: 'in' | 'out', a: number, b: number): boolean {
+function comesTo({ times, values }: KeyedChannel, key: number, side: 'in' | 'out', a: number, b: number): boolean {
   const far = side === 'in' ? key - 1 : key + 1;
   const difference = Math.abs(a - b);
   const own = 1e-13 * Math.max(Math.abs(a), Math.abs(b));
@@ -114,7 +116,7 @@ function comesTo({ times, values }: Channel, key: number, side: 'in' | 'out', a:
   return difference * length <= 4 * Number.EPSILON * Math.max(Math.abs(values[far]), Math.abs(values[key]));
 }
 
-function setTangent(next: Channel, key: number, side: 'in' | 'out', { kind, slope }: Tangent): void {
+function setTangent(next: KeyedChannel, key: number, side: 'in' | 'out', { kind, slope }: Tangent): void {
   const { kinds, slopes } = side === 'in' ? next.tangentsIn : next.tangentsOut;
   kinds[key] = kind;
   slopes[key] = slope;

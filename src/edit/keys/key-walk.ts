@@ -1,6 +1,6 @@
 /** Going from key to key with the keyboard: what a click does with the mouse. Pure; keys are indices into a clip. */
 import { lastNotAbove } from '../../math/search.ts';
-import type { Channel } from '../../model/clip.ts';
+import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 
 /**
@@ -18,12 +18,14 @@ export function walkKeys(
   adds: boolean,
 ): ChannelKeys[] {
   if (!keys.length) {
-    const channel = inView.find((c) => channels[c]?.times.length);
-    return channel === undefined ? [] : [{ channel, indices: [nearestKey(channels[channel].times, clipSeconds)] }];
+    const channel = inView.find((c) => channels[c]?.kind === 'keys');
+    return channel === undefined
+      ? []
+      : [{ channel, indices: [nearestKey(keysOf(channels[channel]).times, clipSeconds)] }];
   }
   return keys.map(({ channel, indices }) => {
     const from = step > 0 ? indices[indices.length - 1] : indices[0];
-    const to = Math.min(channels[channel].times.length - 1, Math.max(0, from + step));
+    const to = Math.min(keysOf(channels[channel]).times.length - 1, Math.max(0, from + step));
     if (!adds) return { channel, indices: [to] };
     if (to === from) return { channel, indices };
     return { channel, indices: step > 0 ? [...indices, to] : [to, ...indices] };
@@ -37,14 +39,14 @@ export function walkChannels(
   inView: readonly number[],
   step: 1 | -1,
 ): readonly ChannelKeys[] {
-  const having = inView.filter((c) => channels[c]?.times.length);
+  const having = inView.filter((c) => channels[c]?.kind === 'keys');
   const from = step > 0 ? keys.at(-1) : keys[0];
   if (!from) return keys;
   const at = having.indexOf(from.channel);
   const channel = at < 0 ? having[0] : having[at + step];
   if (channel === undefined) return keys;
-  const time = channels[from.channel].times[from.indices[0]];
-  return [{ channel, indices: [nearestKey(channels[channel].times, time)] }];
+  const time = keysOf(channels[from.channel]).times[from.indices[0]];
+  return [{ channel, indices: [nearestKey(keysOf(channels[channel]).times, time)] }];
 }
 
 /** Index of the key nearest to a time; of equally near ones the earlier. The channel has keys. */

@@ -5,7 +5,7 @@
  */
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { firstNotBelow } from '../../math/search.ts';
-import type { Channel } from '../../model/clip.ts';
+import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { indicesIn } from './row-keys.ts';
 import { countNotAbove } from './same-time.ts';
@@ -34,7 +34,7 @@ export function markKeys(
   out: Uint8Array,
 ): void {
   out.fill(0);
-  for (const channel of of) markChannel(channels[channel].times, indicesIn(selected, channel), span, out);
+  for (const channel of of) markChannel(keysOf(channels[channel]).times, indicesIn(selected, channel), span, out);
 }
 
 const NONE: readonly number[] = [];

@@ -2,7 +2,7 @@
  * Moving keys in time and value, by how far they are moved altogether: a drag is always made from where it began.
  * Tangents go along as they are; a slope is value per second, which moving does not change.
  */
-import type { Channel } from '../../model/clip.ts';
+import type { KeyedChannel } from '../../model/clip.ts';
 import { CommandError } from '../store.ts';
 import { arrange, type Collision, type Moved, timesFor } from './arrange.ts';
 
@@ -14,7 +14,7 @@ import { arrange, type Collision, type Moved, timesFor } from './arrange.ts';
  * @param value added to their values
  */
 export function moveKeys(
-  channel: Channel,
+  channel: KeyedChannel,
   indices: readonly number[],
   seconds: number,
   value: number,
@@ -27,7 +27,11 @@ export function moveKeys(
 }
 
 /** The channel with some values changed; the very same where none is. */
-export function withValues(channel: Channel, indices: readonly number[], change: (value: number) => number): Channel {
+export function withValues(
+  channel: KeyedChannel,
+  indices: readonly number[],
+  change: (value: number) => number,
+): KeyedChannel {
   const values = channel.values.slice();
   let changed = false;
   for (const k of indices) {

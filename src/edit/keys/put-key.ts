@@ -1,12 +1,12 @@
 /** A key with a value of its own, on the curve or off it: posing, and clicking beside a curve. */
-import type { Channel } from '../../model/clip.ts';
-import { tangent } from './columns.ts';
+import type { Channel, KeyedChannel } from '../../model/clip.ts';
+import { tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
 /** A channel with the key that was asked for. */
 export interface Put {
-  readonly channel: Channel;
+  readonly channel: KeyedChannel;
   readonly index: number;
 }
 
@@ -15,9 +15,12 @@ export interface Put {
  * holds from then on); the very same channel comes back where it had that value. Neighbours keep their kinds, so that
  * the curve passes through the new key as they say.
  *
+ * @param channel not a sampled one
  * @param kind index into TANGENT_KINDS, for both sides of a new key; a fixed one has slope 0
  */
 export function putKey(channel: Channel, time: number, value: number, kind: number): Put {
+  const key = { time, value, in: tangent(kind), out: tangent(kind) };
+  if (channel.kind !== 'keys') return { channel: withKeyList(channel, [key]), index: 0 };
   const at = findKey(channel, time);
   if (at >= 0) {
     if (channel.values[at] === value) return { channel, index: at };
@@ -26,5 +29,5 @@ export function putKey(channel: Channel, time: number, value: number, kind: numb
     return { channel: { ...channel, values }, index: at };
   }
   const index = countNotAbove(channel.times, time);
-  return { channel: withKeyAt(channel, index, { time, value, in: tangent(kind), out: tangent(kind) }), index };
+  return { channel: withKeyAt(channel, index, key), index };
 }

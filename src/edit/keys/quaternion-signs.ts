@@ -2,8 +2,7 @@
  * q and −q turn alike, but the way from one key to the next is the short one only where they point the same way: a key
  * of a quaternion joint takes the sign that is nearer to the key before it.
  */
-
-import type { Channel } from '../../model/clip.ts';
+import { type Channel, keysOf } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { quaternionDofs } from '../../model/joint-types.ts';
@@ -29,7 +28,7 @@ export function withNearerSigns(
   skeleton.joints.forEach(({ motion }, joint) => {
     const parts = quaternionDofs(motion).map((d) => first[joint] + d);
     if (!parts.length || !parts.every((dof) => values.has(dof))) return;
-    if (!parts.some((dof) => keyBefore(channels[dof], time) >= 0)) return;
+    if (!parts.some((dof) => keyBefore(keysOf(channels[dof]).times, time) >= 0)) return;
     const along = parts.reduce((sum, dof) => sum + (values.get(dof) ?? 0) * valueBefore(channels[dof], time), 0);
     if (!(along < 0)) return;
     changed = true;
@@ -39,7 +38,7 @@ export function withNearerSigns(
 }
 
 /** Index of the last key before a time; a key at that time is the one that is about to be put. */
-function keyBefore({ times }: Channel, time: number): number {
+function keyBefore(times: Float64Array, time: number): number {
   let k = times.length - 1;
   while (k >= 0 && (times[k] > time || sameTime(times[k], time))) k--;
   return k;
@@ -47,6 +46,6 @@ function keyBefore({ times }: Channel, time: number): number {
 
 /** Its value; of a channel without keys, what it stands at. */
 function valueBefore(channel: Channel, time: number): number {
-  const k = keyBefore(channel, time);
-  return k >= 0 ? channel.values[k] : (channel.values[0] ?? channel.rest ?? 0);
+  if (channel.kind === 'keys') return channel.values[Math.max(0, keyBefore(channel.times, time))];
+  return channel.kind === 'rest' ? channel.value : 0;
 }

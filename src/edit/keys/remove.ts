@@ -1,16 +1,16 @@
 /** Taking keys out of a channel. The curve is then what the keys that are left make of it. */
-import { type Channel, keylessChannel } from '../../model/clip.ts';
+import { type Channel, type KeyedChannel, restChannel } from '../../model/clip.ts';
 import { takeKeys } from './columns.ts';
 
 /**
  * @param indices ascending
  * @param rest where the channel stands if no key is left
  */
-export function removeKeys(channel: Channel, indices: readonly number[], rest = 0): Channel {
+export function removeKeys(channel: KeyedChannel, indices: readonly number[], rest = 0): Channel {
   const count = channel.times.length;
   if (indices.length === 0) return channel;
   const { extrapolateIn, extrapolateOut } = channel;
-  if (indices.length === count) return { ...keylessChannel(rest), extrapolateIn, extrapolateOut };
+  if (indices.length === count) return { ...restChannel(rest), extrapolateIn, extrapolateOut };
   const kept = new Uint32Array(count - indices.length);
   let next = 0;
   let gone = 0;

@@ -5,11 +5,11 @@
  * Backwards they come as far as the key before them and no further: there the two are a step. (Going on would tear the
  * motion that ripples apart, or eat what lies before it.)
  */
-import type { Channel } from '../../model/clip.ts';
+import type { KeyedChannel } from '../../model/clip.ts';
 import { arrange, type Moved, timesFor } from './arrange.ts';
 
 /** How far back the keys from `first` on can ripple, in seconds: 0 or less. */
-export function rippleRoom({ times }: Channel, first: number): number {
+export function rippleRoom({ times }: KeyedChannel, first: number): number {
   return first > 0 && first < times.length ? times[first - 1] - times[first] : Number.NEGATIVE_INFINITY;
 }
 
@@ -18,7 +18,7 @@ export function rippleRoom({ times }: Channel, first: number): number {
  * @param indices ascending; where they are now is returned
  * @param seconds held to `rippleRoom`
  */
-export function rippleKeys(channel: Channel, indices: readonly number[], seconds: number): Moved {
+export function rippleKeys(channel: KeyedChannel, indices: readonly number[], seconds: number): Moved {
   const { times } = channel;
   const first = indices[0];
   if (first === undefined || seconds === 0) return { channel, indices };

@@ -5,7 +5,7 @@
  * Times here are the CLIP's; the sheet shows the transport's, which are less by the character's offset.
  */
 import { firstNotBelow } from '../../math/search.ts';
-import type { Channel } from '../../model/clip.ts';
+import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { countNotAbove } from './same-time.ts';
 
@@ -18,7 +18,7 @@ export function keysBetween(
 ): ChannelKeys[] {
   const found: ChannelKeys[] = [];
   for (const channel of of) {
-    const { times } = channels[channel];
+    const { times } = keysOf(channels[channel]);
     const first = firstNotBelow(times, from);
     const end = countNotAbove(times, to);
     if (end > first) found.push({ channel, indices: indexRange(first, end) });
@@ -36,7 +36,7 @@ export function nearestKeyTime(
   let best: number | undefined;
   let least = reach;
   for (const channel of of) {
-    const { times } = channels[channel];
+    const { times } = keysOf(channels[channel]);
     const after = firstNotBelow(times, time);
     for (let i = Math.max(0, after - 1); i <= after && i < times.length; i++) {
       const distance = Math.abs(times[i] - time);
@@ -51,7 +51,7 @@ export function nearestKeyTime(
 /** How many keys the row has. */
 export function keyCount(channels: readonly Channel[], of: readonly number[]): number {
   let count = 0;
-  for (const channel of of) count += channels[channel].times.length;
+  for (const channel of of) count += keysOf(channels[channel]).times.length;
   return count;
 }
 
@@ -72,10 +72,10 @@ export function spanOf(channels: readonly Channel[], keys: readonly ChannelKeys[
   let from = Infinity;
   let to = -Infinity;
   for (const { channel, indices } of keys) {
-    const times = channels[channel]?.times;
+    const { times } = keysOf(channels[channel]);
     // Ascending, as the times are: the first and the last are the ends.
     const last = indices[indices.length - 1];
-    if (!times || last === undefined || last >= times.length) continue;
+    if (last === undefined || last >= times.length) continue;
     from = Math.min(from, times[indices[0]]);
     to = Math.max(to, times[last]);
   }

@@ -3,7 +3,7 @@
  * keys a billionth of a second apart are no curve that anybody meant.
  */
 import { lastNotAbove } from '../../math/search.ts';
-import type { Channel } from '../../model/clip.ts';
+import type { KeyedChannel } from '../../model/clip.ts';
 
 /** Seconds; of times above a second, relative to them. */
 const WITHIN = 1e-9;
@@ -13,7 +13,7 @@ export function sameTime(a: number, b: number): boolean {
 }
 
 /** Index of the key at this time, of a step the one that holds from then on; -1 where there is none. O(log keys). */
-export function findKey({ times }: Channel, time: number): number {
+export function findKey({ times }: KeyedChannel, time: number): number {
   if (times.length === 0) return -1;
   const k = lastNotAbove(times, 0, times.length, time + WITHIN * Math.max(1, Math.abs(time)));
   return sameTime(times[k], time) ? k : -1;

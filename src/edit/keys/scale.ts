@@ -7,7 +7,7 @@
  * A negative factor of time mirrors: the side a curve came in on is the one it leaves on, so the two tangents of each
  * key change places. (Slopes then change sign by the formula.)
  */
-import type { Channel, Tangents } from '../../model/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/clip.ts';
 import { FIXED } from '../../model/clip.ts';
 import { CommandError } from '../store.ts';
 import { arrange, type Collision, type Moved, timesFor } from './arrange.ts';
@@ -28,7 +28,7 @@ export interface Scaling {
  * @param indices ascending, each once
  */
 export function scaleKeys(
-  channel: Channel,
+  channel: KeyedChannel,
   indices: readonly number[],
   { pivotSeconds, timeFactor, pivotValue, valueFactor }: Scaling,
   collision: Collision = 'replace',
@@ -44,7 +44,12 @@ export function scaleKeys(
 }
 
 /** The channel with some keys' slopes multiplied, and their two sides exchanged if `mirrored`. */
-function withScaledTangents(channel: Channel, indices: readonly number[], factor: number, mirrored: boolean): Channel {
+function withScaledTangents(
+  channel: KeyedChannel,
+  indices: readonly number[],
+  factor: number,
+  mirrored: boolean,
+): KeyedChannel {
   const { tangentsIn, tangentsOut } = channel;
   const into = scaledTangents(tangentsIn, mirrored ? tangentsOut : tangentsIn, indices, factor);
   const out = scaledTangents(tangentsOut, mirrored ? tangentsIn : tangentsOut, indices, factor);

@@ -4,7 +4,7 @@
  * are selected as fast as one.
  */
 import { firstNotBelow } from '../../math/search.ts';
-import type { ChannelClip } from '../../model/clip.ts';
+import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { sameTime } from './same-time.ts';
 
@@ -67,9 +67,7 @@ function collect(
   const found: ChannelKeys[] = [];
   const of = channels ? [...new Set(channels)].sort((a, b) => a - b) : clip.channels.keys();
   for (const channel of of) {
-    const times = clip.channels[channel]?.times;
-    if (!times) continue;
-    const [from, to] = stretch(times);
+    const [from, to] = stretch(keysOf(clip.channels[channel]).times);
     if (from < to) found.push({ channel, indices: Array.from({ length: to - from }, (_, i) => from + i) });
   }
   return found;

@@ -1,5 +1,5 @@
 /** Keys with exact, typed numbers. */
-import { type Channel, FIXED } from '../../model/clip.ts';
+import { FIXED, type KeyedChannel } from '../../model/clip.ts';
 import { arrange, type Moved, timesFor } from './arrange.ts';
 import { tangent } from './columns.ts';
 import { withValues } from './move.ts';
@@ -21,7 +21,7 @@ export interface TypedKey {
  * @param indices ascending, each once
  */
 export function setKeys(
-  channel: Channel,
+  channel: KeyedChannel,
   indices: readonly number[],
   { timeSeconds, value, slopeIn, slopeOut }: TypedKey,
 ): Moved {
@@ -39,7 +39,7 @@ export function setKeys(
  * @param offsetSeconds where frame 0 is, in seconds of the clip
  */
 export function snapKeys(
-  channel: Channel,
+  channel: KeyedChannel,
   indices: readonly number[],
   framesPerSecond: number,
   offsetSeconds = 0,

@@ -1,12 +1,11 @@
 /** One key more in a channel's columns. */
-import type { Channel, Tangents } from '../../model/clip.ts';
+import type { KeyedChannel, Tangents } from '../../model/clip.ts';
 import type { Key, Tangent } from './columns.ts';
 
-/** The channel with a key more, which comes to be number `index`. All columns are new; a rest is gone. */
-export function withKeyAt(channel: Channel, index: number, key: Key): Channel {
-  const { rest: _rest, ...others } = channel;
+/** The channel with a key more, which comes to be number `index`. All columns are new. */
+export function withKeyAt(channel: KeyedChannel, index: number, key: Key): KeyedChannel {
   return {
-    ...others,
+    ...channel,
     times: spliced(channel.times, index, key.time),
     values: spliced(channel.values, index, key.value),
     tangentsIn: splicedTangents(channel.tangentsIn, index, key.in),

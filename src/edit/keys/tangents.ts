@@ -3,7 +3,7 @@
  * neighbours from then on.
  */
 import { keySlope } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, type Tangents } from '../../model/clip.ts';
+import { FIXED, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 import { type Tangent, tangent } from './columns.ts';
 
 /** The side a curve comes in on, or leaves on. */
@@ -17,7 +17,12 @@ const SAME_SLOPE = 1e-12;
  * The channel with a tangent kind on one side of keys or both; the very same where nothing changes.
  * @param kind index into TANGENT_KINDS; FIXED keeps the slope there is, as a number
  */
-export function setTangentKind(channel: Channel, indices: readonly number[], side: Side, kind: number): Channel {
+export function setTangentKind(
+  channel: KeyedChannel,
+  indices: readonly number[],
+  side: Side,
+  kind: number,
+): KeyedChannel {
   return withTangents(channel, indices, (k, at) => {
     if (kind !== FIXED) return side === 'both' || side === at ? tangent(kind) : undefined;
     return side === 'both' || side === at ? tangent(FIXED, keySlope(channel, k, at)) : undefined;
@@ -25,14 +30,14 @@ export function setTangentKind(channel: Channel, indices: readonly number[], sid
 }
 
 /** Makes one side of keys, or both, a number: value per second. */
-export function setSlope(channel: Channel, indices: readonly number[], side: Side, slope: number): Channel {
+export function setSlope(channel: KeyedChannel, indices: readonly number[], side: Side, slope: number): KeyedChannel {
   return withTangents(channel, indices, (_k, at) =>
     side === 'both' || side === at ? tangent(FIXED, slope) : undefined,
   );
 }
 
 /** Gives both sides of each key one slope, the mean of the two. Keys whose slopes are equal stay as they are. */
-export function unifyTangents(channel: Channel, indices: readonly number[]): Channel {
+export function unifyTangents(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
   return withTangents(channel, indices, (k) => {
     const into = keySlope(channel, k, 'in');
     const out = keySlope(channel, k, 'out');
@@ -42,7 +47,7 @@ export function unifyTangents(channel: Channel, indices: readonly number[]): Cha
 }
 
 /** Makes both sides of each key numbers, the slopes they have: from then on each can be turned without the other. */
-export function breakTangents(channel: Channel, indices: readonly number[]): Channel {
+export function breakTangents(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
   return withTangents(channel, indices, (k, at) => tangent(FIXED, keySlope(channel, k, at)));
 }
 
@@ -51,10 +56,10 @@ export function breakTangents(channel: Channel, indices: readonly number[]): Cha
  * change stay the same objects, and the channel where none does.
  */
 export function withTangents(
-  channel: Channel,
+  channel: KeyedChannel,
   indices: readonly number[],
   change: (key: number, side: 'in' | 'out') => Tangent | undefined,
-): Channel {
+): KeyedChannel {
   const tangentsIn = changed(channel.tangentsIn, indices, (k) => change(k, 'in'));
   const tangentsOut = changed(channel.tangentsOut, indices, (k) => change(k, 'out'));
   if (tangentsIn === channel.tangentsIn && tangentsOut === channel.tangentsOut) return channel;

@@ -1,5 +1,5 @@
 /** What of a character's takes goes with DOFs that a joint no longer has. */
-import { isSampled } from '../../model/clip.ts';
+import { keysOf } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
@@ -19,8 +19,8 @@ export function lostKeys(
   dofsOf(before.joints[joint].motion).forEach(({ name }, d) => {
     const dof = first + d;
     if (kept.has(dof)) return;
-    const own = clips.reduce((sum, { channels }) => sum + (channels[dof]?.times.length ?? 0), 0);
-    const sampled = clips.some((clip) => isSampled(clip, dof));
+    const own = clips.reduce((sum, { channels }) => sum + keysOf(channels[dof]).times.length, 0);
+    const sampled = clips.some(({ channels }) => channels[dof]?.kind === 'samples');
     keys += own;
     hasSamples ||= sampled;
     if (own > 0 || sampled) names.push(name);

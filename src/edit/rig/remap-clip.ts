@@ -1,5 +1,5 @@
 /** The channels and samples of a clip in the order of other DOFs. */
-import { type Channel, type ChannelClip, isSampled, keylessChannel, type Tangents } from '../../model/clip.ts';
+import { type Channel, type ChannelClip, followingSamples, restChannel, type Tangents } from '../../model/clip.ts';
 import { rootDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE, type Samples } from '../../model/samples.ts';
@@ -18,15 +18,14 @@ export function remapClip(clip: ChannelClip, map: JointMap, pose: readonly numbe
   const sources = channelSources(clip, map);
   const channels = sources.map((source) => {
     const { from, start, like } = source;
-    if (from >= 0) return moved(clip.channels[from] ?? keylessChannel(pose[from] ?? start), source);
+    if (from >= 0) return moved(clip.channels[from] ?? restChannel(pose[from] ?? start), source);
     const model = like && clip.channels[like.dof];
-    const stands = like && model && model.times.length === 0 && !isSampled(clip, like.dof);
-    return keylessChannel(stands ? (model.rest ?? 0) * like.sign + 0 : start);
+    return restChannel(like && model?.kind === 'rest' ? model.value * like.sign : start);
   });
   const { samples, ...rest } = clip;
-  const stand = channels.map(({ rest = 0 }) => rest);
+  const stand = channels.map((channel) => (channel.kind === 'rest' ? channel.value : 0));
   const sampled = samples && remapSamples(samples, sources, stand, map.after);
-  return { ...rest, channels, ...(sampled && { samples: sampled }) };
+  return { ...rest, channels: followingSamples(channels, sampled), ...(sampled && { samples: sampled }) };
 }
 
 /**
@@ -52,11 +51,8 @@ function channelSources({ channels }: ChannelClip, { dofs, dofsBefore }: JointMa
 function moved(channel: Channel, source: ChannelSource): Channel {
   const { sign, plus } = source;
   if (sign > 0 && plus === 0) return channel;
-  const { rest = 0, ...others } = channel;
-  if (channel.times.length === 0) {
-    const next = valueAfter(source, rest);
-    return { ...others, ...(next !== 0 && { rest: next }) };
-  }
+  if (channel.kind === 'samples') return channel;
+  if (channel.kind === 'rest') return { ...channel, value: valueAfter(source, channel.value) + 0 };
   const values = channel.values.map((value) => valueAfter(source, value));
   if (sign > 0) return { ...channel, values };
   const mirrored = ({ kinds, slopes }: Tangents): Tangents => ({ kinds, slopes: slopes.map((slope) => 0 - slope) });

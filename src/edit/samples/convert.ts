@@ -23,7 +23,7 @@
  *
  * It is a generator, which pauses every few milliseconds: a page does it between frames and can stop it.
  */
-import { type Channel, type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { ChannelClip, KeyedChannel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
@@ -82,7 +82,7 @@ interface Fitting {
   readonly joint: number;
   readonly values: Float64Array;
   tolerance: number;
-  made: Channel | undefined;
+  made: KeyedChannel | undefined;
 }
 
 /**
@@ -97,7 +97,7 @@ export function* converting(
 ): Steps<Converted> {
   const samples = requireSamples(clip);
   const { skeleton, morphs } = character;
-  const channels = given.filter((channel) => isSampled(clip, channel));
+  const channels = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
   if (channels.length === 0) throw new CommandError('None of these curves is sampled, so there is nothing to convert.');
   const dofs = characterDofs(skeleton, morphs);
   const reach = skeleton ? reachOf(skeleton) : [];
@@ -216,7 +216,7 @@ function withFitted(clip: ChannelClip, fittings: readonly Fitting[]): ChannelCli
   for (const { channel, made } of fittings) if (made) channels[channel] = made;
   const { samples: _done, ...rest } = clip;
   // What nothing follows any more has done its work.
-  const isLeft = channels.some((_, c) => isSampled({ ...clip, channels }, c));
+  const isLeft = channels.some(({ kind }) => kind === 'samples');
   return isLeft ? { ...clip, channels } : { ...rest, channels };
 }
 

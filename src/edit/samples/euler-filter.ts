@@ -6,7 +6,7 @@
  * or as the other triple of the same rotation. Between frames nothing changes, for samples turn joints from rotation to
  * rotation; the curves do, and so does what is made of them: keys, files.
  */
-import { type Channel, type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { Channel, ChannelClip, KeyedChannel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { columnOf, type Samples } from '../../model/samples.ts';
@@ -33,7 +33,7 @@ export function* filteringAngles(
   given: readonly number[],
 ): Steps<FilteredClip> {
   const { samples } = clip;
-  const sampled = given.filter((channel) => isSampled(clip, channel));
+  const sampled = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
   const before = [...clip.channels];
   if (samples && sampled.length > 0) {
     const columns = sampled.map((channel) => columnOf(samples, channel));
@@ -57,8 +57,9 @@ export function* filteringAngles(
   const columns = new Map<number, Float64Array>();
   const channels = [...clip.channels];
   for (const index of changed) {
-    if (samples && isSampled(clip, index)) columns.set(columnOf(samples, index), after[index].values);
-    else channels[index] = after[index];
+    const channel = after[index];
+    if (clip.channels[index]?.kind !== 'samples') channels[index] = channel;
+    else if (channel.kind === 'keys') columns.set(columnOf(samples, index), channel.values);
   }
   const result = { changed, keysChanged: keysChanged(clip.channels, channels), notes };
   if (!samples) return { clip: { ...clip, channels }, ...result };
@@ -71,9 +72,13 @@ function frameTimes({ frameCount, startSeconds, frameSeconds }: Samples): Float6
 }
 
 /** A key a frame; without tangents, which the filter only turns where they are numbers. */
-function framesAsKeys(channel: Channel, times: Float64Array, values: Float64Array): Channel {
+function framesAsKeys(
+  { extrapolateIn, extrapolateOut }: Channel,
+  times: Float64Array,
+  values: Float64Array,
+): KeyedChannel {
   const none = { kinds: new Uint8Array(0), slopes: new Float64Array(0) };
-  return { ...channel, times, values, tangentsIn: none, tangentsOut: none };
+  return { kind: 'keys', extrapolateIn, extrapolateOut, times, values, tangentsIn: none, tangentsOut: none };
 }
 
 /** The channels of each joint together, in the order of its first; those of none each by itself. */

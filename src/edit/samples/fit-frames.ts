@@ -5,7 +5,7 @@
  * Long takes are fitted piece by piece, with a key where two pieces meet and the frames' own slope on both of its sides,
  * so that the curve is smooth there too: a key in two thousand frames more, and somebody may look up between pieces.
  */
-import { type Channel, FIXED, SMOOTH } from '../../model/clip.ts';
+import { FIXED, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
 const PIECE_FRAMES = 2048;
@@ -15,10 +15,14 @@ const PIECE_FRAMES = 2048;
  * @param times of the frames, ascending
  * @param tolerance in the channel's own unit, above 0
  */
-export function* fittingFrames(times: Float64Array, values: Float64Array, tolerance: number): Generator<void, Channel> {
+export function* fittingFrames(
+  times: Float64Array,
+  values: Float64Array,
+  tolerance: number,
+): Generator<void, KeyedChannel> {
   const still = stillAt(times, values, tolerance);
   if (still) return still;
-  const pieces: Channel[] = [];
+  const pieces: KeyedChannel[] = [];
   const last = times.length - 1;
   for (let from = 0; from < last; from += PIECE_FRAMES) {
     const to = Math.min(last, from + PIECE_FRAMES);
@@ -29,7 +33,7 @@ export function* fittingFrames(times: Float64Array, values: Float64Array, tolera
 }
 
 /** One key, where that is enough. */
-function stillAt(times: Float64Array, values: Float64Array, tolerance: number): Channel | undefined {
+function stillAt(times: Float64Array, values: Float64Array, tolerance: number): KeyedChannel | undefined {
   let low = values[0];
   let high = values[0];
   for (const value of values) {
@@ -41,9 +45,9 @@ function stillAt(times: Float64Array, values: Float64Array, tolerance: number): 
 }
 
 /** Frames `from` to `to` as keys, with fixed slopes at those of its ends that are not the take's. */
-function piece(times: Float64Array, values: Float64Array, from: number, to: number): Channel {
+function piece(times: Float64Array, values: Float64Array, from: number, to: number): KeyedChannel {
   const channel = smoothChannel(times.slice(from, to + 1), values.slice(from, to + 1));
-  const fix = (side: Channel['tangentsIn'], key: number, frame: number) => {
+  const fix = (side: KeyedChannel['tangentsIn'], key: number, frame: number) => {
     side.kinds[key] = FIXED;
     side.slopes[key] = (values[frame + 1] - values[frame - 1]) / (times[frame + 1] - times[frame - 1]);
   };
@@ -52,9 +56,10 @@ function piece(times: Float64Array, values: Float64Array, from: number, to: numb
   return channel;
 }
 
-function smoothChannel(times: Float64Array, values: Float64Array): Channel {
+function smoothChannel(times: Float64Array, values: Float64Array): KeyedChannel {
   const side = () => ({ kinds: new Uint8Array(times.length).fill(SMOOTH), slopes: new Float64Array(times.length) });
   return {
+    kind: 'keys',
     extrapolateIn: 'constant',
     extrapolateOut: 'constant',
     times,
@@ -65,7 +70,7 @@ function smoothChannel(times: Float64Array, values: Float64Array): Channel {
 }
 
 /** Pieces in a row, of which each ends with the key that the next one begins with. */
-function joined(pieces: readonly Channel[]): Channel {
+function joined(pieces: readonly KeyedChannel[]): KeyedChannel {
   if (pieces.length === 1) return pieces[0];
   const count = pieces.reduce((sum, { times }) => sum + times.length - 1, 1);
   const whole = smoothChannel(new Float64Array(count), new Float64Array(count));

@@ -3,7 +3,7 @@
  * or cubic), and joints turn along their way from one rotation to the next, not angle by angle.
  */
 import { poseAt } from '../../evaluate/pose.ts';
-import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { requireSamples } from './frames.ts';
@@ -29,7 +29,7 @@ export function* resampling(character: Character, clip: ChannelClip, framesPerSe
   const values = new Float64Array(frameCount * width);
   const alone = takeAlone(character, clip);
   const pose = new Float64Array(Math.max(clip.channels.length, firstChannel + width) + character.pose.length);
-  const driven = Array.from({ length: width }, (_, column) => isSampled(clip, firstChannel + column));
+  const driven = Array.from({ length: width }, (_, column) => clip.channels[firstChannel + column]?.kind === 'samples');
   for (let f = 0; f < frameCount; f++) {
     const time = Math.min(stop, start + f * frameSeconds);
     poseAt(alone, time, pose);

@@ -36,7 +36,7 @@ export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
 }
 
 function reversedKeys(channel: Channel, pivotSeconds: number): Channel {
-  if (channel.times.length === 0) return channel;
+  if (channel.kind !== 'keys') return channel;
   const scaling = { pivotSeconds, timeFactor: -1, pivotValue: 0, valueFactor: 1 };
   const { channel: turned } = scaleKeys(channel, [...channel.times.keys()], scaling, 'step');
   return { ...turned, extrapolateIn: channel.extrapolateOut, extrapolateOut: channel.extrapolateIn };

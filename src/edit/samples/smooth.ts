@@ -19,7 +19,7 @@
  * one number is one that people have a feeling for.)
  */
 import { turnedNear } from '../../math/euler.ts';
-import { type ChannelClip, isSampled } from '../../model/clip.ts';
+import type { ChannelClip } from '../../model/clip.ts';
 import type { CharacterDof } from '../../model/dofs.ts';
 import { columnOf } from '../../model/samples.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
@@ -76,7 +76,7 @@ export function* smoothing(
   const seen = framesBetween(samples, from, Math.min(frameCount, end + reach));
   const job: Job = { range: { first: first - from, end: end - from, frameCount: frameCount - from }, reach, weights };
 
-  const chosen = new Set(channels.filter((channel) => isSampled(clip, channel)));
+  const chosen = new Set(channels.filter((channel) => clip.channels[channel]?.kind === 'samples'));
   const count = Math.max(1, chosen.size);
   const made = new Map<number, Float64Array>();
   const columns = [...chosen].map((channel) => columnOf(samples, channel));

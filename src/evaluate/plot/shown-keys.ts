@@ -32,9 +32,9 @@ export function shownKeys(document: Document, selection: Selection): ShownChanne
     if (!clip) continue;
     const isMeant = meantChannels(character, character === selected ? selection.joint : undefined, clip.channels);
     const silent = silentChannels(character);
-    clip.channels.forEach(({ times }, i) => {
-      if (times.length && i >= silent)
-        shown.push({ times, offsetSeconds: character.timeOffsetSeconds, meant: isMeant(i) });
+    clip.channels.forEach((channel, i) => {
+      if (channel.kind === 'keys' && i >= silent)
+        shown.push({ times: channel.times, offsetSeconds: character.timeOffsetSeconds, meant: isMeant(i) });
     });
   }
   return shown;
@@ -49,7 +49,7 @@ function meantChannels(character: Character, joint: number | undefined, channels
   const end = firstDofs(character.skeleton)[joint] + dofsOf(selected.motion).length;
   const isMeant = (channel: number) => channel >= first && channel < end;
   // A joint without a single key would leave nothing to jump to.
-  return channels.some((c, i) => isMeant(i) && c.times.length > 0) ? isMeant : all;
+  return channels.some((c, i) => isMeant(i) && c.kind === 'keys') ? isMeant : all;
 }
 
 /** Two times nearer than this are one: a key is not found again from where it was jumped to. */

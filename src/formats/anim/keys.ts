@@ -4,7 +4,7 @@
  * The words flat, linear and smooth come out of the number loop as values that no number has (see `scan.ts`), so that a
  * hundred thousand keys are one loop over bytes like any other block.
  */
-import { type Channel, FIXED, FLAT, LINEAR, SMOOTH, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
+import { FIXED, FLAT, type Keys, LINEAR, NO_KEYS, SMOOTH, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
 import type { Place } from '../places.ts';
 import type { BlockWords } from '../scan.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
@@ -13,16 +13,6 @@ const ascii = (word: string) => Uint8Array.from(word, (c) => c.charCodeAt(0));
 const TANGENT_WORDS: BlockWords = [ascii('flat'), ascii('linear'), ascii('smooth')];
 const BATCH = 4096;
 const COLUMNS = ['a time', 'a value', 'a tangent', 'a tangent'] as const;
-
-/** What a channel has beside its extrapolation. */
-export type Keys = Omit<Channel, 'extrapolateIn' | 'extrapolateOut'>;
-
-export const NO_KEYS: Keys = {
-  times: new Float64Array(0),
-  values: new Float64Array(0),
-  tangentsIn: { kinds: new Uint8Array(0), slopes: new Float64Array(0) },
-  tangentsOut: { kinds: new Uint8Array(0), slopes: new Float64Array(0) },
-};
 
 /** One for a whole file: `begin` starts the next channel. */
 export class KeySink implements NumberSink {

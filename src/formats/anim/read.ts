@@ -4,7 +4,14 @@
  *     anim    = "animation" "{" { range t0 t1 | numchannels n | channel } "}"
  *     channel = "channel" "{" { extrapolate IN OUT | keys k "{" { time value tan_in tan_out } "}" } "}"
  */
-import { type Channel, type ChannelClip, EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  EXTRAPOLATIONS,
+  type Extrapolation,
+  type Keys,
+  restChannel,
+} from '../../model/clip.ts';
 import {
   braceTooMany,
   checkCount,
@@ -20,7 +27,7 @@ import {
 import { NOWHERE, WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
-import { KeySink, type Keys, NO_KEYS } from './keys.ts';
+import { KeySink } from './keys.ts';
 
 /** A reader for a `.anim`. */
 export function animReader(fileName: string): Reader<ChannelClip> {
@@ -68,8 +75,9 @@ function* animFile(t: Tokens): Part<ChannelClip> {
 function rangeOfKeys(t: Tokens, channels: readonly Channel[]): readonly [number, number] {
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
-  for (const { times } of channels) {
-    if (times.length === 0) continue;
+  for (const channel of channels) {
+    if (channel.kind !== 'keys') continue;
+    const { times } = channel;
     first = Math.min(first, times[0]);
     last = Math.max(last, times[times.length - 1]);
   }
@@ -157,7 +165,8 @@ function* channel(t: Tokens, sink: KeySink, index: number): Part<Channel> {
     t.warnOnce('extrapolate-missing', '', () => message, 'used constant on both sides');
   }
   const [extrapolateIn, extrapolateOut] = extrapolation ?? ['constant', 'constant'];
-  return { extrapolateIn, extrapolateOut, ...(keys ?? NO_KEYS) };
+  if (!keys?.times.length) return { ...restChannel(), extrapolateIn, extrapolateOut };
+  return { kind: 'keys', extrapolateIn, extrapolateOut, ...keys };
 }
 
 /** One extrapolation; undefined where the word is missing, which is reported. */

@@ -1,5 +1,5 @@
 /** Figures out of what a `.bvh` holds: for each root its skeleton, and the columns of the rows that are its own. */
-import { type ChannelClip, keylessChannel } from '../../model/clip.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../model/clip.ts';
 import { rootDofCount } from '../../model/dofs.ts';
 import type { Figure } from '../../model/files.ts';
 import { dofsOf } from '../../model/joint-types.ts';
@@ -60,7 +60,9 @@ function samplesOf(skeleton: Skeleton, motion: Motion, values: Float64Array, sca
 }
 
 function clipOf({ name }: Skeleton, samples: Samples): ChannelClip {
-  const count = samples.firstChannel + samples.scales.length;
-  const channels = Array.from({ length: count }, () => keylessChannel());
+  const { firstChannel, scales } = samples;
+  const channels = Array.from({ length: firstChannel + scales.length }, (_, c) =>
+    c < firstChannel ? restChannel() : SAMPLED,
+  );
   return { name, range: rangeOfSamples(samples), channels, samples };
 }

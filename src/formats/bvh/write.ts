@@ -126,7 +126,7 @@ function columnsOf({ skeleton, clip }: Figure): readonly Column[] {
   return skeleton.joints.flatMap((joint, j) =>
     dofsOf(joint.motion).map(({ name, unit }, d): Column => {
       const channel = clip?.channels[starts[j] + d];
-      if (channel?.times.length) throw new Error(`${joint.name}.${name} has keys: sample them first.`);
+      if (channel?.kind === 'keys') throw new Error(`${joint.name}.${name} has keys: sample them first.`);
       const unitOfFile = unit === 'angle' ? RADIANS_PER_DEGREE : 1;
       const plus = unit === 'angle' ? 0 : addedTo(skeleton, j, name);
       const { samples } = clip ?? {};
@@ -136,7 +136,7 @@ function columnsOf({ skeleton, clip }: Figure): readonly Column[] {
         const factor = scales[first] === unitOfFile ? 1 : scales[first] / unitOfFile;
         return { values, first, width: scales.length, factor, plus };
       }
-      const stands = (channel ? (channel.rest ?? 0) : joint.pose[d]) / unitOfFile;
+      const stands = (channel ? (channel.kind === 'rest' ? channel.value : 0) : joint.pose[d]) / unitOfFile;
       return { values: Float64Array.of(stands), first: 0, width: 0, factor: 1, plus };
     }),
   );

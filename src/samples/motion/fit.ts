@@ -98,6 +98,7 @@ function channelOf(keys: readonly Key[], extrapolation: Extrapolation): Channel 
     slopes: Float64Array.from(slopes),
   });
   return {
+    kind: 'keys',
     extrapolateIn: extrapolation,
     extrapolateOut: extrapolation,
     times: Float64Array.from(keys, (k) => k.time),

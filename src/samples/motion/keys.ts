@@ -23,6 +23,7 @@ export function keyed(extrapolation: Extrapolation, rows: readonly KeyRow[]): Ch
     };
   };
   return {
+    kind: 'keys',
     extrapolateIn: extrapolation,
     extrapolateOut: extrapolation,
     times: Float64Array.from(rows, (row) => row[0]),

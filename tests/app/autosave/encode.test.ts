@@ -1,9 +1,10 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from '../../../src/app/autosave/decode.ts';
-import { encode, type Numbers, SMALL_BYTES } from '../../../src/app/autosave/encode.ts';
+import { type Encoded, encode, type Numbers, SMALL_BYTES } from '../../../src/app/autosave/encode.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
 import { fill, Pieces, piecesOf } from '../../../src/app/autosave/pieces.ts';
+import { keysOf, NO_KEYS, restChannel } from '../../../src/model/clip.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import {
   animFile,
@@ -122,8 +123,34 @@ describe('encoding a session', () => {
     expect(back.characters[0].skeleton).toBe(newSkel.skeletons[0]);
     expect(back.characters[0].sources[0]).toBe(newSkel.source);
     expect(back.characters[0].clips[0].channels[1]).toBe(newAnim.clip.channels[1]);
-    expect(back.characters[0].clips[0].channels[2].times).toBe(newAnim.clip.channels[2].times);
-    expect([...back.characters[0].clips[0].channels[2].values]).toEqual([9]);
+    expect(keysOf(back.characters[0].clips[0].channels[2]).times).toBe(keysOf(newAnim.clip.channels[2]).times);
+    expect([...keysOf(back.characters[0].clips[0].channels[2]).values]).toEqual([9]);
+  });
+
+  it('gives the channels that earlier versions kept their kind', () => {
+    const extrapolations = { extrapolateIn: 'cycle', extrapolateOut: 'linear' } as const;
+    const keys = { ...NO_KEYS, times: Float64Array.of(1), values: Float64Array.of(2) };
+    const former = [keys, NO_KEYS, { ...NO_KEYS, rest: 3 }, NO_KEYS].map((c) => ({ ...extrapolations, ...c }));
+    const samples = { firstChannel: 3, scales: Float64Array.of(1), values: Float64Array.of(5) };
+    const back = thereAndBack({ clips: [{ name: 'walk', range: [0, 1], channels: former, samples }] });
+    const kinds = [
+      { kind: 'keys', ...keys },
+      { kind: 'rest', value: 0 },
+      { kind: 'rest', value: 3 },
+      { kind: 'samples' },
+    ];
+    const channels = kinds.map((c) => ({ ...extrapolations, ...c }));
+    expect(back).toEqual({ clips: [{ name: 'walk', range: [0, 1], channels, samples }] });
+  });
+
+  it('finds what earlier versions kept of a file’s channel without keys', () => {
+    const walk = clip('walk', [1, 2]);
+    const read = animFile('walk.anim', { ...walk, channels: [walk.channels[0], restChannel()] });
+    const part = (key: string): Encoded => ({ is: 'part', file: 0, path: ['clip', 'channels', 1, key] });
+    const columns = { times: part('times'), values: part('values') };
+    const sides = { tangentsIn: part('tangentsIn'), tangentsOut: part('tangentsOut') };
+    const former = { rest: 3, extrapolateIn: 'constant', extrapolateOut: 'constant', ...columns, ...sides };
+    expect(decode({ is: 'object', of: former }, [read], new Map())).toEqual(restChannel(3));
   });
 
   it('refuses where a file reads differently than it did', () => {

@@ -8,7 +8,7 @@ import { readSession } from '../../../src/app/autosave/restore.ts';
 import type { SessionState } from '../../../src/app/autosave/session-state.ts';
 import { DEFAULT_PLAYBACK } from '../../../src/edit/playback.ts';
 import { adoptSkinFacts, skinFacts } from '../../../src/evaluate/bounds.ts';
-import type { Channel } from '../../../src/model/clip.ts';
+import type { Channel, KeyedChannel } from '../../../src/model/clip.ts';
 import type { Document } from '../../../src/model/document.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import { NOTHING_SELECTED } from '../../../src/model/session.ts';
@@ -45,10 +45,11 @@ const expectSame = (a: unknown, b: unknown) => expect(isDeepStrictEqual(a, b)).t
 const options = { signal: new AbortController().signal, onProgress: () => undefined };
 const readBack = (store: MemoryStore, origins = new Origins(1000)) => readSession('s', store, worker, origins, options);
 
-function channel(keys: number, first = 0): Channel {
+function channel(keys: number, first = 0): KeyedChannel {
   const column = () => Float64Array.from({ length: keys }, (_, i) => first + i);
   const side = () => ({ kinds: new Uint8Array(keys).fill(2), slopes: column() });
   return {
+    kind: 'keys',
     extrapolateIn: 'constant',
     extrapolateOut: 'cycle',
     times: column(),

@@ -4,7 +4,13 @@ import { bakeExtrapolation, unrolled } from '../../../src/edit/channels/bake-ext
 import { CommandError } from '../../../src/edit/store.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, EXTRAPOLATIONS, type Extrapolation } from '../../../src/model/clip.ts';
+import {
+  type Channel,
+  EXTRAPOLATIONS,
+  type Extrapolation,
+  type KeyedChannel,
+  keysOf,
+} from '../../../src/model/clip.ts';
 import { channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf, valueAt } from '../keys/channels.ts';
 
 /** Of the curve's largest value. */
@@ -28,8 +34,8 @@ function expectSameShape(after: Channel, before: Channel, times: readonly number
   }
 }
 
-const first = (c: Channel) => c.times[0];
-const last = (c: Channel) => c.times[c.times.length - 1];
+const first = (c: KeyedChannel) => keysOf(c).times[0];
+const last = (c: KeyedChannel) => keysOf(c).times[keysOf(c).times.length - 1];
 /** Seconds beyond an end: none, or more than rounding. */
 const away = fc.oneof(
   fc.constant(0),
@@ -50,8 +56,8 @@ describe('baking the extrapolation', () => {
         const from = first(channel) - Math.min(early, reach);
         const to = last(channel) + Math.min(late, reach);
         for (const bake of [
-          (c: Channel) => bakeExtrapolation(c, from, to).channel,
-          (c: Channel) => unrolled(c, from, to),
+          (c: KeyedChannel) => bakeExtrapolation(c, from, to).channel,
+          (c: KeyedChannel) => unrolled(c, from, to),
         ]) {
           const after = bake(channel);
           expectSound(after);

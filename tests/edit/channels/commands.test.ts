@@ -12,7 +12,7 @@ import {
 } from '../../../src/edit/commands/channels.ts';
 import { finished } from '../../../src/edit/samples/steps.ts';
 import { CommandError, Store } from '../../../src/edit/store.ts';
-import { type Channel, keylessChannel } from '../../../src/model/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
 import { character, documentOf, joint, skeleton } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
@@ -35,7 +35,7 @@ function documentWith(...channels: Channel[]) {
   return documentOf(character({ skeleton: skeleton(2), clips: [clip], shownClip: 0 }));
 }
 const channelsOf = (document: ReturnType<typeof documentWith>) => shownClip(document.characters[0])?.channels ?? [];
-const none = keylessChannel();
+const none = restChannel();
 
 describe('simplifying curves', () => {
   const before = documentWith(wave(10), calm, none, wave(1), wave(0.5));
@@ -47,7 +47,7 @@ describe('simplifying curves', () => {
     const after = channelsOf(document);
     expect(preview.changed).toBe(3);
     expect(preview.keysBefore).toBe(3 * 61 + 2);
-    expect(preview.keysAfter).toBe(after.reduce((sum, c) => sum + c.times.length, 0));
+    expect(preview.keysAfter).toBe(after.reduce((sum, c) => sum + keysOf(c).times.length, 0));
     expect(preview.largest.length).toMatchObject({ channel: 0 });
     expect(preview.largest.length?.largestError).toBeGreaterThan(0.01);
     expect(preview.largest.length?.largestError).toBeLessThanOrEqual(0.5);
@@ -59,7 +59,7 @@ describe('simplifying curves', () => {
     const { document, keys } = simplify.run(before, args);
     const after = channelsOf(document);
     expect(keys.map((k) => k.channel)).toEqual([0, 3, 4]);
-    expect(keys.map((k) => k.indices.length)).toEqual([0, 3, 4].map((c) => after[c].times.length));
+    expect(keys.map((k) => k.indices.length)).toEqual([0, 3, 4].map((c) => keysOf(after[c]).times.length));
     expect([1, 2].map((c) => after[c] === channelsOf(before)[c])).toEqual([true, true]);
   });
 
@@ -133,8 +133,8 @@ describe('the Euler filter over a character', () => {
     const { document, keys } = eulerFilter.run(before, rotations);
     const after = channelsOf(document);
     // 6 rad to −3 rad is less than a quarter turn.
-    expect(after[3].values[1]).toBeCloseTo(2 * Math.PI - 3, 12);
-    expect(after[7].values[1]).toBeLessThanOrEqual(2 * Math.PI);
+    expect(keysOf(after[3]).values[1]).toBeCloseTo(2 * Math.PI - 3, 12);
+    expect(keysOf(after[7]).values[1]).toBeLessThanOrEqual(2 * Math.PI);
     expect(after[8]).toBe(channelsOf(before)[8]);
     expect(keys.map((k) => k.channel)).toEqual([3, 7]);
     expect(filteredBy(before, rotations)).toMatchObject({ keysChanged: 2, notes: [] });
@@ -164,7 +164,7 @@ describe('the Euler filter over a character', () => {
     );
     const { channels, notes } = filteredBy(before, { characterId: 'c1', channels: [3, 4, 5, 6, 7, 8] });
     expectClose(
-      [3, 4, 5].map((c) => channels[c].values[1]),
+      [3, 4, 5].map((c) => keysOf(channels[c]).values[1]),
       [0.1, 0, 0],
       1e-12,
     );
@@ -182,7 +182,7 @@ describe('the Euler filter over a character', () => {
       'joint0 of hero: its angles have keys at different times; only whole turns were removed.',
       'joint1 of hero: not all three of its angles have keys; only whole turns were removed.',
     ]);
-    expect([3, 6].map((c) => channels[c].values[1])).toEqual([2 * Math.PI - 3, 2 * Math.PI - 3]);
+    expect([3, 6].map((c) => keysOf(channels[c]).values[1])).toEqual([2 * Math.PI - 3, 2 * Math.PI - 3]);
     expect(filteredBy(before, { ...rotations, channels: [3] }).notes).toEqual([
       'joint0 of hero: not all three of its angles are selected; only whole turns were removed.',
     ]);

@@ -35,7 +35,7 @@ describe('the difference of two curves', () => {
   it('the difference of two curves is nothing between a curve and itself, or where there is no curve', () => {
     const one = channelOf([[0, 3]]);
     expect(largestDifference(one, one)).toEqual({ largestError: 0, atSeconds: 0 });
-    expect(largestDifference(channelOf([]), one).largestError).toBe(0);
+    expect(largestDifference(channelOf([[7, 1]]), one).largestError).toBe(0);
   });
 
   it('the difference of two curves is what dense sampling nearly finds, and never less', () => {

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { keyedClip } from '../../../src/edit/convert/keys-of-samples.ts';
 import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
+import { keysOf } from '../../../src/model/clip.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import type { Figure } from '../../../src/model/files.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
@@ -80,7 +81,7 @@ describe('BVH as .skel and .anim', () => {
     if (!figure.clip) throw new Error('There is a clip.');
     const { channels, samples } = keyedClip(figure.clip, figure.skeleton);
     expect(samples).toBeUndefined();
-    expect(Array.from(channels[3].values, (v) => Math.round((v * 180) / Math.PI))).toEqual([170, 185, 200]);
+    expect(Array.from(keysOf(channels[3]).values, (v) => Math.round((v * 180) / Math.PI))).toEqual([170, 185, 200]);
   });
 
   it('keeps only the keys that a tolerance asks for', () => {
@@ -89,7 +90,7 @@ describe('BVH as .skel and .anim', () => {
     if (!figure.clip) throw new Error('There is a clip.');
     const all = keyedClip(figure.clip, figure.skeleton);
     const few = keyedClip(figure.clip, figure.skeleton, { tolerance: 0.001 });
-    expect(all.channels[3].times).toHaveLength(100);
-    expect(few.channels[3].times.length).toBeLessThan(20);
+    expect(keysOf(all.channels[3]).times).toHaveLength(100);
+    expect(keysOf(few.channels[3]).times.length).toBeLessThan(20);
   });
 });

@@ -10,7 +10,14 @@ import { pointAt, reachOfSkeleton } from '../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Channel, type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  type KeyedChannel,
+  keysOf,
+  restChannel,
+  SAMPLED,
+} from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Skeleton } from '../../../src/model/skeleton.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
@@ -37,7 +44,7 @@ const swing = (height: number, phase: number): Channel =>
 
 /** Bent at the knee, swinging; two seconds. */
 function walk(): ChannelClip {
-  const all = Array.from({ length: 15 }, () => keylessChannel());
+  const all: Channel[] = Array.from({ length: 15 }, () => restChannel());
   all[0] = swing(0.1, 0);
   all[3] = swing(0.2, 1);
   all[6] = channelOf(Array.from({ length: 9 }, (_, k) => [k / 4, 0.9 + 0.2 * Math.sin(k)] as const));
@@ -138,7 +145,8 @@ describe('holding a pin over a range of time', () => {
     const keyed = after.channels.filter((channel, c) => channel !== before.channels[c]);
     expect(keyed.length).toBeGreaterThan(1);
     // A key a frame, and the frames that were added, would be dozens.
-    for (const { times } of keyed) expect([...times].filter((t) => t >= 0.4 && t <= 1.1).length).toBeLessThan(16);
+    for (const { times } of keyed.map(keysOf))
+      expect([...times].filter((t) => t >= 0.4 && t <= 1.1).length).toBeLessThan(16);
   });
 
   it('selects the keys that it has made', () => {
@@ -148,7 +156,7 @@ describe('holding a pin over a range of time', () => {
     const { keys = [] } = s.selection;
     expect(keys.length).toBeGreaterThan(1);
     for (const { channel, indices } of keys) {
-      for (const k of indices) expect(clipOf(s).channels[channel].times[k]).toBeGreaterThanOrEqual(0.4 - 1e-9);
+      for (const k of indices) expect(keysOf(clipOf(s).channels[channel]).times[k]).toBeGreaterThanOrEqual(0.4 - 1e-9);
     }
   });
 
@@ -165,7 +173,7 @@ describe('holding a pin over a range of time', () => {
   });
 
   it('changes nothing where the point stays by itself', () => {
-    const s = store({ clips: [{ ...walk(), channels: walk().channels.map(() => keylessChannel(0.3)) }] });
+    const s = store({ clips: [{ ...walk(), channels: walk().channels.map(() => restChannel(0.3)) }] });
     const { document } = s;
     s.apply(holdPins, HOLD);
     expect(s.document).toBe(document);
@@ -271,7 +279,7 @@ describe('takes of other kinds', () => {
   it('that repeat are written out where they are played, and go on as they did', () => {
     const looped = walk();
     const all = looped.channels.map((channel, c): Channel => {
-      if (channel.times.length === 0) return channel;
+      if (keysOf(channel).times.length === 0) return channel;
       const kind = c === 0 ? 'cycle_offset' : 'cycle';
       return { ...channel, extrapolateIn: kind, extrapolateOut: kind };
     });
@@ -297,7 +305,7 @@ describe('takes of other kinds', () => {
     }
     const scales = Float64Array.from({ length: 15 }, (_, c) => (c < 3 ? 1 : Math.PI / 180));
     const samples = { frameCount: rows, frameSeconds: 1 / 30, startSeconds: 0, firstChannel: 0, values, scales };
-    const channels = Array.from({ length: 15 }, () => keylessChannel());
+    const channels = Array.from({ length: 15 }, () => SAMPLED);
     const clip: ChannelClip = {
       name: 'take',
       range: [0, 2],
@@ -328,14 +336,14 @@ describe('takes of other kinds', () => {
       pose: [0, 0, 0, 1],
     });
     const joints = [bent(0), bent(1), bent(2), LEG.joints[3]];
-    const all: Channel[] = Array.from({ length: 3 + 12 + 3 }, () => keylessChannel());
+    const all: Channel[] = Array.from({ length: 3 + 12 + 3 }, () => restChannel());
     for (const j of [0, 1]) {
       const turn = (k: number) => (j === 0 ? 0.4 * Math.sin(k) : 1 + 0.3 * Math.sin(2 * k)) / 2;
       // The negative of what is usual.
       all[3 + 4 * j] = channelOf(Array.from({ length: 9 }, (_, k) => [k / 4, -Math.sin(turn(k))] as const));
       all[3 + 4 * j + 3] = channelOf(Array.from({ length: 9 }, (_, k) => [k / 4, -Math.cos(turn(k))] as const));
     }
-    all[14] = keylessChannel(1);
+    all[14] = restChannel(1);
     const s = store({ skeleton: { ...LEG, joints }, clips: [{ name: 'turning', range: [0, 2], channels: all }] });
     const place = footAt(shown(s), 0.5);
     s.apply(holdPins, HOLD);
@@ -348,7 +356,8 @@ describe('takes of other kinds', () => {
     const place = footAt(shown(s), 0);
     s.apply(holdPins, { ...HOLD, range: [-1, 9], atSeconds: 0 });
     expect(slide(shown(s), place, 0, 2)).toBeLessThan(TOLERANCE);
-    for (const { times } of clipOf(s).channels) for (const time of times) expect(time >= 0 && time <= 2).toBe(true);
+    for (const { times } of clipOf(s).channels.map(keysOf))
+      for (const time of times) expect(time >= 0 && time <= 2).toBe(true);
   });
 });
 
@@ -416,7 +425,7 @@ describe('whatever the way', () => {
             Array.from({ length: 17 }, (_, k) => [k / 8, 0.3 * height * Math.sin(often * k + 7 * phase)] as const),
           ),
         );
-        const made = [...all, ...Array.from({ length: 6 }, () => keylessChannel())];
+        const made = [...all, ...Array.from({ length: 6 }, () => restChannel())];
         const s = store({ clips: [{ name: 'any', range: [0, 2], channels: made }] });
         const range = [Math.min(a, b), Math.max(a, b)] as const;
         const place = footAt(shown(s), a);
@@ -431,7 +440,7 @@ describe('whatever the way', () => {
 describe('whatever the curves', () => {
   const some = fc.array(channels(1, { steps: true, maxLength: 6 }), { minLength: 9, maxLength: 9 });
   const moment = fc.integer({ min: 0, max: 16 }).map((n) => n / 8);
-  const small = (channel: Channel): Channel => ({
+  const small = (channel: KeyedChannel): KeyedChannel => ({
     ...channel,
     values: channel.values.map((v) => Math.atan(v)),
     tangentsIn: { ...channel.tangentsIn, slopes: channel.tangentsIn.slopes.map((v) => Math.atan(v)) },
@@ -441,7 +450,7 @@ describe('whatever the curves', () => {
   it('a hold is undone to the very document, and leaves the curves outside as they were', { timeout: 60_000 }, () => {
     fc.assert(
       fc.property(some, moment, moment, moment, (given, a, b, at) => {
-        const all = [...given.map(small), ...Array.from({ length: 6 }, () => keylessChannel(0.1))];
+        const all = [...given.map(small), ...Array.from({ length: 6 }, () => restChannel(0.1))];
         const s = store({ clips: [{ name: 'any', range: [0, 2], channels: all }] });
         const { document } = s;
         const before = shown(s);

@@ -2,8 +2,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { copyKeys, type PasteMode, pasteKeys } from '../../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../../src/edit/keys/selection.ts';
-import { type Channel, type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
-import { channelOf, channels, expectNoCrowd, expectSound, pointsOf, rowsOf } from './channels.ts';
+import { type Channel, type ChannelClip, keysOf, restChannel } from '../../../src/model/clip.ts';
+import { channelOf, channels, channelsOrRest, expectNoCrowd, expectSound, pointsOf, rowsOf } from './channels.ts';
 
 const clipOf = (...all: Channel[]): ChannelClip => ({ name: 'walk', range: [0, 1], channels: all });
 
@@ -17,7 +17,7 @@ const walk = clipOf(
     [0, 1],
     [2.5, 2],
   ]),
-  keylessChannel(7),
+  restChannel(7),
 );
 const paste = (copied: ReturnType<typeof copyKeys>, timeSeconds: number, mode: PasteMode, into?: number[]) =>
   pasteKeys(walk, copied, { timeSeconds, mode, into });
@@ -80,8 +80,8 @@ describe('pasting keys', () => {
   it('keeps the times of channels together: the earliest key of all comes to the time given', () => {
     const copied = copyKeys(walk, allKeys(walk, [0, 1]));
     const { channels: after } = paste(copied, 10, 'merge');
-    expect([...after[1].times]).toEqual([0, 2.5, 10, 12.5]);
-    expect([...after[0].times]).toEqual([1, 2, 5, 11, 12, 15]);
+    expect([...keysOf(after[1]).times]).toEqual([0, 2.5, 10, 12.5]);
+    expect([...keysOf(after[0]).times]).toEqual([1, 2, 5, 11, 12, 15]);
   });
 
   it('puts the keys of one channel into any number of others, keyless ones too', () => {
@@ -128,13 +128,13 @@ describe('pasting keys', () => {
     const time = fc.integer({ min: -160, max: 160 }).map((tick) => tick / 8);
     const mode = fc.constantFrom<PasteMode[]>('merge', 'replace', 'insert');
     fc.assert(
-      fc.property(channels(1, { steps: true }), channels(0, { steps: true }), time, mode, (from, to, at, how) => {
+      fc.property(channels(1, { steps: true }), channelsOrRest({ steps: true }), time, mode, (from, to, at, how) => {
         const clip = clipOf(from, to);
         const copied = copyKeys(clip, allKeys(clip, [0]));
         const { channels: after, keys } = pasteKeys(clip, copied, { timeSeconds: at, mode: how, into: [1] });
         expectSound(after[1]);
         expectNoCrowd(after[1]);
-        const pasted = keys[0].indices.map((k) => [after[1].times[k] - at, after[1].values[k]]);
+        const pasted = keys[0].indices.map((k) => [keysOf(after[1]).times[k] - at, keysOf(after[1]).values[k]]);
         expect(pasted).toEqual(pointsOf(from).map(([t, v]) => [t - from.times[0], v]));
         expect(after[0]).toBe(from);
       }),

@@ -3,15 +3,25 @@ import { describe, expect, it } from 'vitest';
 import { insertKey } from '../../../src/edit/keys/insert.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../../src/evaluate/curves.ts';
-import { type Channel, EXTRAPOLATIONS, keylessChannel } from '../../../src/model/clip.ts';
-import { between, channelOf, channels, expectSound, pointsOf, rowsOf, slopesAt, valueAt } from './channels.ts';
+import { type Channel, EXTRAPOLATIONS, keysOf, restChannel } from '../../../src/model/clip.ts';
+import {
+  between,
+  channelOf,
+  channels,
+  channelsOrRest,
+  expectSound,
+  pointsOf,
+  rowsOf,
+  slopesAt,
+  valueAt,
+} from './channels.ts';
 
 /** Of the curve's largest value. */
 const SHAPE = 1e-9;
 
 /** Times all over, and just beside the keys. */
 function probes(channel: Channel): number[] {
-  const near = [...channel.times].flatMap((t) => [t - 1e-3, t - 1e-7, t, t + 1e-7, t + 1e-3]);
+  const near = [...keysOf(channel).times].flatMap((t) => [t - 1e-3, t - 1e-7, t, t + 1e-7, t + 1e-3]);
   return [...near, ...Array.from({ length: 400 }, (_, i) => -60 + i * 0.3017)];
 }
 
@@ -32,18 +42,18 @@ const anyTime = fc.oneof(
 
 /** A moment, often hard beside a key. */
 const moments = (channel: Channel) =>
-  channel.times.length === 0
+  keysOf(channel).times.length === 0
     ? anyTime
     : fc.oneof(
         anyTime,
         fc
-          .tuple(fc.constantFrom(...channel.times), fc.constantFrom(-1, 1), fc.integer({ min: 1, max: 7 }))
+          .tuple(fc.constantFrom(...keysOf(channel).times), fc.constantFrom(-1, 1), fc.integer({ min: 1, max: 7 }))
           .map(([t, sign, power]) => t + sign * 10 ** -power),
       );
 
 describe('a key inserted on the curve', () => {
   it('keeps the shape of the curve and of what is beyond its ends', () => {
-    const cases = channels(0, { steps: true, extrapolations: ['constant', 'linear'] }).chain((channel) =>
+    const cases = channelsOrRest({ steps: true, extrapolations: ['constant', 'linear'] }).chain((channel) =>
       fc.tuple(fc.constant(channel), fc.array(moments(channel), { minLength: 1, maxLength: 5 })),
     );
     fc.assert(
@@ -275,7 +285,7 @@ describe('inserting where there is a key', () => {
   });
 
   it('puts a key where a keyless channel stands', () => {
-    const { channel } = insertKey(keylessChannel(2.5), 1);
+    const { channel } = insertKey(restChannel(2.5), 1);
     expect(rowsOf(channel)).toEqual([[1, 2.5, 'smooth', 'smooth']]);
     expectSound(channel);
   });

@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { nearestKey, walkChannels, walkKeys } from '../../../src/edit/keys/key-walk.ts';
+import { keysOf, restChannel } from '../../../src/model/clip.ts';
 import { channel } from '../../ui/builders.ts';
 
-const channels = [channel(0, 1, 2, 3), channel(), channel(0.4, 2.2)];
+const channels = [channel(0, 1, 2, 3), restChannel(), channel(0.4, 2.2)];
 const one = (c: number, ...indices: number[]) => [{ channel: c, indices }];
 
 describe('going from key to key', () => {
@@ -32,6 +33,6 @@ describe('going from key to key', () => {
   });
 
   it('finds the nearest key, of two as near the earlier', () => {
-    expect([-5, 0.5, 0.6, 9].map((time) => nearestKey(channels[0].times, time))).toEqual([0, 0, 1, 3]);
+    expect([-5, 0.5, 0.6, 9].map((time) => nearestKey(keysOf(channels[0]).times, time))).toEqual([0, 0, 1, 3]);
   });
 });

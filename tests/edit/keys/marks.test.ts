@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../src/edit/keys/marks.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, LINEAR } from '../../../src/model/clip.ts';
+import { type Channel, keysOf, LINEAR } from '../../../src/model/clip.ts';
 import { channel } from '../../ui/builders.ts';
 import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 
@@ -21,7 +21,7 @@ describe('marks of keys', () => {
         const marks = new Uint8Array(count).fill(255);
         markKeys(all, [...all.keys()], someKeys(all, coin), { from, secondsPerPixel }, marks);
         const walked = new Uint8Array(count);
-        all.forEach(({ times }, c) => {
+        all.map(keysOf).forEach(({ times }, c) => {
           times.forEach((time, i) => {
             // Half open: what lies on the right edge is the next pixel's.
             if (time < from || time >= from + count * secondsPerPixel) return;

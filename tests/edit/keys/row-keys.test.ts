@@ -1,6 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { areSelected, keysBetween, nearestKeyTime, selectedCount, spanOf } from '../../../src/edit/keys/row-keys.ts';
+import { keysOf } from '../../../src/model/clip.ts';
 import { channel } from '../../ui/builders.ts';
 import { channels, someKeys } from '../../ui/editors/dope/arbitrary.ts';
 
@@ -12,7 +13,7 @@ describe('keys between two times', () => {
       fc.property(channels, span, (all, [from, length]) => {
         const to = from + length;
         const of = [...all.keys()];
-        const walked = someKeys(all, (c, i) => all[c].times[i] >= from && all[c].times[i] <= to);
+        const walked = someKeys(all, (c, i) => keysOf(all[c]).times[i] >= from && keysOf(all[c]).times[i] <= to);
         expect(keysBetween(all, of, from, to)).toEqual(walked);
       }),
     );
@@ -32,7 +33,7 @@ describe('the nearest key', () => {
     const at = fc.double({ min: -1, max: 2, noNaN: true });
     fc.assert(
       fc.property(channels, at, fc.double({ min: 0.001, max: 1, noNaN: true }), (all, time, reach) => {
-        const distances = all.flatMap(({ times }) => [...times].map((t) => Math.abs(t - time)));
+        const distances = all.map(keysOf).flatMap(({ times }) => [...times].map((t) => Math.abs(t - time)));
         const least = Math.min(...distances, Number.POSITIVE_INFINITY);
         const found = nearestKeyTime(all, [...all.keys()], time, reach);
         if (least > reach) expect(found).toBeUndefined();

@@ -10,7 +10,7 @@ import {
   withoutKeys,
 } from '../../../src/edit/keys/selection.ts';
 import type { ChannelClip } from '../../../src/model/clip.ts';
-import { keylessChannel } from '../../../src/model/clip.ts';
+import { restChannel } from '../../../src/model/clip.ts';
 import type { ChannelKeys } from '../../../src/model/session.ts';
 import { channelOf } from './channels.ts';
 
@@ -24,7 +24,7 @@ const clip: ChannelClip = {
       [1, 1],
       [2, 0],
     ]),
-    keylessChannel(1),
+    restChannel(1),
     channelOf([
       [1, 0],
       [3, 0],

@@ -13,6 +13,7 @@ import { poseByNames } from '../../../src/edit/pose/by-names.ts';
 import { CommandError, documentIn, Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { keysOf } from '../../../src/model/clip.ts';
 import { type Document, findCharacter } from '../../../src/model/document.ts';
 import { EULER_ORDERS, type Joint } from '../../../src/model/skeleton.ts';
 import { character, clip, documentOf, joint, morph } from '../../helpers/builders.ts';
@@ -70,7 +71,7 @@ describe('poses.mirror', () => {
     expect(next.characters[0].unkeyed?.dofs).not.toContain(1);
     const auto = documentIn(mirrorPose.run(keyed, { ...at, timeSeconds: 0.5, way: 'swap', key: {} }));
     expect(auto.characters[0].unkeyed).toBeUndefined();
-    expect(auto.characters[0].clips[0].channels.slice(0, 18).every(({ times }) => times.includes(0.5))).toBe(true);
+    expect(auto.characters[0].clips[0].channels.slice(0, 18).every((c) => keysOf(c).times.includes(0.5))).toBe(true);
     expect(shown(auto, 0.5).slice(12, 15)).toEqual([0.1, -0.2, -0.3]);
   });
 });

@@ -13,7 +13,7 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { readSkel } from '../../../src/formats/skel/read.ts';
 import { readSkin } from '../../../src/formats/skin/read.ts';
-import { keylessChannel } from '../../../src/model/clip.ts';
+import { followingSamples, keysOf, restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import { type Character, type Document, isBvh } from '../../../src/model/document.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
@@ -117,7 +117,7 @@ describe('rig.addJoint', () => {
       scales: new Float64Array(6).fill(RADIANS_PER_DEGREE),
       interpolation: 'linear' as const,
     };
-    const sampled = { ...clip('walk', []), channels: pose.map((rest) => keylessChannel(rest)), samples };
+    const sampled = { ...clip('walk', []), channels: followingSamples(pose.map(restChannel), samples), samples };
     const made = done(
       addJoint,
       documentOf(
@@ -141,7 +141,7 @@ describe('rig.addJoint', () => {
     const grown = [...pose.slice(0, 12), 0, 0, 0, ...pose.slice(12)];
     expect(made.pose).toEqual(grown);
     expect(made.poses?.[0].values).toEqual(grown);
-    expect(made.clips[0].channels.map(({ values, rest = 0 }) => values[0] ?? rest)).toEqual(grown);
+    expect(made.clips[0].channels.map((c) => (c.kind === 'rest' ? c.value : keysOf(c).values[0]))).toEqual(grown);
     expect(made.clips[1].samples?.firstChannel).toBe(9);
     expect([...(made.clips[1].samples?.values ?? [])]).toEqual([
       0, 1, 2, 0, 0, 0, 3, 4, 5, 6, 7, 8, 0, 0, 0, 9, 10, 11,
@@ -334,7 +334,7 @@ describe('rig.reparent', () => {
     const pose = Array.from({ length: 15 }, (_, d) => (d < 12 ? 0 : 0.5));
     const walk = {
       ...clip('walk', []),
-      channels: pose.map((rest) => keylessChannel(rest)),
+      channels: pose.map((rest, c) => (c >= 6 && c < 12 ? SAMPLED : restChannel(rest))),
       samples: {
         frameCount: 2,
         frameSeconds: 1,
@@ -396,7 +396,7 @@ describe('rig.setMotion', () => {
       motion: { kind: 'universal', order: 'yz' },
     });
     expect(made.pose).toEqual([0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 14]);
-    expect(made.clips[0].channels.map((c) => c.values[0])).toEqual(made.pose);
+    expect(made.clips[0].channels.map((c) => keysOf(c).values[0])).toEqual(made.pose);
     expect(jointsOf(made)[1].limits).toEqual([{ min: -1, max: 1 }, UNLIMITED]);
   });
 

@@ -3,11 +3,11 @@ import fc from 'fast-check';
 import { COMMANDS_BY_ID } from '../../../src/edit/commands/all.ts';
 import type { Command, Edit } from '../../../src/edit/store.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Channel, type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
+import { type Channel, type ChannelClip, followingSamples, restChannel } from '../../../src/model/clip.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { filePose, rootDofCount } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
-import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
+import { RADIANS_PER_DEGREE, type Samples } from '../../../src/model/samples.ts';
 import {
   AXIS_PAIRS,
   type BvhChannel,
@@ -158,28 +158,23 @@ function randomClip(dice: Dice, skeleton: Skeleton, dofs: number): ChannelClip {
   const count = dice.is(0.7) ? dofs + dice.below(2) : dice.below(dofs);
   const channels = Array.from({ length: count }, (_, c): Channel => {
     const rest = rests[c] ?? 0;
-    if (dice.is(0.5)) return keylessChannel(rest);
+    if (dice.is(0.5)) return restChannel(rest);
     return channelOf([0, 1, 2].map((time) => [time, rest + dice.number() / 4] as const));
   });
   const clip = { name: 'hero_walk', range: [0, 2] as const, channels };
   if (count === 0 || dice.is(0.4)) return clip;
   const first = dice.below(count);
   const width = 1 + dice.below(count - first);
-  return {
-    ...clip,
-    samples: {
-      frameCount: 4,
-      frameSeconds: 0.5,
-      startSeconds: 0,
-      firstChannel: first,
-      values: Float64Array.from(
-        { length: 4 * width },
-        (_, i) => (rests[first + (i % width)] ?? 0) * 40 + dice.number(),
-      ),
-      scales: Float64Array.from({ length: width }, () => dice.pick([RADIANS_PER_DEGREE, 0.025])),
-      interpolation: dice.pick(['nearest', 'linear'] as const),
-    },
+  const samples: Samples = {
+    frameCount: 4,
+    frameSeconds: 0.5,
+    startSeconds: 0,
+    firstChannel: first,
+    values: Float64Array.from({ length: 4 * width }, (_, i) => (rests[first + (i % width)] ?? 0) * 40 + dice.number()),
+    scales: Float64Array.from({ length: width }, () => dice.pick([RADIANS_PER_DEGREE, 0.025])),
+    interpolation: dice.pick(['nearest', 'linear'] as const),
   };
+  return { ...clip, channels: followingSamples(channels, samples), samples };
 }
 
 /** One that has all there is, and another that its take moves. */

@@ -5,7 +5,7 @@ import { documentIn, Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Channel, FIXED, keylessChannel } from '../../../src/model/clip.ts';
+import { type Channel, FIXED, followingSamples, keysOf, restChannel } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Motion, Skeleton } from '../../../src/model/skeleton.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
@@ -38,7 +38,8 @@ function hinged(axis: Vec3): Character {
       joint(1, { name: 'foot', couples: [{ dof: 'rx', joint: 1, follows: 'r', gain: 0.5, offset: 0.1 }] }),
     ],
   };
-  const channels = [0, 1, 2].map(() => keylessChannel()).concat(sloped());
+  const resting: readonly Channel[] = [0, 1, 2].map(() => restChannel());
+  const channels = [...resting, sloped()];
   const clip = { name: 'walk', range: [0, 1] as const, channels };
   return character({
     skeleton,
@@ -46,7 +47,7 @@ function hinged(axis: Vec3): Character {
     poses: [{ name: 'bent', values: [0, 0, 0, 0.5, 0, 0, 0] }],
     clips: [
       clip,
-      { ...clip, name: 'capture', channels: channels.slice(0, 3).concat(keylessChannel()), samples: SAMPLES },
+      { ...clip, name: 'capture', channels: followingSamples([...resting, restChannel()], SAMPLES), samples: SAMPLES },
     ],
     shownClip: 0,
   });
@@ -94,7 +95,7 @@ describe('a hinge along an axis that becomes a ball', () => {
     expect(thigh.pose).toEqual([-0.25, 0, 0]);
     expect(after.pose.slice(3, 6)).toEqual([-0.125, 0, 0]);
     expect(after.poses?.[0].values.slice(3, 6)).toEqual([-0.5, 0, 0]);
-    const { values, tangentsIn, tangentsOut } = after.clips[0].channels[3];
+    const { values, tangentsIn, tangentsOut } = keysOf(after.clips[0].channels[3]);
     expect([values, tangentsIn.slopes, tangentsOut.slopes].map((column) => [...column])).toEqual([
       [-0.25, 0.5],
       [-1, 2],
@@ -137,7 +138,7 @@ describe('keys that have no DOF to go to', () => {
     const store = new Store(documentOf(hinged([0, 1, 1])));
     store.apply(setMotion, { characterId: 'c1', joint: 1, motion: BALL });
     expect(store.undoLabel).toBe('Set type of thigh, losing 2 keys and samples of r');
-    expect(store.document.characters[0].clips[0].channels.every(({ times }) => times.length === 0)).toBe(true);
+    expect(store.document.characters[0].clips[0].channels.every(({ kind }) => kind === 'rest')).toBe(true);
   });
 
   it('keys that have no DOF to go to are counted over all takes, and are none where all are kept', () => {

@@ -7,7 +7,7 @@ import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.t
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
-import { keylessChannel } from '../../../src/model/clip.ts';
+import { SAMPLED } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
@@ -146,7 +146,7 @@ describe('a take of motion capture', () => {
     const walk = {
       name: 'walk',
       range: [0, 1] as const,
-      channels: Array.from({ length: 9 }, () => keylessChannel()),
+      channels: Array.from({ length: 9 }, () => SAMPLED),
       samples: {
         frameCount: 2,
         frameSeconds: 1,

@@ -3,6 +3,7 @@ import { convertSteps, convertToKeys } from '../../../src/edit/commands/samples.
 import { CommandError, Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
+import { keysOf } from '../../../src/model/clip.ts';
 import { shownClip } from '../../../src/model/document.ts';
 import { CHAIN, documentWith, swing, swinging, take, WIDTH } from './made.ts';
 
@@ -53,7 +54,7 @@ describe('converting samples to keys', () => {
     expect('samples' in converted().after).toBe(false);
     const some = converted(swing, { channels: [6, 7, 8] }).after;
     expect(some.samples).toBe(swing.samples);
-    expect(some.channels.map((c) => c.times.length > 0)).toEqual(
+    expect(some.channels.map((c) => keysOf(c).times.length > 0)).toEqual(
       Array.from({ length: WIDTH }, (_, c) => c >= 6 && c < 9),
     );
   });
@@ -62,15 +63,15 @@ describe('converting samples to keys', () => {
     // Twice around: −180 … 180 as files have it.
     const turning = take((c, t) => (c === 3 ? ((360 * t + 180) % 360) - 180 : 0));
     const { after } = converted(turning);
-    const { values } = after.channels[3];
+    const { values } = keysOf(after.channels[3]);
     expect(values[values.length - 1]).toBeCloseTo(4 * Math.PI, 6);
     expect(values.length).toBeLessThan(6);
   });
 
   it('makes one key of what stands still', () => {
     const { after } = converted(take(() => 7));
-    expect(after.channels.map((c) => c.times.length)).toEqual(new Array(WIDTH).fill(1));
-    expect(after.channels[0].values[0]).toBe(7);
+    expect(after.channels.map((c) => keysOf(c).times.length)).toEqual(new Array(WIDTH).fill(1));
+    expect(keysOf(after.channels[0]).values[0]).toBe(7);
   });
 
   it('pauses with the part that is done, which never falls', () => {
@@ -84,7 +85,7 @@ describe('converting samples to keys', () => {
     const long = take((c, t) => (c === 3 ? 40 * Math.sin(t) : 0), 5000);
     const { after, report } = converted(long);
     expect(report.worstAngle.error).toBeLessThanOrEqual(tolerance.angle);
-    const { times } = after.channels[3];
+    const { times } = keysOf(after.channels[3]);
     expect(times.every((t, k) => k === 0 || t > times[k - 1])).toBe(true);
     expect(times.length).toBeLessThan(200);
   });

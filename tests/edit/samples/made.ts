@@ -1,5 +1,5 @@
 /** Made takes: a chain of BVH joints that swings, for the tools for samples. */
-import { type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
+import { type ChannelClip, SAMPLED } from '../../../src/model/clip.ts';
 import type { Character, Document } from '../../../src/model/document.ts';
 import { RADIANS_PER_DEGREE, type Samples } from '../../../src/model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
@@ -31,7 +31,7 @@ export function take(of: (column: number, seconds: number) => number, frameCount
     scales: Float64Array.from({ length: WIDTH }, (_, c) => (c < 3 ? 1 : RADIANS_PER_DEGREE)),
     interpolation: 'linear',
   };
-  const channels = Array.from({ length: WIDTH }, () => keylessChannel());
+  const channels = Array.from({ length: WIDTH }, () => SAMPLED);
   return { name: 'swing', range: [0, (frameCount - 1) / rate], channels, samples };
 }
 

@@ -19,7 +19,7 @@ import { finished } from '../../../src/edit/samples/steps.ts';
 import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
 import { CommandError } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
-import type { ChannelClip } from '../../../src/model/clip.ts';
+import { type ChannelClip, keysOf } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
 import { documentOf } from '../../helpers/builders.ts';
 import { channelOf } from '../keys/channels.ts';
@@ -126,7 +126,7 @@ describe('reversing a take', () => {
     }
     const twice = clipOf(reverseSamples.run(documentWith(clip), c1));
     expect(twice.samples?.values).toEqual(swing.samples?.values);
-    expect([...twice.channels[0].times]).toEqual([0, 1]);
+    expect([...keysOf(twice.channels[0]).times]).toEqual([0, 1]);
   });
 });
 

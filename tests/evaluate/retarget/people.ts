@@ -1,7 +1,7 @@
 /** Small people to put takes onto each other: the same body under other names, in other poses, units and axes. */
 import '../../../src/evaluate/retarget/driving.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type ChannelClip, keylessChannel } from '../../../src/model/clip.ts';
+import { type ChannelClip, restChannel, SAMPLED } from '../../../src/model/clip.ts';
 import type { Driver, Space } from '../../../src/model/document.ts';
 import { filePose, jointDofCount, rootDofCount } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
@@ -110,7 +110,7 @@ export function take(skeleton: Skeleton, rows: readonly (readonly number[])[], f
   return {
     name: 'take',
     range: [0, (rows.length - 1) * frameSeconds],
-    channels: Array.from({ length: first + width }, () => keylessChannel()),
+    channels: Array.from({ length: first + width }, (_, c) => (c < first ? restChannel() : SAMPLED)),
     samples,
   };
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { fitOneBvh, writeBvh, writeBvhPieces } from '../../../src/formats/bvh/write.ts';
+import { restChannel } from '../../../src/model/clip.ts';
 import type { Joint, Skeleton } from '../../../src/model/skeleton.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 
@@ -89,7 +90,7 @@ Frame Time: 0.04
     const { skeleton, clip } = bvhFigure(DANCER, [ROW, ROW]);
     if (!clip) throw new Error('There is a clip.');
     const { samples: _, ...still } = clip;
-    const channels = still.channels.map((channel, c) => (c === 6 ? { ...channel, rest: Math.PI } : channel));
+    const channels = still.channels.map((_, c) => restChannel(c === 6 ? Math.PI : 0));
     expect(writeBvh([{ skeleton, clip: { ...still, channels } }]).text).toMatch(/\n0 0 0 0 0 0 180 0 0\n$/);
   });
 

@@ -2,7 +2,7 @@
 
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
-import { EXTRAPOLATIONS, isSampled } from '../../../model/clip.ts';
+import { EXTRAPOLATIONS } from '../../../model/clip.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import { actionsOf } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
@@ -67,9 +67,10 @@ export function openChannelMenu(wb: Workbench, channel: number, where: Place, fo
   const take = takeInHand(wb);
   if (!take) return;
   const label = channelName(namedChannel(take.character, channel));
-  if (isSampled(take.clip, channel)) {
+  const kind = take.clip.channels[channel]?.kind;
+  if (kind === 'samples') {
     openMenu(where, sampledEntries(wb, channel), { label, focusFirst });
-  } else if (take.clip.channels[channel]?.times.length) {
+  } else if (kind === 'keys') {
     selectCurve(wb, channel);
     openMenu(where, channelEntries(wb, channel), { label, focusFirst });
   } else {
@@ -108,8 +109,7 @@ function keyEntries(wb: Workbench): MenuEntry[] {
 }
 
 function isSampledHere(wb: Workbench, channel: number): boolean {
-  const clip = takeInHand(wb)?.clip;
-  return clip !== undefined && isSampled(clip, channel);
+  return takeInHand(wb)?.clip.channels[channel]?.kind === 'samples';
 }
 
 /** Of a curve that follows samples: it has no keys to do anything with. */

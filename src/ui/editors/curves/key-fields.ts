@@ -5,6 +5,7 @@
 import { setKeys } from '../../../edit/commands/keys.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import { keySlope } from '../../../evaluate/slopes.ts';
+import { keysOf } from '../../../model/clip.ts';
 import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { DofUnit } from '../../../model/skeleton.ts';
@@ -38,7 +39,7 @@ function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[
   if (!keys.length || countKeys(keys) > MOST_KEYS) return MIXED;
   let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
   for (const { channel: c, indices } of keys) {
-    const channel = clip.channels[c];
+    const channel = keysOf(clip.channels[c]);
     for (const index of indices) {
       const own = {
         time: channel.times[index],

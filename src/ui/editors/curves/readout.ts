@@ -1,5 +1,6 @@
 /** The corner that says in numbers what is under the pointer, and what a drag has come to. */
 
+import { keysOf } from '../../../model/clip.ts';
 import { element, setText } from '../../kit/dom.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
@@ -43,11 +44,11 @@ export class Readout {
     const take = takeInHand(wb);
     const name = take ? channelName(namedChannel(take.character, line.channel)) : line.name;
     if (hover.kind === 'curve') return [hover.timeSeconds - offsetSeconds, name, valueText(wb, line.unit, hover.value)];
-    const channel = clip.channels[hover.channel];
+    const { times, values } = keysOf(clip.channels[hover.channel]);
     // A key that a drag has taken away.
-    if (!(hover.index < channel.times.length)) return [at, name, ''];
-    const value = valueText(wb, line.unit, channel.values[hover.index]);
-    return [channel.times[hover.index] - offsetSeconds, name, value];
+    if (!(hover.index < times.length)) return [at, name, ''];
+    const value = valueText(wb, line.unit, values[hover.index]);
+    return [times[hover.index] - offsetSeconds, name, value];
   }
 }
 

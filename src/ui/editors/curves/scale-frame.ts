@@ -1,5 +1,6 @@
 /** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
 
+import { keysOf } from '../../../model/clip.ts';
 import { button, element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -129,8 +130,8 @@ function edgesOf(scene: CurveScene): Edges | undefined {
   const lines = new Map(scene.lines.map((l) => [l.channel, l]));
   for (const { channel, indices } of scene.selected) {
     const line = lines.get(channel);
-    const keys = clip.channels[channel];
-    if (!line || !keys || !indices.length) continue;
+    const keys = keysOf(clip.channels[channel]);
+    if (!line || !indices.length) continue;
     count += indices.length;
     left = Math.min(left, xOf(space, keys.times[indices[0]] - offsetSeconds));
     right = Math.max(right, xOf(space, keys.times[indices[indices.length - 1]] - offsetSeconds));

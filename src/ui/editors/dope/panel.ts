@@ -236,8 +236,9 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const { channels, range } = take.clip;
     const offset = take.character.timeOffsetSeconds;
     let [from, to] = range;
-    for (const { times } of channels) {
-      if (!times.length) continue;
+    for (const channel of channels) {
+      if (channel.kind !== 'keys') continue;
+      const { times } = channel;
       from = Math.min(from, times[0]);
       to = Math.max(to, times[times.length - 1]);
     }

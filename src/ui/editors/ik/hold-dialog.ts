@@ -2,7 +2,7 @@
 import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
 import type { HeldTake } from '../../../edit/hold/hold.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
-import type { Extrapolation } from '../../../model/clip.ts';
+import { type Extrapolation, keysOf } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -94,7 +94,7 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
   const names = channels
     .filter((channel) => {
       const [was, now] = [own?.channels[channel], clip.channels[channel]];
-      if (!was || was.times.length < 2) return false;
+      if (!was || keysOf(was).times.length < 2) return false;
       const isLost = (side: 'extrapolateIn' | 'extrapolateOut') => isRepetition(was[side]) && !isRepetition(now[side]);
       return isLost('extrapolateIn') || isLost('extrapolateOut');
     })

@@ -10,6 +10,7 @@ import { findKey } from '../../../edit/keys/same-time.ts';
 import { keysAtTime } from '../../../edit/keys/selection.ts';
 import { channelOf } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
+import { keysOf } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { DofValue } from '../../state/posing.ts';
@@ -57,7 +58,7 @@ export function deleteKeysNow(wb: Workbench, character: Character, dofs?: readon
 
 /** Deletes every key of a DOF, which goes on standing where it is. */
 export function deleteAllKeys(wb: Workbench, character: Character, dof: number): void {
-  const indices = [...(channelOf(character, dof)?.times.keys() ?? [])];
+  const indices = [...keysOf(channelOf(character, dof)).times.keys()];
   if (!indices.length) return;
   const keys = [{ channel: dof, indices }];
   wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
@@ -66,7 +67,7 @@ export function deleteAllKeys(wb: Workbench, character: Character, dof: number):
 /** Whether a DOF has a key at the moment shown. Cheap enough for every row at every frame. */
 export function isKeyedNow(wb: Workbench, character: Character, dof: number): boolean {
   const channel = channelOf(character, dof);
-  return channel !== undefined && findKey(channel, clipTime(wb, character)) >= 0;
+  return channel?.kind === 'keys' && findKey(channel, clipTime(wb, character)) >= 0;
 }
 
 /** The DOFs of a joint, and of the root its translation too, as inspector and timeline have it. */

@@ -1,5 +1,4 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
-import { isSampled } from '../../../model/clip.ts';
 import type { ChannelList, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Workbench } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
@@ -11,11 +10,11 @@ const inHand = (wb: Workbench) => channelsInHand(wb).length > 0;
 const hasSamples = (wb: Workbench) => takeInHand(wb)?.clip.samples !== undefined;
 /** Tools for curves of keys have nothing to do on samples. */
 const keyedInHand = (wb: Workbench) =>
-  channelsInHand(wb).some((c) => (takeInHand(wb)?.clip.channels[c]?.times.length ?? 0) > 0);
+  channelsInHand(wb).some((c) => takeInHand(wb)?.clip.channels[c]?.kind === 'keys');
 /** … but for those that ask nothing of what lies between frames. */
 const animatedInHand = (wb: Workbench) => {
   const clip = takeInHand(wb)?.clip;
-  return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+  return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
 };
 
 function curves(id: string, label: string, shortcuts: readonly string[], more: Omit<Action, 'id' | 'label' | 'group'>) {

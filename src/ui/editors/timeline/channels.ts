@@ -3,7 +3,7 @@
  * timeline's settings alone; nothing is remembered here.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { isSampled } from '../../../model/clip.ts';
+import { keysOf } from '../../../model/clip.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, unitOfChannel } from '../../../model/dofs.ts';
@@ -87,8 +87,8 @@ export function namedChannel(character: Character, channel: number): ListedChann
     joint: ofJoint ? jointName(character.skeleton, dof.joint) : '',
     dof: dof?.name ?? `channel ${channel}`,
     unit: unitOfChannel(dofs, channel),
-    keyCount: clip?.channels[channel]?.times.length ?? 0,
-    sampleCount: clip?.samples && isSampled(clip, channel) ? clip.samples.frameCount : 0,
+    keyCount: keysOf(clip?.channels[channel]).times.length,
+    sampleCount: clip?.channels[channel]?.kind === 'samples' ? (clip.samples?.frameCount ?? 0) : 0,
   };
 }
 

@@ -2,7 +2,6 @@
 import type { OfChannels } from '../../../edit/channel-edits.ts';
 import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/channels.ts';
 import { Trial } from '../../../edit/trial.ts';
-import { isSampled } from '../../../model/clip.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 import { plural } from '../../kit/number-text.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -14,9 +13,9 @@ export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
   const take = takeInHand(wb);
   if (!take) return;
   const { character, clip } = take;
-  const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length);
+  const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.kind === 'keys');
   if (tool === 'euler') {
-    const animated = channelsInHand(wb).filter((c) => clip.channels[c]?.times.length || isSampled(clip, c));
+    const animated = channelsInHand(wb).filter((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
     // Of a root with its positions nobody has to hear that these are no angles.
     const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
     const channels = angles.length > 0 ? angles : animated;

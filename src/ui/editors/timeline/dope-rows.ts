@@ -12,7 +12,7 @@
  * list and not in a tree: one looks for *when* here, and a hand would be ten folds away.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
-import { type ChannelClip, isSampled } from '../../../model/clip.ts';
+import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { type CharacterDof, rootDofCount } from '../../../model/dofs.ts';
@@ -115,8 +115,7 @@ export function keyedChannels(character: Character, filter: string): number[] {
 export function sameRows(a: ChannelClip, b: ChannelClip): boolean {
   if (a === b) return true;
   if (a.channels.length !== b.channels.length) return false;
-  const sameSamples = a.samples?.firstChannel === b.samples?.firstChannel && widthOf(a) === widthOf(b);
-  return a.channels.every((c, i) => (sameSamples && c === b.channels[i]) || isAnimated(a, i) === isAnimated(b, i));
+  return a.channels.every((c, i) => c === b.channels[i] || isAnimated(a, i) === isAnimated(b, i));
 }
 
 /** Every fold that a character with such a clip has. */
@@ -182,9 +181,5 @@ function channelRows(
 }
 
 function isAnimated(clip: ChannelClip, channel: number): boolean {
-  return clip.channels[channel].times.length > 0 || isSampled(clip, channel);
-}
-
-function widthOf({ samples }: ChannelClip): number {
-  return samples?.scales.length ?? 0;
+  return clip.channels[channel].kind !== 'rest';
 }

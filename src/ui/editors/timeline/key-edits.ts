@@ -6,7 +6,7 @@ import { breakTangents, setTangents, unifyTangents } from '../../../edit/command
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
 import type { Side } from '../../../edit/keys/tangents.ts';
-import type { Extrapolation, TangentKind } from '../../../model/clip.ts';
+import { type Extrapolation, keysOf, type TangentKind } from '../../../model/clip.ts';
 import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural, shown } from '../../kit/number-text.ts';
@@ -161,8 +161,7 @@ export function selectWhere(wb: Workbench, channels: readonly number[], test: (t
   const { timeOffsetSeconds } = take.character;
   const keys: ChannelKeys[] = [];
   for (const channel of [...channels].sort((a, b) => a - b)) {
-    const times = take.clip.channels[channel]?.times;
-    if (!times) continue;
+    const { times } = keysOf(take.clip.channels[channel]);
     const indices: number[] = [];
     for (let i = 0; i < times.length; i++) if (test(times[i] - timeOffsetSeconds)) indices.push(i);
     if (indices.length) keys.push({ channel, indices });
@@ -177,7 +176,7 @@ export function invertSelection(wb: Workbench): void {
   const held = new Map(keysInHand(wb).map((k) => [k.channel, new Set(k.indices)]));
   const keys: ChannelKeys[] = [];
   for (const channel of [...channelsInView(wb)].sort((a, b) => a - b)) {
-    const count = take.clip.channels[channel].times.length;
+    const count = keysOf(take.clip.channels[channel]).times.length;
     const indices: number[] = [];
     for (let i = 0; i < count; i++) if (!held.get(channel)?.has(i)) indices.push(i);
     if (indices.length) keys.push({ channel, indices });
@@ -199,8 +198,7 @@ export function selectedText(wb: Workbench, keys: readonly ChannelKeys[] = keysI
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;
   for (const { channel, indices } of keys) {
-    const times = take.clip.channels[channel]?.times;
-    if (!times) continue;
+    const { times } = keysOf(take.clip.channels[channel]);
     first = Math.min(first, times[indices[0]]);
     last = Math.max(last, times[indices[indices.length - 1]]);
   }

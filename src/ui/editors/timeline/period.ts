@@ -3,7 +3,7 @@
  * step does it, by whichever key, drag, field or dialog, it is said once, at the end of it.
  */
 import { sameTime } from '../../../edit/keys/same-time.ts';
-import type { Channel, ChannelClip, Extrapolation } from '../../../model/clip.ts';
+import { type Channel, type ChannelClip, type Extrapolation, keysOf } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -59,6 +59,7 @@ function repeats(channel: Channel): boolean {
 }
 
 /** Seconds from the first key to the last; 0 without keys. */
-export function period({ times }: Channel): number {
+export function period(channel: Channel): number {
+  const { times } = keysOf(channel);
   return times.length ? times[times.length - 1] - times[0] : 0;
 }

@@ -1,7 +1,7 @@
 /** Channels of every kind, and views of them, for properties about what is drawn. */
 import fc from 'fast-check';
 import type { TraceMap } from '../../../../src/evaluate/plot/trace-path.ts';
-import { type Channel, EXTRAPOLATIONS } from '../../../../src/model/clip.ts';
+import { type Channel, EXTRAPOLATIONS, restChannel } from '../../../../src/model/clip.ts';
 
 /** Times that clocks and files know: between 0 and the smallest double there is no moment, and no pixel either. */
 const toMicroseconds = (seconds: number) => Math.round(seconds * 1e6) / 1e6;
@@ -28,14 +28,15 @@ export function anyChannel(keys: number, least = 0): fc.Arbitrary<Channel> {
       extrapolateOut: extrapolation,
       rest: fc.constantFrom(undefined, 0.5),
     })
-    .map(({ start, list, extrapolateIn, extrapolateOut, rest }) => {
+    .map(({ start, list, extrapolateIn, extrapolateOut, rest }): Channel => {
       let time = start;
       const column = (tangents: readonly { kind: number; slope: number }[]) => ({
         kinds: Uint8Array.from(tangents, (t) => t.kind),
         slopes: Float64Array.from(tangents, (t) => (t.kind === 3 ? t.slope : 0)),
       });
+      if (list.length === 0) return { ...restChannel(rest), extrapolateIn, extrapolateOut };
       return {
-        ...(list.length === 0 && rest !== undefined && { rest }),
+        kind: 'keys',
         extrapolateIn,
         extrapolateOut,
         times: Float64Array.from(list, (k, i) => {

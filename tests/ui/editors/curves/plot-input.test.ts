@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { keysOf } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { type PlotHost, PlotInput } from '../../../../src/ui/editors/curves/plot-input.ts';
 import { PlotScene } from '../../../../src/ui/editors/curves/plot-scene.ts';
@@ -31,7 +32,7 @@ let page: EventTarget;
 let element: FakeElement;
 let input: PlotInput;
 
-const times = () => [...(shownClip(wb.store.document.characters[0])?.channels[0].times ?? [])];
+const times = () => [...(keysOf(shownClip(wb.store.document.characters[0])?.channels[0]).times ?? [])];
 
 function host(): PlotHost {
   return {

@@ -4,7 +4,7 @@ import { compileClip } from '../../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../../src/evaluate/curves.ts';
 import { extremesOver, sampleExtremes } from '../../../../src/evaluate/plot/sample-extremes.ts';
 import { heightOf, type TraceMap } from '../../../../src/evaluate/plot/trace-path.ts';
-import { type ChannelClip, keylessChannel } from '../../../../src/model/clip.ts';
+import { type ChannelClip, SAMPLED } from '../../../../src/model/clip.ts';
 import { INTERPOLATIONS, type Samples } from '../../../../src/model/samples.ts';
 import { LineTrace, traceLine } from '../../../../src/ui/editors/curves/scene/trace.ts';
 
@@ -65,7 +65,7 @@ describe('a line of samples', () => {
   const clipOf = (samples: Samples): ChannelClip => ({
     name: 'take',
     range: [1, 2],
-    channels: Array.from(samples.scales, () => keylessChannel()),
+    channels: Array.from(samples.scales, () => SAMPLED),
     samples,
   });
 

@@ -20,6 +20,7 @@ export function keyed(keys: readonly (readonly [number, number])[], slope = 0): 
     slopes: new Float64Array(keys.length).fill(slope),
   });
   return {
+    kind: 'keys',
     extrapolateIn: 'constant',
     extrapolateOut: 'constant',
     times: Float64Array.from(keys, ([time]) => time),

@@ -1,4 +1,5 @@
 import { expect, it } from 'vitest';
+import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { channelsInView, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
@@ -6,12 +7,15 @@ import { channel, character, clip, documentOf, skeleton, workbench } from '../..
 
 /** Keys in channels 3 and 4, of the hips, and 6, of the knee. */
 function sheet() {
-  const none = channel();
+  const none = restChannel();
   const walking = clip([0, 5], none, none, none, channel(1, 2), channel(1), none, channel(3), none, none);
   const wasp = character({ skeleton: skeleton(['hips', -1], ['knee', 0]), clips: [walking] });
   const { wb } = workbench(documentOf(wasp), { framesPerSecond: 10 });
   wb.timeline.change({ tab: 'dope' });
-  return { wb, times: (c: number) => [...(shownClip(wb.store.document.characters[0])?.channels[c].times ?? [])] };
+  return {
+    wb,
+    times: (c: number) => [...(keysOf(shownClip(wb.store.document.characters[0])?.channels[c]).times ?? [])],
+  };
 }
 
 it('has every channel with keys in view, whatever joint is selected, and those that the filter finds', () => {

@@ -1,6 +1,6 @@
 /** Clips, rows, selections and sheets for the properties of the dope sheet. */
 import fc from 'fast-check';
-import type { Channel } from '../../../../src/model/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../../src/model/clip.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
 import type { Sheet } from '../../../../src/ui/editors/dope/sheet.ts';
 import { channel } from '../../builders.ts';
@@ -12,13 +12,15 @@ const time = fc.oneof(
 );
 
 export const channels: fc.Arbitrary<Channel[]> = fc.array(
-  fc.array(time, { maxLength: 40 }).map((times) => channel(...times.sort((a, b) => a - b))),
+  fc
+    .array(time, { maxLength: 40 })
+    .map((times): Channel => (times.length ? channel(...times.sort((a, b) => a - b)) : restChannel())),
   { minLength: 1, maxLength: 6 },
 );
 
 /** Some of the keys, by a coin for each. */
 export function someKeys(of: readonly Channel[], coin: (channel: number, index: number) => boolean): ChannelKeys[] {
-  return of.flatMap(({ times }, c) => {
+  return of.map(keysOf).flatMap(({ times }, c) => {
     const indices = [...times.keys()].filter((i) => coin(c, i));
     return indices.length ? [{ channel: c, indices }] : [];
   });

@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { spanOf } from '../../../../src/edit/keys/row-keys.ts';
+import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import type { ChannelKeys } from '../../../../src/model/session.ts';
 import type { DopeHost, Pointer } from '../../../../src/ui/editors/dope/gesture.ts';
@@ -28,7 +29,7 @@ const SHEET: Sheet = {
 const HELD = { shift: false, ctrl: false, alt: false };
 
 function stage() {
-  const none = channel();
+  const none = restChannel();
   const walking = clip([0, 5], none, none, none, channel(1, 2, 4), channel(1), none);
   const wasp = character({ skeleton: skeleton(['hips', -1]), clips: [walking] });
   const { wb } = workbench(documentOf(wasp), { framesPerSecond: 10 });
@@ -52,7 +53,7 @@ function stage() {
   /** From one place to another, and letting go. */
   const dragTo = (from: Pointer, to: Pointer) => drag(from, to)?.release(to, true);
   const click = (at: Pointer) => drag(at)?.release(at, false);
-  const times = (c = 3) => [...channels()[c].times].map((t) => Number(t.toFixed(6)));
+  const times = (c = 3) => [...keysOf(channels()[c]).times].map((t) => Number(t.toFixed(6)));
   return { wb, drag, dragTo, click, times, keys };
 }
 

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Channel } from '../../../../src/model/clip.ts';
+import { type Channel, keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { hitSheet, keysInBox, REACH, rowsTouched, type SheetKeys } from '../../../../src/ui/editors/dope/hit.ts';
 import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, timeAt, xOf } from '../../../../src/ui/editors/dope/sheet.ts';
 import type { DopeRow } from '../../../../src/ui/editors/timeline/dope-rows.ts';
@@ -52,7 +52,7 @@ describe('what is under the pointer', () => {
   });
 
   it('takes times that are the same but for rounding for one', () => {
-    const close: SheetKeys = { ...shown, channels: [channel(0.5), channel(0.5 - 1e-12), channel()] };
+    const close: SheetKeys = { ...shown, channels: [channel(0.5), channel(0.5 - 1e-12), restChannel()] };
     const hit = hitSheet(sheet, close, 500, middle(1));
     expect(hit.kind === 'keys' && hit.keys).toHaveLength(2);
   });
@@ -106,7 +106,7 @@ describe('a box', () => {
         const scrolled = { ...drawn, rowCount: rows.length };
         const box = { x0: a.x, y0: a.y, x1: b.x, y1: b.y };
         const inBox = (c: number, i: number) => {
-          const time = all[c].times[i];
+          const time = keysOf(all[c]).times[i];
           const from = timeAt(scrolled, Math.min(a.x, b.x)) + offsetSeconds;
           const to = timeAt(scrolled, Math.max(a.x, b.x)) + offsetSeconds;
           if (time < from || time > to) return false;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { type Channel, type Extrapolation, keylessChannel } from '../../../../src/model/clip.ts';
+import { type Channel, type Extrapolation, restChannel } from '../../../../src/model/clip.ts';
 import { firstRange, writtenOutText } from '../../../../src/ui/editors/ik/hold-dialog.ts';
 import { character, clip, skeleton } from '../../builders.ts';
 
@@ -10,7 +10,7 @@ const [TOE_X, TOE_Y] = [6, 7];
 function keyed(before: Extrapolation, after: Extrapolation): Channel {
   const flat = { kinds: new Uint8Array(2), slopes: new Float64Array(2) };
   return {
-    ...keylessChannel(0),
+    kind: 'keys',
     ...{ extrapolateIn: before, extrapolateOut: after, tangentsIn: flat, tangentsOut: flat },
     times: Float64Array.of(0, 1),
     values: Float64Array.of(0, 1),
@@ -18,7 +18,7 @@ function keyed(before: Extrapolation, after: Extrapolation): Channel {
 }
 
 function take(channels: Readonly<Record<number, Channel>>) {
-  return { ...clip([0, 6]), channels: Array.from({ length: 9 }, (_, i) => channels[i] ?? keylessChannel(0)) };
+  return { ...clip([0, 6]), channels: Array.from({ length: 9 }, (_, i) => channels[i] ?? restChannel(0)) };
 }
 
 describe('what is asked for first when pins are held', () => {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { restChannel } from '../../../../src/model/clip.ts';
 import {
   channelName,
   drawnChannels,
@@ -18,7 +19,7 @@ const walker = character({
       normals: { indices: new Uint32Array(0), values: new Float64Array(0) },
     },
   ],
-  clips: [clip([0, 1], ...Array.from({ length: 10 }, (_, i) => (i === 4 ? channel() : keyed())))],
+  clips: [clip([0, 1], ...Array.from({ length: 10 }, (_, i) => (i === 4 ? restChannel() : keyed())))],
 });
 const all = { list: 'all', pinned: [], filter: '' } as const;
 const numbers = (list: readonly { channel: number }[]) => list.map((c) => c.channel);

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { restChannel } from '../../../../src/model/clip.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import {
   allFolds,
@@ -22,7 +23,7 @@ function wasp(...channels: Parameters<typeof clip> extends [unknown, ...infer C]
   });
 }
 
-const none = channel();
+const none = restChannel();
 const key = channel(0.5);
 const everyKeyed = wasp(...Array.from({ length: 10 }, () => key));
 

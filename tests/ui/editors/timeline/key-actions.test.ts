@@ -1,4 +1,5 @@
 import { beforeEach, describe, expect, it } from 'vitest';
+import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { keysInHand, selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
 import { selectedText } from '../../../../src/ui/editors/timeline/key-edits.ts';
@@ -12,13 +13,13 @@ const channelOf = (index: number) => {
   if (!held) throw new Error(`no channel ${index}`);
   return held;
 };
-const times = (index: number) => [...channelOf(index).times];
+const times = (index: number) => [...keysOf(channelOf(index)).times];
 const run = (id: string) => runAction(wb, `timeline.${id}`);
 
 beforeEach(() => {
   const walker = character({
     skeleton: skeleton(['hips', -1]),
-    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), channel(), channel(0.5))],
+    clips: [clip([0, 2], channel(0, 1, 2), channel(0, 2), restChannel(), channel(0.5))],
     timeOffsetSeconds: 0,
   });
   ({ wb } = workbench(documentOf(walker), { range: [0, 2], timeSeconds: 1 }));
@@ -85,8 +86,8 @@ describe('editing from the keyboard', () => {
     ]);
     run('up');
     // A hips alone is as large as its box, 0.28.
-    expect(channelOf(0).values[0]).toBeCloseTo(0.001, 12);
-    expect(channelOf(3).values[0]).toBeCloseTo(Math.PI / 180, 12);
+    expect(keysOf(channelOf(0)).values[0]).toBeCloseTo(0.001, 12);
+    expect(keysOf(channelOf(3)).values[0]).toBeCloseTo(Math.PI / 180, 12);
   });
 
   it('steps the playhead with the same arrows where nothing is selected', () => {
@@ -118,7 +119,7 @@ describe('editing from the keyboard', () => {
   it('sets tangents and extrapolation of what is in hand', () => {
     run('selectHere');
     run('tangents.linear');
-    expect(channelOf(0).tangentsIn.kinds[1]).toBe(1);
+    expect(keysOf(channelOf(0)).tangentsIn.kinds[1]).toBe(1);
     run('extrapolation.out.cycle');
     expect([channelOf(0).extrapolateOut, channelOf(0).extrapolateIn, channelOf(1).extrapolateOut]).toEqual([
       'cycle',

@@ -4,6 +4,7 @@ import { addKey, moveKeys, removeKeys, setKeys } from '../../../../src/edit/comm
 import { setDofs } from '../../../../src/edit/commands/pose.ts';
 import { addJoint, removeJoint } from '../../../../src/edit/commands/rig.ts';
 import { setMotion } from '../../../../src/edit/commands/rig-joint.ts';
+import { keysOf, restChannel } from '../../../../src/model/clip.ts';
 import { shownClip } from '../../../../src/model/document.ts';
 import { keyNow } from '../../../../src/ui/editors/posing/pose-edits.ts';
 import { selectKeys } from '../../../../src/ui/editors/timeline/in-hand.ts';
@@ -23,7 +24,7 @@ const last = { characterId: 'c1', keys: [{ channel: 0, indices: [2] }] };
 const walker = () =>
   character({
     skeleton: skeleton(['hips', -1]),
-    clips: [clip([0, 2], cycle(0, 1, 2), cycle(0, 2), channel(0, 1), channel(), channel(), channel())],
+    clips: [clip([0, 2], cycle(0, 1, 2), cycle(0, 2), channel(0, 1), restChannel(), restChannel(), restChannel())],
   });
 
 beforeEach(() => {
@@ -74,7 +75,7 @@ describe('another period', () => {
     });
     ({ wb } = workbench(documentOf(legs)));
     followPeriods(wb);
-    const periods = () => shownClip(wb.store.document.characters[0])?.channels.map(({ times }) => times.at(-1));
+    const periods = () => shownClip(wb.store.document.characters[0])?.channels.map((c) => keysOf(c).times.at(-1));
     const rigging = { characterId: 'c1', timeSeconds: 0, skin: 'follows' } as const;
     wb.store.apply(addJoint, { ...rigging, parent: 1, offset: [0, 1, 0] });
     expect(periods()?.[15]).toBe(5);
@@ -106,7 +107,7 @@ describe('another period', () => {
       timeSeconds: 0,
     });
     wb.store.apply(removeKeys, { characterId: 'c1', keys: [{ channel: 0, indices: [0] }], timeSeconds: 0 });
-    expect(shownClip(wb.store.document.characters[0])?.channels[0].times.length).toBe(0);
+    expect(keysOf(shownClip(wb.store.document.characters[0])?.channels[0]).times.length).toBe(0);
     expect(said()).toBeUndefined();
   });
 });

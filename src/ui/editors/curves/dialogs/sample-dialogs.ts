@@ -13,7 +13,6 @@ import {
 } from '../../../../edit/commands/samples.ts';
 import type { Converted } from '../../../../edit/samples/convert.ts';
 import { MEDIAN_FRAMES } from '../../../../edit/samples/median.ts';
-import { isSampled } from '../../../../model/clip.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../../model/document.ts';
 import { jointName } from '../../../../model/joint-name.ts';
 import type { Samples } from '../../../../model/samples.ts';
@@ -35,7 +34,7 @@ export function convertDialog(wb: Workbench, close: () => void): DialogContent {
   return withSamples(wb, ({ character, clip }, samples, channels) => {
     const { angles } = wb.settings.get();
     const degrees = angles === 'degrees' ? ANGLE_DEGREES : Number(((ANGLE_DEGREES * Math.PI) / 180).toPrecision(2));
-    const all = clip.channels.reduce((sum, _, c) => sum + (isSampled(clip, c) ? 1 : 0), 0);
+    const all = clip.channels.filter(({ kind }) => kind === 'samples').length;
     const { skeleton } = character;
     return toolDialog<ConvertToKeys>(wb, close, {
       name: 'convertToKeys',
@@ -80,7 +79,7 @@ export function convertDialog(wb: Workbench, close: () => void): DialogContent {
 
 export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
   return withSamples(wb, ({ character, clip }, samples, channels) => {
-    const all = clip.channels.reduce((sum, _, c) => sum + (isSampled(clip, c) ? 1 : 0), 0);
+    const all = clip.channels.filter(({ kind }) => kind === 'samples').length;
     const [from, to] = wb.transport.get().range;
     const offset = character.timeOffsetSeconds;
     return toolDialog<SmoothSamples>(wb, close, {
@@ -263,7 +262,7 @@ function withSamples(
     return make(
       take,
       samples,
-      channelsInHand(wb).filter((c) => isSampled(take.clip, c)),
+      channelsInHand(wb).filter((c) => take.clip.channels[c]?.kind === 'samples'),
     );
   }
   const body = element('p', { class: 'empty' }, 'This take has no samples.');

@@ -19,7 +19,7 @@ export function changesBeyond(before: ChannelClip, after: ChannelClip, channels:
     for (const index of channels) {
       const was = before.channels[index];
       const now = after.channels[index];
-      if (!was?.times.length || !now?.times.length || was === now) continue;
+      if (was?.kind !== 'keys' || now?.kind !== 'keys' || was === now) continue;
       if (now[side] !== was[side]) {
         const what = `${nameOf(now[side])} instead of ${nameOf(was[side])}`;
         kinds.set(what, (kinds.get(what) ?? 0) + 1);

@@ -11,6 +11,7 @@ import {
 } from '../../../../edit/commands/channels.ts';
 import { scaleKeys } from '../../../../edit/commands/keys.ts';
 import { countKeys } from '../../../../edit/keys/selection.ts';
+import { keysOf } from '../../../../model/clip.ts';
 import { type Document, findCharacter, shownClip } from '../../../../model/document.ts';
 import type { DofUnit } from '../../../../model/skeleton.ts';
 import type { DialogContent } from '../../../kit/dialog.ts';
@@ -141,7 +142,7 @@ export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
 
 function withTake(wb: Workbench, make: (take: Take, channels: readonly number[]) => DialogContent): DialogContent {
   const take = takeInHand(wb);
-  const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.times.length);
+  const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.kind === 'keys');
   if (take && channels.length) return make(take, channels);
   const body = element('p', { class: 'empty' }, 'No curve is visible and no key is selected.');
   return { title: 'Curve tools', body, kind: 'tool-dialog' };
@@ -159,7 +160,7 @@ function rangeAsked(range: readonly [number, number]): Asked[] {
 /** From the first key of these channels to the last one, in seconds of the transport. */
 function keysSpan({ clip, character }: Take, channels: readonly number[]): readonly [number, number] {
   let [from, to] = [Number.POSITIVE_INFINITY, Number.NEGATIVE_INFINITY];
-  for (const { times } of channels.map((c) => clip.channels[c])) {
+  for (const { times } of channels.map((c) => keysOf(clip.channels[c]))) {
     from = Math.min(from, times[0]);
     to = Math.max(to, times[times.length - 1]);
   }

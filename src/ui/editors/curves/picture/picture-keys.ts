@@ -6,7 +6,7 @@
  * more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
-import { FIXED } from '../../../../model/clip.ts';
+import { FIXED, keysOf } from '../../../../model/clip.ts';
 import { mixed } from '../scene/colours.ts';
 import { type Handle, handlesOf } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, lineOf } from '../scene/scene.ts';
@@ -111,7 +111,7 @@ export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours
 }
 
 function keysInView(scene: CurveScene, line: CurveLine) {
-  const { times } = scene.clip.channels[line.channel];
+  const { times } = keysOf(scene.clip.channels[line.channel]);
   const map = traceMap(scene, line);
   const from = firstNotBelow(times, map.left - KEY_PIXELS / map.perSecond);
   const to = firstNotBelow(times, map.left + (map.width + KEY_PIXELS) / map.perSecond);
@@ -127,7 +127,7 @@ function selectedInView(scene: CurveScene, line: CurveLine, indices: readonly nu
 
 function markSelected(scene: CurveScene, part: ReturnType<typeof selectedInView>, crowded: boolean): void {
   const { line, indices, map, from, to } = part;
-  const { times, values } = scene.clip.channels[line.channel];
+  const { times, values } = keysOf(scene.clip.channels[line.channel]);
   const dense = crowded || (to - from) * DENSE_PIXELS > map.width;
   const cell = crowded ? CROWDED_SELECTED_CELL : dense ? DENSE_SELECTED_CELL : CELL;
   let i = from;
@@ -144,7 +144,7 @@ function markSelected(scene: CurveScene, part: ReturnType<typeof selectedInView>
 }
 
 function markAll(scene: CurveScene, line: CurveLine, crowded: boolean): void {
-  const { times, values } = scene.clip.channels[line.channel];
+  const { times, values } = keysOf(scene.clip.channels[line.channel]);
   const view = keysInView(scene, line);
   const { map, from, to } = view;
   const dense = crowded || view.dense;
@@ -239,7 +239,7 @@ function drawHandles(
   for (const set of [false, true]) {
     g.beginPath();
     for (const { line, index, side, endX, endY } of handles) {
-      const { tangentsIn, tangentsOut } = scene.clip.channels[line.channel];
+      const { tangentsIn, tangentsOut } = keysOf(scene.clip.channels[line.channel]);
       if (((side === 'in' ? tangentsIn : tangentsOut).kinds[index] === FIXED) !== set) continue;
       g.moveTo(endX + HANDLE_END_PIXELS, endY);
       g.arc(endX, endY, HANDLE_END_PIXELS, 0, 2 * Math.PI);

@@ -8,6 +8,8 @@
  * A layer is drawn anew when something in it is another object than before; which lines have to be traced again is
  * decided one by one (`picture-curves.ts`).
  */
+
+import { keysOf } from '../../../../model/clip.ts';
 import { element } from '../../../kit/dom.ts';
 import type { Box } from '../../timeline/box.ts';
 import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
@@ -127,7 +129,7 @@ function ringAround(
   line: CurveLine,
   hover: Extract<Hit, { kind: 'key' | 'handle' }>,
 ): void {
-  const { times, values } = scene.clip.channels[line.channel];
+  const { times, values } = keysOf(scene.clip.channels[line.channel]);
   // What was under the pointer may be gone by now.
   if (hover.index >= times.length) return;
   g.lineWidth = 1.5;

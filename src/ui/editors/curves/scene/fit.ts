@@ -1,7 +1,7 @@
 /** The view that shows all of something, with some room around it. */
 
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
-import { isSampled, spanOfChannel } from '../../../../model/clip.ts';
+import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
 import { AXES, type AxisName, type CurveSpace, PLOT_TOP, type ValueAxis } from './space.ts';
 
@@ -113,8 +113,8 @@ function includeInView(scene: Fitted, bounds: Bounds): void {
 
 function includeCurve({ curves, clip }: Fitted, line: CurveLine, from: number, to: number, bounds: Bounds): void {
   const channel = clip.channels[line.channel];
-  if (channel.times.length === 0 && !isSampled(clip, line.channel)) {
-    include(bounds, line, channel.rest ?? 0, channel.rest ?? 0);
+  if (channel.kind === 'rest') {
+    include(bounds, line, channel.value, channel.value);
     return;
   }
   extremes.open(curves, line.channel, channel);
@@ -126,7 +126,7 @@ function includeSelected(scene: Fitted, bounds: Bounds): void {
   for (const { channel, indices } of scene.selected) {
     const line = scene.lines.find((l) => l.channel === channel);
     if (!line) continue;
-    const { times, values } = scene.clip.channels[channel];
+    const { times, values } = keysOf(scene.clip.channels[channel]);
     for (const k of indices) {
       bounds.from = Math.min(bounds.from, times[k]);
       bounds.to = Math.max(bounds.to, times[k]);

@@ -8,6 +8,7 @@
 
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
+import { keysOf } from '../../../../model/clip.ts';
 import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scene.ts';
 import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 
@@ -42,8 +43,8 @@ export function handlesOf(scene: CurveScene): Handle[] {
   const handles: Handle[] = [];
   for (const { channel, indices } of scene.selected) {
     const line = lineOf(scene, channel);
-    const times = clip.channels[channel]?.times;
-    if (!line || !times) continue;
+    const { times } = keysOf(clip.channels[channel]);
+    if (!line) continue;
     const begin = firstNotBelow(indices, firstNotBelow(times, left));
     let end = begin;
     while (end < indices.length && end - begin <= MOST_KEYS_WITH_HANDLES && times[indices[end]] <= right) end++;
@@ -65,14 +66,14 @@ export function handlesOf(scene: CurveScene): Handle[] {
 /** Where a key's handle is. The key is one of the line's channel. */
 export function handleOf(scene: CurveScene, line: CurveLine, index: number, side: HandleSide): Handle {
   const { space } = scene;
-  const channel = scene.clip.channels[line.channel];
-  const slope = keySlope(channel, index, side);
+  const keys = keysOf(scene.clip.channels[line.channel]);
+  const slope = keySlope(keys, index, side);
   const dx = pixelsPerSecond(space);
   const dy = -pixelsPerUnit(space, line) * slope;
   const length = Math.hypot(dx, dy);
   const scale = ((side === 'in' ? -1 : 1) * HANDLE_PIXELS) / (Number.isFinite(length) && length > 0 ? length : 1);
-  const x = xOf(space, channel.times[index] - scene.offsetSeconds);
-  const y = yOf(space, line, channel.values[index]);
+  const x = xOf(space, keys.times[index] - scene.offsetSeconds);
+  const y = yOf(space, line, keys.values[index]);
   return { line, index, side, x, y, endX: x + dx * scale, endY: y + dy * scale };
 }
 
@@ -86,9 +87,9 @@ export function slopeFromHandle(
   y: number,
 ): number {
   const { space } = scene;
-  const channel = scene.clip.channels[line.channel];
-  const aside = x - xOf(space, channel.times[index] - scene.offsetSeconds);
+  const { times, values } = keysOf(scene.clip.channels[line.channel]);
+  const aside = x - xOf(space, times[index] - scene.offsetSeconds);
   const dx = side === 'in' ? Math.min(-LEAST_PIXELS_ASIDE, aside) : Math.max(LEAST_PIXELS_ASIDE, aside);
-  const up = yOf(space, line, channel.values[index]) - y;
+  const up = yOf(space, line, values[index]) - y;
   return ((up / pixelsPerUnit(space, line)) * pixelsPerSecond(space)) / dx;
 }

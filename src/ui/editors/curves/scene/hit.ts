@@ -4,6 +4,7 @@ import { evaluateChannel } from '../../../../evaluate/curves.ts';
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
+import { keysOf } from '../../../../model/clip.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import type { Box } from '../../timeline/box.ts';
 import { handlesOf } from './handles.ts';
@@ -43,7 +44,7 @@ function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): 
   // From the front, so that what lies behind has to be nearer.
   for (let l = scene.lines.length - 1; l >= 0; l--) {
     const line = scene.lines[l];
-    const { times, values } = scene.clip.channels[line.channel];
+    const { times, values } = keysOf(scene.clip.channels[line.channel]);
     const map = traceMap(scene, line);
     const end = firstNotBelow(times, map.left + (x + reach) / map.perSecond);
     for (let k = firstNotBelow(times, map.left + (x - reach) / map.perSecond); k < end; k++) {
@@ -104,8 +105,8 @@ function nearestOn(scene: CurveScene, line: CurveLine, x: number, y: number, rea
     [x0, y0] = [x1, y1];
   }
   const channel = scene.clip.channels[line.channel];
-  const isSampled = scene.curves.columns[line.channel] >= 0;
-  if (best <= reach || (channel.times.length < 2 && !isSampled)) return { distance: best, x: bestX };
+  if (best <= reach || (channel.kind !== 'samples' && keysOf(channel).times.length < 2))
+    return { distance: best, x: bestX };
   // Where a pixel holds many spans, steps may pass all that is drawn there.
   extremes.open(scene.curves, line.channel, channel);
   extremes.over(map.left + (x - 0.5) / map.perSecond, map.left + (x + 0.5) / map.perSecond);
@@ -133,7 +134,7 @@ export function keysInBox(scene: CurveScene, box: Box): ChannelKeys[] {
   const [top, bottom] = [Math.min(box.y0, box.y1), Math.max(box.y0, box.y1)];
   const found: ChannelKeys[] = [];
   for (const line of scene.lines) {
-    const { times, values } = scene.clip.channels[line.channel];
+    const { times, values } = keysOf(scene.clip.channels[line.channel]);
     const map = traceMap(scene, line);
     const indices: number[] = [];
     for (let k = firstNotBelow(times, map.left + left / map.perSecond); k < times.length; k++) {

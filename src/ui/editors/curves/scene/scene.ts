@@ -1,7 +1,7 @@
 /** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
 import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
 import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
-import { type Channel, type ChannelClip, isSampled } from '../../../../model/clip.ts';
+import type { ChannelClip, KeyedChannel } from '../../../../model/clip.ts';
 import { coupleOf } from '../../../../model/couples.ts';
 import { type Character, shownClip } from '../../../../model/document.ts';
 import { axisOfDof } from '../../../../model/dof-axis.ts';
@@ -114,15 +114,17 @@ function isLimited(limit: Limit): boolean {
   return !isUnlimited(limit) && limit.min <= limit.max && (Number.isFinite(limit.min) || Number.isFinite(limit.max));
 }
 
-const normalisations = new WeakMap<Channel, Normalise>();
+const normalisations = new WeakMap<KeyedChannel, Normalise>();
 
 /** The smallest key or sample goes to −1, the largest to 1; a channel of one value to 0. */
 function normalisation(clip: ChannelClip, index: number): Normalise {
-  if (clip.samples && isSampled(clip, index)) {
+  const channel = clip.channels[index];
+  if (clip.samples && channel.kind === 'samples') {
     const { low, high } = extremesOfColumn(clip.samples, columnOf(clip.samples, index));
     return normaliseBetween(low, high);
   }
-  const channel = clip.channels[index];
+  if (channel.kind === 'rest') return normaliseBetween(channel.value, channel.value);
+  if (channel.kind !== 'keys') return normaliseBetween(0, 0);
   const known = normalisations.get(channel);
   if (known) return known;
   let low = Number.POSITIVE_INFINITY;
@@ -131,7 +133,6 @@ function normalisation(clip: ChannelClip, index: number): Normalise {
     if (value < low) low = value;
     if (value > high) high = value;
   }
-  if (!(low <= high)) low = high = channel.rest ?? 0;
   const made = normaliseBetween(low, high);
   normalisations.set(channel, made);
   return made;

@@ -93,9 +93,10 @@ export function traceLine(
     sampled(curves.samples, curves.columns[index], map, columnsPerPixel, out);
     return;
   }
-  if (channel.times.length === 0) {
+  if (channel.kind !== 'keys') {
     const beside = BESIDE_PIXELS / map.perSecond;
-    straight(map, map.left - beside, right + beside, 0, channel.rest ?? 0, 0, out.dotted);
+    const value = channel.kind === 'rest' ? channel.value : 0;
+    straight(map, map.left - beside, right + beside, 0, value, 0, out.dotted);
     return;
   }
   const start = curves.times[first];

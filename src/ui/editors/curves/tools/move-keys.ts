@@ -56,7 +56,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const take = takeInHand(wb);
   const line = scene && lineOf(scene, hit.channel);
   const channel = take?.clip.channels[hit.channel];
-  if (!scene || !take || !line || !channel) return undefined;
+  if (!scene || !take || !line || channel?.kind !== 'keys') return undefined;
   const keyTime = channel.times[hit.index] - take.character.timeOffsetSeconds;
   const keyValue = channel.values[hit.index];
   // Where in the key it was taken: the key stays under the pointer as it was, also if one zooms meanwhile.

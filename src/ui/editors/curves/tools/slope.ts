@@ -20,7 +20,7 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const channel = take?.clip.channels[hit.channel];
   const edit = take && editOfTake(wb, take);
   const wereEqual =
-    channel !== undefined && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
+    channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
   const selected = selectedKeys(wb);
   // One key's slope is set, but all that were selected stay so, with their handles.
   const command: Command<Parameters<typeof setSlopes.run>[1], Edit> = {

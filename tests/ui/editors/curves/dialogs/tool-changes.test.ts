@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import type { Channel } from '../../../../../src/model/clip.ts';
+import { type Channel, restChannel } from '../../../../../src/model/clip.ts';
 import { changesBeyond } from '../../../../../src/ui/editors/curves/dialogs/tool-changes.ts';
 import { channel, clip } from '../../../builders.ts';
 
@@ -13,9 +13,9 @@ it('says nothing of curves that go on as they did', () => {
 });
 
 it('says where a curve holds that repeated, and where it repeats all that is keyed now', () => {
-  const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 2), ...cycle }, channel());
+  const before = take({ ...channel(0, 2), ...cycle }, { ...channel(0, 2), ...cycle }, restChannel());
   const baked = { ...channel(0, 2, 4), ...cycle, extrapolateOut: 'constant' } as const;
-  expect(changesBeyond(before, take(baked, baked, channel()), [0, 1, 2])).toEqual([
+  expect(changesBeyond(before, take(baked, baked, restChannel()), [0, 1, 2])).toEqual([
     'Before the keys, 2 curves will repeat all keys, including the new ones: every 4 s instead of every 2 s.',
     'After the keys, 2 curves will be constant instead of cycle.',
   ]);

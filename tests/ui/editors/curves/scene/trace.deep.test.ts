@@ -5,7 +5,7 @@ import { type CompiledClip, compileChannels } from '../../../../../src/evaluate/
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
 import { NO_COLUMN } from '../../../../../src/evaluate/plot/trace-columns.ts';
 import { CURVE, MOVE, type TracedPath, type TraceMap } from '../../../../../src/evaluate/plot/trace-path.ts';
-import { type Channel, SMOOTH } from '../../../../../src/model/clip.ts';
+import { type Channel, type KeyedChannel, restChannel, SMOOTH } from '../../../../../src/model/clip.ts';
 import { LineTrace, traceLine } from '../../../../../src/ui/editors/curves/scene/trace.ts';
 import { anyChannel, anyMap, PLOT } from '../arbitraries.ts';
 
@@ -151,9 +151,10 @@ describe('a traced line', () => {
   });
 });
 
-function steady(count: number, value: (i: number) => number, more: Partial<Channel> = {}): Channel {
+function steady(count: number, value: (i: number) => number, more: Partial<KeyedChannel> = {}): KeyedChannel {
   const tangents = { kinds: new Uint8Array(count).fill(SMOOTH), slopes: new Float64Array(count) };
   return {
+    kind: 'keys',
     extrapolateIn: 'constant',
     extrapolateOut: 'constant',
     times: Float64Array.from({ length: count }, (_, i) => i / 100),
@@ -228,7 +229,7 @@ describe('what is extrapolated', () => {
   });
 
   it('stands at the rest of a channel without keys, from edge to edge', () => {
-    const { line } = trace({ ...steady(0, () => 0), rest: 0.25 }, view());
+    const { line } = trace(restChannel(0.25), view());
     expect(line.solid.verbCount).toBe(0);
     expect(line.dotted.verbCount).toBe(2);
     const [x0, y0, x1, y1] = line.dotted.points;

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { keysOf } from '../../../../../src/model/clip.ts';
 import { shownClip } from '../../../../../src/model/document.ts';
 import { PlotScene } from '../../../../../src/ui/editors/curves/plot-scene.ts';
 import { xOf, yOf } from '../../../../../src/ui/editors/curves/scene/space.ts';
@@ -31,7 +32,7 @@ const pointOf = (index: number, key: number, more: Partial<PointerAt> = {}): Poi
   const scene = plot.scene();
   const line = scene?.lines.find((l) => l.channel === index);
   if (!scene || !line) throw new Error('not drawn');
-  const { times, values } = held(index);
+  const { times, values } = keysOf(held(index));
   return at(xOf(scene.space, times[key]), yOf(scene.space, line, values[key]), more);
 };
 
@@ -74,32 +75,32 @@ describe('dragging keys', () => {
     const { end, to } = drag(0, 1, 25, -50);
     end(to, true);
     // 100 pixels a second; 200 pixels for a length of 2.
-    expect(held(0).times[1]).toBeCloseTo(1.25, 9);
-    expect(held(0).values[1]).toBeCloseTo(0.5, 9);
+    expect(keysOf(held(0)).times[1]).toBeCloseTo(1.25, 9);
+    expect(keysOf(held(0)).values[1]).toBeCloseTo(0.5, 9);
     wb.store.undo();
-    expect([...held(0).times]).toEqual([0, 1, 2]);
+    expect([...keysOf(held(0)).times]).toEqual([0, 1, 2]);
   });
 
   it('dragging keys does not drift, however often it is moved on the way', () => {
     const { move, end, to } = drag(0, 1, 25, 0);
     for (let i = 0; i < 50; i++) move(at(to.x + 100 * Math.sin(i), to.y));
     end(to, true);
-    expect(held(0).times[1]).toBeCloseTo(1.25, 9);
+    expect(keysOf(held(0)).times[1]).toBeCloseTo(1.25, 9);
   });
 
   it('holds to the direction it was moved in more while Shift is down', () => {
     const { end, to } = drag(0, 1, 25, -10, { shift: true });
     end(to, true);
-    expect(held(0).times[1]).toBeCloseTo(1.25, 9);
-    expect(held(0).values[1]).toBe(0);
+    expect(keysOf(held(0)).times[1]).toBeCloseTo(1.25, 9);
+    expect(keysOf(held(0)).values[1]).toBe(0);
   });
 
   it('lands on frames where it snaps, and with Ctrl where it does not', () => {
     wb.timeline.change({ snapsToFrames: true });
     const { move, end, to } = drag(0, 1, 23, 0);
-    expect(held(0).times[1]).toBeCloseTo(1.2, 9);
+    expect(keysOf(held(0)).times[1]).toBeCloseTo(1.2, 9);
     move({ ...to, ctrl: true });
-    expect(held(0).times[1]).toBeCloseTo(1.23, 9);
+    expect(keysOf(held(0)).times[1]).toBeCloseTo(1.23, 9);
     end({ ...to, ctrl: true }, true);
   });
 
@@ -110,10 +111,10 @@ describe('dragging keys', () => {
     ]);
     const { end, to } = drag(0, 1, 10, -20);
     end(to, true);
-    expect(held(3).times[0]).toBeCloseTo(0.6, 9);
+    expect(keysOf(held(3)).times[0]).toBeCloseTo(0.6, 9);
     // 200 pixels are π of an angle and 2 of a length.
-    expect(held(0).values[1]).toBeCloseTo(0.2, 9);
-    expect(held(3).values[0]).toBeCloseTo((0.2 * Math.PI) / 2, 9);
+    expect(keysOf(held(0)).values[1]).toBeCloseTo(0.2, 9);
+    expect(keysOf(held(3)).values[0]).toBeCloseTo((0.2 * Math.PI) / 2, 9);
   });
 
   it('leaves selected keys alone that are out of view', () => {
@@ -124,7 +125,7 @@ describe('dragging keys', () => {
     wb.timeline.change({ hidden: [1] });
     const { end, to } = drag(0, 1, 10, 0);
     end(to, true);
-    expect(held(1).times[1]).toBe(2);
+    expect(keysOf(held(1)).times[1]).toBe(2);
     // And selected: they are there again when the curve is.
     wb.timeline.change({ hidden: [] });
     expect(keysInHand(wb)).toEqual([
@@ -139,7 +140,7 @@ describe('dragging keys', () => {
     deleteKeys(wb);
     move({ ...to, x: to.x + 30 });
     end({ ...to, x: to.x + 30 }, true);
-    expect([...held(0).times]).toEqual([0, 2]);
+    expect([...keysOf(held(0)).times]).toEqual([0, 2]);
   });
 
   it('ends when an inserted key is undone under it', () => {
@@ -150,7 +151,7 @@ describe('dragging keys', () => {
     expect(cancelled?.()).toBe(true);
     move({ ...to, x: to.x + 30 });
     end({ ...to, x: to.x + 30 }, true);
-    expect([...held(3).times]).toEqual([0.5, 1.5]);
+    expect([...keysOf(held(3)).times]).toEqual([0.5, 1.5]);
     expect(wb.store.redoLabel).toBeDefined();
   });
 
@@ -184,8 +185,8 @@ describe('dragging a handle', () => {
     const made = slopeDrag(plot, { kind: 'handle', channel: 0, index: 1, side: 'out' });
     made.end(at(key.x + 40, key.y - 40), true);
     // A pixel to the side is 0.01 s, one up 0.01.
-    expect(held(0).tangentsOut.slopes[1]).toBeCloseTo(1, 9);
-    expect(held(0).tangentsIn.slopes[1]).toBeCloseTo(1, 9);
+    expect(keysOf(held(0)).tangentsOut.slopes[1]).toBeCloseTo(1, 9);
+    expect(keysOf(held(0)).tangentsIn.slopes[1]).toBeCloseTo(1, 9);
     expect(keysInHand(wb)).toEqual(keys);
   });
 
@@ -196,8 +197,8 @@ describe('dragging a handle', () => {
       at(key.x + 40, key.y - 40, { alt: true }),
       true,
     );
-    expect(held(0).tangentsOut.slopes[1]).toBeCloseTo(1, 9);
-    expect(held(0).tangentsIn.kinds[1]).toBe(0);
+    expect(keysOf(held(0)).tangentsOut.slopes[1]).toBeCloseTo(1, 9);
+    expect(keysOf(held(0)).tangentsIn.kinds[1]).toBe(0);
   });
 });
 
@@ -207,7 +208,7 @@ describe('scaling with S', () => {
     selectKeys(wb, keys);
     wb.timeline.change({ hidden: [1] });
     scaleDrag(plot, at(100, 100)).end(at(150, 101), true);
-    expect([...held(1).times]).toEqual([0, 2]);
+    expect([...keysOf(held(1)).times]).toEqual([0, 2]);
     expect(wb.store.selection.keys).toEqual(keys);
   });
 
@@ -216,7 +217,7 @@ describe('scaling with S', () => {
     const made = scaleDrag(plot, at(100, 100));
     made.move(at(150, 101));
     made.end(at(150, 160), true);
-    expect([...held(0).times].map((t) => Number(t.toFixed(9)))).toEqual([0, 1.5, 3]);
-    expect([...held(0).values]).toEqual([0, 0, 0]);
+    expect([...keysOf(held(0)).times].map((t) => Number(t.toFixed(9)))).toEqual([0, 1.5, 3]);
+    expect([...keysOf(held(0)).values]).toEqual([0, 0, 0]);
   });
 });

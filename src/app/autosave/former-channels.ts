@@ -1,0 +1,35 @@
+/**
+ * Channels in sessions that earlier versions kept. Those had no kind: a channel without keys had columns without
+ * numbers, followed the samples where they had a column for it, and else stayed at its `rest`.
+ */
+import { type Channel, type ChannelClip, followingSamples, NO_KEYS } from '../../model/clip.ts';
+
+/** A decoded object as this version has it: the object itself, unless it is a channel, or a clip, of earlier versions. */
+export function inPresentForm(value: Readonly<Record<string, unknown>>): object {
+  if (isFormerChannel(value)) return channelOf(value);
+  if (!isClip(value)) return value;
+  const channels = followingSamples(value.channels, value.samples);
+  return channels === value.channels ? value : { ...value, channels };
+}
+
+/** What earlier versions had at a path that leads into a channel without keys: its empty columns. */
+export function formerColumn(value: object, key: string | number): unknown {
+  const isWithoutKeys = 'extrapolateIn' in value && 'kind' in value && value.kind !== 'keys';
+  return isWithoutKeys ? NO_KEYS[key as keyof typeof NO_KEYS] : undefined;
+}
+
+type FormerChannel = Pick<Channel, 'extrapolateIn' | 'extrapolateOut'> & typeof NO_KEYS & { readonly rest?: number };
+
+function isFormerChannel(value: object): value is FormerChannel {
+  return 'extrapolateIn' in value && 'times' in value && !('kind' in value);
+}
+
+function isClip(value: object): value is ChannelClip {
+  return 'range' in value && 'channels' in value && 'samples' in value && value.samples !== undefined;
+}
+
+function channelOf({ rest = 0, ...channel }: FormerChannel): Channel {
+  if (channel.times.length > 0) return { kind: 'keys', ...channel };
+  const { extrapolateIn, extrapolateOut } = channel;
+  return { kind: 'rest', value: rest, extrapolateIn, extrapolateOut };
+}
