@@ -25,7 +25,7 @@ function isFormerChannel(value: object): value is FormerChannel {
 }
 
 function isClip(value: object): value is ChannelClip {
-  return 'range' in value && 'channels' in value && 'samples' in value && value.samples !== undefined;
+  return 'range' in value && 'samples' in value && value.samples !== undefined;
 }
 
 function channelOf({ rest = 0, ...channel }: FormerChannel): Channel {

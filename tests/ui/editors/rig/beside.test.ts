@@ -2,7 +2,6 @@ import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { DEFAULT_PLACEMENT } from '../../../../src/model/document.ts';
 import { runAction } from '../../../../src/ui/state/action.ts';
-import type { Workbench } from '../../../../src/ui/state/workbench.ts';
 import { character, documentOf, skeleton, workbench } from '../../builders.ts';
 
 /** Places of a character that was shown once more, where its last copy is drawn so large. */
@@ -15,10 +14,10 @@ function placesAfter(size: Vec3 | undefined): readonly Vec3[] {
     asked.push(placement);
     return size;
   };
-  const page: Workbench = { ...wb, viewport: { ...wb.viewport, sizeOf } };
-  runAction(page, 'character.copy');
+  Object.assign(wb.viewport, { sizeOf });
+  runAction(wb, 'character.copy');
   expect(asked).toEqual([1]);
-  const after = page.store.document.characters[0].placements;
+  const after = wb.store.document.characters[0].placements;
   expect(after.map(({ scale }) => scale)).toEqual([1, 3, 3]);
   return after.map(({ position }) => position);
 }
