@@ -82,5 +82,5 @@ function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
 }
 
 function changed({ source }: ParsedFile): RestoreError {
-  return new RestoreError(`${source.name} reads differently than it did.`);
+  return new RestoreError(`${source.name} now reads differently than before.`);
 }
