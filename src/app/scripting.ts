@@ -14,7 +14,7 @@ import { type Character, type Document, shownClip } from '../model/document.ts';
 import { FORMAT_KINDS } from '../project/kinds.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import { runAction } from '../ui/state/action.ts';
-import type { Workbench } from '../ui/state/workbench.ts';
+import type { Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
@@ -111,7 +111,10 @@ declare global {
   }
 }
 
-export function scriptingApi(workbench: Workbench, opener: Opener): MarrowApi {
+export function scriptingApi(
+  workbench: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline'>,
+  opener: Opener,
+): MarrowApi {
   const { store, transport, viewport } = workbench;
   const facts = (ref: CharacterRef | undefined) => {
     const found = viewport.character(resolve(store, ref).id);
@@ -211,7 +214,11 @@ function keysOf(character: Character, channel: number): KeyInfo[] {
   });
 }
 
-function run(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): Promise<void> | undefined {
+function run(
+  workbench: Uses<'store' | 'actions' | 'transport'>,
+  id: string,
+  args: Readonly<Record<string, unknown>>,
+): Promise<void> | undefined {
   const command = COMMANDS_AT_HAND.get(id);
   if (command) apply(workbench, command, args);
   else if (FETCHED_IDS.has(id)) return fetchAndRun(workbench, id, args);
@@ -219,7 +226,11 @@ function run(workbench: Workbench, id: string, args: Readonly<Record<string, unk
   return undefined;
 }
 
-async function fetchAndRun(workbench: Workbench, id: string, args: Readonly<Record<string, unknown>>): Promise<void> {
+async function fetchAndRun(
+  workbench: Uses<'store' | 'transport'>,
+  id: string,
+  args: Readonly<Record<string, unknown>>,
+): Promise<void> {
   const { COMMANDS_BY_ID } = await import('../edit/commands/all.ts');
   const command = COMMANDS_BY_ID.get(id);
   if (!command) throw new Error(`There is no command "${id}".`);
@@ -227,7 +238,7 @@ async function fetchAndRun(workbench: Workbench, id: string, args: Readonly<Reco
 }
 
 function apply(
-  { store, transport }: Workbench,
+  { store, transport }: Uses<'store' | 'transport'>,
   command: Command<never, Document | Edit>,
   args: Readonly<Record<string, unknown>>,
 ): void {

@@ -4,11 +4,11 @@ import { element, uniqueId } from '../kit/dom.ts';
 import { isMac } from '../kit/keyboard.ts';
 import { actionLabel, actionsOf, isEnabled, tryAction } from '../state/action.ts';
 import { shortcutsFor, shortcutText } from '../state/shortcuts.ts';
-import type { Action, Workbench } from '../state/workbench.ts';
+import type { Action, Uses } from '../state/workbench.ts';
 
 const MOST_SHOWN = 12;
 
-export function commandSearch(wb: Workbench, close: () => void): DialogContent {
+export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => void): DialogContent {
   const listId = uniqueId('commands');
   const input = element('input', {
     type: 'text',
@@ -64,7 +64,7 @@ export function commandSearch(wb: Workbench, close: () => void): DialogContent {
   return { title: 'Find a command', body: element('div', {}, input, list), kind: 'search-dialog', bare: true };
 }
 
-function row(wb: Workbench, action: Action, run: () => void): HTMLElement {
+function row(wb: Uses<'actions' | 'settings'>, action: Action, run: () => void): HTMLElement {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
   const made = element(
     'li',
@@ -81,7 +81,7 @@ function row(wb: Workbench, action: Action, run: () => void): HTMLElement {
 const TRAVELS: readonly string[] = ['edit.undo', 'edit.redo'];
 
 /** With the menu it stands in: "Hidden" alone says nothing. */
-function longLabel(wb: Workbench, action: Action): string {
+function longLabel(wb: Uses<'actions'>, action: Action): string {
   const label = (TRAVELS.includes(action.id) && action.name) || actionLabel(wb, action);
   return `${action.menu?.replace('/', ' ') ?? action.group} ${label}`;
 }

@@ -1,8 +1,8 @@
 /** The whole page takes files: dropped anywhere, or pasted. What is in them is someone else's business. */
 import { element } from '../kit/dom.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
-export function dropTarget(wb: Workbench, signal: AbortSignal): HTMLElement {
+export function dropTarget(wb: Uses<'files'>, signal: AbortSignal): HTMLElement {
   const veil = element(
     'div',
     { class: 'drop-veil', hidden: true, 'aria-hidden': 'true' },

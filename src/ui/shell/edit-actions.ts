@@ -8,9 +8,9 @@ import { NOTHING_SELECTED } from '../../model/session.ts';
 import type { Joint } from '../../model/skeleton.ts';
 import { autoKey } from '../editors/posing/pose-edits.ts';
 import { currentCharacter } from '../state/action.ts';
-import type { Action, Workbench } from '../state/workbench.ts';
+import type { Action, Uses } from '../state/workbench.ts';
 
-const hasCharacter = (wb: Workbench) => currentCharacter(wb) !== undefined;
+const hasCharacter = (wb: Uses<'store'>) => currentCharacter(wb) !== undefined;
 
 export const EDIT_ACTIONS: readonly Action[] = [
   {
@@ -176,7 +176,7 @@ function lowerFirst(text: string): string {
  * What was said of a step in passing is not so any more. A step that takes characters away, or brings them, is more than
  * one may have meant: it is said.
  */
-function travel(wb: Workbench, way: 'undo' | 'redo'): void {
+function travel(wb: Uses<'store' | 'messages'>, way: 'undo' | 'redo'): void {
   const label = way === 'undo' ? wb.store.undoLabel : wb.store.redoLabel;
   const idsOf = () => wb.store.document.characters.map((c) => c.id).join();
   const before = idsOf();
@@ -187,7 +187,7 @@ function travel(wb: Workbench, way: 'undo' | 'redo'): void {
   wb.messages.note(way === 'undo' ? `Undone: ${label}. Redo restores it.` : `Redone: ${label}.`);
 }
 
-function reset(wb: Workbench, to: 'file' | 'zero'): void {
+function reset(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>, to: 'file' | 'zero'): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const { timeSeconds } = wb.transport.get();
@@ -195,7 +195,7 @@ function reset(wb: Workbench, to: 'file' | 'zero'): void {
 }
 
 /** Goes from the selected joint to another; the root first. A step of −1 or none stays. */
-function walk(wb: Workbench, step: (joints: readonly Joint[], joint: number) => number): void {
+function walk(wb: Uses<'store'>, step: (joints: readonly Joint[], joint: number) => number): void {
   const character = currentCharacter(wb);
   const joints = character?.skeleton?.joints;
   if (!character || !joints?.length) return;

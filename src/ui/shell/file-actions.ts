@@ -3,16 +3,16 @@
 import { axisAngleObstacle } from '../../model/axis-angle.ts';
 import { FORMAT_KINDS, KINDS } from '../../project/kinds.ts';
 import { currentCharacter } from '../state/action.ts';
-import type { Action, Workbench } from '../state/workbench.ts';
+import type { Action, Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
 
 /** What stands in the way of the axis-angle form, which is more than that there is no skeleton. */
-function whyNotAxisAngle(wb: Workbench): string | undefined {
+function whyNotAxisAngle(wb: Uses<'store'>): string | undefined {
   const skeleton = currentCharacter(wb)?.skeleton;
   return skeleton && axisAngleObstacle(skeleton);
 }
 
-const hasCharacters = (wb: Workbench) => wb.store.document.characters.length > 0;
+const hasCharacters = (wb: Uses<'store'>) => wb.store.document.characters.length > 0;
 
 export const FILE_ACTIONS: readonly Action[] = [
   {
@@ -102,7 +102,7 @@ export const FILE_ACTIONS: readonly Action[] = [
 ];
 
 /** Work of an earlier page, for as long as there is some: nothing that was put off is out of reach. */
-export function keptActions(wb: Workbench): Action[] {
+export function keptActions(wb: Uses<'kept'>): Action[] {
   const offer = wb.kept.get();
   const [work] = offer?.works ?? [];
   if (!offer || !work) return [];
@@ -120,7 +120,7 @@ export function keptActions(wb: Workbench): Action[] {
 }
 
 /** One for each sample that the page came with. */
-export function sampleActions(wb: Workbench): Action[] {
+export function sampleActions(wb: Uses<'files'>): Action[] {
   return wb.files.samples.map((sample) => ({
     id: `sample.${sample.id}`,
     label: sample.label,

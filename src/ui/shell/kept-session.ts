@@ -7,10 +7,10 @@ import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
 import type { KeptOffer, KeptWork } from '../state/kept-offer.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
 
-export function keptSession(wb: Workbench): HTMLElement {
+export function keptSession(wb: Uses<'kept'>): HTMLElement {
   const line = element('section', { class: 'kept-session', 'aria-label': 'Unsaved work' });
   // Told when it appears; the buttons outside of it are not read out again with each change.
   const text = element('span', { class: 'kept-text', role: 'status' });

@@ -9,7 +9,7 @@
 import { element } from '../kit/dom.ts';
 import { isPanelOpen, NARROW, openPanel } from '../state/panels.ts';
 import { clampSize, splitter } from '../state/splitter.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
 /** What suits the page, until they are chosen. */
 const HEIGHTS = [
@@ -26,7 +26,7 @@ export interface Parts {
   readonly timeline: HTMLElement;
 }
 
-export function layout(wb: Workbench, root: HTMLElement, parts: Parts, signal: AbortSignal): void {
+export function layout(wb: Uses<'settings'>, root: HTMLElement, parts: Parts, signal: AbortSignal): void {
   const veil = element('div', { class: 'drawer-veil', 'aria-hidden': 'true' });
   const body = element(
     'div',

@@ -10,9 +10,9 @@ import { menuEntries } from '../state/menu-entries.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels.ts';
 import { keepTooltip } from '../state/tooltips.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
-export function menuBar(wb: Workbench): HTMLElement {
+export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 'files'>): HTMLElement {
   const bar = element('div', { role: 'menubar', 'aria-label': 'Menus', class: 'menu-titles' });
   const titles = MENUS.map((name) =>
     element('button', { type: 'button', role: 'menuitem', 'aria-haspopup': 'menu', 'aria-expanded': 'false' }, name),
@@ -33,7 +33,7 @@ export function menuBar(wb: Workbench): HTMLElement {
   );
 }
 
-function letMenusDrop(wb: Workbench, bar: HTMLElement, titles: readonly HTMLButtonElement[]): void {
+function letMenusDrop(wb: Uses<'actions' | 'settings'>, bar: HTMLElement, titles: readonly HTMLButtonElement[]): void {
   let shown: { readonly index: number; readonly menu: Menu } | undefined;
   let pressedWhileOpen = false;
 
@@ -80,7 +80,12 @@ function letMenusDrop(wb: Workbench, bar: HTMLElement, titles: readonly HTMLButt
   keepsFocusElsewhere(bar);
 }
 
-function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' | 'inspector'): HTMLButtonElement {
+function panelButton(
+  wb: Uses<'actions' | 'settings'>,
+  id: string,
+  label: string,
+  name: 'outliner' | 'inspector',
+): HTMLButtonElement {
   const made = keepsFocusElsewhere(
     button(`${label} panel`, { class: `tool panel-button ${name}-button` }, icon(name), () => runAction(wb, id)),
   );
@@ -95,7 +100,7 @@ function panelButton(wb: Workbench, id: string, label: string, name: 'outliner' 
 }
 
 /** Beside what is loaded, where nothing stands otherwise: what is not saved yet, and the button that saves it. */
-function whatIsUnsaved(wb: Workbench): HTMLElement {
+function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement {
   const names = element('span');
   // Where room is short the mark says it, and the word is only spoken.
   const word = element('span', { class: 'unsaved-word' }, 'Unsaved: ');
@@ -125,7 +130,7 @@ export function unsavedNames(parts: readonly { readonly name: string }[]): strin
 }
 
 /** On the right: what is loaded, or how far a file has come, in the same place so that nothing shifts. */
-function whatIsLoaded(wb: Workbench): HTMLElement {
+function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
   const text = element('span', { class: 'loaded-text' });
   const bar = element('progress', { class: 'loaded-progress', 'aria-label': 'Reading', max: 1, hidden: true });
   const cancel = button('Cancel', { class: 'link', hidden: true }, 'Cancel', () => wb.loading.get()?.cancel());

@@ -6,11 +6,11 @@ import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
 import { PassingTime } from '../kit/passing-time.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
 const PASSING_MS = 10_000;
 
-export function messageLine(wb: Workbench): HTMLElement {
+export function messageLine(wb: Uses<'messages'>): HTMLElement {
   const { messages } = wb;
   // Assertive for errors would need a second region; a line that stays can wait for the reader to finish.
   const region = element('div', { class: 'message-line', role: 'status', 'aria-live': 'polite' });

@@ -1,9 +1,9 @@
 /** Panels, theme, units, help. */
 import { isPanelOpen, openPanel } from '../state/panels.ts';
 import type { Settings } from '../state/settings.ts';
-import type { Action, Workbench } from '../state/workbench.ts';
+import type { Action, Uses } from '../state/workbench.ts';
 
-const setting = (wb: Workbench, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
+const setting = (wb: Uses<'settings'>, change: Partial<Settings>) => wb.settings.update((s) => ({ ...s, ...change }));
 export const PAGE_ACTIONS: readonly Action[] = [
   {
     id: 'page.outliner',

@@ -7,9 +7,9 @@ import type { DialogContent } from '../kit/dialog.ts';
 import { element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { plural } from '../kit/number-text.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
-export function saveList(wb: Workbench, close: () => void): DialogContent {
+export function saveList(wb: Uses<'store' | 'transport' | 'files'>, close: () => void): DialogContent {
   const body = element('div', { class: 'save-list' });
   for (const character of wb.store.document.characters) {
     const row = element('div', { class: 'save-files' });

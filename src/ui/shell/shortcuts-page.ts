@@ -9,13 +9,13 @@ import { isMac } from '../kit/keyboard.ts';
 import { actionLabel, actionsOf } from '../state/action.ts';
 import { GROUPS } from '../state/menus.ts';
 import { isSingleKey, shortcutsOf, shortcutText, withKeys } from '../state/shortcuts.ts';
-import type { Action, Workbench } from '../state/workbench.ts';
+import type { Action, Uses } from '../state/workbench.ts';
 import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 
 /** Builds the page anew, with a sentence about what has just happened. */
 type Refresh = (news?: string) => void;
 
-export function shortcutsPage(wb: Workbench): DialogContent {
+export function shortcutsPage(wb: Uses<'actions' | 'settings'>): DialogContent {
   const body = element('div', { class: 'shortcuts' });
   const said = element('p', { class: 'shortcut-said', role: 'status' });
   const show = (news = '') => {
@@ -26,7 +26,7 @@ export function shortcutsPage(wb: Workbench): DialogContent {
   return { title: 'Shortcuts', body, kind: 'shortcuts-dialog' };
 }
 
-function switches(wb: Workbench, said: HTMLElement, refresh: Refresh): HTMLElement {
+function switches(wb: Uses<'settings'>, said: HTMLElement, refresh: Refresh): HTMLElement {
   const box = element('input', { type: 'checkbox' });
   box.checked = wb.settings.get().singleKeys;
   box.addEventListener('change', () => {
@@ -50,7 +50,7 @@ function switches(wb: Workbench, said: HTMLElement, refresh: Refresh): HTMLEleme
 }
 
 /** One section a group; what holds in one panel alone stands together under its name. */
-function groups(wb: Workbench, refresh: Refresh): HTMLElement[] {
+function groups(wb: Uses<'actions' | 'settings'>, refresh: Refresh): HTMLElement[] {
   const actions = actionsOf(wb).filter((action) => action.shortcuts?.length);
   return GROUPS.flatMap((group) => {
     const own = actions.filter((action) => action.group === group);
@@ -64,7 +64,7 @@ function groups(wb: Workbench, refresh: Refresh): HTMLElement[] {
   });
 }
 
-function line(wb: Workbench, action: Action, refresh: Refresh): HTMLElement {
+function line(wb: Uses<'actions' | 'settings'>, action: Action, refresh: Refresh): HTMLElement {
   const { keys, singleKeys } = wb.settings.get();
   const now = keys[action.id] ?? action.shortcuts ?? [];
   const label = action.name ?? actionLabel(wb, action);
@@ -88,7 +88,7 @@ function line(wb: Workbench, action: Action, refresh: Refresh): HTMLElement {
 
 /** A key that waits for another one once it is pressed. */
 function changeable(
-  wb: Workbench,
+  wb: Uses<'actions' | 'settings'>,
   action: Action,
   shortcut: string | undefined,
   text: string,
@@ -131,7 +131,7 @@ function changeable(
 }
 
 /** Gives an action keys; whoever had them has to say so. */
-function give(wb: Workbench, action: Action, own: readonly string[]): string {
+function give(wb: Uses<'actions' | 'settings'>, action: Action, own: readonly string[]): string {
   const { keys, losers } = withKeys(actionsOf(wb), wb.settings.get().keys, action, own);
   wb.settings.update((s) => ({ ...s, keys }));
   const name = (a: Action) => `“${a.name ?? actionLabel(wb, a)}”`;

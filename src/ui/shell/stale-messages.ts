@@ -4,10 +4,10 @@
  */
 import type { Document } from '../../model/document.ts';
 import type { Said } from '../state/messages.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
 /** Follows the steps until it is ended. Subscribe it before others that say something of a step. */
-export function leaveRefusalsBehind({ store, messages }: Pick<Workbench, 'store' | 'messages'>): () => void {
+export function leaveRefusalsBehind({ store, messages }: Uses<'store' | 'messages'>): () => void {
   /** What had been said when the change began that is under way, and what it began from. */
   let begun: { readonly from: Document; readonly said: Said } | undefined;
   const stops = [

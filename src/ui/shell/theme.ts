@@ -1,8 +1,8 @@
 /** Dark or light: the system's, unless the person says otherwise. */
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
 /** @param changed after the page's colours have changed, for what is drawn rather than styled */
-export function followTheme(wb: Workbench, signal: AbortSignal, changed: () => void): void {
+export function followTheme(wb: Uses<'viewport' | 'settings'>, signal: AbortSignal, changed: () => void): void {
   const system = window.matchMedia('(prefers-color-scheme: light)');
   let shown = '';
   const show = () => {

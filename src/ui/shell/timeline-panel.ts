@@ -10,7 +10,7 @@ import { onDemand, whenIdle } from '../state/on-demand.ts';
 import { isPanelOpen, NARROW } from '../state/panels.ts';
 import { splitter } from '../state/splitter.ts';
 import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../state/timeline.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses } from '../state/workbench.ts';
 
 const LABELS: Readonly<Record<TimelineTabName, string>> = {
   curves: 'Curves',
@@ -24,7 +24,7 @@ const LABELS: Readonly<Record<TimelineTabName, string>> = {
  *   before it has nothing else to do: the first picture is the character's
  */
 export function timelinePanel(
-  wb: Workbench,
+  wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'loading' | 'dialog'>,
   load: (name: TimelineTabName) => Promise<TimelineTab>,
   signal: AbortSignal,
 ): HTMLElement {

@@ -23,7 +23,7 @@ import { actionsOf, currentCharacter, isChecked, runAction } from '../state/acti
 import { itemOf } from '../state/menu-entries.ts';
 import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
 import { keepTooltip } from '../state/tooltips.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Uses, Workbench } from '../state/workbench.ts';
 import { keptSession } from './kept-session.ts';
 import { messageLine } from './message-line.ts';
 import { modeTools } from './mode-tools.ts';
@@ -104,7 +104,7 @@ function handTools(wb: Workbench, signal: AbortSignal): void {
   );
 }
 
-function displayStrip(wb: Workbench): HTMLElement {
+function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   const actions = actionsOf(wb);
   const strip = element('div', { class: 'display-strip tools', role: 'toolbar', 'aria-label': 'Display' });
   const skin = keepsFocusElsewhere(element('button', { type: 'button', class: 'tool text-tool skin-tool' }));
@@ -157,7 +157,7 @@ function displayStrip(wb: Workbench): HTMLElement {
   return strip;
 }
 
-function emptyHint(wb: Workbench): HTMLElement {
+function emptyHint(wb: Uses<'store' | 'actions' | 'files'>): HTMLElement {
   const open = element('button', { type: 'button', class: 'link' }, 'open files');
   open.addEventListener('click', () => wb.files.open());
   const start = element('button', { type: 'button', class: 'link' }, 'start a skeleton');
@@ -178,7 +178,7 @@ function emptyHint(wb: Workbench): HTMLElement {
 }
 
 /** What has to come before anything, or what was asked for, can be seen. */
-function missingNote(wb: Workbench): HTMLElement {
+function missingNote(wb: Uses<'store' | 'settings'>): HTMLElement {
   const note = element('p', { class: 'stage-note', role: 'status' });
   const show = () => {
     const text = whatIsMissing(wb.store.document, wb.store.selection, wb.settings.get().display);
@@ -192,7 +192,7 @@ function missingNote(wb: Workbench): HTMLElement {
 }
 
 /** A skin that hangs on the root as a whole looks like one that is broken: what it wants is said, with the way there. */
-function weightsNote(wb: Workbench): HTMLElement {
+function weightsNote(wb: Uses<'store' | 'actions'>): HTMLElement {
   const text = element('span');
   const find = element('button', { type: 'button', class: 'link' }, 'Automatic skin weights…');
   find.addEventListener('click', () => {

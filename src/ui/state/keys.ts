@@ -3,17 +3,17 @@ import { isTextField, isTypedIn, letGoOfClicked, watchTyping } from '../kit/focu
 import { isMac } from '../kit/keyboard.ts';
 import { actionsOf, tryAction } from './action.ts';
 import { actionFor, type FocusKind, shortcutsOf, swallows } from './shortcuts.ts';
-import type { Workbench } from './workbench.ts';
+import type { Uses } from './workbench.ts';
 
 /** Listens until the signal says otherwise. */
-export function listenToKeys(wb: Workbench, signal: AbortSignal): void {
+export function listenToKeys(wb: Uses<'actions' | 'settings' | 'dialog'>, signal: AbortSignal): void {
   watchTyping(signal);
   letGoOfClicked(signal);
   window.addEventListener('keydown', (event) => handleKey(wb, event), { signal });
 }
 
 /** Runs the action that the key means, unless the focused control, a panel or a dialog has it. */
-export function handleKey(wb: Workbench, event: KeyboardEvent): void {
+export function handleKey(wb: Uses<'actions' | 'settings' | 'dialog'>, event: KeyboardEvent): void {
   if (event.defaultPrevented || event.isComposing || wb.dialog.get() !== undefined) return;
   const target = event.target instanceof Element ? event.target : document.body;
   if (target.closest('[role=menu],dialog')) return;

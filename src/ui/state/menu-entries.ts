@@ -4,10 +4,10 @@ import type { MenuEntry, MenuItem } from '../kit/menu.ts';
 import { actionLabel, actionsOf, isChecked, isEnabled, tryAction, whyNot } from './action.ts';
 import type { MenuName } from './menus.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from './shortcuts.ts';
-import type { Action, Workbench } from './workbench.ts';
+import type { Action, Uses } from './workbench.ts';
 
 /** A menu's entries as things are now: build them when it opens. */
-export function menuEntries(wb: Workbench, menu: MenuName): MenuEntry[] {
+export function menuEntries(wb: Uses<'actions' | 'settings'>, menu: MenuName): MenuEntry[] {
   const actions = actionsOf(wb).flatMap((action) => inMenu(action, menu));
   if (!actions.length) return [{ kind: 'note', text: `No ${menu.toLowerCase()} came with this page.` }];
   const entries: MenuEntry[] = [];
@@ -45,7 +45,7 @@ function inSections(actions: readonly Action[]): Action[] {
   return [...actions].sort((a, b) => placeOf(a) - placeOf(b));
 }
 
-export function itemsOf(wb: Workbench, actions: readonly Action[]): MenuEntry[] {
+export function itemsOf(wb: Uses<'actions' | 'settings'>, actions: readonly Action[]): MenuEntry[] {
   const entries: MenuEntry[] = [];
   let before: Action | undefined;
   for (const action of actions) {
@@ -56,7 +56,7 @@ export function itemsOf(wb: Workbench, actions: readonly Action[]): MenuEntry[] 
   return entries;
 }
 
-export function itemOf(wb: Workbench, action: Action): MenuItem {
+export function itemOf(wb: Uses<'actions' | 'settings'>, action: Action): MenuItem {
   const [shortcut] = shortcutsFor(action, wb.settings.get());
   const enabled = isEnabled(wb, action);
   return {

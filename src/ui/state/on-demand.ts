@@ -8,7 +8,7 @@
  * The browser fetches a module once; asking again costs nothing.
  */
 import type { Messages } from './messages.ts';
-import type { Workbench } from './workbench.ts';
+import type { Uses } from './workbench.ts';
 
 /**
  * What `load` gives; undefined where that fails, which is said.
@@ -32,7 +32,7 @@ export async function onDemand<T>(
 const PATIENCE_MS = 2000;
 
 /** Runs it when the page has nothing else to do; files that are on their way in come first, their picture with them. */
-export function whenIdle({ loading }: Pick<Workbench, 'loading'>, run: () => void): void {
+export function whenIdle({ loading }: Uses<'loading'>, run: () => void): void {
   const until = performance.now() + PATIENCE_MS;
   const wait = () => {
     // Safari has no such callback.

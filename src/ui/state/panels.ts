@@ -3,7 +3,7 @@
  * which one at most is open, and none at first.
  */
 import type { Settings } from './settings.ts';
-import type { Workbench } from './workbench.ts';
+import type { Uses } from './workbench.ts';
 
 export type PanelName = 'outliner' | 'inspector' | 'timeline';
 
@@ -21,7 +21,7 @@ export function isPanelOpen({ panels }: Settings, panel: PanelName): boolean {
   return panel === 'outliner' ? panels.outlinerOpen : panels.inspectorOpen;
 }
 
-export function openPanel(wb: Workbench, panel: PanelName, open: boolean): void {
+export function openPanel(wb: Uses<'settings'>, panel: PanelName, open: boolean): void {
   const now = wb.settings.get();
   if (isPanelOpen(now, panel) === open) return;
   const beside = { [`${panel}Open`]: open };

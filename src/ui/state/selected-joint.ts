@@ -1,7 +1,7 @@
 /** The joint that is selected: what menus, tools and panels are about alike. */
 import { type Character, findCharacter } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import type { Workbench } from './workbench.ts';
+import type { Uses } from './workbench.ts';
 
 /** A joint that is selected, of a character that has it. */
 export interface SelectedJoint {
@@ -11,7 +11,7 @@ export interface SelectedJoint {
   readonly joint: number;
 }
 
-export function selectedJoint({ store }: Pick<Workbench, 'store'>): SelectedJoint | undefined {
+export function selectedJoint({ store }: Uses<'store'>): SelectedJoint | undefined {
   const { document, selection } = store;
   const character = findCharacter(document, selection.characterId);
   const skeleton = character?.skeleton;
@@ -21,7 +21,7 @@ export function selectedJoint({ store }: Pick<Workbench, 'store'>): SelectedJoin
 }
 
 /** Its index, where it is one of that character's. */
-export function selectedJointOf(wb: Pick<Workbench, 'store'>, characterId: string): number | undefined {
+export function selectedJointOf(wb: Uses<'store'>, characterId: string): number | undefined {
   const selected = selectedJoint(wb);
   return selected?.character.id === characterId ? selected.joint : undefined;
 }

@@ -2,7 +2,7 @@
 import { element } from '../kit/dom.ts';
 import { followPointer } from '../kit/drag.ts';
 import type { Panels } from './settings.ts';
-import type { Workbench } from './workbench.ts';
+import type { Uses } from './workbench.ts';
 
 type Size = 'outlinerWidth' | 'inspectorWidth' | 'filesHeight' | 'timelineHeight';
 
@@ -26,7 +26,7 @@ export function clampSize(size: Size, value: number): number {
   return Math.round(Math.min(LIMITS[size].max, Math.max(LIMITS[size].min, value)));
 }
 
-export function splitter(wb: Workbench, size: Size, label: string): HTMLElement {
+export function splitter(wb: Uses<'settings'>, size: Size, label: string): HTMLElement {
   const vertical = !size.endsWith('Height');
   const edge = element('div', {
     role: 'separator',

@@ -6,7 +6,7 @@
  */
 import { playsSamples } from '../../edit/frame-rate.ts';
 import { pause } from '../../edit/playback.ts';
-import type { Workbench } from './workbench.ts';
+import type { Uses, Workbench } from './workbench.ts';
 
 type Parts = Pick<Workbench, 'store' | 'transport' | 'timeline' | 'settings'>;
 
@@ -14,7 +14,7 @@ type Parts = Pick<Workbench, 'store' | 'transport' | 'timeline' | 'settings'>;
  * Whether what is paused stops on a frame: where one counts in frames, or what plays is frames of a file, for then it is
  * these that one wants to look at.
  */
-export function stopsOnFrame({ store, settings }: Pick<Workbench, 'store' | 'settings'>): boolean {
+export function stopsOnFrame({ store, settings }: Uses<'store' | 'settings'>): boolean {
   return settings.get().timeDisplay === 'frames' || playsSamples(store.document);
 }
 

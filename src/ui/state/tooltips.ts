@@ -2,10 +2,10 @@
 import { isMac } from '../kit/keyboard.ts';
 import { findAction } from './action.ts';
 import { shortcutsFor, shortcutText } from './shortcuts.ts';
-import type { Action, Workbench } from './workbench.ts';
+import type { Action, Uses } from './workbench.ts';
 
 /** `Play (Space)`; the text alone where the action has no key. */
-export function withKey(wb: Workbench, action: Action | undefined, text: string): string {
+export function withKey(wb: Uses<'settings'>, action: Action | undefined, text: string): string {
   const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
   return shortcut ? `${text} (${shortcutText(shortcut, isMac)})` : text;
 }
@@ -14,7 +14,12 @@ export function withKey(wb: Workbench, action: Action | undefined, text: string)
  * Keeps a control's tooltip as its text and the key of an action, now and after every change of the keys. Gives what
  * does it again, for a text that depends on something else.
  */
-export function keepTooltip(wb: Workbench, target: HTMLElement, actionId: string, text: () => string): () => void {
+export function keepTooltip(
+  wb: Uses<'actions' | 'settings'>,
+  target: HTMLElement,
+  actionId: string,
+  text: () => string,
+): () => void {
   const action = findAction(wb, actionId);
   const show = () => {
     target.title = withKey(wb, action, text());

@@ -16,7 +16,7 @@ import { openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../../state/timeline.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
 import { channelName, isAnimated, type ListedChannel } from '../timeline/channels.ts';
 import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
@@ -83,7 +83,7 @@ export class ChannelList {
   readonly showSoon = oncePerFrame(() => this.show());
 
   constructor(
-    private readonly wb: Workbench,
+    private readonly wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>,
     private readonly source: ListSource,
   ) {
     this.choice.append(...CHANNEL_LISTS.map((list) => element('option', { value: list }, LIST_LABELS[list])));
@@ -356,7 +356,7 @@ function describe(target: HTMLElement, label: string, on = false): void {
   target.classList.toggle('on', on);
 }
 
-function emptyText(wb: Workbench, list: ListChoice, filter: string): string {
+function emptyText(wb: Uses<'store'>, list: ListChoice, filter: string): string {
   if (filter) return `No channel matches “${filter}”.`;
   if (list === 'pinned') return 'No pinned channels. Click the pin at the end of a channel’s row to keep it here.';
   if (currentCharacter(wb)?.driver) return 'Its own channels are hidden while it is retargeted.';

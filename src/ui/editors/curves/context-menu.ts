@@ -6,7 +6,7 @@ import { EXTRAPOLATIONS } from '../../../model/clip.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import { actionsOf } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { extrapolate } from '../timeline/key-edits.ts';
@@ -33,13 +33,18 @@ export const SAMPLE_TOOLS = [
 export const CURVE_TOOLS = ['simplify', 'resample', 'bake', 'euler', 'loop', 'scaleKeys'];
 
 /** Actions of the timeline as entries. */
-export function entriesOf(wb: Workbench, ids: readonly string[]): MenuEntry[] {
+export function entriesOf(wb: Uses<'actions' | 'settings'>, ids: readonly string[]): MenuEntry[] {
   const actions = actionsOf(wb);
   return ids.flatMap((id) => actions.filter((a) => a.id === `timeline.${id}`).map((a) => itemOf(wb, a)));
 }
 
 /** @param byKeyboard there is nothing under a pointer: the menu is about what is selected */
-export function openPlotMenu(wb: Workbench, hit: Hit, where: Place, byKeyboard: boolean): void {
+export function openPlotMenu(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
+  hit: Hit,
+  where: Place,
+  byKeyboard: boolean,
+): void {
   const focusFirst = byKeyboard;
   if (hit.kind === 'key' || hit.kind === 'handle') {
     if (!hasKey(keysInHand(wb), hit.channel, hit.index)) {
@@ -63,7 +68,12 @@ export function openPlotMenu(wb: Workbench, hit: Hit, where: Place, byKeyboard: 
 }
 
 /** Of a channel in the list. */
-export function openChannelMenu(wb: Workbench, channel: number, where: Place, focusFirst: boolean): void {
+export function openChannelMenu(
+  wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>,
+  channel: number,
+  where: Place,
+  focusFirst: boolean,
+): void {
   const take = takeInHand(wb);
   if (!take) return;
   const label = channelName(namedChannel(take.character, channel));
@@ -79,13 +89,13 @@ export function openChannelMenu(wb: Workbench, channel: number, where: Place, fo
 }
 
 /** All keys of a channel, unless some of it are selected. */
-function selectCurve(wb: Workbench, channel: number): void {
+function selectCurve(wb: Uses<'store' | 'timeline'>, channel: number): void {
   const take = takeInHand(wb);
   if (!take || keysInHand(wb).some((k) => k.channel === channel)) return;
   selectKeys(wb, allKeys(take.clip, [channel]));
 }
 
-function keyEntries(wb: Workbench): MenuEntry[] {
+function keyEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
   const side = (label: string, name: 'in' | 'out'): MenuEntry => ({
     kind: 'menu',
     label,
@@ -108,17 +118,17 @@ function keyEntries(wb: Workbench): MenuEntry[] {
   ];
 }
 
-function isSampledHere(wb: Workbench, channel: number): boolean {
+function isSampledHere(wb: Uses<'store'>, channel: number): boolean {
   return takeInHand(wb)?.clip.channels[channel]?.kind === 'samples';
 }
 
 /** Of a curve that follows samples: it has no keys to do anything with. */
-function sampledEntries(wb: Workbench, channel: number): MenuEntry[] {
+function sampledEntries(wb: Uses<'actions' | 'timeline' | 'settings'>, channel: number): MenuEntry[] {
   return [...showEntries(wb, channel), LINE, ...entriesOf(wb, SAMPLE_TOOLS)];
 }
 
 /** What of a channel is shown. */
-function showEntries(wb: Workbench, channel: number): MenuEntry[] {
+function showEntries(wb: Uses<'timeline'>, channel: number): MenuEntry[] {
   const { view } = wb.timeline;
   const { isolated } = view.get();
   const isOnly = isolated?.length === 1 && isolated[0] === channel;
@@ -141,7 +151,7 @@ function showEntries(wb: Workbench, channel: number): MenuEntry[] {
   ];
 }
 
-function channelEntries(wb: Workbench, channel: number): MenuEntry[] {
+function channelEntries(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>, channel: number): MenuEntry[] {
   return [
     ...showEntries(wb, channel),
     LINE,
@@ -153,7 +163,7 @@ function channelEntries(wb: Workbench, channel: number): MenuEntry[] {
   ];
 }
 
-function groundEntries(wb: Workbench): MenuEntry[] {
+function groundEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
   return [
     ...entriesOf(wb, ['insertKey', 'paste', 'pasteInsert', 'pasteInto']),
     LINE,
@@ -166,13 +176,13 @@ function groundEntries(wb: Workbench): MenuEntry[] {
   ];
 }
 
-function pinEntry(wb: Workbench, channel: number): MenuEntry {
+function pinEntry(wb: Uses<'timeline'>, channel: number): MenuEntry {
   const checked = wb.timeline.view.get().pinned.includes(channel);
   return { kind: 'item', label: 'Pin', checked, enabled: true, run: () => toggleIn(wb, 'pinned', channel) };
 }
 
 /** How one channel goes on past an end. */
-export function extrapolationEntries(wb: Workbench, channel: number, side: 'in' | 'out'): MenuEntry[] {
+export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: number, side: 'in' | 'out'): MenuEntry[] {
   const held = takeInHand(wb)?.clip.channels[channel];
   const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
   return EXTRAPOLATIONS.map((extrapolation) => ({
@@ -186,7 +196,7 @@ export function extrapolationEntries(wb: Workbench, channel: number, side: 'in' 
 }
 
 /** Hides or shows a channel, pins it or lets it go. */
-export function toggleIn(wb: Workbench, what: 'hidden' | 'pinned', channel: number): void {
+export function toggleIn(wb: Uses<'timeline'>, what: 'hidden' | 'pinned', channel: number): void {
   const now = wb.timeline.view.get()[what];
   const next = now.includes(channel) ? now.filter((c) => c !== channel) : [...now, channel].sort((a, b) => a - b);
   wb.timeline.change(what === 'hidden' ? { hidden: next } : { pinned: next });

@@ -2,10 +2,10 @@
 import { spanOfChannel } from '../../../model/clip.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 
-export function emptyPlotText(wb: Workbench, listed: number): string {
+export function emptyPlotText(wb: Uses<'store' | 'transport' | 'timeline'>, listed: number): string {
   const character = currentCharacter(wb);
   if (!character) return 'No curves yet. Drop a character and its animation here or choose Open.';
   if (character.driver && !listed) {

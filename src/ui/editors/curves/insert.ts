@@ -1,10 +1,14 @@
 /** A key on a curve where it was clicked. */
 import { insertKeys } from '../../../edit/commands/keys.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 
 /** On the curve, whose shape stays; on the nearest frame where keys snap to frames. @param clipSeconds of the clip */
-export function insertOnCurve(wb: Workbench, channel: number, clipSeconds: number): void {
+export function insertOnCurve(
+  wb: Uses<'store' | 'transport' | 'timeline'>,
+  channel: number,
+  clipSeconds: number,
+): void {
   const take = takeInHand(wb);
   if (!take) return;
   const { framesPerSecond } = wb.transport.get();

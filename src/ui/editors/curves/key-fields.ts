@@ -15,7 +15,7 @@ import { NumberField, type NumberFieldOptions } from '../../kit/number-field.ts'
 import { decimalsWithin, shown } from '../../kit/number-text.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from '../timeline/channels.ts';
 import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { framesOf } from '../timeline/snapping.ts';
@@ -57,7 +57,7 @@ function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[
   return found ?? MIXED;
 }
 
-export function keyFields(wb: Workbench): HTMLElement {
+export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): HTMLElement {
   const inFrames = () => wb.settings.get().timeDisplay === 'frames';
   /** Model units to what is shown; undefined for keys of different units, whose numbers mean different things. */
   const unitOf = (): DofUnit | undefined => {

@@ -1,12 +1,14 @@
 /** The curve editor: channels on the left, the plot beside them, its buttons in the row of the tabs. */
 import { element } from '../../kit/dom.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { ChannelList } from './channel-list.ts';
 import { CurvePlot } from './plot.ts';
 import { curveToolbar } from './toolbar.ts';
 
-export function curvePanel(wb: Workbench): TimelineTab {
+export function curvePanel(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+): TimelineTab {
   const plot = new CurvePlot(wb);
   const list = new ChannelList(wb, plot.source);
   return {

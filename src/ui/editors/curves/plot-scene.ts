@@ -6,7 +6,7 @@ import { compileClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import type { Character } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, type ListedChannel, listedChannels } from '../timeline/channels.ts';
 import { keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
@@ -35,7 +35,7 @@ export class PlotScene {
   private linesDrawn: readonly number[] | undefined;
   private byChannel: ReadonlyMap<number, CurveLine> = new Map();
 
-  constructor(private readonly wb: Workbench) {}
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>) {}
 
   /** Something that the scene is made of has changed. */
   invalidate(): void {

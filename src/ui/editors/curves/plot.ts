@@ -3,7 +3,7 @@ import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { revealTime } from '../../kit/time-window.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { Box } from '../timeline/box.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
@@ -41,7 +41,7 @@ export class CurvePlot implements PlotHost {
   /** What the view was fitted to, so that it is fitted anew when that is something else. */
   private fittedTo: { readonly take: string; readonly channels: readonly number[] } = { take: '', channels: [] };
 
-  constructor(readonly wb: Workbench) {
+  constructor(readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
     this.element = element('div', {
       class: 'curve-plot',
       tabindex: 0,

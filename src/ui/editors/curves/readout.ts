@@ -2,7 +2,7 @@
 
 import { keysOf } from '../../../model/clip.ts';
 import { element, setText } from '../../kit/dom.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 import { type CurveLine, type CurveScene, type Hit, lineOf } from './scene/scene.ts';
@@ -17,7 +17,7 @@ export class Readout {
   private readonly drag = element('span', { class: 'readout-drag' });
   readonly element = element('div', { class: 'curve-readout' }, this.drag, this.name, this.value, this.place);
 
-  constructor(private readonly wb: Workbench) {}
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'settings'>) {}
 
   /** What a drag has come to; empty takes it away. */
   say(text: string): void {
@@ -53,7 +53,7 @@ export class Readout {
 }
 
 /** The height of the pointer on each axis that is drawn. */
-function heights(wb: Workbench, scene: CurveScene, y: number): string {
+function heights(wb: Uses<'settings'>, scene: CurveScene, y: number): string {
   const onAxis = new Map<string, CurveLine>();
   for (const line of scene.lines) if (!line.normalise && !onAxis.has(line.axis)) onAxis.set(line.axis, line);
   return [...onAxis.values()].map((line) => valueText(wb, line.unit, valueAt(scene.space, line, y))).join(' / ');

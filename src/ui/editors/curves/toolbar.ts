@@ -7,7 +7,7 @@ import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { findAction, isChecked, isEnabled, tryAction } from '../../state/action.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { HANDLE_LABELS } from '../timeline/actions.ts';
 import { CURVE_TOOLS, entriesOf, SAMPLE_TOOLS } from './context-menu.ts';
 import { keyFields } from './key-fields.ts';
@@ -27,7 +27,9 @@ const YIELDING: Readonly<Record<string, readonly string[]>> = {
 
 const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'];
 
-export function curveToolbar(wb: Workbench): HTMLElement {
+export function curveToolbar(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+): HTMLElement {
   const tools: (() => void)[] = [];
   const tool = (id: string, label: string, name: IconName, isSwitch = false) => {
     const action = findAction(wb, `timeline.${id}`);

@@ -1,13 +1,13 @@
 /** What the dope sheet has beyond the keys' own actions: ripple, folds, and the way to the curves. */
 import { rippleKeys } from '../../../edit/commands/keys.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 import { allFolds } from '../timeline/dope-rows.ts';
 import { aboutKeysInHand, keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import { showCurves } from './show-curves.ts';
 
 const MENU = 'Keys/Dope sheet';
-const hasTake = (wb: Workbench) => takeInHand(wb) !== undefined;
-const hasKeys = (wb: Workbench) => keysInHand(wb).length > 0;
+const hasTake = (wb: Uses<'store'>) => takeInHand(wb) !== undefined;
+const hasKeys = (wb: Uses<'store' | 'timeline'>) => keysInHand(wb).length > 0;
 
 export const DOPE_ACTIONS: readonly Action[] = [
   {

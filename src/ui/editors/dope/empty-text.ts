@@ -1,10 +1,10 @@
 /** What would fill an empty dope sheet. */
 import { spanOfChannel } from '../../../model/clip.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { Take } from '../timeline/in-hand.ts';
 
-export function emptyText(wb: Workbench, take: Take | undefined): string {
+export function emptyText(wb: Uses<'store' | 'timeline'>, take: Take | undefined): string {
   if (!wb.store.document.characters.length)
     return 'No keys yet. Drop a character and its animation here or choose Open.';
   const driven = take?.character.driver ?? currentCharacter(wb)?.driver;

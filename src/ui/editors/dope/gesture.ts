@@ -1,5 +1,5 @@
 /** What a drag in the sheet is, and what it may use. */
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { Box } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
@@ -16,7 +16,7 @@ export interface Pointer {
 
 /** What gestures see of the panel: always as it is now, for it may be scrolled and zoomed under them. */
 export interface DopeHost {
-  readonly wb: Workbench;
+  readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>;
   sheet(): Sheet;
   shown(): SheetKeys;
 }

@@ -9,7 +9,7 @@ import { countKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { aboutKeysInHand, editOfTake, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { framesOf, snapSeconds } from '../timeline/snapping.ts';
 import type { DopeHost, Gesture, Pointer } from './gesture.ts';
@@ -150,7 +150,7 @@ export class ScaleKeys extends KeyDrag {
 }
 
 /** `+3 frames`, `−0.25 s`. */
-function amountText(wb: Workbench, seconds: number): string {
+function amountText(wb: Uses<'transport' | 'settings'>, seconds: number): string {
   const sign = seconds < 0 ? '−' : '+';
   const size = Math.abs(seconds);
   if (wb.settings.get().timeDisplay !== 'frames') return `${sign}${shown(size)} s`;

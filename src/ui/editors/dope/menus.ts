@@ -5,7 +5,7 @@ import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { actionsOf } from '../../state/action.ts';
 import { itemOf, itemsOf } from '../../state/menu-entries.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { keysInHand, selectedKeys, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { insertAtPlayhead } from '../timeline/key-edits.ts';
@@ -28,13 +28,23 @@ const EMPTY_IDS = [
 ] as const;
 
 /** The menu of a place in the sheet. Keys that are not selected yet become so first: it is about what one points at. */
-export function sheetMenu(wb: Workbench, rows: readonly DopeRow[], hit: SheetHit, at: Place): void {
+export function sheetMenu(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
+  rows: readonly DopeRow[],
+  hit: SheetHit,
+  at: Place,
+): void {
   if (hit.kind === 'keys' || hit.kind === 'strip') keysMenu(wb, rows, hit, at);
   else if (hit.kind === 'row') rowMenu(wb, rows[hit.row], at);
   else show(wb, EMPTY_IDS, [], at, 'Dope sheet');
 }
 
-function keysMenu(wb: Workbench, rows: readonly DopeRow[], hit: SheetHit, at: Place): void {
+function keysMenu(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
+  rows: readonly DopeRow[],
+  hit: SheetHit,
+  at: Place,
+): void {
   const own: MenuEntry[] = [];
   if (hit.kind === 'keys') {
     if (!areSelected(hit.keys, keysInHand(wb))) selectKeys(wb, hit.keys);
@@ -54,7 +64,11 @@ function keysMenu(wb: Workbench, rows: readonly DopeRow[], hit: SheetHit, at: Pl
 }
 
 /** The menu of a row, on its name and beside its keys alike. */
-export function rowMenu(wb: Workbench, row: DopeRow, at: Place): void {
+export function rowMenu(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
+  row: DopeRow,
+  at: Place,
+): void {
   const take = takeInHand(wb);
   if (!take) return;
   const keys = allKeys(take.clip, row.channels);
@@ -71,7 +85,7 @@ export function rowMenu(wb: Workbench, row: DopeRow, at: Place): void {
 }
 
 function show(
-  wb: Workbench,
+  wb: Uses<'actions' | 'settings'>,
   sections: readonly (readonly string[])[],
   first: readonly MenuEntry[],
   at: Place,

@@ -13,7 +13,7 @@ import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { fitWindow, panWindow, revealTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { allFolds, type DopeRow, dopeRows, sameRows } from '../timeline/dope-rows.ts';
 import { keysInHand, selectedKeys, selectKeys, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
@@ -27,7 +27,9 @@ import type { DopeScene } from './scene.ts';
 import type { Sheet } from './sheet.ts';
 import { dopeFilter, dopeTools } from './tools.ts';
 
-export function dopePanel(wb: Workbench): TimelineTab {
+export function dopePanel(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+): TimelineTab {
   return new DopePanel(wb);
 }
 
@@ -56,7 +58,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   private stale = true;
   private readonly drawSoon = oncePerFrame(() => this.draw());
 
-  constructor(readonly wb: Workbench) {
+  constructor(readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
     this.names = new DopeNames(
       {
         fold: (row, open, every) => this.fold(row, open, every),

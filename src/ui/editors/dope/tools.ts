@@ -3,7 +3,7 @@ import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/do
 import { icon } from '../../kit/icons.ts';
 import { findAction, isChecked, tryAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** Switches and what their tooltips say of them. */
 const SWITCHES: Readonly<Record<string, string>> = {
@@ -12,7 +12,7 @@ const SWITCHES: Readonly<Record<string, string>> = {
   'dope.allRows': 'Show rows without keys',
 };
 
-export function dopeTools(wb: Workbench): HTMLElement {
+export function dopeTools(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   const tools = element('div', { class: 'tools dope-tools', role: 'toolbar', 'aria-label': 'Dope sheet' });
   for (const [id, text] of Object.entries(SWITCHES)) {
     const action = findAction(wb, id);
@@ -30,7 +30,7 @@ export function dopeTools(wb: Workbench): HTMLElement {
 }
 
 /** Part of a joint's or a channel's name: one filter for curves and dope sheet. */
-export function dopeFilter(wb: Workbench): HTMLElement {
+export function dopeFilter(wb: Uses<'timeline'>): HTMLElement {
   const input = element('input', {
     type: 'search',
     'aria-label': 'Filter rows by name',

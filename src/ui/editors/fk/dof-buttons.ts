@@ -4,12 +4,15 @@ import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { coupleText } from '../inspector/dof-rows.ts';
 import { activeDof, chooseDof, dofsByHand, dofsOfJoint } from '../posing/active-dof.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 
-export function dofButtons(wb: Workbench): { readonly element: HTMLElement; readonly dispose: () => void } {
+export function dofButtons(wb: Uses<'store' | 'posing' | 'settings'>): {
+  readonly element: HTMLElement;
+  readonly dispose: () => void;
+} {
   const group = element('div', { class: 'dof-buttons tools', role: 'radiogroup', 'aria-label': 'Active DOF' });
   const show = () => {
     const selected = selectedJoint(wb);
@@ -60,7 +63,7 @@ export function dofButtons(wb: Workbench): { readonly element: HTMLElement; read
 }
 
 function dofButton(
-  wb: Workbench,
+  wb: Uses<'store' | 'posing'>,
   dof: number,
   name: string,
   axis: AxisLetter | undefined,

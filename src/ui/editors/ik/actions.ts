@@ -2,24 +2,24 @@
 import { defaultIk } from '../../../model/ik.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pins';
 const edits = () => import('./pin-edits.ts');
-const ikOfCurrent = (wb: Workbench) => {
+const ikOfCurrent = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character?.skeleton && (character.ik ?? defaultIk(character.skeleton));
 };
-const hasPins = (wb: Workbench) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0;
+const hasPins = (wb: Uses<'store'>) => (ikOfCurrent(wb)?.pins.length ?? 0) > 0;
 const NO_PINS = 'The character has no pins.';
 const NO_JOINT = 'No joint is selected.';
 
-const hasJoint = (wb: Workbench) => selectedJoint(wb) !== undefined;
-const isPinned = (wb: Workbench) => {
+const hasJoint = (wb: Uses<'store'>) => selectedJoint(wb) !== undefined;
+const isPinned = (wb: Uses<'store'>) => {
   const joint = selectedJoint(wb)?.joint;
   return ikOfCurrent(wb)?.pins.some((pin) => pin.joint === joint) ?? false;
 };
-const isLocked = (wb: Workbench) => {
+const isLocked = (wb: Uses<'store'>) => {
   const joint = selectedJoint(wb)?.joint;
   return ikOfCurrent(wb)?.stiff.some((one) => one.joint === joint && one.stiffness === undefined) ?? false;
 };

@@ -16,7 +16,7 @@ import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses, Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 
@@ -189,7 +189,7 @@ export class HandPull {
 }
 
 /** What a drag begins from, until the next `seek`. */
-function partsOf(wb: Workbench, { id, skeleton }: Character, { placement: copy, joint }: Grip) {
+function partsOf(wb: Uses<'viewport'>, { id, skeleton }: Character, { placement: copy, joint }: Grip) {
   const facts = wb.viewport.character(id);
   const placement = wb.viewport.placementOf(id, copy)?.slice();
   if (!facts || !skeleton || !placement || placement.length < 16 || isSingular(placement)) return undefined;

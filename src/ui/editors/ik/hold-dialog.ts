@@ -10,7 +10,7 @@ import type { DialogContent } from '../../kit/dialog.ts';
 import { element } from '../../kit/dom.ts';
 import { errorSize, plural } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { toolDialog } from '../timeline/tool-dialog.ts';
 import { selectedPin } from './in-hand.ts';
 
@@ -24,7 +24,10 @@ const STEP_SECONDS = 0.5;
 /** Curves named at once; the rest is counted. */
 const MOST_NAMED = 3;
 
-export function holdDialog(wb: Workbench, close: () => void): DialogContent {
+export function holdDialog(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   const character = currentCharacter(wb);
   const pins = character ? ikOf(character).pins : [];
   if (!character || pins.length === 0) return nothing('No point of the character is pinned. Pin one in IK mode first.');

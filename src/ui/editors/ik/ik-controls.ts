@@ -4,11 +4,11 @@ import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../
 import { oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
 /** Made once; it follows the page while it is shown. */
-export function ikControls(wb: Workbench): HTMLElement {
+export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const root = keepsFocusElsewhere(
     button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => runAction(wb, 'ik.rootFree')),
   );

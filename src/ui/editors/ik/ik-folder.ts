@@ -14,7 +14,7 @@ import { NumberField } from '../../kit/number-field.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { selectedPin } from './in-hand.ts';
 import { changePin, freeRoot, letGo, selectPin, stiffen } from './pin-edits.ts';
 import { pointName } from './pin-picture.ts';
@@ -61,7 +61,7 @@ export class IkFolder {
   private characterId: string | undefined;
 
   constructor(
-    private readonly wb: Workbench,
+    private readonly wb: Uses<'store' | 'actions' | 'posing' | 'messages'>,
     private readonly folder: GUI,
   ) {
     this.stiffness = new NumberField({

@@ -1,7 +1,7 @@
 /** A few lines of text that stand beside points of the picture: names of pins, and what is in the way of one. */
 
 import { element, setText } from '../../kit/dom.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { PlaceOnScreen } from './nearest-on-screen.ts';
 
 export type LabelKind = 'name' | 'gap';
@@ -110,7 +110,7 @@ export class IkLabels {
     this.top = target.clientHeight;
   });
 
-  constructor(private readonly wb: Workbench) {
+  constructor(private readonly wb: Uses<'viewport' | 'viewportElement'>) {
     this.element.append(this.spoken);
   }
 

@@ -3,11 +3,11 @@ import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** The pin and its character, if both are still there. */
 export function findPin(
-  wb: Pick<Workbench, 'store'>,
+  wb: Uses<'store'>,
   ref: PinRef | undefined,
 ): { readonly character: Character; readonly pin: Pin } | undefined {
   const character = findCharacter(wb.store.document, ref?.characterId);
@@ -16,7 +16,7 @@ export function findPin(
 }
 
 /** The pin is out of hand where it is gone, or another joint, or none, has been selected. */
-export function keepInHand(wb: Workbench, isAnotherSelection: boolean): void {
+export function keepInHand(wb: Uses<'store' | 'posing'>, isAnotherSelection: boolean): void {
   const { selected } = wb.posing.ik;
   const ref = selected.get();
   const found = findPin(wb, ref);
@@ -25,6 +25,6 @@ export function keepInHand(wb: Workbench, isAnotherSelection: boolean): void {
   if (ref && (!found || (isAnotherSelection && !isSelected))) selected.set(undefined);
 }
 
-export function selectedPin(wb: Workbench): ReturnType<typeof findPin> {
+export function selectedPin(wb: Uses<'store' | 'posing'>): ReturnType<typeof findPin> {
   return findPin(wb, wb.posing.ik.selected.get());
 }

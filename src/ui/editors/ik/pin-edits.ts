@@ -6,13 +6,13 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import { type Character, findCharacter, shownSkin } from '../../../model/document.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /**
  * Pins a point. It is not selected by that: arrow keys, which turn the view, would move it from then on.
  * @param point in the joint's space
  */
-export function pinAt(wb: Workbench, characterId: string, joint: number, point: Vec3): void {
+export function pinAt(wb: Uses<'store' | 'messages'>, characterId: string, joint: number, point: Vec3): void {
   attempt(wb.messages, () => {
     wb.store.apply(pinPoint, { characterId, joint, point });
     // The inspector is about it.
@@ -20,20 +20,20 @@ export function pinAt(wb: Workbench, characterId: string, joint: number, point: 
   });
 }
 
-export function letGo(wb: Workbench, { characterId, pin }: PinRef): void {
+export function letGo(wb: Uses<'store' | 'posing' | 'messages'>, { characterId, pin }: PinRef): void {
   attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: [pin] }));
   const { selected } = wb.posing.ik;
   const now = selected.get();
   if (now?.characterId === characterId && now.pin === pin) selected.set(undefined);
 }
 
-export function letAllGo(wb: Workbench, characterId: string): void {
+export function letAllGo(wb: Uses<'store' | 'posing' | 'messages'>, characterId: string): void {
   attempt(wb.messages, () => wb.store.apply(clearPins, { characterId }));
   wb.posing.ik.selected.set(undefined);
 }
 
 /** Pins a joint where one would expect it, or lets go of all that is pinned of it. */
-export function togglePin(wb: Workbench, character: Character, joint: number): void {
+export function togglePin(wb: Uses<'store' | 'posing' | 'messages'>, character: Character, joint: number): void {
   const { skeleton, id: characterId } = character;
   if (!skeleton) return;
   const pins = ikOf(character).pins.filter((pin) => pin.joint === joint);
@@ -50,13 +50,13 @@ export function togglePin(wb: Workbench, character: Character, joint: number): v
  * Selects a pin, and its joint.
  * @param placement the copy of the character that it was picked in; absent where that does not matter, as in a list
  */
-export function selectPin(wb: Workbench, ref: PinRef, joint: number, placement?: number): void {
+export function selectPin(wb: Uses<'store' | 'posing'>, ref: PinRef, joint: number, placement?: number): void {
   wb.posing.ik.selected.set(ref);
   wb.store.select({ characterId: ref.characterId, ...(placement !== undefined && { placement }), joint });
 }
 
 export function stiffen(
-  wb: Workbench,
+  wb: Uses<'store' | 'messages'>,
   characterId: string,
   joint: number,
   stiffness: number | 'locked' | 'usual',
@@ -69,16 +69,16 @@ export function isLocked(character: Character, joint: number): boolean {
 }
 
 /** Locked becomes usual; anything else locked. */
-export function toggleLock(wb: Workbench, character: Character, joint: number): void {
+export function toggleLock(wb: Uses<'store' | 'messages'>, character: Character, joint: number): void {
   stiffen(wb, character.id, joint, isLocked(character, joint) ? 'usual' : 'locked');
 }
 
-export function freeRoot(wb: Workbench, characterId: string, isFree: boolean): void {
+export function freeRoot(wb: Uses<'store' | 'messages'>, characterId: string, isFree: boolean): void {
   attempt(wb.messages, () => wb.store.apply(setRootFree, { characterId, isFree }));
 }
 
 export function changePin(
-  wb: Workbench,
+  wb: Uses<'store' | 'messages'>,
   { characterId, pin }: PinRef,
   change: { readonly weight?: number; readonly holdsOrientation?: boolean },
 ): void {

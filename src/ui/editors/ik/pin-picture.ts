@@ -11,7 +11,7 @@ import { reachOf } from '../../../model/reach.ts';
 import type { PinColor, PinPainter } from '../../../view/pins/pin-overlay.ts';
 import { shown } from '../../kit/number-text.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { gapText } from './gap-text.ts';
 import type { PullState } from './hand-pull.ts';
 import type { Label } from './ik-labels.ts';
@@ -43,7 +43,11 @@ export interface HandNow {
 }
 
 /** Paints what there is. @returns what is to be written beside it */
-export function paintPins(wb: Workbench, painter: PinPainter, hand: HandNow): Label[] {
+export function paintPins(
+  wb: Uses<'store' | 'viewport' | 'posing' | 'settings'>,
+  painter: PinPainter,
+  hand: HandNow,
+): Label[] {
   const labels: Label[] = [];
   const { pull, hoveredPoint } = hand;
   const isOf = ({ id, ik }: Character) =>
@@ -63,7 +67,13 @@ export function paintPins(wb: Workbench, painter: PinPainter, hand: HandNow): La
   return labels;
 }
 
-function paintPin(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pin: Pin, hand: HandNow): Label[] {
+function paintPin(
+  wb: Uses<'viewport' | 'posing'>,
+  painter: PinPainter,
+  seen: SeenSkeleton,
+  pin: Pin,
+  hand: HandNow,
+): Label[] {
   const { character, placement } = seen;
   const at = inWorld(seen, pin.joint, pin.point);
   const { selected, pointedAt } = wb.posing.ik;
@@ -96,7 +106,7 @@ function pinKey({ character, placement }: SeenSkeleton, pin: number): string {
 }
 
 /** Away from the middle of the character's joints. */
-function sideOf(wb: Workbench, { skeleton, world, toWorld }: SeenSkeleton, x: number): 'left' | 'right' {
+function sideOf(wb: Uses<'viewport'>, { skeleton, world, toWorld }: SeenSkeleton, x: number): 'left' | 'right' {
   const sum = [0, 0, 0];
   for (let j = 0; j < skeleton.joints.length; j++) for (let k = 0; k < 3; k++) sum[k] += world[16 * j + 12 + k];
   const [mx, my, mz] = sum.map((part) => part / skeleton.joints.length);
@@ -124,7 +134,7 @@ export function pointName(character: Character, { joint, point }: Pick<Pin, 'joi
 }
 
 function paintAxes(
-  wb: Workbench,
+  wb: Uses<'viewport'>,
   painter: PinPainter,
   { world, toWorld }: SeenSkeleton,
   joint: number,
@@ -157,7 +167,12 @@ function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
 }
 
 /** The points of the joint under the pointer that could be pinned, and the one that a click would pin. */
-function paintPoints(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, hovered: SeenPoint): Label[] {
+function paintPoints(
+  wb: Uses<'viewport' | 'settings'>,
+  painter: PinPainter,
+  seen: SeenSkeleton,
+  hovered: SeenPoint,
+): Label[] {
   const { character, skeleton } = seen;
   const { joint, natural } = hovered;
   if (joint >= skeleton.joints.length) return [];
@@ -176,7 +191,7 @@ function paintPoints(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, hov
 }
 
 /** What is dragged, and what it can't reach. */
-function paintPull(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pull: PullState): Label[] {
+function paintPull(wb: Uses<'viewport'>, painter: PinPainter, seen: SeenSkeleton, pull: PullState): Label[] {
   const { grip, gaps, hindrance } = pull;
   const { character, toWorld } = seen;
   if (grip.pin === undefined)
@@ -196,7 +211,7 @@ function paintPull(wb: Workbench, painter: PinPainter, seen: SeenSkeleton, pull:
 }
 
 /** What an earlier drag could not reach. */
-function paintLeft(wb: Workbench, painter: PinPainter, seen: SeenSkeleton): Label[] {
+function paintLeft(wb: Uses<'viewport' | 'posing'>, painter: PinPainter, seen: SeenSkeleton): Label[] {
   const { character, skeleton, dofs, toWorld, world } = seen;
   const { targets } = wb.posing.ik;
   const left = targets.leftOf(character.id, dofs);
@@ -214,7 +229,7 @@ function paintLeft(wb: Workbench, painter: PinPainter, seen: SeenSkeleton): Labe
 
 /** @param pin its id; undefined for a point that is no pin */
 function paintGap(
-  wb: Workbench,
+  wb: Uses<'viewport'>,
   painter: PinPainter,
   seen: SeenSkeleton,
   pin: number | undefined,

@@ -15,11 +15,15 @@ import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import type { BesideDof, DofValue } from '../../state/posing.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 
 /** Undefined where no pin holds anything beside that DOF. */
-export function besidePins(wb: Workbench, characterId: string, dof: number): BesideDof | undefined {
+export function besidePins(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'posing' | 'settings'>,
+  characterId: string,
+  dof: number,
+): BesideDof | undefined {
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton || ikOf(character).pins.length === 0) return undefined;
   const count = rootDofCount(character.skeleton) + jointDofCount(character.skeleton);
@@ -40,7 +44,7 @@ class PinsBeside implements BesideDof {
   private problem: IkProblem | undefined;
 
   constructor(
-    private readonly wb: Workbench,
+    private readonly wb: Uses<'viewport' | 'posing'>,
     private readonly character: Character,
     private readonly skeleton: Skeleton,
     private readonly dof: number,

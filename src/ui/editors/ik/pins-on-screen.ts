@@ -9,7 +9,7 @@ import { type Character, findCharacter, shownSkin } from '../../../model/documen
 import type { Pin } from '../../../model/ik.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import type { Skin } from '../../../model/skin.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { nearestOnScreen, type PlaceOnScreen, SNAP_PIXELS } from './nearest-on-screen.ts';
 
@@ -51,7 +51,10 @@ export interface SeenSkeleton {
 }
 
 /** Characters that are drawn and have a skeleton, once for each of their places. */
-export function* seenSkeletons(wb: Workbench, of: (character: Character) => boolean): Generator<SeenSkeleton> {
+export function* seenSkeletons(
+  wb: Uses<'store' | 'viewport'>,
+  of: (character: Character) => boolean,
+): Generator<SeenSkeleton> {
   for (const character of wb.store.document.characters) {
     const { id, skeleton } = character;
     if (!skeleton || character.isHidden || !of(character)) continue;
@@ -74,7 +77,7 @@ export function inWorld({ world, toWorld }: SeenSkeleton, joint: number, point: 
 export const hasPins = (character: Character) => (character.ik?.pins.length ?? 0) > 0;
 
 /** Every pin in the picture, and where it is: client coordinates, in the same order. */
-export function pinsInPicture(wb: Workbench): {
+export function pinsInPicture(wb: Uses<'store' | 'viewport'>): {
   readonly pins: readonly SeenPin[];
   readonly places: readonly PlaceOnScreen[];
 } {
@@ -92,14 +95,14 @@ export function pinsInPicture(wb: Workbench): {
 }
 
 /** The pin under the pointer; the nearest of several. */
-export function pinUnder(wb: Workbench, at: CanvasPointer): SeenPin | undefined {
+export function pinUnder(wb: Uses<'store' | 'viewport'>, at: CanvasPointer): SeenPin | undefined {
   const { pins, places } = pinsInPicture(wb);
   const reach = at.pointerType === 'touch' ? PIN_PIXELS_TOUCH : PIN_PIXELS;
   return pins[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, reach)];
 }
 
 /** The point of a character under the pointer. */
-export function pointUnder(wb: Workbench, at: CanvasPointer): SeenPoint | undefined {
+export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: CanvasPointer): SeenPoint | undefined {
   const hit = wb.viewport.pick(at.clientX, at.clientY);
   const character = findCharacter(wb.store.document, hit?.characterId);
   if (!hit || hit.joint === undefined || !character?.skeleton) return undefined;
@@ -121,7 +124,7 @@ export function pointUnder(wb: Workbench, at: CanvasPointer): SeenPoint | undefi
 
 /** Of a skin the vertex, as a point of the joint that moves it most; else what is seen of the joint. */
 function pickedPoint(
-  wb: Workbench,
+  wb: Uses<'viewport' | 'settings'>,
   { character, skeleton, placement, world, toWorld }: SeenSkeleton,
   joint: number,
   vertex: number | undefined,
@@ -149,14 +152,19 @@ function pickedPoint(
   return { joint, point: seenPoint(skeleton, joint, world, { origin, direction }, near, boxesAreSeen) };
 }
 
-function naturalPoint(wb: Workbench, seen: SeenSkeleton, joint: number, at: CanvasPointer): PinPoint | undefined {
+function naturalPoint(
+  wb: Uses<'viewport' | 'settings'>,
+  seen: SeenSkeleton,
+  joint: number,
+  at: CanvasPointer,
+): PinPoint | undefined {
   const points = offeredPoints(wb, seen.character, seen.skeleton, joint);
   const places = points.map(({ point }) => wb.viewport.eye.toScreen(inWorld(seen, joint, point)));
   return points[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, SNAP_PIXELS)];
 }
 
 /** Whether the boxes of a character are drawn. */
-function showsBoxes(wb: Workbench, character: Character): boolean {
+function showsBoxes(wb: Uses<'settings'>, character: Character): boolean {
   const { boxes, skin } = wb.settings.get().display;
   const isSkinned = shownSkin(character) !== undefined && skin !== 'hidden';
   return boxes === 'bare' ? !isSkinned : boxes !== 'hidden';
@@ -164,7 +172,7 @@ function showsBoxes(wb: Workbench, character: Character): boolean {
 
 /** The natural points that one can make out in the picture: the ends of boxes only where there are boxes. */
 export function offeredPoints(
-  wb: Workbench,
+  wb: Uses<'settings'>,
   character: Character,
   skeleton: Skeleton,
   joint: number,

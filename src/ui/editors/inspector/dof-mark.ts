@@ -11,7 +11,7 @@ import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { button, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { attempt } from '../../state/attempt.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { deleteKeysNow, isKeyedNow, keyNow } from '../posing/pose-edits.ts';
 
 export type DofState = 'keyed' | 'driven' | 'unkeyed' | 'moved' | 'free';
@@ -24,7 +24,7 @@ export class DofMark {
    * @param name of the DOF, as it is spoken: `rx of leg_fl`
    */
   constructor(
-    private readonly wb: Workbench,
+    private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
     private readonly row: HTMLElement,
     private readonly characterId: string,
     private readonly dof: number,
@@ -62,7 +62,7 @@ export function markLabel(state: DofState, name: string): string {
   return state === 'keyed' ? `Delete key of ${name} at current time` : `Key ${name}`;
 }
 
-export function dofState(wb: Workbench, character: Character, dof: number): DofState {
+export function dofState(wb: Uses<'transport'>, character: Character, dof: number): DofState {
   const { unkeyed } = character;
   if (unkeyed?.timeSeconds === wb.transport.get().timeSeconds && unkeyed.dofs.includes(dof)) return 'unkeyed';
   if (!isDriven(character, dof)) return 'free';
@@ -71,7 +71,11 @@ export function dofState(wb: Workbench, character: Character, dof: number): DofS
 }
 
 /** Keys the DOF as it is shown; where it is keyed so already, takes the key away. */
-export function toggleKey(wb: Workbench, characterId: string, dof: number): void {
+export function toggleKey(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  characterId: string,
+  dof: number,
+): void {
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton) return;
   if (dofState(wb, character, dof) === 'keyed') deleteKeysNow(wb, character, [dof]);

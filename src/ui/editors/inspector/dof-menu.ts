@@ -9,13 +9,13 @@ import { isUnlimited, type Limit, UNLIMITED } from '../../../model/skeleton.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
 import type { Slider } from '../../kit/slider.ts';
 import { openPanel } from '../../state/panels.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOne } from '../posing/pose-edits.ts';
 import { editLimits } from '../rig/limit-editor.ts';
 
 /** @param at where the mouse asked for it; without one the keyboard did, in the row's number */
 export function openDofMenu(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
   slider: Slider,
   characterId: string,
   index: number,
@@ -36,7 +36,7 @@ export function openDofMenu(
 }
 
 function entries(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
   slider: Slider,
   character: Character,
   index: number,
@@ -88,14 +88,14 @@ function holds({ min, max }: Limit): boolean {
   return min <= max;
 }
 
-function shownValue(wb: Workbench, character: Character, index: number): number {
+function shownValue(wb: Uses<'transport'>, character: Character, index: number): number {
   const pose = new Float64Array(dofCountOf(character));
   poseAt(character, wb.transport.get().timeSeconds, pose);
   return pose[index];
 }
 
 /** Alone in the curve editor, which opens for it. */
-function showCurve(wb: Workbench, character: Character, index: number): void {
+function showCurve(wb: Uses<'store' | 'timeline' | 'settings'>, character: Character, index: number): void {
   wb.store.select({ ...wb.store.selection, characterId: character.id });
   wb.timeline.isolate(undefined);
   const hidden = wb.timeline.view.get().hidden.filter((c) => c !== index);

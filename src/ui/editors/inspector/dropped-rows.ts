@@ -1,11 +1,11 @@
 /** Values set by hand that were not keyed go when time moves: the rows that they stood in light up as they do. */
 import { type Document, findCharacter } from '../../../model/document.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 const LIT_MS = 900;
 
 /** Called before the rows are brought up to date. */
-export function flashDropped(wb: Workbench, panel: HTMLElement, now: Document, before: Document): void {
+export function flashDropped(wb: Uses<'transport'>, panel: HTMLElement, now: Document, before: Document): void {
   if (now === before) return;
   const { timeSeconds } = wb.transport.get();
   const dropped = before.characters.some(

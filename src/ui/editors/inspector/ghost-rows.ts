@@ -2,14 +2,14 @@
 import type { GUI } from 'lil-gui';
 import { type Display, GHOST_UNITS, type GhostUnit, MOST_GHOSTS } from '../../../model/session.ts';
 import { Slider } from '../../kit/slider.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { setDisplay } from '../viewport/actions.ts';
 
 /** Frames between two ghosts, or seconds: what a step becomes when its unit changes. */
 const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.2 };
 
 /** Adds the rows to the display folder. Gives what fills them with the settings of now. */
-export function addGhostRows(wb: Workbench, folder: GUI): (display: Display) => void {
+export function addGhostRows(wb: Uses<'settings' | 'messages'>, folder: GUI): (display: Display) => void {
   const { display } = wb.settings.get();
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const counts = { span: [0, 10], bounds: [0, MOST_GHOSTS], step: 1, decimals: 0 } as const;

@@ -11,7 +11,7 @@ import { HandEdit } from '../../state/hand-edit.ts';
 import { handleKey } from '../../state/keys.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import type { PosingMode } from '../../state/posing.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses, Workbench } from '../../state/workbench.ts';
 import { IkFolder } from '../ik/ik-folder.ts';
 import type { RigFolder } from '../rig/rig-folder.ts';
 import { CharacterFolder } from './character-folder.ts';
@@ -121,7 +121,7 @@ interface Shown {
   readonly angles: string;
 }
 
-function whatIsShown(wb: Workbench): Shown {
+function whatIsShown(wb: Uses<'store' | 'settings'>): Shown {
   const character = currentCharacter(wb);
   const { selection } = wb.store;
   return {
@@ -179,7 +179,7 @@ function placeIn(scroller: HTMLElement): () => void {
 }
 
 /** A folder that is next time as it was left. */
-function rememberedFolder(wb: Workbench, gui: GUI, id: string, title: string, open: boolean): GUI {
+function rememberedFolder(wb: Uses<'settings'>, gui: GUI, id: string, title: string, open: boolean): GUI {
   const key = `inspector/${id}`;
   const folder = gui.addFolder(title);
   folder.open(wb.settings.get().folds[key] ?? open);

@@ -16,7 +16,7 @@ import { atMostEvery } from '../../kit/frame.ts';
 import { exact, plural, shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { shownPerUnit, withoutNoise } from '../../state/angles.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { endSiteTables } from './end-site-facts.ts';
 import { FactList, type FactView } from './fact-list.ts';
 import { vertexFacts } from './vertex-facts.ts';
@@ -31,7 +31,7 @@ export interface Facts {
   follow(): void;
 }
 
-export function jointFacts(wb: Workbench): Facts {
+export function jointFacts(wb: Uses<'store' | 'viewport' | 'settings'>): Facts {
   const holder = element('div', { class: 'facts-holder' });
   let view: FactView | undefined;
   let key: readonly unknown[] = [];
@@ -69,7 +69,7 @@ export function jointFacts(wb: Workbench): Facts {
 }
 
 function makeView(
-  wb: Workbench,
+  wb: Uses<'store' | 'viewport' | 'settings'>,
   character: Character | undefined,
   joint: number | undefined,
   vertex: number | undefined,
@@ -83,7 +83,7 @@ function makeView(
   return { element: element('p', { class: 'empty' }, text), fill: () => {} };
 }
 
-function factsOfJoint(wb: Workbench, character: Character, index: number): FactView {
+function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Character, index: number): FactView {
   const { skeleton, id } = character;
   if (!skeleton) throw new Error('A joint without a skeleton.');
   const joint = skeleton.joints[index];
@@ -127,7 +127,7 @@ function factsOfJoint(wb: Workbench, character: Character, index: number): FactV
 }
 
 /** Value and limits of each DOF. Gives what fills in the values. */
-function dofTable(wb: Workbench, character: Character, index: number, list: FactList) {
+function dofTable(wb: Uses<'settings'>, character: Character, index: number, list: FactList) {
   const { skeleton } = character;
   const joint = skeleton?.joints[index];
   if (!skeleton || !joint) return () => {};
@@ -164,7 +164,7 @@ function dofTable(wb: Workbench, character: Character, index: number, list: Fact
   };
 }
 
-function parentLink(wb: Workbench, character: Character, parent: number): HTMLElement {
+function parentLink(wb: Uses<'store'>, character: Character, parent: number): HTMLElement {
   const { skeleton } = character;
   const name = jointName(skeleton, parent);
   const text = skeleton?.joints[parent]?.name ? `${name} (${parent})` : name;

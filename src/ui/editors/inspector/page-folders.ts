@@ -4,7 +4,7 @@ import { LOOP_MODES } from '../../../edit/playback.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../model/session.ts';
 import { Slider, type SliderOptions } from '../../kit/slider.ts';
 import { ANGLES, TIME_DISPLAYS } from '../../state/settings.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { LOOP_LABELS } from '../transport/actions.ts';
 import { BOX_STYLES, isSkinVisible, NO_SKIN, SKIN_STYLES, setDisplay } from '../viewport/actions.ts';
 import { addGhostRows } from './ghost-rows.ts';
@@ -26,7 +26,7 @@ const SWITCHES: readonly (readonly [Switch, string])[] = [
   ['inPlace', 'In place'],
 ];
 
-export function displayFolder(wb: Workbench, folder: GUI): void {
+export function displayFolder(wb: Uses<'store' | 'settings' | 'messages'>, folder: GUI): void {
   const binding = { ...wb.settings.get().display };
   const option = <K extends 'skin' | 'boxes'>(
     key: K,
@@ -65,7 +65,7 @@ export function displayFolder(wb: Workbench, folder: GUI): void {
   });
 }
 
-export function playbackFolder(wb: Workbench, folder: GUI): void {
+export function playbackFolder(wb: Uses<'transport' | 'settings' | 'messages'>, folder: GUI): void {
   const { transport, settings } = wb;
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const rates: SliderOptions = { span: [-4, 4], bounds: [-4, 4], step: 0.05, decimals: 3, suffix: '×' };

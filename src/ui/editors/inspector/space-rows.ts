@@ -20,7 +20,7 @@ import { Slider } from '../../kit/slider.ts';
 import { withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
   ['Automatic', 'automatic'],
@@ -37,7 +37,12 @@ const UPS = { 'y up': 'y', 'z up': 'z' } as const;
 const POSITIONS: Readonly<Record<string, Positions>> = { 'Replace the offset': 'replace', 'Add to it': 'add' };
 
 /** Adds the rows to a folder that was emptied. Gives what fills them with the values of now. */
-export function addSpaceRows(wb: Workbench, edit: HandEdit, folder: GUI, { id }: Character): () => void {
+export function addSpaceRows(
+  wb: Uses<'store' | 'viewport' | 'messages'>,
+  edit: HandEdit,
+  folder: GUI,
+  { id }: Character,
+): () => void {
   const now = () => findCharacter(wb.store.document, id);
   const spaceNow = () => now()?.space ?? DEFAULT_SPACE;
   const put = (space: Space) => {

@@ -10,7 +10,7 @@ import { shown } from '../../kit/number-text.ts';
 import { withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import { openPanel } from '../../state/panels.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
   'Nearest frame': 'nearest',
@@ -20,7 +20,7 @@ const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
 
 /** Adds the rows to a folder that was emptied. Gives what fills them with the values of now, and what else to remove. */
 export function addTakeRows(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
   folder: GUI,
   character: Character,
   take: ChannelClip,
@@ -93,7 +93,7 @@ export function addTakeRows(
 }
 
 /** Brings the field of the take's name before the person, wherever it is folded away. */
-export function askForTakeName(wb: Workbench, folder: GUI): void {
+export function askForTakeName(wb: Uses<'settings'>, folder: GUI): void {
   openPanel(wb, 'inspector', true);
   folder.open();
   const field = folder.domElement.querySelector<HTMLInputElement>('.take-name input');

@@ -3,12 +3,12 @@ import { vertexDeformer } from '../../../evaluate/one-vertex.ts';
 import type { Character } from '../../../model/document.ts';
 import { type Skin, vertexCount } from '../../../model/skin.ts';
 import { count, errorSize } from '../../kit/number-text.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { FactList, type FactView } from './fact-list.ts';
 
 const AXES = ['x', 'y', 'z'];
 
-export function vertexFacts(wb: Workbench, character: Character, skin: Skin, vertex: number): FactView {
+export function vertexFacts(wb: Uses<'viewport'>, character: Character, skin: Skin, vertex: number): FactView {
   const { id, skeleton, morphs } = character;
   const list = new FactList(`Vertex ${vertex}`);
   list.fact('Index', `${count(vertex)} of ${count(vertexCount(skin))} in ${skin.name}`);

@@ -7,13 +7,13 @@ import { button, element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { count } from '../../kit/number-text.ts';
 import { caretPad, counts, type Message } from '../../state/messages.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** More are counted; Copy takes them all. */
 const MOST_SHOWN = 200;
 const EXCERPT_CHARACTERS = 200;
 
-export function diagnosticsList(wb: Workbench): HTMLElement {
+export function diagnosticsList(wb: Uses<'messages'>): HTMLElement {
   const list = element('div', { class: 'messages-list scrolls', tabindex: 0 });
   const carets = caretsInView();
   const show = (messages: readonly Message[]) => {
@@ -35,7 +35,7 @@ export function diagnosticsList(wb: Workbench): HTMLElement {
   return list;
 }
 
-function messageBlock(wb: Workbench, message: Message, room: number): HTMLElement {
+function messageBlock(wb: Uses<'messages'>, message: Message, room: number): HTMLElement {
   const { diagnostics, severity, text, fate } = message;
   const file = diagnostics[0]?.file;
   const shown = diagnostics.slice(0, room);

@@ -7,12 +7,12 @@ import { type IconName, icon } from '../../kit/icons.ts';
 import { bytes } from '../../kit/number-text.ts';
 import { messagesText } from '../../state/messages.ts';
 import { openPanel } from '../../state/panels.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { diagnosticsList } from './diagnostics-list.ts';
 
 type TabName = 'files' | 'messages';
 
-export function filesAndMessages(wb: Workbench): HTMLElement {
+export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages'>): HTMLElement {
   const files = filesList(wb);
   const messages = diagnosticsList(wb);
   const tools = messageTools(wb);
@@ -78,7 +78,7 @@ export function filesAndMessages(wb: Workbench): HTMLElement {
   return element('div', { class: 'lower' }, element('div', { class: 'lower-head' }, bar, tools), files, messages);
 }
 
-function messageTools(wb: Workbench): HTMLElement {
+function messageTools(wb: Uses<'messages'>): HTMLElement {
   const copy = async () => {
     const text = messagesText(wb.messages.list.get());
     if (!(await copyText(text))) wb.messages.note('The browser blocked copying.', 'warning');
@@ -101,7 +101,7 @@ function tab(label: string, panel: HTMLElement) {
   return { button, count, panel };
 }
 
-function filesList(wb: Workbench): HTMLElement {
+function filesList(wb: Uses<'store'>): HTMLElement {
   const list = element('div', { class: 'file-list scrolls' });
   const show = (document: Document) => {
     const rows = document.characters.flatMap((c) => c.sources.map((source) => fileRow('file', source, '')));

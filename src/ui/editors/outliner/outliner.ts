@@ -13,7 +13,7 @@ import { attempt } from '../../state/attempt.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { onDemand } from '../../state/on-demand.ts';
 import { splitter } from '../../state/splitter.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses, Workbench } from '../../state/workbench.ts';
 import { movedEntries } from '../retarget/moved.ts';
 import { filesAndMessages } from './files-and-messages.ts';
 import {
@@ -193,7 +193,7 @@ function searchBox() {
   return { input, element: element('div', { class: 'search' }, icon('search'), input) };
 }
 
-function drawRow(wb: Workbench, row: OutlineRow): Node[] {
+function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
   const unsaved = isUnsaved(wb, row);
   const unnamed = row.kind === 'joint' ? `joint ${row.detail}` : 'unnamed';
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
@@ -212,7 +212,7 @@ function drawRow(wb: Workbench, row: OutlineRow): Node[] {
 }
 
 /** For the mouse; the keyboard has the row's menu. A row's children are no stops of Tab. */
-function eyeOf(wb: Workbench, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
+function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
   const eye = element(
     'button',
     { type: 'button', class: 'eye', tabindex: '-1', 'aria-pressed': String(hidden) },
@@ -229,7 +229,7 @@ function eyeOf(wb: Workbench, { characterId, label, hidden = false }: OutlineRow
 }
 
 /** Whether what the row stands for is not saved; the joints stand for the skeleton's file. */
-function isUnsaved(wb: Workbench, { kind, key, characterId, index }: OutlineRow): boolean {
+function isUnsaved(wb: Uses<'files'>, { kind, key, characterId, index }: OutlineRow): boolean {
   const isSkeleton = key === groupKey(characterId, 'joint');
   if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'clip') return false;
   return wb.files.unsaved.get().some((part) => {
@@ -242,12 +242,12 @@ function isUnsaved(wb: Workbench, { kind, key, characterId, index }: OutlineRow)
 
 const PART_KINDS: Partial<Record<OutlineRow['kind'], PartKind>> = { skin: 'skin', morph: 'morph', clip: 'anim' };
 
-function select(wb: Workbench, { kind, characterId, index }: OutlineRow): void {
+function select(wb: Uses<'store'>, { kind, characterId, index }: OutlineRow): void {
   if (kind === 'joint') wb.store.select({ characterId, joint: index });
   else if (kind === 'character' || wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
 }
 
-function activate(wb: Workbench, row: OutlineRow): void {
+function activate(wb: Uses<'store' | 'viewport'>, row: OutlineRow): void {
   const { kind, characterId, index } = row;
   if (kind === 'skin') wb.store.apply(showSkin, { characterId, skin: index });
   else if (kind === 'clip') wb.store.apply(showClip, { characterId, clip: index });
@@ -259,7 +259,11 @@ function canRename({ kind }: OutlineRow): boolean {
   return kind === 'character' || kind === 'clip' || kind === 'joint';
 }
 
-function rename(wb: Workbench, { kind, characterId, index }: OutlineRow, name: string): void {
+function rename(
+  wb: Uses<'store' | 'transport' | 'posing' | 'messages'>,
+  { kind, characterId, index }: OutlineRow,
+  name: string,
+): void {
   if (kind === 'joint') void import('../rig/rig-edits.ts').then((m) => m.renameIt(wb, characterId, index, name));
   else if (kind === 'clip') wb.store.apply(renameClip, { characterId, clip: index, name });
   else wb.store.apply(renameCharacter, { characterId, name });
@@ -312,7 +316,7 @@ function rowMenu(
   );
 }
 
-function skinEntries(wb: Workbench, row: OutlineRow): MenuEntry[] {
+function skinEntries(wb: Uses<'store' | 'actions' | 'settings'>, row: OutlineRow): MenuEntry[] {
   const { characterId, index } = row;
   /** What it is about is what is shown, of the character that is selected. */
   const showIt = () => {
@@ -334,7 +338,7 @@ function skinEntries(wb: Workbench, row: OutlineRow): MenuEntry[] {
   ];
 }
 
-function takeEntries(wb: Workbench, row: OutlineRow, rename: (row: OutlineRow) => void): MenuEntry[] {
+function takeEntries(wb: Uses<'store'>, row: OutlineRow, rename: (row: OutlineRow) => void): MenuEntry[] {
   const { characterId, index } = row;
   const take = { characterId, clip: index };
   const item = (label: string, run: () => void): MenuEntry => ({ kind: 'item', label, enabled: true, run });

@@ -5,7 +5,7 @@
 import { findCharacter } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
 import { waitOutDrag } from '../../kit/keyboard.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { dropPlace, type NewPlace, rowPart, whyNoDrop } from '../rig/parents.ts';
 import type { OutlineRow } from './outline-rows.ts';
 import { indentOf, type Tree } from './tree.ts';
@@ -25,7 +25,10 @@ interface Drag {
   whyNot: string | undefined;
 }
 
-export function letJointsBeDragged(wb: Workbench, tree: Pick<Tree, 'element' | 'rowUnder'>): void {
+export function letJointsBeDragged(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  tree: Pick<Tree, 'element' | 'rowUnder'>,
+): void {
   const line = element('div', { class: 'drop-line', hidden: true });
   let drag: Drag | undefined;
   let marked: HTMLElement | undefined;

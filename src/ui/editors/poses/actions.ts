@@ -2,14 +2,14 @@
 import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 
 const MENU = 'Edit/Pose';
 const edits = () => import('./pose-edits.ts');
-const hasCharacter = (wb: Workbench) => currentCharacter(wb) !== undefined;
-const hasSkeleton = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
+const hasCharacter = (wb: Uses<'store'>) => currentCharacter(wb) !== undefined;
+const hasSkeleton = (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined;
 
-function selectedName(wb: Workbench): string | undefined {
+function selectedName(wb: Uses<'store'>): string | undefined {
   const selected = selectedJoint(wb);
   return selected && jointName(selected.skeleton, selected.joint);
 }

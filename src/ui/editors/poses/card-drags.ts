@@ -3,7 +3,7 @@
 import { applyPose } from '../../../edit/commands/poses.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { moment } from './pose-edits.ts';
 
 /** A drag of that many CSS pixels to the right is the whole pose. */
@@ -21,7 +21,7 @@ export interface Blended {
  * @param show is told how much; undefined: it is over
  */
 export function blendByDrag(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   grid: HTMLElement,
   down: PointerEvent,
   { characterId, pose, joint }: Blended,

@@ -15,11 +15,11 @@ import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { selectedJointOf } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 
 /** Of the pose shown. */
-export function copyPose(wb: Workbench): void {
+export function copyPose(wb: Uses<'store' | 'transport' | 'posing' | 'messages'>): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const values = new Float64Array(dofCountOf(character));
@@ -30,7 +30,7 @@ export function copyPose(wb: Workbench): void {
 }
 
 /** Says what did not fit. */
-export function pasteCopied(wb: Workbench): void {
+export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>): void {
   const character = currentCharacter(wb);
   const copied = wb.posing.copied.get();
   if (!character || !copied) return;
@@ -44,34 +44,41 @@ export function pasteCopied(wb: Workbench): void {
 }
 
 /** @param branch of the selected joint only */
-export function mirror(wb: Workbench, way: 'swap' | 'toOther', branch: boolean): void {
+export function mirror(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  way: 'swap' | 'toOther',
+  branch: boolean,
+): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const joint = branch ? selectedJointOf(wb, character.id) : undefined;
   attempt(wb.messages, () => wb.store.apply(mirrorPose, { characterId: character.id, joint, way, ...moment(wb) }));
 }
 
-export function keep(wb: Workbench): void {
+export function keep(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const { timeSeconds } = moment(wb);
   attempt(wb.messages, () => wb.store.apply(keepPose, { characterId: character.id, timeSeconds }));
 }
 
-export function rename(wb: Workbench, characterId: string, pose: number, name: string): void {
+export function rename(wb: Uses<'store' | 'messages'>, characterId: string, pose: number, name: string): void {
   attempt(wb.messages, () => wb.store.apply(renamePose, { characterId, pose, name }));
 }
 
-export function remove(wb: Workbench, characterId: string, pose: number): void {
+export function remove(wb: Uses<'store' | 'messages'>, characterId: string, pose: number): void {
   attempt(wb.messages, () => wb.store.apply(removePoses, { characterId, poses: [pose] }));
 }
 
-export function take(wb: Workbench, change: Omit<ApplyPose, 'timeSeconds' | 'key'>): void {
+export function take(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  change: Omit<ApplyPose, 'timeSeconds' | 'key'>,
+): void {
   attempt(wb.messages, () => wb.store.apply(applyPose, { ...change, ...moment(wb) }));
 }
 
 /** When poses are set by hand, and whether they are keyed. What plays stops. */
-export function moment(wb: Workbench) {
+export function moment(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>) {
   standStill(wb);
   return { timeSeconds: wb.transport.get().timeSeconds, key: autoKey(wb) };
 }

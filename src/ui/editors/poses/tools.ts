@@ -4,7 +4,7 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
 import { findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** How a click takes a pose on. */
 export interface PoseOptions {
@@ -21,7 +21,10 @@ const BUTTONS: readonly (readonly [id: string, text: string, label: string])[] =
   ['pose.mirror', 'Mirror', 'Mirror current pose'],
 ];
 
-export function poseTools(wb: Workbench, options: Observable<PoseOptions>): HTMLElement {
+export function poseTools(
+  wb: Uses<'store' | 'actions' | 'posing' | 'settings'>,
+  options: Observable<PoseOptions>,
+): HTMLElement {
   const refreshing: (() => void)[] = [];
   const buttons = BUTTONS.map(([id, text, label]) => {
     const action = findAction(wb, id);

@@ -2,7 +2,7 @@
 import { stepFrames } from '../../../edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../model/session.ts';
 import type { PosingMode } from '../../state/posing.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses, Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 
 /** Radians that a press of an arrow turns the view. */
@@ -42,7 +42,7 @@ export const POSING_ACTIONS: readonly Action[] = [
 ];
 
 /** From FK to IK; back to FK from anything else. */
-export function switchKinematics(wb: Workbench): void {
+export function switchKinematics(wb: Uses<'posing'>): void {
   wb.posing.mode.update((now) => (now === 'fk' ? 'ik' : 'fk'));
 }
 
@@ -61,7 +61,7 @@ function mode(to: PosingMode, label: string, shortcuts?: readonly string[]): Act
 }
 
 function dofKey(id: string, label: string, shortcuts: readonly string[], run: (wb: Workbench) => void): Action {
-  const enabled = (wb: Workbench) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined;
+  const enabled = (wb: Uses<'store' | 'posing'>) => wb.posing.mode.get() === 'fk' && activeDof(wb) !== undefined;
   return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
 }
 

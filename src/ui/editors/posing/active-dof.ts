@@ -13,7 +13,7 @@ import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { type SelectedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { autoKey, jointDofs } from './pose-edits.ts';
 
 /** Radians: what keys turn, and what Ctrl snaps to. */
@@ -34,7 +34,7 @@ export function dofsByHand(selected: SelectedJoint): readonly number[] {
 }
 
 /** Undefined where the selected joint has none. */
-export function activeDof(wb: Pick<Workbench, 'store' | 'posing'>): number | undefined {
+export function activeDof(wb: Uses<'store' | 'posing'>): number | undefined {
   const selected = selectedJoint(wb);
   if (!selected) return undefined;
   const dofs = dofsByHand(selected);
@@ -46,7 +46,7 @@ export function activeDof(wb: Pick<Workbench, 'store' | 'posing'>): number | und
   return sameName ?? dofs.find((dof) => own[dof].unit === 'angle') ?? dofs[0];
 }
 
-export function chooseDof(wb: Workbench, dof: number): void {
+export function chooseDof(wb: Uses<'store' | 'posing'>, dof: number): void {
   const selected = selectedJoint(wb);
   if (!selected || !dofsByHand(selected).includes(dof)) return;
   const { name } = characterDofs(selected.skeleton, [])[dof];
@@ -54,7 +54,7 @@ export function chooseDof(wb: Workbench, dof: number): void {
 }
 
 /** The next one or the one before, round the corner. */
-export function chooseNextDof(wb: Workbench, way: 1 | -1): void {
+export function chooseNextDof(wb: Uses<'store' | 'posing'>, way: 1 | -1): void {
   const selected = selectedJoint(wb);
   const now = activeDof(wb);
   if (!selected || now === undefined) return;
@@ -63,14 +63,14 @@ export function chooseNextDof(wb: Workbench, way: 1 | -1): void {
 }
 
 /** A character's DOFs at the moment shown. */
-export function shownDofs(wb: Pick<Workbench, 'transport'>, character: Character): Float64Array {
+export function shownDofs(wb: Uses<'transport'>, character: Character): Float64Array {
   const dofs = new Float64Array(dofCountOf(character));
   poseAt(character, wb.transport.get().timeSeconds, dofs);
   return dofs;
 }
 
 /** Turns the active DOF by a degree, or moves it by a small step. */
-export function nudgeDof(wb: Workbench, way: 1 | -1): void {
+export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>, way: 1 | -1): void {
   const index = activeDof(wb);
   const selected = selectedJoint(wb);
   if (!selected || index === undefined) return;

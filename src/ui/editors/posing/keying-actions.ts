@@ -5,7 +5,7 @@ import { rangeOfKeys } from '../../../edit/takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { NEW_KEY_TANGENTS } from '../../state/settings.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 import { deleteKeysNow, jointDofs, keyNow, keysNow } from './pose-edits.ts';
 
 const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>> = {
@@ -14,8 +14,8 @@ const TANGENT_LABELS: Readonly<Record<(typeof NEW_KEY_TANGENTS)[number], string>
   flat: 'Flat',
 };
 
-const canKey = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
-const shownTake = (wb: Workbench) => {
+const canKey = (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined;
+const shownTake = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character && shownClip(character);
 };
@@ -170,13 +170,13 @@ export const KEYING_ACTIONS: readonly Action[] = [
   },
 ];
 
-function withCharacter(wb: Workbench, run: (character: Character) => void): void {
+function withCharacter(wb: Uses<'store'>, run: (character: Character) => void): void {
   const character = currentCharacter(wb);
   if (character) run(character);
 }
 
 /** A key that does nothing where no joint is selected would be a riddle. */
-function withJoint(wb: Workbench, run: (character: Character, dofs: readonly number[]) => void): void {
+function withJoint(wb: Uses<'store' | 'messages'>, run: (character: Character, dofs: readonly number[]) => void): void {
   const character = currentCharacter(wb);
   const { characterId, joint } = wb.store.selection;
   if (!character) return;
@@ -185,17 +185,17 @@ function withJoint(wb: Workbench, run: (character: Character, dofs: readonly num
 }
 
 /** What hands have changed over the take at this moment; the rest of the pose is what its channels say. */
-function changedDofs(wb: Workbench): readonly number[] {
+function changedDofs(wb: Uses<'store'>): readonly number[] {
   return currentCharacter(wb)?.unkeyed?.dofs ?? [];
 }
 
-function hasKeysHere(wb: Workbench): boolean {
+function hasKeysHere(wb: Uses<'store' | 'transport'>): boolean {
   const character = currentCharacter(wb);
   return character !== undefined && keysNow(wb, character).length > 0;
 }
 
 /** In seconds of the character's clips. */
-function playedRange(wb: Workbench, { timeOffsetSeconds }: Character): readonly [number, number] {
+function playedRange(wb: Uses<'transport'>, { timeOffsetSeconds }: Character): readonly [number, number] {
   const [from, to] = wb.transport.get().range;
   return [from + timeOffsetSeconds, to + timeOffsetSeconds];
 }

@@ -7,7 +7,7 @@ import { icon } from '../../kit/icons.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
 const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
@@ -16,7 +16,7 @@ const MODE_LABELS: Readonly<Record<PosingMode, string>> = {
   rig: 'Rig: drag a joint, its arrows or a face of its box; Ctrl+click to add a child',
 };
 
-export function modeBar(wb: Workbench): HTMLElement {
+export function modeBar(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const controls = element('div', { class: 'mode-controls' });
   const show = () => {
     const own = wb.posing.controls.get();
@@ -28,7 +28,7 @@ export function modeBar(wb: Workbench): HTMLElement {
   return element('div', { class: 'mode-bar tools' }, modeSwitch(wb), limitsSwitch(wb), controls);
 }
 
-function modeSwitch(wb: Workbench): HTMLElement {
+function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
   const group = element('div', { class: 'mode-switch tools', role: 'radiogroup', 'aria-label': 'Mode' });
   const made = POSING_MODES.map((mode) => {
     const one = keepsFocusElsewhere(
@@ -59,7 +59,7 @@ function modeSwitch(wb: Workbench): HTMLElement {
   return group;
 }
 
-function limitsSwitch(wb: Workbench): HTMLElement {
+function limitsSwitch(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
   const made = keepsFocusElsewhere(
     button('Limits', { class: 'tool' }, icon('limits'), () => runAction(wb, 'pose.holdLimits')),
   );

@@ -15,17 +15,17 @@ import { type Character, shownClip } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { DofValue } from '../../state/posing.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
 import { clipTime } from '../timeline/in-hand.ts';
 
 /** How keys are made just now. */
-export function keyOptions(wb: Workbench): KeyOptions {
+export function keyOptions(wb: Uses<'transport' | 'settings'>): KeyOptions {
   return { tangents: wb.settings.get().newKeyTangents, playedRange: wb.transport.get().range };
 }
 
 /** For commands that set DOFs: how to key them, while auto-key is on. */
-export function autoKey(wb: Workbench): KeyOptions | undefined {
+export function autoKey(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions | undefined {
   return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
 }
 
@@ -35,14 +35,18 @@ export function setOne(own: DofValue): typeof setDofs {
 }
 
 /** Keys DOFs as they are shown; all of them, where none are named. What plays stops. */
-export function keyNow(wb: Workbench, characterId: string, dofs?: readonly number[]): void {
+export function keyNow(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  characterId: string,
+  dofs?: readonly number[],
+): void {
   standStill(wb);
   const { timeSeconds } = wb.transport.get();
   wb.store.apply(keyPose, { characterId, dofs, timeSeconds, ...keyOptions(wb) });
 }
 
 /** The keys of a character that stand at the moment shown; of these DOFs, or of all. */
-export function keysNow(wb: Workbench, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
+export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
   const clip = character.skeleton && shownClip(character);
   const silent = silentChannels(character);
   const keys = clip ? keysAtTime(clip, dofs, clipTime(wb, character)) : [];
@@ -50,14 +54,14 @@ export function keysNow(wb: Workbench, character: Character, dofs?: readonly num
 }
 
 /** Deletes them. A channel that has no key left stands where it was. */
-export function deleteKeysNow(wb: Workbench, character: Character, dofs?: readonly number[]): void {
+export function deleteKeysNow(wb: Uses<'store' | 'transport'>, character: Character, dofs?: readonly number[]): void {
   const keys = keysNow(wb, character, dofs);
   if (keys.length)
     wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
 }
 
 /** Deletes every key of a DOF, which goes on standing where it is. */
-export function deleteAllKeys(wb: Workbench, character: Character, dof: number): void {
+export function deleteAllKeys(wb: Uses<'store' | 'transport'>, character: Character, dof: number): void {
   const indices = [...keysOf(channelOf(character, dof)).times.keys()];
   if (!indices.length) return;
   const keys = [{ channel: dof, indices }];
@@ -65,7 +69,7 @@ export function deleteAllKeys(wb: Workbench, character: Character, dof: number):
 }
 
 /** Whether a DOF has a key at the moment shown. Cheap enough for every row at every frame. */
-export function isKeyedNow(wb: Workbench, character: Character, dof: number): boolean {
+export function isKeyedNow(wb: Uses<'transport'>, character: Character, dof: number): boolean {
   const channel = channelOf(character, dof);
   return channel?.kind === 'keys' && findKey(channel, clipTime(wb, character)) >= 0;
 }

@@ -1,10 +1,10 @@
 /** Posing what another character's take moves: said once, for nothing of it can be keyed, and it is gone with the take. */
 import { movedDofs } from '../../../evaluate/retarget/moved-dofs.ts';
 import type { Character } from '../../../model/document.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** @param dofs those that are posed, into the character's */
-export function tellFollows(wb: Workbench, character: Character, dofs: readonly number[]): void {
+export function tellFollows(wb: Uses<'posing' | 'messages'>, character: Character, dofs: readonly number[]): void {
   const { id, name, driver } = character;
   const moved = movedDofs(character);
   if (!driver || !moved || !dofs.some((dof) => moved.has(dof))) return;

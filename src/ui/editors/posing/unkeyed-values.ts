@@ -10,10 +10,10 @@ import { findCharacter } from '../../../model/document.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { findAction } from '../../state/action.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** Drops what was set at another time than this, and says so once. */
-export function dropStale(wb: Workbench, timeSeconds: number): void {
+export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'>, timeSeconds: number): void {
   const { store, messages } = wb;
   if (countUnkeyed(store.document, timeSeconds) === 0 || store.redoLabel !== undefined) return;
   // A drag that ends with the moment may leave none.
@@ -32,14 +32,14 @@ export function dropStale(wb: Workbench, timeSeconds: number): void {
 }
 
 /** The key of an action as a menu shows it; undefined where it has none. */
-export function keyNameOf(wb: Workbench, actionId: string): string | undefined {
+export function keyNameOf(wb: Uses<'actions' | 'settings'>, actionId: string): string | undefined {
   const action = findAction(wb, actionId);
   const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
   return shortcut && shortcutText(shortcut, isMac);
 }
 
 /** Goes to the moment of values that come back, by undo or from a script: elsewhere they could not be seen. */
-export function followUnkeyed({ store, transport }: Pick<Workbench, 'store' | 'transport'>): () => void {
+export function followUnkeyed({ store, transport }: Uses<'store' | 'transport'>): () => void {
   return store.subscribe((now, before) => {
     if (now.document === before.document) return;
     const { timeSeconds } = transport.get();

@@ -18,7 +18,7 @@ import { atMostEvery } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { parseNumber, shown } from '../../kit/number-text.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { pairTable } from './pair-table.ts';
 import { resultText } from './result-text.ts';
 import { firstTarget, possibleTargets } from './targets.ts';
@@ -29,7 +29,10 @@ const PREVIEW_MS = 120;
 /** Contacts of each foot that are looked at for the words below: a long take has thousands. */
 const MEASURED = 24;
 
-export function retargetDialog(wb: Workbench, close: () => void): DialogContent {
+export function retargetDialog(
+  wb: Uses<'store' | 'transport' | 'settings' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   const { store } = wb;
   const kind = 'tool-dialog retarget-dialog';
   const first = firstTarget(wb);
@@ -218,7 +221,7 @@ export function retargetDialog(wb: Workbench, close: () => void): DialogContent 
 }
 
 /** The transport's moment in seconds of a character's clip. */
-function clipSecondsNow(wb: Workbench, character: Character | undefined): number {
+function clipSecondsNow(wb: Uses<'transport'>, character: Character | undefined): number {
   return wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
 }
 

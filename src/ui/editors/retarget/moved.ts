@@ -5,7 +5,7 @@ import type { MenuEntry } from '../../kit/menu.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { onDemand } from '../../state/on-demand.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 export interface MovedChoice {
   readonly label: string;
@@ -14,7 +14,7 @@ export interface MovedChoice {
 }
 
 /** What can be done about a character that another's take moves. */
-export function movedChoices(wb: Workbench, characterId: string): readonly MovedChoice[] {
+export function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characterId: string): readonly MovedChoice[] {
   return [
     {
       label: 'Bake',
@@ -39,7 +39,7 @@ export function movedChoices(wb: Workbench, characterId: string): readonly Moved
 
 /** The commands are fetched when they are asked for. */
 async function change(
-  wb: Workbench,
+  wb: Uses<'messages'>,
   run: (commands: typeof import('../../../edit/commands/retarget.ts')) => void,
 ): Promise<void> {
   const commands = await onDemand(wb.messages, 'Baking', () => import('../../../edit/commands/retarget.ts'));
@@ -47,7 +47,7 @@ async function change(
 }
 
 /** The same for a menu; none where its own take moves it. */
-export function movedEntries(wb: Workbench, { id, driver }: Character): MenuEntry[] {
+export function movedEntries(wb: Uses<'store' | 'messages' | 'dialog'>, { id, driver }: Character): MenuEntry[] {
   if (!driver) return [];
   return [
     ...movedChoices(wb, id).map(({ label, run }): MenuEntry => ({ kind: 'item', label, enabled: true, run })),
@@ -56,7 +56,10 @@ export function movedEntries(wb: Workbench, { id, driver }: Character): MenuEntr
 }
 
 /** The same as buttons. */
-export function movedButtons(wb: Workbench, characterId: () => string | undefined): HTMLElement {
+export function movedButtons(
+  wb: Uses<'store' | 'messages' | 'dialog'>,
+  characterId: () => string | undefined,
+): HTMLElement {
   const buttons = ['Bake', 'Change…', 'Stop'].map((label, i) => {
     const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'plain' }, label));
     made.title = movedChoices(wb, '')[i].title;
@@ -73,7 +76,7 @@ export function movedButtons(wb: Workbench, characterId: () => string | undefine
  * The line above curves and keys while the character in hand is moved by another's take, and its own keys are not seen.
  * The takes say it in their rows.
  */
-export function movedNotice(wb: Workbench): HTMLElement {
+export function movedNotice(wb: Uses<'store' | 'timeline' | 'messages' | 'dialog'>): HTMLElement {
   const text = element('span');
   const notice = element('div', { class: 'moved-notice', role: 'note' }, text);
   notice.append(movedButtons(wb, () => currentCharacter(wb)?.id));

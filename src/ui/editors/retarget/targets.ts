@@ -2,7 +2,7 @@
 import { possibleSources } from '../../../edit/drivers.ts';
 import type { Character, Document } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** Characters that could be moved: with a skeleton, and another one that shows a take. */
 export function possibleTargets(document: Document): readonly Character[] {
@@ -10,7 +10,7 @@ export function possibleTargets(document: Document): readonly Character[] {
 }
 
 /** The character that is meant: the current one, unless it is a take that another one waits for, not moved itself. */
-export function firstTarget(wb: Workbench): Character | undefined {
+export function firstTarget(wb: Uses<'store'>): Character | undefined {
   const { document } = wb.store;
   const targets = possibleTargets(document);
   const current = currentCharacter(wb);

@@ -3,13 +3,13 @@ import type { Axis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 
 const edits = () => import('./rig-edits.ts');
 
-const inRigMode = (wb: Workbench) => wb.posing.mode.get() === 'rig';
-const hasSkeleton = (wb: Workbench) => currentCharacter(wb)?.skeleton !== undefined;
-const hasJoint = (wb: Workbench) => selectedJoint(wb) !== undefined;
+const inRigMode = (wb: Uses<'posing'>) => wb.posing.mode.get() === 'rig';
+const hasSkeleton = (wb: Uses<'store'>) => currentCharacter(wb)?.skeleton !== undefined;
+const hasJoint = (wb: Uses<'store'>) => selectedJoint(wb) !== undefined;
 
 function inRig(action: Action): Action {
   return {

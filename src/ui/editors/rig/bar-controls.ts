@@ -6,7 +6,7 @@ import { runAction } from '../../state/action.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
 const SKIN_TEXT: Readonly<Record<RigSkin, readonly [text: string, tip: string]>> = {
@@ -19,7 +19,7 @@ const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: s
 };
 
 /** Made once; it follows the page while it is shown. */
-export function rigControls(wb: Workbench): HTMLElement {
+export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const state = wb.posing.rig;
   const adding = keepsFocusElsewhere(
     button('Add joints', { class: 'tool' }, wideOrNarrow('Add joints', 'joint', '+'), () =>
@@ -56,7 +56,7 @@ export function rigControls(wb: Workbench): HTMLElement {
 }
 
 /** One sentence: what to do next. */
-export function hintText(wb: Pick<Workbench, 'store' | 'posing'>): string {
+export function hintText(wb: Uses<'store' | 'posing'>): string {
   const { document, selection } = wb.store;
   const isAny = document.characters.some((c) => c.skeleton);
   const hasJoint = selection.joint !== undefined;

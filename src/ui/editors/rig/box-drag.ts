@@ -15,7 +15,7 @@ import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { SNAP_PIXELS } from './joint-drags.ts';
 import type { Rigged } from './rigged.ts';
@@ -23,7 +23,7 @@ import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
 export function dragFace(
-  wb: Workbench,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
   { character, skeleton, world, placement }: Rigged,
   joint: number,
   face: { readonly axis: Axis; readonly side: Side },

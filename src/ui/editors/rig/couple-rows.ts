@@ -10,13 +10,13 @@ import { shown } from '../../kit/number-text.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { FolderRow } from './folder-rows.ts';
 import { rigging } from './rigging-args.ts';
 
 /** @param skeleton as the rows are made for; they are made anew when its joints, or who follows whom, are others */
 export function coupleRow(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
   skeleton: Skeleton,
   joint: number,
@@ -97,7 +97,7 @@ export function coupleRow(
 
 /** Lets one more DOF follow another. Undefined where all do, or there is nothing to follow. */
 export function addCoupleRow(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
   skeleton: Skeleton,
   joint: number,
@@ -120,7 +120,11 @@ export function addCoupleRow(
 }
 
 /** With the skin staying or following, as everything in this folder. */
-function coupleIt(wb: Workbench, characterId: string, args: Pick<SetCouple, 'joint' | 'dof' | 'follows'>): void {
+function coupleIt(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  characterId: string,
+  args: Pick<SetCouple, 'joint' | 'dof' | 'follows'>,
+): void {
   standStill(wb);
   attempt(wb.messages, () => wb.store.apply(setCouple, { ...rigging(wb, { id: characterId }), ...args }));
 }

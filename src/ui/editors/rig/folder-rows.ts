@@ -5,10 +5,10 @@ import { element, setText } from '../../kit/dom.ts';
 import { Slider } from '../../kit/slider.ts';
 import { withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 export interface FolderContext {
-  readonly wb: Workbench;
+  readonly wb: Uses<'messages'>;
   readonly edit: HandEdit;
   readonly folder: GUI;
 }

@@ -22,7 +22,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import { inSpaceOf, pivotOf, type Rigged, scaleOf, spaceOfOffset } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
@@ -39,7 +39,7 @@ interface Moved {
 }
 
 function dragJoint(
-  wb: Workbench,
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
   rigged: Rigged,
   joint: number,
   at: CanvasPointer,
@@ -77,7 +77,12 @@ function dragJoint(
 }
 
 /** In the plane that faces the viewer, or in depth. */
-export function dragFreely(wb: Workbench, rigged: Rigged, joint: number, at: CanvasPointer): CanvasDrag {
+export function dragFreely(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
+  rigged: Rigged,
+  joint: number,
+  at: CanvasPointer,
+): CanvasDrag {
   const { eye } = wb.viewport;
   const start = pivotOf(rigged, joint);
   const space = spaceOfOffset(rigged, joint);
@@ -102,7 +107,13 @@ export function dragFreely(wb: Workbench, rigged: Rigged, joint: number, at: Can
 }
 
 /** Along one of the arrows. */
-export function dragAlong(wb: Workbench, rigged: Rigged, joint: number, axis: Axis, at: CanvasPointer): CanvasDrag {
+export function dragAlong(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
+  rigged: Rigged,
+  joint: number,
+  axis: Axis,
+  at: CanvasPointer,
+): CanvasDrag {
   const { eye } = wb.viewport;
   const start = pivotOf(rigged, joint);
   const space = spaceOfOffset(rigged, joint);
@@ -135,7 +146,13 @@ export function dragAlong(wb: Workbench, rigged: Rigged, joint: number, axis: Ax
  * The place across x = 0 of the character's space from another joint, if that is under the pointer: legs and arms come
  * out alike.
  */
-function oppositePlace(wb: Workbench, { world, placement, skeleton }: Rigged, joint: number, x: number, y: number) {
+function oppositePlace(
+  wb: Uses<'viewport'>,
+  { world, placement, skeleton }: Rigged,
+  joint: number,
+  x: number,
+  y: number,
+) {
   const { eye } = wb.viewport;
   let best: { readonly at: Vec3; readonly name: string } | undefined;
   let least = OPPOSITE_PIXELS;
@@ -153,7 +170,7 @@ function oppositePlace(wb: Workbench, { world, placement, skeleton }: Rigged, jo
 }
 
 /** Where a click would put a child of a joint: in the plane through that joint that faces the viewer. */
-export function placeForChild(wb: Workbench, rigged: Rigged, parent: number, at: CanvasPointer) {
+export function placeForChild(wb: Uses<'viewport'>, rigged: Rigged, parent: number, at: CanvasPointer) {
   const { eye } = wb.viewport;
   const start = pivotOf(rigged, parent);
   const scene = eye.inPlaneOf(start, at.clientX, at.clientY);

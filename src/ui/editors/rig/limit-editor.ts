@@ -11,9 +11,9 @@ import { element } from '../../kit/dom.ts';
 import { exact, parseNumber } from '../../kit/number-text.ts';
 import type { Slider } from '../../kit/slider.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
-export function editLimits(wb: Workbench, slider: Slider, characterId: string, index: number): void {
+export function editLimits(wb: Uses<'store' | 'settings'>, slider: Slider, characterId: string, index: number): void {
   const character = findCharacter(wb.store.document, characterId);
   const dof = character && characterDofs(character.skeleton, character.morphs)[index];
   if (!dof) return;

@@ -8,14 +8,14 @@ import { exact, shown } from '../../kit/number-text.ts';
 import { shownPerUnit, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { FolderRow } from './folder-rows.ts';
 import { typedLimit } from './limit-editor.ts';
 import { rigging } from './rigging-args.ts';
 
 /** @param index of the DOF among its joint's */
 export function limitRow(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
   joint: number,
   index: number,

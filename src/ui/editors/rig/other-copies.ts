@@ -4,7 +4,7 @@
  */
 import { transformPoint } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { NEAR_JOINT } from './hits.ts';
 
@@ -14,7 +14,7 @@ export interface JointOfCopy {
 }
 
 export function jointOfOtherCopy(
-  { viewport }: Pick<Workbench, 'viewport'>,
+  { viewport }: Uses<'viewport'>,
   character: Character,
   at: CanvasPointer,
 ): JointOfCopy | undefined {

@@ -12,7 +12,7 @@ import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses, Workbench } from '../../state/workbench.ts';
 import { nameNote } from './joint-names.ts';
 import { pivotOf, riggedNow } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
@@ -63,12 +63,12 @@ export function startSkeletonAt(wb: Workbench, at: At): void {
 }
 
 /** A skin without a skeleton: the first joint is its. */
-function waitingCharacter(wb: Workbench): Character | undefined {
+function waitingCharacter(wb: Uses<'store'>): Character | undefined {
   const character = currentCharacter(wb);
   return character && !character.skeleton && character.skins.length > 0 ? character : undefined;
 }
 
-function start(wb: Workbench, offset: Vec3): void {
+function start(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>, offset: Vec3): void {
   standStill(wb);
   const waiting = waitingCharacter(wb);
   attempt(wb.messages, () => {
@@ -95,7 +95,11 @@ function selectedIn(change: Document | Edit, before: Document): string | undefin
 }
 
 /** The current character with the joint that is meant; says so where there is none. */
-function withJoint(wb: Workbench, joint: number | undefined, run: (character: Character, joint: number) => void): void {
+function withJoint(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  joint: number | undefined,
+  run: (character: Character, joint: number) => void,
+): void {
   const character = currentCharacter(wb);
   const meant = joint ?? selectedJoint(wb)?.joint;
   if (!character?.skeleton || meant === undefined) {
@@ -107,17 +111,28 @@ function withJoint(wb: Workbench, joint: number | undefined, run: (character: Ch
 }
 
 /** A child that continues the bone; it is selected. */
-export function addChild(wb: Workbench, joint?: number): void {
+export function addChild(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  joint?: number,
+): void {
   withJoint(wb, joint, (character, parent) => wb.store.apply(addJoint, { ...rigging(wb, character), parent }));
 }
 
-export function removeIt(wb: Workbench, children: 'too' | 'stay', joint?: number): void {
+export function removeIt(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  children: 'too' | 'stay',
+  joint?: number,
+): void {
   withJoint(wb, joint, (character, meant) =>
     wb.store.apply(removeJoint, { ...rigging(wb, character), joint: meant, children }),
   );
 }
 
-export function mirrorIt(wb: Workbench, across: Axis, joint?: number): void {
+export function mirrorIt(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  across: Axis,
+  joint?: number,
+): void {
   withJoint(wb, joint, (character, meant) => {
     const before = wb.store.document;
     wb.store.apply(mirrorJoint, { ...rigging(wb, character), joint: meant, across });
@@ -126,7 +141,7 @@ export function mirrorIt(wb: Workbench, across: Axis, joint?: number): void {
 }
 
 export function moveUnder(
-  wb: Workbench,
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
   place: Pick<ReparentJoint, 'joint' | 'parent' | 'before'>,
 ): void {
@@ -134,7 +149,12 @@ export function moveUnder(
   attempt(wb.messages, () => wb.store.apply(reparentJoint, { ...rigging(wb, { id: characterId }), ...place }));
 }
 
-export function renameIt(wb: Workbench, characterId: string, joint: number, name: string): void {
+export function renameIt(
+  wb: Uses<'store' | 'transport' | 'posing' | 'messages'>,
+  characterId: string,
+  joint: number,
+  name: string,
+): void {
   attempt(wb.messages, () => {
     wb.store.apply(renameJoint, { ...rigging(wb, { id: characterId }), joint, name });
     const character = findCharacter(wb.store.document, characterId);
@@ -144,7 +164,11 @@ export function renameIt(wb: Workbench, characterId: string, joint: number, name
 }
 
 /** @param joint all of them where none is named */
-export function takeFilePose(wb: Workbench, from: SetFilePose['from'], joint?: number): void {
+export function takeFilePose(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
+  from: SetFilePose['from'],
+  joint?: number,
+): void {
   const character = currentCharacter(wb);
   if (!character?.skeleton) return;
   standStill(wb);

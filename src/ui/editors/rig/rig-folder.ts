@@ -26,7 +26,7 @@ import { emptyFolder } from '../../kit/slider.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses, Workbench } from '../../state/workbench.ts';
 import { whyNoCorner } from './box-order.ts';
 import { addCoupleRow, coupleRow } from './couple-rows.ts';
 import {
@@ -258,7 +258,7 @@ function usualLength({ offset }: Joint): number {
 }
 
 /** What the rows depend on, numbers apart. */
-function shapeOf(wb: Workbench, { id, skeleton }: Character, joint: number): string {
+function shapeOf(wb: Uses<'settings'>, { id, skeleton }: Character, joint: number): string {
   const own = skeleton?.joints[joint];
   if (!skeleton || !own) return '';
   const { motion, couples = [], length } = own;

@@ -4,7 +4,7 @@ import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 export interface Rigged {
   readonly character: Character;
@@ -16,7 +16,7 @@ export interface Rigged {
 }
 
 /** Undefined where no skeleton is seen. */
-export function riggedNow(wb: Workbench): Rigged | undefined {
+export function riggedNow(wb: Uses<'store' | 'viewport'>): Rigged | undefined {
   const character = currentCharacter(wb);
   if (!character?.skeleton || character.isHidden) return undefined;
   const world = wb.viewport.character(character.id)?.worldMatrices();

@@ -1,9 +1,9 @@
 /** What can be done to the skin that a character shows. */
 import { shownSkin } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 
-const skinOf = (wb: Workbench) => {
+const skinOf = (wb: Uses<'store'>) => {
   const character = currentCharacter(wb);
   return character && shownSkin(character);
 };

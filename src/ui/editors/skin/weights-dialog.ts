@@ -17,7 +17,7 @@ import type { DialogContent } from '../../kit/dialog.ts';
 import { element } from '../../kit/dom.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { type Asked, toolDialog } from '../timeline/tool-dialog.ts';
 
 const TITLE = 'Automatic skin weights';
@@ -28,7 +28,10 @@ const PLACES: Readonly<Record<BindPlace, string>> = {
   file: 'Mesh as in file',
 };
 
-export function weightsDialog(wb: Workbench, close: () => void): DialogContent {
+export function weightsDialog(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   const character = currentCharacter(wb);
   const skin = character && shownSkin(character);
   if (!character?.skeleton || !skin) {

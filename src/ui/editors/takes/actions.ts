@@ -1,6 +1,6 @@
 /** Takes as wholes: one after the other, alone or together, when and where they play. */
 import type { Arrangement } from '../../../edit/commands/takes.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 import { compareTakes, endComparison } from './compare.ts';
 import {
   align,
@@ -20,7 +20,7 @@ import {
 } from './play.ts';
 
 const MENU = 'Play/Takes';
-const several = (wb: Workbench) => charactersMeant(wb).length > 1;
+const several = (wb: Uses<'store' | 'timeline'>) => charactersMeant(wb).length > 1;
 
 export const TAKE_ACTIONS: readonly Action[] = [
   {

@@ -9,7 +9,7 @@ import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { TIME_RULER_HEIGHT, type TimeView } from '../timeline/time-ruler.ts';
 import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, framesIn, yAt } from './chart-picture.ts';
 import { type DistanceUnit, distanceText } from './distance-text.ts';
@@ -40,7 +40,7 @@ export class DistanceChart {
   private scene: ChartScene | undefined;
   private visible = false;
 
-  constructor(private readonly wb: Workbench) {
+  constructor(private readonly wb: Uses<'transport' | 'timeline' | 'settings'>) {
     this.element.append(this.picture.element);
     new ResizeObserver(() => {
       this.size = { width: this.element.clientWidth, height: this.element.clientHeight };

@@ -10,12 +10,16 @@ import { type Document, findCharacter, rangeOfClips } from '../../../model/docum
 import { fitWindow } from '../../kit/time-window.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Overlay } from '../../state/takes.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { playRange } from './played-range.ts';
 import type { TakeRow } from './rows.ts';
 
 /** One over the other, tinted, with the distance of their joints; refused with a word where they have nothing in common. */
-export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): void {
+export function compareTakes(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>,
+  first: TakeRow,
+  second: TakeRow,
+): void {
   const { document } = wb.store;
   const skeletons = [first, second].map((row) => findCharacter(document, row.characterId)?.skeleton);
   const [a, b] = skeletons;
@@ -64,7 +68,7 @@ export function compareTakes(wb: Workbench, first: TakeRow, second: TakeRow): vo
 }
 
 /** Everything as it was before. Nothing happens where nothing is compared. */
-export function endComparison(wb: Workbench): void {
+export function endComparison(wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>): void {
   const { store, timeline } = wb;
   const { takes } = timeline;
   const comparison = takes.comparison.get();
@@ -77,7 +81,7 @@ export function endComparison(wb: Workbench): void {
   takes.comparison.set(undefined);
 }
 
-function takeApart(wb: Workbench, overlay: Overlay): void {
+function takeApart(wb: Uses<'store' | 'transport'>, overlay: Overlay): void {
   const { store } = wb;
   const { document: compared } = store;
   store.apply(endOverlay, { before: overlay.before.characters, overlaid: overlay.after.characters });
@@ -88,7 +92,7 @@ function takeApart(wb: Workbench, overlay: Overlay): void {
 }
 
 /** Undo and redo lead out of the comparison and into it. */
-function followOverlay(wb: Workbench, overlay: Overlay): void {
+function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, overlay: Overlay): void {
   const { takes } = wb.timeline;
   takes.overlay = overlay;
   const stop = wb.store.subscribe((now, before) => {
@@ -112,7 +116,11 @@ function followOverlay(wb: Workbench, overlay: Overlay): void {
  * What was played before, unless another range was set meanwhile.
  * @param compared the document that was left: a range that is that of its clips has gone with them already
  */
-function playAsBefore(wb: Workbench, { played, playedBefore: range }: Overlay, compared: Document): void {
+function playAsBefore(
+  wb: Uses<'store' | 'transport'>,
+  { played, playedBefore: range }: Overlay,
+  compared: Document,
+): void {
   const followed = isSame(rangeOfClips(compared), played) ? rangeOfClips(wb.store.document) : undefined;
   wb.transport.update((p) => {
     if (!isSame(p.range, played) && !isSame(followed, p.range)) return p;

@@ -9,7 +9,7 @@ import { focusPanel } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { comparedIn } from '../../state/takes.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { DistanceChart } from './chart.ts';
 import { endComparison } from './compare.ts';
 import { DistanceList } from './distance-list.ts';
@@ -27,7 +27,7 @@ export class DistancePane {
   private readonly alignment: HTMLSelectElement;
   private unit: DistanceUnit = { factor: 1, symbol: '' };
 
-  constructor(private readonly wb: Workbench) {
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
     const { takes } = wb.timeline;
     this.measuring = new Measuring(wb);
     this.chart = new DistanceChart(wb);
@@ -158,7 +158,7 @@ const ALIGNMENT_LABELS: Readonly<Record<Alignment, readonly [string, string]>> =
   turned: ['relative to root', 'Ignores where the root is and how it is turned'],
 };
 
-function alignmentChoice(wb: Workbench): HTMLSelectElement {
+function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
   const { distances } = wb.timeline.takes;
   const choice = element('select', {
     class: 'distance-alignment',

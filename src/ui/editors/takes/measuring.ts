@@ -9,7 +9,7 @@ import { type Character, shownClip } from '../../../model/document.ts';
 import { runInSlices } from '../../../view/slices.ts';
 import { type Observable, observable } from '../../kit/observable.ts';
 import { type Compared, comparedIn } from '../../state/takes.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** What was asked for; identity of its parts tells whether the answer still holds. */
 interface Asked {
@@ -31,7 +31,7 @@ export class Measuring {
   private running: Asked | undefined;
   private visible = false;
 
-  constructor(private readonly wb: Workbench) {
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline'>) {
     const { store, timeline, transport } = wb;
     store.subscribe((now, before) => {
       if (now.document !== before.document) this.refresh();

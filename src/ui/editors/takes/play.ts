@@ -13,25 +13,25 @@ import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
 import { findCharacter, shownClip } from '../../../model/document.ts';
 import type { Selection } from '../../../model/session.ts';
 import { attempt } from '../../state/attempt.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { endComparison } from './compare.ts';
 import { followRangeOfTakes, playRange } from './played-range.ts';
 import { listedTakes, shownKey, type TakeRow, takeRows } from './rows.ts';
 
 /** As the list has them now. */
-export function listOfTakes(wb: Workbench): readonly TakeRow[] {
+export function listOfTakes(wb: Uses<'store' | 'timeline'>): readonly TakeRow[] {
   const { filter, order } = wb.timeline.takes.view.get();
   return listedTakes(takeRows(wb.store.document), filter, order);
 }
 
 /** Those that are chosen in the list, in its order. */
-export function chosenTakes(wb: Workbench): TakeRow[] {
+export function chosenTakes(wb: Uses<'store' | 'timeline'>): TakeRow[] {
   const { chosen } = wb.timeline.takes.view.get();
   return chosen.size ? listOfTakes(wb).filter((row) => chosen.has(row.key)) : [];
 }
 
 /** Whose time and place are meant: those of the chosen takes, or of every take that is seen where one at most is chosen. */
-export function charactersMeant(wb: Workbench): string[] {
+export function charactersMeant(wb: Uses<'store' | 'timeline'>): string[] {
   const chosen = chosenTakes(wb);
   const rows = chosen.length > 1 ? chosen : takeRows(wb.store.document).filter((row) => row.isShown);
   return [...new Set(rows.map((row) => row.characterId))];
@@ -41,7 +41,7 @@ export function charactersMeant(wb: Workbench): string[] {
  * The take that one is at, by its place in the list: the only one that plays, else the shown one of the selected
  * character; -1 where there is none.
  */
-export function currentPlace(wb: Workbench, rows: readonly TakeRow[]): number {
+export function currentPlace(wb: Uses<'store'>, rows: readonly TakeRow[]): number {
   const shown = rows.filter((row) => row.isShown);
   if (shown.length === 1) return rows.indexOf(shown[0]);
   const character = findCharacter(wb.store.document, wb.store.selection.characterId);
@@ -50,7 +50,7 @@ export function currentPlace(wb: Workbench, rows: readonly TakeRow[]): number {
 }
 
 /** Nothing else is seen; the transport plays its range, from its start. Plays on where something played. */
-export function playAlone(wb: Workbench, row: TakeRow): void {
+export function playAlone(wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>, row: TakeRow): void {
   attempt(wb.messages, () => {
     endComparison(wb);
     wb.store.apply(showTakes, { takes: [row], alone: true });
@@ -62,7 +62,10 @@ export function playAlone(wb: Workbench, row: TakeRow): void {
 }
 
 /** These and no others, over all the time that they take. */
-export function playTogether(wb: Workbench, rows: readonly TakeRow[]): void {
+export function playTogether(
+  wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>,
+  rows: readonly TakeRow[],
+): void {
   attempt(wb.messages, () => {
     endComparison(wb);
     wb.store.apply(showTakes, { takes: rows, alone: true });
@@ -73,7 +76,7 @@ export function playTogether(wb: Workbench, rows: readonly TakeRow[]): void {
 }
 
 /** The next take of the list, or the one before; past the last comes the first. */
-export function stepTake(wb: Workbench, step: 1 | -1): void {
+export function stepTake(wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>, step: 1 | -1): void {
   const rows = listOfTakes(wb);
   if (!rows.length) return;
   const at = currentPlace(wb, rows);
@@ -85,7 +88,7 @@ export function stepTake(wb: Workbench, step: 1 | -1): void {
  * Into the picture, showing these takes, or out of it, where any of them is seen; of a character that several of them
  * are of, the first.
  */
-export function toggleShown(wb: Workbench, ...rows: readonly TakeRow[]): void {
+export function toggleShown(wb: Uses<'store' | 'messages'>, ...rows: readonly TakeRow[]): void {
   const shown = rows.filter((row) => row.isShown);
   const takes = rows.filter((row, i) => rows.findIndex((r) => r.characterId === row.characterId) === i);
   attempt(wb.messages, () => {
@@ -95,21 +98,21 @@ export function toggleShown(wb: Workbench, ...rows: readonly TakeRow[]): void {
 }
 
 /** The takes that a key in the list is about: those that are chosen, or the row that one is at where it is none of them. */
-export function takesAtHand(wb: Workbench): TakeRow[] {
+export function takesAtHand(wb: Uses<'store' | 'timeline'>): TakeRow[] {
   const { focused } = wb.timeline.takes.view.get();
   const chosen = chosenTakes(wb);
   if (focused === undefined || chosen.some((row) => row.key === focused)) return chosen;
   return listOfTakes(wb).filter((row) => row.key === focused);
 }
 
-export function showAll(wb: Workbench): void {
+export function showAll(wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>): void {
   endComparison(wb);
   const ids = wb.store.document.characters.filter((c) => c.isHidden).map((c) => c.id);
   if (ids.length) wb.store.apply(setHidden, { ids, hidden: false });
   followRangeOfTakes(wb);
 }
 
-export function remove(wb: Workbench, rows: readonly TakeRow[]): void {
+export function remove(wb: Uses<'store' | 'timeline' | 'messages'>, rows: readonly TakeRow[]): void {
   if (!rows.length) return;
   const list = listOfTakes(wb);
   const gone = new Set(rows.map((row) => row.key));
@@ -128,37 +131,37 @@ export function remove(wb: Workbench, rows: readonly TakeRow[]): void {
   });
 }
 
-function rowLike(wb: Workbench, { characterId, name }: TakeRow): TakeRow | undefined {
+function rowLike(wb: Uses<'store' | 'timeline'>, { characterId, name }: TakeRow): TakeRow | undefined {
   return listOfTakes(wb).find((row) => row.characterId === characterId && row.name === name);
 }
 
-export function align(wb: Workbench): void {
+export function align(wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>): void {
   const characterIds = charactersMeant(wb);
   attempt(wb.messages, () => wb.store.apply(alignStarts, { characterIds }));
   followRangeOfTakes(wb);
 }
 
-export function resetOffsets(wb: Workbench): void {
+export function resetOffsets(wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>): void {
   const characterIds = charactersMeant(wb);
   attempt(wb.messages, () => wb.store.apply(setTimeOffsets, { characterIds, seconds: 0 }));
   followRangeOfTakes(wb);
 }
 
 /** @param atSeconds of the transport: when its first moment is to be played */
-export function startAt(wb: Workbench, row: TakeRow, atSeconds: number): void {
+export function startAt(wb: Uses<'store' | 'messages'>, row: TakeRow, atSeconds: number): void {
   // Plus 0: no offset is −0.
   const seconds = row.range[0] - atSeconds + 0;
   attempt(wb.messages, () => wb.store.apply(setTimeOffset, { characterId: row.characterId, seconds }));
 }
 
-export function putTakes(wb: Workbench, how: Arrangement): void {
+export function putTakes(wb: Uses<'store' | 'viewport' | 'timeline' | 'messages'>, how: Arrangement): void {
   const characterIds = charactersMeant(wb);
   attempt(wb.messages, () => wb.store.apply(arrange, { characterIds, how }));
   wb.viewport.frameAll();
 }
 
 /** Another character, and of it the joint that was selected, if it has one of that name: its trail can be compared. */
-export function selectCharacter(wb: Workbench, characterId: string): void {
+export function selectCharacter(wb: Uses<'store'>, characterId: string): void {
   const { document, selection } = wb.store;
   if (selection.characterId === characterId) return;
   const before = findCharacter(document, selection.characterId);
@@ -170,6 +173,6 @@ export function selectCharacter(wb: Workbench, characterId: string): void {
 }
 
 /** Whether there is any take that plays. */
-export function hasTakes(wb: Workbench): boolean {
+export function hasTakes(wb: Uses<'store'>): boolean {
   return wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined);
 }

@@ -2,18 +2,18 @@
 import { sharedFrameRate } from '../../../edit/frame-rate.ts';
 import { countedAt } from '../../../edit/playback.ts';
 import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /**
  * The range is played from its start; whether anything plays stays as it is. Frames are counted as what plays has them,
  * where it has one rate: frame 26 is the file's frame 26.
  */
-export function playRange(wb: Workbench, range: readonly [number, number]): void {
+export function playRange(wb: Uses<'store' | 'transport'>, range: readonly [number, number]): void {
   const rate = sharedFrameRate(wb.store.document);
   wb.transport.update((p) => countedAt({ ...p, range, timeSeconds: range[0], turned: false }, rate));
 }
 
-export function followRangeOfTakes(wb: Workbench): void {
+export function followRangeOfTakes(wb: Uses<'store' | 'transport'>): void {
   const range = clipsRange(wb.store.document);
   if (range) wb.transport.update((p) => ({ ...p, range }));
 }

@@ -7,7 +7,7 @@ import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { actionLabel, findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { keepTooltip } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';
 import { countText } from './table.ts';
@@ -21,7 +21,7 @@ const BUTTONS: readonly (readonly [id: string, text: string, title: string])[] =
 ];
 const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.grid', 'take.put.spot', 'take.put.space'];
 
-export function takeTools(wb: Workbench): HTMLElement {
+export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>): HTMLElement {
   const refreshing: (() => void)[] = [];
   const buttons = BUTTONS.map(([id, text, title]) => {
     const action = findAction(wb, id);
@@ -76,7 +76,7 @@ export function takeTools(wb: Workbench): HTMLElement {
   );
 }
 
-export function arrangeEntries(wb: Workbench): MenuEntry[] {
+export function arrangeEntries(wb: Uses<'actions' | 'settings'>): MenuEntry[] {
   return ARRANGING.flatMap((id): MenuEntry[] => {
     const action = findAction(wb, id);
     if (action) return [itemOf(wb, action)];
@@ -84,7 +84,7 @@ export function arrangeEntries(wb: Workbench): MenuEntry[] {
   });
 }
 
-function takeFilter(wb: Workbench): HTMLElement {
+function takeFilter(wb: Uses<'timeline'>): HTMLElement {
   const { takes } = wb.timeline;
   const input = element('input', {
     type: 'search',

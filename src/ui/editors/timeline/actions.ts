@@ -1,18 +1,18 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
 import type { ChannelList, HandleMode, TimelineView } from '../../state/timeline.ts';
-import type { Action, CurveToolName, Workbench } from '../../state/workbench.ts';
+import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
 import { hasKeys, hasTake } from './key-actions.ts';
 import type { SampleTool } from './sample-tools.ts';
 
-const inView = (wb: Workbench) => channelsInView(wb).length > 0;
-const inHand = (wb: Workbench) => channelsInHand(wb).length > 0;
-const hasSamples = (wb: Workbench) => takeInHand(wb)?.clip.samples !== undefined;
+const inView = (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0;
+const inHand = (wb: Uses<'store' | 'timeline'>) => channelsInHand(wb).length > 0;
+const hasSamples = (wb: Uses<'store'>) => takeInHand(wb)?.clip.samples !== undefined;
 /** Tools for curves of keys have nothing to do on samples. */
-const keyedInHand = (wb: Workbench) =>
+const keyedInHand = (wb: Uses<'store' | 'timeline'>) =>
   channelsInHand(wb).some((c) => takeInHand(wb)?.clip.channels[c]?.kind === 'keys');
 /** … but for those that ask nothing of what lies between frames. */
-const animatedInHand = (wb: Workbench) => {
+const animatedInHand = (wb: Uses<'store' | 'timeline'>) => {
   const clip = takeInHand(wb)?.clip;
   return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
 };
@@ -230,7 +230,7 @@ const ZOOM = 1.25;
 const PAN = 0.25;
 
 function tool(name: CurveToolName) {
-  return (wb: Workbench) => {
+  return (wb: Uses<'store' | 'dialog'>) => {
     if (takeInHand(wb)) wb.dialog.set(name);
   };
 }

@@ -4,12 +4,12 @@ import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/
 import { Trial } from '../../../edit/trial.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 import { plural } from '../../kit/number-text.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from './channels.ts';
 import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
 import { period } from './period.ts';
 
-export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
+export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 'euler' | 'loop'): void {
   const take = takeInHand(wb);
   if (!take) return;
   const { character, clip } = take;
@@ -37,7 +37,7 @@ export function runCurveTool(wb: Workbench, tool: 'euler' | 'loop'): void {
 }
 
 /** Long takes in slices; where anything else changes meanwhile, nothing is done. */
-function filterAngles(wb: Workbench, args: OfChannels): void {
+function filterAngles(wb: Uses<'store' | 'timeline' | 'messages'>, args: OfChannels): void {
   const { store, messages } = wb;
   const label = eulerFilter.label(store.document, args);
   const trial = new Trial(store, label, () => {

@@ -2,11 +2,11 @@
 import type { State } from '../../../edit/history.ts';
 import type { Character } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from './channels.ts';
 
 /** Follows document and selection until it is ended. To be started before what draws the timeline. */
-export function followCharacter(wb: Workbench): () => void {
+export function followCharacter(wb: Uses<'store' | 'timeline'>): () => void {
   const { store, timeline } = wb;
   const follow = () => {
     const character = currentCharacter(wb);
@@ -20,7 +20,7 @@ export function followCharacter(wb: Workbench): () => void {
 }
 
 /** Undo too may give a character another skeleton, the one that it had before its files were read again. */
-function forgetOthers({ timeline }: Workbench, { document }: State, { document: before }: State): void {
+function forgetOthers({ timeline }: Uses<'timeline'>, { document }: State, { document: before }: State): void {
   if (document === before) return;
   for (const was of before.characters) {
     const now = document.characters.find((c) => c.id === was.id);

@@ -13,7 +13,7 @@ import { type Character, findCharacter, shownClip } from '../../../model/documen
 import type { ChannelKeys } from '../../../model/session.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { drawnChannels, listedChannels } from './channels.ts';
 import { keyedChannels } from './dope-rows.ts';
 
@@ -23,20 +23,20 @@ export interface Take {
 }
 
 /** The take of the character that is meant; undefined where it has none. */
-export function takeInHand(wb: Workbench): Take | undefined {
+export function takeInHand(wb: Uses<'store'>): Take | undefined {
   const character = currentCharacter(wb);
   const clip = character && shownClip(character);
   return character && clip && { character, clip };
 }
 
 /** The selected keys of that take, in view or not: what is added to, or taken from. Of another character's, none. */
-export function selectedKeys(wb: Workbench): readonly ChannelKeys[] {
+export function selectedKeys(wb: Uses<'store'>): readonly ChannelKeys[] {
   const { selection } = wb.store;
   return (selection.keys && selection.characterId === currentCharacter(wb)?.id && selection.keys) || NO_KEYS;
 }
 
 /** Those of them that are in view. The same array for as long as they are the same keys. */
-export function keysInHand(wb: Workbench): readonly ChannelKeys[] {
+export function keysInHand(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
   const selected = selectedKeys(wb);
   if (!selected.length) return NO_KEYS;
   const inView = new Set(channelsInView(wb));
@@ -49,7 +49,7 @@ export function keysInHand(wb: Workbench): readonly ChannelKeys[] {
 }
 
 /** A command about the keys in hand, after which those that are selected out of view are so still. */
-export function aboutKeysInHand<A>(wb: Workbench, command: Command<A, Edit>): Command<A, Edit> {
+export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Command<A, Edit>): Command<A, Edit> {
   const inHand = new Set(keysInHand(wb));
   const unseen = selectedKeys(wb).filter((k) => !inHand.has(k));
   if (!unseen.length) return command;
@@ -64,7 +64,7 @@ export function aboutKeysInHand<A>(wb: Workbench, command: Command<A, Edit>): Co
 }
 
 /** A drag of keys of this take: it ends where anything else changes the take or shows another. */
-export function editOfTake({ store, messages }: Workbench, { character, clip }: Take): HandEdit {
+export function editOfTake({ store, messages }: Uses<'store' | 'messages'>, { character, clip }: Take): HandEdit {
   return new HandEdit(store, messages, () => {
     const now = findCharacter(store.document, character.id);
     return now !== undefined && shownClip(now) === clip;
@@ -72,7 +72,7 @@ export function editOfTake({ store, messages }: Workbench, { character, clip }: 
 }
 
 /** Selects these keys and no others; joint and character stay. */
-export function selectKeys(wb: Workbench, keys: readonly ChannelKeys[]): void {
+export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const { selection } = wb.store;
@@ -83,7 +83,7 @@ export function selectKeys(wb: Workbench, keys: readonly ChannelKeys[]): void {
 }
 
 /** Channels that the timeline draws now. Asked for by every row and entry: found once for what they follow from. */
-export function channelsInView(wb: Workbench): readonly number[] {
+export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const character = currentCharacter(wb);
   if (!character) return [];
   const { selection } = wb.store;
@@ -101,12 +101,12 @@ export function channelsInView(wb: Workbench): readonly number[] {
 }
 
 /** Channels that a tool for whole channels takes: those with selected keys, else those in view. */
-export function channelsInHand(wb: Workbench): readonly number[] {
+export function channelsInHand(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const keys = keysInHand(wb);
   return keys.length ? keys.map((k) => k.channel) : channelsInView(wb);
 }
 
 /** Seconds of the clip at the transport's time. */
-export function clipTime(wb: Workbench, character: Character): number {
+export function clipTime(wb: Uses<'transport'>, character: Character): number {
   return wb.transport.get().timeSeconds + character.timeOffsetSeconds;
 }

@@ -10,7 +10,7 @@ import {
   type TangentKind,
 } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, clipTime, keysInHand, selectKeys, takeInHand } from './in-hand.ts';
 import {
   copyToTray,
@@ -27,10 +27,10 @@ import {
   snapToFrames,
 } from './key-edits.ts';
 
-export const hasKeys = (wb: Workbench) => keysInHand(wb).length > 0;
-export const hasTake = (wb: Workbench) => takeInHand(wb) !== undefined;
-const hasCopied = (wb: Workbench) => hasTake(wb) && wb.timeline.copied !== undefined;
-const inView = (wb: Workbench) => channelsInView(wb).length > 0;
+export const hasKeys = (wb: Uses<'store' | 'timeline'>) => keysInHand(wb).length > 0;
+export const hasTake = (wb: Uses<'store'>) => takeInHand(wb) !== undefined;
+const hasCopied = (wb: Uses<'store' | 'timeline'>) => hasTake(wb) && wb.timeline.copied !== undefined;
+const inView = (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0;
 
 export const TANGENT_LABELS: Readonly<Record<TangentKind, string>> = {
   flat: 'Flat',
@@ -160,7 +160,7 @@ const selecting: readonly Action[] = [
 /** Times nearer than this are the same moment. */
 const SAME_SECONDS = 1e-7;
 
-function now(wb: Workbench): number {
+function now(wb: Uses<'transport'>): number {
   return wb.transport.get().timeSeconds;
 }
 
@@ -290,7 +290,11 @@ function extrapolationLabel(extrapolation: Extrapolation, side: 'both' | 'in' | 
   return side === 'both' ? label : `${label}, ${side === 'in' ? 'before' : 'after'} the keys`;
 }
 
-function allExtrapolate(wb: Workbench, side: 'both' | 'in' | 'out', extrapolation: Extrapolation): boolean {
+function allExtrapolate(
+  wb: Uses<'store' | 'timeline'>,
+  side: 'both' | 'in' | 'out',
+  extrapolation: Extrapolation,
+): boolean {
   const take = takeInHand(wb);
   const channels = take ? channelsInHand(wb) : [];
   return (

@@ -11,7 +11,7 @@ import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import { standStill } from '../../state/stand-still.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { channelName, dofsFor, namedChannel } from './channels.ts';
 import {
   aboutKeysInHand,
@@ -25,7 +25,10 @@ import {
 import { framesOf, nudgeStep } from './snapping.ts';
 
 /** A key on each curve in view at the playhead; where none is in view, nothing. */
-export function insertAtPlayhead(wb: Workbench, channels: readonly number[] = channelsInView(wb)): void {
+export function insertAtPlayhead(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  channels: readonly number[] = channelsInView(wb),
+): void {
   const take = takeInHand(wb);
   if (!take || !channels.length) return;
   standStill(wb);
@@ -36,7 +39,7 @@ export function insertAtPlayhead(wb: Workbench, channels: readonly number[] = ch
   });
 }
 
-export function deleteKeys(wb: Workbench): void {
+export function deleteKeys(wb: Uses<'store' | 'transport' | 'timeline'>): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
@@ -44,7 +47,7 @@ export function deleteKeys(wb: Workbench): void {
   wb.store.apply(aboutKeysInHand(wb, removeKeys), { characterId: take.character.id, keys, timeSeconds });
 }
 
-export function copyToTray(wb: Workbench): boolean {
+export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return false;
@@ -59,7 +62,12 @@ export function copyToTray(wb: Workbench): boolean {
  * @param mode `insert` pushes later keys on instead of lying among them
  * @param into other channels than those the keys came from
  */
-export function paste(wb: Workbench, mode: 'merge' | 'insert', into?: readonly number[], copied = wb.timeline.copied) {
+export function paste(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  mode: 'merge' | 'insert',
+  into?: readonly number[],
+  copied = wb.timeline.copied,
+) {
   const take = takeInHand(wb);
   if (!take || !copied) return;
   standStill(wb);
@@ -73,7 +81,7 @@ export function paste(wb: Workbench, mode: 'merge' | 'insert', into?: readonly n
 }
 
 /** The keys in hand once more, at the playhead; what is in the tray stays there. */
-export function duplicate(wb: Workbench): void {
+export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
@@ -82,7 +90,11 @@ export function duplicate(wb: Workbench): void {
 }
 
 /** Moves the keys in hand by frames, and by steps of what their values are shown in. */
-export function nudge(wb: Workbench, frames: number, valueSteps: number): void {
+export function nudge(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  frames: number,
+  valueSteps: number,
+): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
@@ -109,7 +121,7 @@ export function nudge(wb: Workbench, frames: number, valueSteps: number): void {
   });
 }
 
-export function snapToFrames(wb: Workbench): void {
+export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
@@ -118,7 +130,7 @@ export function snapToFrames(wb: Workbench): void {
   wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
 }
 
-export function makeTangents(wb: Workbench, kind: TangentKind, side: Side): void {
+export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, side: Side): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (take && keys.length)
@@ -129,7 +141,7 @@ export function makeTangents(wb: Workbench, kind: TangentKind, side: Side): void
  * A file has no word for a broken key: what is broken are slopes that differ. Those that are equal still would move
  * together again, so handles move alone from then on, until someone unifies.
  */
-export function joinTangents(wb: Workbench, how: 'unify' | 'break'): void {
+export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: 'unify' | 'break'): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (!take || !keys.length) return;
@@ -144,7 +156,7 @@ export function joinTangents(wb: Workbench, how: 'unify' | 'break'): void {
 
 /** Of the channels with selected keys, or of those in view. */
 export function extrapolate(
-  wb: Workbench,
+  wb: Uses<'store' | 'timeline'>,
   side: Side,
   extrapolation: Extrapolation,
   channels: readonly number[] = channelsInHand(wb),
@@ -155,7 +167,11 @@ export function extrapolate(
 }
 
 /** All keys of these channels that pass a test, which is given the transport's seconds. */
-export function selectWhere(wb: Workbench, channels: readonly number[], test: (timeSeconds: number) => boolean): void {
+export function selectWhere(
+  wb: Uses<'store'>,
+  channels: readonly number[],
+  test: (timeSeconds: number) => boolean,
+): void {
   const take = takeInHand(wb);
   if (!take) return;
   const { timeOffsetSeconds } = take.character;
@@ -170,7 +186,7 @@ export function selectWhere(wb: Workbench, channels: readonly number[], test: (t
 }
 
 /** What is in view and not selected, instead of what is. */
-export function invertSelection(wb: Workbench): void {
+export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
   const take = takeInHand(wb);
   if (!take) return;
   const held = new Map(keysInHand(wb).map((k) => [k.channel, new Set(k.indices)]));
@@ -185,7 +201,10 @@ export function invertSelection(wb: Workbench): void {
 }
 
 /** `3 keys of 2 channels, 0.4 s to 1.2 s`, for whoever can't see them. */
-export function selectedText(wb: Workbench, keys: readonly ChannelKeys[] = keysInHand(wb)): string {
+export function selectedText(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  keys: readonly ChannelKeys[] = keysInHand(wb),
+): string {
   const take = takeInHand(wb);
   if (!take || !keys.length) return 'No key is selected.';
   const count = countKeys(keys);

@@ -6,13 +6,13 @@ import { sameTime } from '../../../edit/keys/same-time.ts';
 import { type Channel, type ChannelClip, type Extrapolation, keysOf } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { plural, shown } from '../../kit/number-text.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from './channels.ts';
 
 const REPEATING: readonly Extrapolation[] = ['cycle', 'cycle_offset', 'bounce'];
 
 /** Watches the steps that are made until it is ended. What undo brings is what was there before: nothing is said of it. */
-export function followPeriods({ store, messages }: Pick<Workbench, 'store' | 'messages'>): () => void {
+export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): () => void {
   return store.onStep(({ document }, { document: before }) => {
     for (const character of document.characters) {
       const was = findCharacter(before, character.id);

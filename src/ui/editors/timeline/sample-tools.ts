@@ -10,13 +10,13 @@ import { Trial } from '../../../edit/trial.ts';
 import { rangeOfSamples } from '../../../model/samples.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 import { count, plural, shown } from '../../kit/number-text.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { clipTime, type Take, takeInHand } from './in-hand.ts';
 
 export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
 
 /** What it did is said in the message line. */
-export function runSampleTool(wb: Workbench, tool: SampleTool): void {
+export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool: SampleTool): void {
   const take = takeInHand(wb);
   if (!take) return;
   const { character } = take;
@@ -57,7 +57,7 @@ export function cutText(tool: 'crop' | 'trimStart' | 'trimEnd', before: Take, { 
 }
 
 /** A long take is turned around in slices; where anything else changes meanwhile, it is not. */
-function reverse(wb: Workbench, characterId: string): void {
+function reverse(wb: Uses<'store' | 'messages'>, characterId: string): void {
   const { store, messages } = wb;
   const label = reverseSamples.label(store.document, { characterId });
   const trial = new Trial(store, label, () => {

@@ -1,10 +1,10 @@
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /**
  * Frames a second that a scrubbed time is snapped to; undefined for none.
  * @param free Shift is held
  */
-export function scrubFrames(wb: Workbench, free: boolean): number | undefined {
+export function scrubFrames(wb: Uses<'transport' | 'timeline' | 'settings'>, free: boolean): number | undefined {
   const snaps = wb.settings.get().timeDisplay === 'frames' || wb.timeline.view.get().snapsToFrames;
   return snaps && !free ? wb.transport.get().framesPerSecond : undefined;
 }

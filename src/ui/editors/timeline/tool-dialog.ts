@@ -11,7 +11,7 @@ import { atMostEvery } from '../../kit/frame.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 import { parseNumber } from '../../kit/number-text.ts';
 import { unitsBehind } from '../../state/angles.ts';
-import type { DialogName, Workbench } from '../../state/workbench.ts';
+import type { DialogName, Uses } from '../../state/workbench.ts';
 import { aboutKeysInHand } from './in-hand.ts';
 
 export interface NumberAsked {
@@ -74,7 +74,11 @@ export interface Stepped {
 /** Typing is answered at most so often. */
 const PREVIEW_MS = 120;
 
-export function toolDialog<A>(wb: Workbench, close: () => void, tool: ToolDialog<A>): DialogContent {
+export function toolDialog<A>(
+  wb: Uses<'store' | 'timeline' | 'messages' | 'dialog'>,
+  close: () => void,
+  tool: ToolDialog<A>,
+): DialogContent {
   const { store } = wb;
   const fields = new Map<string, HTMLInputElement | HTMLSelectElement>();
   const result = element('p', { class: 'tool-result', role: 'status' });

@@ -4,7 +4,7 @@ import { clipsRange, nextKey, previousKey, shownKeys } from '../../../evaluate/p
 import { playingCharacters } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 import { switchKinematics } from '../posing/actions.ts';
 
 export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
@@ -16,7 +16,7 @@ export const LOOP_LABELS: Readonly<Record<LoopMode, string>> = {
 
 export const RATES = [-4, -2, -1, -0.5, -0.25, 0.25, 0.5, 1, 2, 4] as const;
 
-const hasKeys = (wb: Workbench) => shownKeys(wb.store.document, wb.store.selection).length > 0;
+const hasKeys = (wb: Uses<'store'>) => shownKeys(wb.store.document, wb.store.selection).length > 0;
 
 export const PLAY_ACTIONS: readonly Action[] = [
   {
@@ -123,7 +123,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
 ];
 
 /** With nothing to play its key goes between FK and IK. The transport's own button plays all the same: time passes. */
-function switchesInstead(wb: Workbench): boolean {
+function switchesInstead(wb: Uses<'store' | 'transport'>): boolean {
   const { document } = wb.store;
   return !wb.transport.get().playing && document.characters.length > 0 && playingCharacters(document).length === 0;
 }
@@ -143,12 +143,12 @@ function at(
   icon: Action['icon'],
   change: (playback: Playback) => Playback,
 ): Action {
-  const run = (wb: Workbench) => wb.transport.update(change);
+  const run = (wb: Uses<'transport'>) => wb.transport.update(change);
   const repeats = id.startsWith('play.step');
   return { id, label, group: 'Play', menu: 'Play', section, shortcuts, repeats, run, ...(icon && { icon }) };
 }
 
-function toKey(wb: Workbench, find: typeof nextKey): void {
+function toKey(wb: Uses<'store' | 'transport'>, find: typeof nextKey): void {
   const keys = shownKeys(wb.store.document, wb.store.selection);
   wb.transport.update((p) => {
     const timeSeconds = find(keys, p.timeSeconds);

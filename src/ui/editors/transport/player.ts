@@ -3,14 +3,17 @@
  * its time changes, by play or by hand, the viewport is told and hand-set values that were not keyed go.
  */
 import { advance } from '../../../edit/playback.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { dropStale, followUnkeyed } from '../posing/unkeyed-values.ts';
 
 /** A tab that was in the background for an hour goes on where it was, not an hour later. */
 const LONGEST_STEP_SECONDS = 1;
 
 /** Runs until the signal says otherwise. */
-export function startPlayer(wb: Workbench, signal: AbortSignal): void {
+export function startPlayer(
+  wb: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'settings' | 'messages'>,
+  signal: AbortSignal,
+): void {
   let before: number | undefined;
   let queued = 0;
   const tick = (now: number) => {
@@ -44,7 +47,7 @@ export function startPlayer(wb: Workbench, signal: AbortSignal): void {
   wb.viewport.seek(wb.transport.get().timeSeconds);
 }
 
-function showTime(wb: Workbench, timeSeconds: number): void {
+function showTime(wb: Uses<'store' | 'actions' | 'viewport' | 'settings' | 'messages'>, timeSeconds: number): void {
   dropStale(wb, timeSeconds);
   wb.viewport.seek(timeSeconds);
 }

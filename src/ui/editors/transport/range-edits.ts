@@ -6,16 +6,19 @@ import { setClipRange } from '../../../edit/commands/clips.ts';
 import { type Character, playingCharacters } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 import { attempt } from '../../state/attempt.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 
 /** The one character that plays a take. */
-export function onlyTake(wb: Workbench): Character | undefined {
+export function onlyTake(wb: Uses<'store'>): Character | undefined {
   const playing = playingCharacters(wb.store.document);
   return playing.length === 1 ? playing[0] : undefined;
 }
 
 /** @param range seconds of the transport; refused, with a word, where it ends before it begins */
-export function typeRange(wb: Workbench, range: readonly [number, number]): void {
+export function typeRange(
+  wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
+  range: readonly [number, number],
+): void {
   const [from, to] = range;
   if (from > to) {
     wb.messages.note(`A range that starts at ${timeText(wb, from)} can’t end at ${timeText(wb, to)}.`, 'warning');
@@ -32,7 +35,7 @@ export function typeRange(wb: Workbench, range: readonly [number, number]): void
 }
 
 /** `1.25 s`, or `frame 30` where times are typed in frames. */
-function timeText(wb: Workbench, timeSeconds: number): string {
+function timeText(wb: Uses<'transport' | 'settings'>, timeSeconds: number): string {
   if (wb.settings.get().timeDisplay === 'seconds') return `${shown(timeSeconds)} s`;
   return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond)}`;
 }

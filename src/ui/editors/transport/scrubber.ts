@@ -11,7 +11,7 @@ import { followPointer } from '../../kit/drag.ts';
 import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { drawPlayhead, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
 
 /** An end of the range is taken from this many pixels away. */
@@ -43,7 +43,7 @@ export class Scrubber {
   private readonly drawSoon = oncePerFrame(() => this.draw());
   private readonly isPlayheadDue = isTimeAgain(RUNNING_PLAYHEAD_MS);
 
-  constructor(private readonly wb: Workbench) {
+  constructor(private readonly wb: Uses<'store' | 'transport' | 'settings'>) {
     this.window = this.whole();
     this.channels = shownKeys(wb.store.document, wb.store.selection);
     wb.transport.subscribe((now, before) => {

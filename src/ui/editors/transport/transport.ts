@@ -9,7 +9,7 @@ import { aligned, shown } from '../../kit/number-text.ts';
 import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
 import { keepTooltip, withKey } from '../../state/tooltips.ts';
-import type { Workbench } from '../../state/workbench.ts';
+import type { Uses } from '../../state/workbench.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions.ts';
 import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';
@@ -17,7 +17,10 @@ import type { Scrubber } from './scrubber.ts';
 /** While time runs, its numbers are written so often. */
 const RUNNING_NUMBERS_MS = 80;
 
-export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
+export function transport(
+  wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>,
+  scrubber: Scrubber,
+): HTMLElement {
   return element(
     'section',
     { class: 'transport', 'aria-label': 'Transport', 'data-panel': 'transport' },
@@ -35,7 +38,7 @@ export function transport(wb: Workbench, scrubber: Scrubber): HTMLElement {
   );
 }
 
-function buttons(wb: Workbench): HTMLElement {
+function buttons(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   const make = (id: string, label: string, name: IconName, extra = '') => {
     const made = keepsFocusElsewhere(button(label, { class: `tool ${extra}` }, icon(name), () => tryRun(wb, id)));
     keepTooltip(wb, made, id, () => made.getAttribute('aria-label') ?? label);
@@ -67,12 +70,12 @@ function buttons(wb: Workbench): HTMLElement {
 }
 
 /** A button for what may be impossible just now, such as a key to jump to. */
-function tryRun(wb: Workbench, id: string): void {
+function tryRun(wb: Uses<'actions'>, id: string): void {
   const action = findAction(wb, id);
   if (action) tryAction(wb, action, 'button');
 }
 
-function loopModes(wb: Workbench): HTMLElement {
+function loopModes(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   const made = LOOP_MODES.map((mode) => ({
     mode,
     button: keepsFocusElsewhere(
@@ -106,7 +109,7 @@ function loopModes(wb: Workbench): HTMLElement {
   return group;
 }
 
-function rate(wb: Workbench): HTMLElement {
+function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   const made = element('button', { type: 'button', class: 'plain rate' });
   const show = () => {
     const text = rateText(wb.transport.get().rate);
@@ -126,7 +129,7 @@ function rate(wb: Workbench): HTMLElement {
 }
 
 /** The switch that records: red while it is on, and the page around the viewport with it. */
-function keying(wb: Workbench): HTMLElement {
+function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   const key = keepsFocusElsewhere(button('Key pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
   keepTooltip(wb, key, 'key.pose', () => 'Key pose');
   const auto = keepsFocusElsewhere(
@@ -146,7 +149,7 @@ function keying(wb: Workbench): HTMLElement {
   return element('div', { class: 'tools', role: 'group', 'aria-label': 'Keying' }, key, auto);
 }
 
-function times(wb: Workbench): HTMLElement[] {
+function times(wb: Uses<'transport' | 'settings' | 'messages'>): HTMLElement[] {
   const at = (timeSeconds: number) => wb.transport.update((p) => ({ ...p, timeSeconds, playing: false }));
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
   const time = new NumberField({
@@ -205,7 +208,7 @@ function times(wb: Workbench): HTMLElement[] {
   return [element('div', { class: 'fields times' }, ...fields)];
 }
 
-function range(wb: Workbench): HTMLElement[] {
+function range(wb: Uses<'store' | 'actions' | 'transport' | 'settings' | 'messages'>): HTMLElement[] {
   const inFrames = () => wb.settings.get().timeDisplay === 'frames';
   const perUnit = () => (inFrames() ? wb.transport.get().framesPerSecond : 1);
   const end = (label: string, make: (value: number, now: readonly [number, number]) => readonly [number, number]) =>

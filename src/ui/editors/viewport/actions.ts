@@ -3,7 +3,7 @@ import { hasBoxes } from '../../../model/boxes.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
 import type { IconName } from '../../kit/icons.ts';
-import type { Action, Workbench } from '../../state/workbench.ts';
+import type { Action, Uses } from '../../state/workbench.ts';
 
 export const SKIN_STYLES: readonly (readonly [SkinStyle, string])[] = [
   ['textured', 'Textured'],
@@ -23,18 +23,18 @@ export const BOX_STYLES: readonly (readonly [BoxStyle, string])[] = [
 
 type Switch = { [K in keyof Display]: Display[K] extends boolean ? K : never }[keyof Display];
 
-export function setDisplay(wb: Workbench, change: Partial<Display>): void {
+export function setDisplay(wb: Uses<'settings'>, change: Partial<Display>): void {
   wb.settings.update((s) => ({ ...s, display: { ...s.display, ...change } }));
 }
 
 /** Of nothing at all one may still choose how it will be drawn. */
-function isAnyVisible(wb: Workbench, has: (character: Character) => boolean): boolean {
+function isAnyVisible(wb: Uses<'store'>, has: (character: Character) => boolean): boolean {
   const { characters } = wb.store.document;
   return characters.length === 0 || characters.some((c) => !c.isHidden && has(c));
 }
 
-export const isSkinVisible = (wb: Workbench) => isAnyVisible(wb, (c) => shownSkin(c) !== undefined);
-export const areBoxesVisible = (wb: Workbench) =>
+export const isSkinVisible = (wb: Uses<'store'>) => isAnyVisible(wb, (c) => shownSkin(c) !== undefined);
+export const areBoxesVisible = (wb: Uses<'store'>) =>
   isAnyVisible(wb, ({ skeleton }) => skeleton !== undefined && hasBoxes(skeleton));
 
 export const NO_SKIN = 'No visible character has a skin.';
@@ -42,7 +42,7 @@ export const NO_BOXES = 'No visible character has boxes; they are drawn as bones
 
 /** Without boxes it only counts whether bones are drawn in their place. */
 const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
-const boxStyles = (wb: Workbench) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
+const boxStyles = (wb: Uses<'store'>) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
 
 export const VIEW_ACTIONS: readonly Action[] = [
   {

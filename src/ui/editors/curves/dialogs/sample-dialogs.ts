@@ -22,7 +22,7 @@ import { element } from '../../../kit/dom.ts';
 import { count, errorSize, plural, shown } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import { lengthUnit } from '../../../state/length-unit.ts';
-import type { Workbench } from '../../../state/workbench.ts';
+import type { Uses } from '../../../state/workbench.ts';
 import { channelsInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 
@@ -30,7 +30,10 @@ import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 const POSITION_PART = 0.005;
 const ANGLE_DEGREES = 1;
 
-export function convertDialog(wb: Workbench, close: () => void): DialogContent {
+export function convertDialog(
+  wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withSamples(wb, ({ character, clip }, samples, channels) => {
     const { angles } = wb.settings.get();
     const degrees = angles === 'degrees' ? ANGLE_DEGREES : Number(((ANGLE_DEGREES * Math.PI) / 180).toPrecision(2));
@@ -77,7 +80,10 @@ export function convertDialog(wb: Workbench, close: () => void): DialogContent {
   });
 }
 
-export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
+export function smoothDialog(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withSamples(wb, ({ character, clip }, samples, channels) => {
     const all = clip.channels.filter(({ kind }) => kind === 'samples').length;
     const [from, to] = wb.transport.get().range;
@@ -138,7 +144,10 @@ export function smoothDialog(wb: Workbench, close: () => void): DialogContent {
   });
 }
 
-export function resampleSamplesDialog(wb: Workbench, close: () => void): DialogContent {
+export function resampleSamplesDialog(
+  wb: Uses<'store' | 'timeline' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withSamples(wb, ({ character }, samples) => {
     const own = 1 / samples.frameSeconds;
     const preset = shownRate(own);
@@ -209,7 +218,7 @@ function samplesOf(document: Document, characterId: string): Samples | undefined
 }
 
 /** Whether the tool's channels are those in hand or all, where that is not the same. */
-function channelsAsked(wb: Workbench, inHand: number, all: number): Asked[] {
+function channelsAsked(wb: Uses<'store' | 'timeline'>, inHand: number, all: number): Asked[] {
   if (inHand === all || inHand === 0) return [];
   // Who has picked a joint and looks at its curves means these.
   const { selection } = wb.store;
@@ -229,7 +238,7 @@ function channelsAsked(wb: Workbench, inHand: number, all: number): Asked[] {
 }
 
 /** `202,554 samples → 12,408 keys (16 to 1). Furthest off: LeftHand by 0.48 cm at 12.2 s; turned most: Head by 0.9° at 3.1 s.` */
-function convertedText(wb: Workbench, character: Character, report: Converted): string {
+function convertedText(wb: Uses<'settings'>, character: Character, report: Converted): string {
   const { angles } = wb.settings.get();
   const { samplesBefore, keysAfter, worstPosition, worstAngle } = report;
   const { skeleton, timeOffsetSeconds } = character;
@@ -253,7 +262,7 @@ function sizeOf({ joints }: Skeleton): number {
 }
 
 function withSamples(
-  wb: Workbench,
+  wb: Uses<'store' | 'timeline'>,
   make: (take: Take, samples: Samples, channels: readonly number[]) => DialogContent,
 ): DialogContent {
   const take = takeInHand(wb);

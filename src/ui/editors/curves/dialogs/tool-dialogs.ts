@@ -18,7 +18,7 @@ import type { DialogContent } from '../../../kit/dialog.ts';
 import { element } from '../../../kit/dom.ts';
 import { count, errorSize, plural } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
-import type { Workbench } from '../../../state/workbench.ts';
+import type { Uses } from '../../../state/workbench.ts';
 import { channelsInHand, keysInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 import {
@@ -39,7 +39,10 @@ const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> =
   weight: ['Weight tolerance', 0.005, 0.005],
 };
 
-export function simplifyDialog(wb: Workbench, close: () => void): DialogContent {
+export function simplifyDialog(
+  wb: Uses<'store' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withTake(wb, (take, channels) => {
     const { angles } = wb.settings.get();
     const found = unitsOf(take.character, channels);
@@ -60,7 +63,10 @@ export function simplifyDialog(wb: Workbench, close: () => void): DialogContent 
   });
 }
 
-export function resampleDialog(wb: Workbench, close: () => void): DialogContent {
+export function resampleDialog(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withTake(wb, (take, channels) => {
     const document = wb.store.document;
     return toolDialog(wb, close, {
@@ -89,7 +95,10 @@ export function resampleDialog(wb: Workbench, close: () => void): DialogContent 
   });
 }
 
-export function bakeDialog(wb: Workbench, close: () => void): DialogContent {
+export function bakeDialog(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withTake(wb, (take, channels) => {
     const document = wb.store.document;
     return toolDialog(wb, close, {
@@ -108,7 +117,10 @@ export function bakeDialog(wb: Workbench, close: () => void): DialogContent {
   });
 }
 
-export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
+export function scaleDialog(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages' | 'dialog'>,
+  close: () => void,
+): DialogContent {
   return withTake(wb, (take) => {
     const keys = keysInHand(wb);
     const { angles } = wb.settings.get();
@@ -140,7 +152,10 @@ export function scaleDialog(wb: Workbench, close: () => void): DialogContent {
   });
 }
 
-function withTake(wb: Workbench, make: (take: Take, channels: readonly number[]) => DialogContent): DialogContent {
+function withTake(
+  wb: Uses<'store' | 'timeline'>,
+  make: (take: Take, channels: readonly number[]) => DialogContent,
+): DialogContent {
   const take = takeInHand(wb);
   const channels = channelsInHand(wb).filter((c) => take?.clip.channels[c]?.kind === 'keys');
   if (take && channels.length) return make(take, channels);
@@ -176,7 +191,7 @@ function beyond({ character, clip }: Take, after: Document, channels: readonly n
 }
 
 /** `1,240 → 86 keys, largest error 0.12°`. */
-function reductionText(wb: Workbench, { keysBefore, keysAfter, largest }: Reduction): string {
+function reductionText(wb: Uses<'settings'>, { keysBefore, keysAfter, largest }: Reduction): string {
   const { angles } = wb.settings.get();
   const errors = UNITS.flatMap((unit) => {
     const worst = largest[unit];

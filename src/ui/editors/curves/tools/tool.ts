@@ -1,5 +1,5 @@
 /** What a drag in the plot is, and what it may use. */
-import type { Workbench } from '../../../state/workbench.ts';
+import type { Uses } from '../../../state/workbench.ts';
 import type { Box } from '../../timeline/box.ts';
 import type { CurveScene } from '../scene/scene.ts';
 import type { CurveSpace } from '../scene/space.ts';
@@ -16,7 +16,7 @@ export interface PointerAt {
 
 /** As much of the plot as drags need. */
 export interface PlotAccess {
-  readonly wb: Workbench;
+  readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>;
   /** As it is now, with what the drag has changed so far. */
   scene(): CurveScene | undefined;
   look(space: CurveSpace): void;
