@@ -19,12 +19,14 @@ const page: UserConfig = {
     modulePreload: { polyfill: false },
     rolldownOptions: {
       // three.js changes seldom and is most of the script: a chunk of its own stays cached from version to version.
-      // What the page begins with is one other: by themselves, modules that a panel has too would be many small ones.
+      // What the page begins with is one other, and what comes right after it a third: by themselves, modules that a
+      // panel has too would be many small ones.
       output: {
         codeSplitting: {
           groups: [
             { name: 'three', test: /node_modules[\\/]three[\\/]/, priority: 1 },
             { name: 'page', tags: ['$initial'] },
+            { name: 'rest', test: /ui[\\/]shell[\\/]mount\.ts/ },
           ],
         },
       },

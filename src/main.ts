@@ -16,14 +16,14 @@ import { fetchFiles, filesInQuery } from './io/address.ts';
 import * as disk from './io/disk-files.ts';
 import { download } from './io/download.ts';
 import { observable } from './ui/kit/observable.ts';
-import { actionList } from './ui/shell/actions.ts';
-import { mountWorkbench } from './ui/shell/mount.ts';
+import { startFirstPicture } from './ui/shell/first-picture.ts';
+import { restOfPage } from './ui/shell/rest-of-page.ts';
 import type { KeptOffer } from './ui/state/kept-offer.ts';
 import { Messages } from './ui/state/messages.ts';
 import { Posing } from './ui/state/posing.ts';
 import { rememberedSettings } from './ui/state/settings.ts';
 import { Timeline } from './ui/state/timeline.ts';
-import type { DialogName, Loading, Workbench } from './ui/state/workbench.ts';
+import type { Action, DialogName, Loading, Workbench } from './ui/state/workbench.ts';
 import { Viewport } from './view/viewport.ts';
 import { WorkerClient } from './worker/client.ts';
 
@@ -48,9 +48,17 @@ const settings = rememberedSettings(
 );
 const sampleDisplay = new SampleDisplay(settings, store);
 
+/** What the page can do, when the rest of it is here. */
+let actions = (): readonly Action[] => [];
+
 const workbench: Workbench = {
   store,
-  actions: actionList(() => workbench),
+  actions: {
+    all: () => actions(),
+    get page() {
+      return workbench;
+    },
+  },
   viewport,
   viewportElement,
   transport,
@@ -84,13 +92,13 @@ opener.subscribe(({ given, files }) => {
   }
 });
 markUnsaved(workbench.files, window);
-mountWorkbench(root, workbench);
+const forever = new AbortController().signal;
+const theme = startFirstPicture(root, workbench, forever);
 viewport.setFramesPerSecond(transport.get().framesPerSecond);
 transport.subscribe((now) => {
   viewport.setPlayedRange(now.range);
   viewport.setFramesPerSecond(now.framesPerSecond);
 });
-window.marrow = scriptingApi(workbench, opener);
 
 // What nobody caught is said in the page, not only in a console that few have open.
 window.addEventListener('error', ({ message }) => messages.note(`Something went wrong: ${message}`, 'error'));
@@ -100,6 +108,13 @@ window.addEventListener('unhandledrejection', ({ reason }) =>
 
 const named = filesInQuery(location.search);
 const opening = named.length ? opener.open((signal) => fetchFiles(named, document.baseURI, signal)) : openSample();
+const setActions = (all: typeof actions) => {
+  actions = all;
+};
+const rest = restOfPage(root, opening, ({ mountWorkbench }) =>
+  mountWorkbench(root, workbench, { theme, setActions }, forever),
+);
+window.marrow = scriptingApi(workbench, opener, rest);
 void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles) }, opening);
 
 /** A character that walks, so that there is something to look at. */

@@ -13,6 +13,7 @@ import type { Diagnostic } from '../model/diagnostic.ts';
 import { type Character, type Document, shownClip } from '../model/document.ts';
 import { FORMAT_KINDS } from '../project/kinds.ts';
 import type { Observable } from '../ui/kit/observable.ts';
+import type { RestOfPage } from '../ui/shell/rest-of-page.ts';
 import { runAction } from '../ui/state/action.ts';
 import type { Uses } from '../ui/state/workbench.ts';
 import type { FrameStats } from '../view/viewport.ts';
@@ -114,6 +115,7 @@ declare global {
 export function scriptingApi(
   workbench: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'timeline'>,
   opener: Opener,
+  rest: RestOfPage,
 ): MarrowApi {
   const { store, transport, viewport } = workbench;
   const facts = (ref: CharacterRef | undefined) => {
@@ -149,7 +151,7 @@ export function scriptingApi(
       }));
     },
     vertices: (character) => Array.from(facts(character).vertices()),
-    run: (id, args = {}) => run(workbench, id, args),
+    run: (id, args = {}) => run(workbench, rest, id, args),
     keys: (channel, character) => keysOf(resolve(store, character), channel),
     placeOf: (channel, seconds, value) => workbench.timeline.tab?.placeOf?.(channel, seconds, value),
     pointOnPage(point, character) {
@@ -216,13 +218,15 @@ function keysOf(character: Character, channel: number): KeyInfo[] {
 
 function run(
   workbench: Uses<'store' | 'actions' | 'transport'>,
+  rest: RestOfPage,
   id: string,
   args: Readonly<Record<string, unknown>>,
 ): Promise<void> | undefined {
   const command = COMMANDS_AT_HAND.get(id);
   if (command) apply(workbench, command, args);
   else if (FETCHED_IDS.has(id)) return fetchAndRun(workbench, id, args);
-  else return runAction(workbench, id, args);
+  else if (rest.isHere) return runAction(workbench, id, args);
+  else return rest.fetch().then(() => runAction(workbench, id, args));
   return undefined;
 }
 

@@ -52,7 +52,7 @@ describe('the frame of the page', () => {
         );
         expect(shift).toBeLessThan(MOST_SHIFT);
       },
-      { size, expected: /\.js/ },
+      { size, early: true, expected: /\.js/ },
     ),
   );
 
@@ -68,7 +68,7 @@ describe('the frame of the page', () => {
           expect(await page.getByText('Marrow').first().isVisible()).toBe(true);
         });
       },
-      { colorScheme, expected: /\.js/ },
+      { colorScheme, early: true, expected: /\.js/ },
     ),
   );
 });

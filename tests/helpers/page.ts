@@ -29,6 +29,8 @@ export interface PageOptions {
   readonly colorScheme?: 'light' | 'dark';
   readonly reducedMotion?: boolean;
   readonly touch?: boolean;
+  /** Goes on as soon as the page is there, and does not wait for menus and panels. */
+  readonly early?: boolean;
   /** Runs in the page before any of its own script. */
   readonly before?: () => void;
   /** Another folder than `dist/`. */
@@ -80,6 +82,8 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
       collectProblems(another, server.url, problems);
       if (options.before) await another.addInitScript(options.before);
       await another.goto(server.url + query);
+      // Where the page can't draw, there is neither frame nor page.
+      if (!options.early) await another.waitForFunction(() => !document.querySelector('#app.frame'));
       return another;
     };
     const page = await openAnother(options.query);

@@ -6,7 +6,7 @@ import { type Character, DEFAULT_PLACEMENT, type Document, EMPTY_DOCUMENT } from
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_BOX, DEFAULT_MOTION, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
-import { actionList } from '../../src/ui/shell/actions.ts';
+import { pageActions } from '../../src/ui/shell/actions.ts';
 import type { KeptOffer } from '../../src/ui/state/kept-offer.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import { Posing } from '../../src/ui/state/posing.ts';
@@ -90,7 +90,12 @@ export function workbench(document: Document = EMPTY_DOCUMENT, playback: Partial
   };
   // What no test touches, the canvas and the element around it, needs a browser.
   const wb: Workbench = {
-    actions: actionList(() => wb),
+    actions: {
+      all: () => pageActions(wb),
+      get page() {
+        return wb;
+      },
+    },
     store: new Store(document),
     transport: observable<Playback>({ ...DEFAULT_PLAYBACK, ...playback }),
     timeline: new Timeline(),

@@ -15,7 +15,7 @@ import { TIMELINE_ACTIONS } from '../editors/timeline/actions.ts';
 import { KEY_ACTIONS } from '../editors/timeline/key-actions.ts';
 import { PLAY_ACTIONS } from '../editors/transport/actions.ts';
 import { VIEW_ACTIONS } from '../editors/viewport/actions.ts';
-import type { Action, ActionList, Workbench } from '../state/workbench.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
 import { EDIT_ACTIONS } from './edit-actions.ts';
 import { FILE_ACTIONS, keptActions, sampleActions } from './file-actions.ts';
 import { PAGE_ACTIONS } from './page-actions.ts';
@@ -41,11 +41,6 @@ export const ACTIONS: readonly Action[] = [
 ];
 
 /** All of them on this page just now, with its samples and the work that an earlier page left behind. */
-export function actionList(page: () => Workbench): ActionList {
-  return {
-    all: () => [...ACTIONS, ...keptActions(page()), ...sampleActions(page())],
-    get page() {
-      return page();
-    },
-  };
+export function pageActions(wb: Workbench): readonly Action[] {
+  return [...ACTIONS, ...keptActions(wb), ...sampleActions(wb)];
 }

@@ -1,20 +1,20 @@
-/** Builds the page around a workbench: the one function that `main.ts` calls. */
+/** Builds the page around a workbench and its first picture. */
+import type { ThemeName } from '../../view/theme.ts';
 import { outliner } from '../editors/outliner/outliner.ts';
 import { followCharacter } from '../editors/timeline/follow-character.ts';
 import { followPeriods } from '../editors/timeline/period.ts';
-import { startPlayer } from '../editors/transport/player.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
 import { transport } from '../editors/transport/transport.ts';
+import type { Observable } from '../kit/observable.ts';
 import { listenToKeys } from '../state/keys.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
-import type { Workbench } from '../state/workbench.ts';
+import type { Action, Workbench } from '../state/workbench.ts';
+import { pageActions } from './actions.ts';
 import { startDialogs } from './dialogs.ts';
-import { dropTarget } from './drop-target.ts';
 import { inspectorPanel } from './inspector-panel.ts';
 import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
-import { followTheme } from './theme.ts';
 import { timelinePanel } from './timeline-panel.ts';
 import { viewportPane } from './viewport-pane.ts';
 
@@ -32,15 +32,25 @@ async function buildTab(wb: Workbench, name: TimelineTabName): Promise<TimelineT
   }
 }
 
+export interface Beginnings {
+  /** The theme that is shown. */
+  readonly theme: Observable<ThemeName>;
+  /** Takes what the page can do, for `Workbench.actions`. */
+  setActions(all: () => readonly Action[]): void;
+}
+
 /**
- * Builds the page in `root` and keeps it in step with the workbench: viewport and document, transport and clock, theme
- * and system. `signal` takes the listeners on window and document away again.
+ * Builds the page in `root`, where the first picture is (`first-picture.ts`), and keeps it in step with the workbench.
+ * `signal` takes the listeners on window and document away again.
  */
-export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new AbortController().signal): void {
-  const stopFollowing = [leaveRefusalsBehind(wb), followCharacter(wb), followPeriods(wb)];
-  signal.addEventListener('abort', () => {
-    for (const stop of stopFollowing) stop();
-  });
+export function mountWorkbench(
+  root: HTMLElement,
+  wb: Workbench,
+  { theme, setActions }: Beginnings,
+  signal: AbortSignal,
+): void {
+  // Before all that shows one.
+  setActions(() => pageActions(wb));
   const scrubber = new Scrubber(wb);
   const tabs: TimelineTab[] = [];
   const loadTab = async (name: TimelineTabName) => {
@@ -48,9 +58,13 @@ export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new Ab
     tabs.push(tab);
     return tab;
   };
-  followTheme(wb, signal, () => {
+  const recolour = () => {
     scrubber.redraw(true);
     for (const tab of tabs) tab.recolour();
+  };
+  const stops = [leaveRefusalsBehind(wb), followCharacter(wb), followPeriods(wb), theme.subscribe(recolour)];
+  signal.addEventListener('abort', () => {
+    for (const stop of stops) stop();
   });
   const stage = viewportPane(wb, signal);
   layout(
@@ -66,8 +80,6 @@ export function mountWorkbench(root: HTMLElement, wb: Workbench, signal = new Ab
     },
     signal,
   );
-  root.append(dropTarget(wb, signal));
   startDialogs(wb, root);
-  startPlayer(wb, signal);
   listenToKeys(wb, signal);
 }

@@ -1,11 +1,10 @@
 /**
- * The middle of the page: the viewport, kept in step with the document, a strip of what is drawn over its top edge, and
+ * The middle of the page: the viewport (`first-picture.ts`), a strip of what is drawn over its top edge, and
  * the message line over its foot. What the hand does in it is for the tool of the mode (`tools/`); what that leaves alone
  * picks, or is the camera's.
  */
 import { type Character, type Document, shownSkin } from '../../model/document.ts';
 import { type Display, NOTHING_SELECTED, type Selection } from '../../model/session.ts';
-import { NO_TINTS, type Tints } from '../../view/theme.ts';
 import { modeBar } from '../editors/posing/mode-bar.ts';
 import {
   areBoxesVisible,
@@ -21,7 +20,6 @@ import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
 import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
-import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
 import { keepTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { keptSession } from './kept-session.ts';
@@ -31,42 +29,15 @@ import { modeTools } from './mode-tools.ts';
 const TOGGLES = ['bones', 'axes', 'names', 'normals', 'ghosts', 'grid', 'shadow', 'orthographic'] as const;
 
 export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
-  const { viewport, viewportElement, store, settings } = wb;
-  viewportElement.classList.add('viewport');
+  const { viewport, viewportElement } = wb;
   viewport.canvas.tabIndex = 0;
   viewport.canvas.setAttribute('role', 'img');
   viewport.canvas.setAttribute(
     'aria-label',
     'Viewport. Up and down arrows select the parent or child joint; left and right orbit the view when paused.',
   );
-  const { takes } = wb.timeline;
-  const show = () => {
-    const { document, selection } = store;
-    const comparison = takes.comparison.get();
-    viewport.show(
-      drawnDocument(document, comparison),
-      selection,
-      settings.get().display,
-      tintsOf(document, comparison),
-    );
-  };
-  const stops = [
-    store.subscribe((now, before) => {
-      if (now !== before) show();
-    }),
-    settings.subscribe((now, before) => {
-      if (now.display !== before.display) show();
-    }),
-    takes.comparison.subscribe(show),
-  ];
-  signal.addEventListener('abort', () => {
-    for (const stop of stops) stop();
-  });
   handTools(wb, signal);
   const head = element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb));
-  // Asked for while something is framed, and not watched: in every frame it would have the page laid out anew.
-  viewport.keepClear(() => head.offsetTop + head.offsetHeight);
-  show();
   return element(
     'main',
     { class: 'stage', 'aria-label': 'Viewport', 'data-panel': 'viewport' },
@@ -75,16 +46,6 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     head,
     element('div', { class: 'stage-foot' }, missingNote(wb), weightsNote(wb), keptSession(wb), messageLine(wb)),
   );
-}
-
-/** The two characters that are compared; none where they are not there, or there is nothing to be told apart. */
-function tintsOf(document: Document, comparison: Comparison | undefined): Tints {
-  const compared = comparedIn(document, comparison);
-  if (!compared) return NO_TINTS;
-  return new Map([
-    [compared[0].drawnAs, 'comparedFirst'],
-    [compared[1].drawnAs, 'comparedSecond'],
-  ]);
 }
 
 /** What the tool of the mode leaves alone picks. */

@@ -1,0 +1,61 @@
+/**
+ * What the first picture takes: the viewport in the frame of `index.html`, in step with document, clock and theme, and
+ * the files that are dropped on the page. Menus, panels and keys come after it (`rest-of-page.ts`).
+ */
+import type { Document } from '../../model/document.ts';
+import { NO_TINTS, type ThemeName, type Tints } from '../../view/theme.ts';
+import { startPlayer } from '../editors/transport/player.ts';
+import type { Observable } from '../kit/observable.ts';
+import { type Comparison, comparedIn, drawnDocument } from '../state/takes.ts';
+import type { Uses } from '../state/workbench.ts';
+import { dropTarget } from './drop-target.ts';
+import { followTheme } from './theme.ts';
+
+type Shown = Uses<
+  'store' | 'actions' | 'viewport' | 'viewportElement' | 'transport' | 'timeline' | 'settings' | 'messages' | 'files'
+>;
+
+/** Gives the theme that is shown. `signal` takes the listeners on window and document away again. */
+export function startFirstPicture(root: HTMLElement, wb: Shown, signal: AbortSignal): Observable<ThemeName> {
+  const { viewport, viewportElement, store, settings } = wb;
+  const theme = followTheme(wb, signal);
+  viewportElement.classList.add('viewport');
+  root.querySelector('.stage')?.prepend(viewportElement);
+  // Asked for while something is framed, and not watched: in every frame it would have the page laid out anew.
+  viewport.keepClear(() => {
+    const head = root.querySelector<HTMLElement>('.stage-head');
+    return head ? head.offsetTop + head.offsetHeight : 0;
+  });
+  const { comparison } = wb.timeline.takes;
+  const show = () => {
+    const { document, selection } = store;
+    const compared = comparison.get();
+    viewport.show(drawnDocument(document, compared), selection, settings.get().display, tintsOf(document, compared));
+  };
+  const stops = [
+    store.subscribe((now, before) => {
+      if (now !== before) show();
+    }),
+    settings.subscribe((now, before) => {
+      if (now.display !== before.display) show();
+    }),
+    comparison.subscribe(show),
+  ];
+  signal.addEventListener('abort', () => {
+    for (const stop of stops) stop();
+  });
+  show();
+  document.body.append(dropTarget(wb, signal));
+  startPlayer(wb, signal);
+  return theme;
+}
+
+/** The two characters that are compared; none where they are not there, or there is nothing to be told apart. */
+function tintsOf(document: Document, comparison: Comparison | undefined): Tints {
+  const compared = comparedIn(document, comparison);
+  if (!compared) return NO_TINTS;
+  return new Map([
+    [compared[0].drawnAs, 'comparedFirst'],
+    [compared[1].drawnAs, 'comparedSecond'],
+  ]);
+}
