@@ -3,7 +3,6 @@
  * channel and index, check what a console may have given them, leave every other channel the object it is, and say
  * where their keys are afterwards.
  */
-
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/clip.ts';
 import { type Document, shownClip } from '../model/document.ts';

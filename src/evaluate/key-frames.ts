@@ -7,7 +7,6 @@
  * does in between. So a rate counts from 10 a second on where the curves go straight from key to key, and from 23 on
  * (film's 23.976) where they don't.
  */
-
 import { type ChannelClip, type KeyedChannel, LINEAR } from '../model/clip.ts';
 import { perObject } from '../model/per-object.ts';
 import type { Frames } from './bake.ts';

@@ -2,7 +2,6 @@
  * What the axis-angle form of `.skel` can hold: hinges with a bone each, every child at its parent's tip, and nothing
  * else about them. Names are none of its business; they are lost, and the writer says so.
  */
-
 import { tipOf } from './bone-ends.ts';
 import { jointTypeOf } from './joint-types.ts';
 import { DEFAULT_BOX, isUnlimited, type Joint, type Skeleton } from './skeleton.ts';

@@ -3,7 +3,6 @@
  * thing, and joints read from them carry a stand-in that nobody meant: they are drawn as bones, and no size is measured
  * by it. A joint with a bone of its own has a box only where someone set one.
  */
-
 import { hasOwnBox } from './axis-angle.ts';
 import { isOfBvh } from './joint-types.ts';
 import type { Joint, Skeleton } from './skeleton.ts';

@@ -2,7 +2,6 @@
  * The document: everything that is saved and undone. Plain immutable data; parts that did not change keep their
  * identity from one document to the next, which is how the view knows what to rebuild.
  */
-
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from './clip.ts';
 import type { ParsedFile, SourceFile, Texture } from './files.ts';

@@ -2,7 +2,6 @@
  * The axis that a DOF goes by the colour of, red, green or blue, wherever it is drawn: the one of its name, and for a
  * DOF whose name says none the one that its joint's own axis lies along.
  */
-
 import type { CharacterDof } from './dofs.ts';
 import { axisOf } from './joint-types.ts';
 import type { Motion, Skeleton } from './skeleton.ts';

@@ -1,5 +1,4 @@
 /** How many vertices each joint moves: those that have an attachment to it with a weight other than 0. */
-
 import { perObject } from './per-object.ts';
 import { bindingCount, type Skin, vertexCount } from './skin.ts';
 

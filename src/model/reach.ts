@@ -1,5 +1,4 @@
 /** How large a character is, for whatever counts in its lengths: sliders, steps of the keyboard. */
-
 import { perObject } from './per-object.ts';
 import type { Skeleton } from './skeleton.ts';
 

@@ -1,5 +1,4 @@
 /** Reading helpers for the format tests: any format, in one piece or in many. */
-
 import type { ReadResult } from '../../src/formats/reader.ts';
 import type { FileContent } from '../../src/model/files.ts';
 import { formatOf } from '../../src/project/open/readers.ts';

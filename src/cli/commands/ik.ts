@@ -5,7 +5,6 @@
  *
  * within the joints' limits. As in `marrow pose`: doubles, radians, the character's own space.
  */
-
 import { type IkPin, ikStiffness } from '../../evaluate/ik/pins.ts';
 import { ikProblem } from '../../evaluate/ik/problem.ts';
 import { solve } from '../../evaluate/ik/solve.ts';

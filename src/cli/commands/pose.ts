@@ -5,7 +5,6 @@
  *
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
-
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
 import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';

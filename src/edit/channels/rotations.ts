@@ -1,5 +1,4 @@
 /** Which of a character's channels turn one joint together, and the Euler filter over all of them. */
-
 import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
 import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import { couplesOf } from '../../model/couples.ts';

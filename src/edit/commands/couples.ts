@@ -1,5 +1,4 @@
 /** Coupled DOFs: one that follows another. They are the skeleton's, and saved in its `.skel`. */
-
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';

@@ -1,5 +1,4 @@
 /** From poses to keys. */
-
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';

@@ -12,7 +12,6 @@
  * The pose keeps what lies beneath a take: it shows again when the take is taken off, and it is what a `.skel` is saved
  * with. Writing to both would change one take by posing another.
  */
-
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';

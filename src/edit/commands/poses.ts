@@ -2,7 +2,6 @@
  * Whole poses: mirrored, pasted from another moment or character, and the library of named ones. What they set goes the
  * way of everything that is posed by hand (`pose.ts`): pose, unkeyed or keyed. DOFs that follow others are left to them.
  */
-
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import type { Character, Document } from '../../model/document.ts';

@@ -1,5 +1,4 @@
 /** What is said of one joint of a skeleton: its name, offset, motion, box, bone and file pose. */
-
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
 import type { Character, Document } from '../../model/document.ts';

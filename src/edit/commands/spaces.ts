@@ -1,5 +1,4 @@
 /** How a character's own space lies in the scene, what its position channels mean, and whether it is seen at all. */
-
 import { metresPerUnit } from '../../evaluate/metres.ts';
 import { liftOntoGround } from '../../evaluate/space.ts';
 import { type Character, LENGTH_UNITS, type Space, shownClip } from '../../model/document.ts';

@@ -12,7 +12,6 @@
  * `.skel` has no End Sites. Boxes that reach to where they were would show them, but nothing would find them again; a
  * joint without DOFs is as exact, changes no channel, and comes back as an End Site (`evaluate/bvh-figure.ts`).
  */
-
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Channel, type ChannelClip, restChannel } from '../../model/clip.ts';

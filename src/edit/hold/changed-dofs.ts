@@ -1,5 +1,4 @@
 /** Which DOFs a hold has changed: only those are keyed. */
-
 import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { quaternionDofs } from '../../model/joint-types.ts';

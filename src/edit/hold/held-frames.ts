@@ -10,7 +10,6 @@
  * What can't be reached is come as near to as can be from there, at a pace (`calm.ts`): no search elsewhere, which would
  * jump.
  */
-
 import type { Turn } from '../../evaluate/ik/pins.ts';
 import { ikProblem, movePin, turnPin } from '../../evaluate/ik/problem.ts';
 import { type PinTarget, pinTarget, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';

@@ -1,5 +1,4 @@
 /** Where joints and pins are while something is held: what a hold is judged by. */
-
 import { type PinTarget, pointAt } from '../../evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';

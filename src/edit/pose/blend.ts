@@ -2,7 +2,6 @@
  * A pose between two: rotations along the shortest arc at an even pace (Shoemake 1985), three Euler angles by way of their
  * quaternion and back to those that are nearest to where they began; everything else straight on.
  */
-
 import { appliedDofs, eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { slerp } from '../../math/slerp.ts';

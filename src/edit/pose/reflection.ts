@@ -16,7 +16,6 @@
  * In most skeletons that is a sign for each DOF: signs are found by trying them, whatever the kind of joint is, and are
  * exact to the last bit. Others are fitted (`fit-local.ts`).
  */
-
 import { type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { filePose, restPose } from '../../model/dofs.ts';

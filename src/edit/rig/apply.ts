@@ -1,5 +1,4 @@
 /** What every command of rigging does: find the joint, change the skeleton, bind skins anew where they are to stay. */
-
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
 import type { Joint, Skeleton } from '../../model/skeleton.ts';

@@ -1,5 +1,4 @@
 /** Joints put back where they were, in the pose shown, after what they hang on has changed. */
-
 import { type CompiledSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';

@@ -5,7 +5,6 @@
  *
  *     B_new = B_parent · T(offset) · J(rest)          so that  W_new · B_new⁻¹ = W_parent · B_parent⁻¹  at rest
  */
-
 import { compileSkeleton, localMatrices, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isSingular, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import { restPose, rootDofCount } from '../../model/dofs.ts';

@@ -8,7 +8,6 @@
  *
  *     sin β = σ·R[i][k]      α = atan2(−σ·R[j][k], R[k][k])      γ = atan2(−σ·R[i][j], R[i][i])
  */
-
 import { writeNearestForm } from '../../evaluate/euler-angles.ts';
 import { appliedDofs, renamedAxes, rigidEulerDofs } from '../../evaluate/euler-dofs.ts';
 import { turnedNear } from '../../math/euler.ts';

@@ -2,7 +2,6 @@
  * The points of a joint that a person means when pinning it: what a click snaps to, and what is pinned where no point was
  * picked. All are in the joint's space, so they go with it.
  */
-
 import { invertAffine, isSingular } from '../../math/mat4.ts';
 import { transformPoint, type Vec3, ZERO } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';

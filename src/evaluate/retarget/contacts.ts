@@ -14,7 +14,6 @@
  * decimetres below where it stood before. Through a flat ground it would sink, so it is raised as long as it stands, by
  * what it is too low on average. From 0.17 leg lengths on, the height of a stair, it is taken to stand lower.
  */
-
 import { worldMatrices } from '../kinematics.ts';
 import { type Bodies, driven } from './align.ts';
 import type { Figure } from './figure.ts';

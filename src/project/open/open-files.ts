@@ -5,7 +5,6 @@
  * All or nothing for each character: where one of the files that belong together has an error, or does not fit, none
  * of them is opened and everything stays as it was. Other characters of the same drop are not held up.
  */
-
 import { newCharacter } from '../../edit/new-character.ts';
 import { placeBeside } from '../../edit/place-beside.ts';
 import { sameJoints } from '../../edit/pose/same-joints.ts';

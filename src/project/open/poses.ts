@@ -1,5 +1,4 @@
 /** A file of poses on its way into a character's library. */
-
 import { takePose } from '../../edit/pose/by-names.ts';
 import { addPoses, withPoses } from '../../edit/pose/library.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';

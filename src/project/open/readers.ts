@@ -1,5 +1,4 @@
 /** What reads each kind of text file, for worker and command. */
-
 import { animReader } from '../../formats/anim/read.ts';
 import { bvhReader } from '../../formats/bvh/read.ts';
 import { morphReader } from '../../formats/morph/read.ts';

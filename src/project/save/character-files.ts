@@ -2,7 +2,6 @@
  * A character in formats that it did not come from: BVH as `.skel` and `.anim`, anything as `.bvh`. What page and
  * command write, as models: the text is the writers' business.
  */
-
 import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
 import { CommandError } from '../../edit/store.ts';

@@ -2,7 +2,6 @@
  * What the files given are in another format: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton and clip.
  * Everything that comes in one file of BVH goes out as one where that can be: several roots of the same frames.
  */
-
 import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { fitOneBvh, writeBvhPieces } from '../../formats/bvh/write.ts';
 import { inHierarchyForm } from '../../model/axis-angle.ts';

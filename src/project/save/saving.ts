@@ -5,7 +5,6 @@
  * A skeleton that was read from the axis-angle form is kept in that form as long as it fits into it; each form is an
  * export of the other.
  */
-
 import { fitOneBvh, writeBvhPieces } from '../../formats/bvh/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
 import { partsOf } from '../../model/character-parts.ts';

@@ -1,5 +1,4 @@
 /** What writes each kind of text file. Apart from the readers: the page writes files but reads them in its worker. */
-
 import { writeAnim } from '../../formats/anim/write.ts';
 import { writeBvh } from '../../formats/bvh/write.ts';
 import { writeMorph } from '../../formats/morph/write.ts';

@@ -5,7 +5,6 @@
  * lil-gui reads and writes `object[property]`; here that is a binding of this slider's own, whose value the inspector
  * fills from the pose at every frame.
  */
-
 import type { GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
 import type { Units } from './arithmetic.ts';

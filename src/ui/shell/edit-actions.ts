@@ -1,5 +1,4 @@
 /** Changing the document, and what is selected in it. */
-
 import { addCopy, removeCharacter } from '../../edit/commands/characters.ts';
 import { resetPose, setClamping } from '../../edit/commands/pose.ts';
 import { setHidden } from '../../edit/commands/spaces.ts';

@@ -1,5 +1,4 @@
 /** Opening and saving. */
-
 import { axisAngleObstacle } from '../../model/axis-angle.ts';
 import { FORMAT_KINDS, KINDS } from '../../project/kinds.ts';
 import { currentCharacter } from '../state/action.ts';

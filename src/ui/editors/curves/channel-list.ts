@@ -5,7 +5,6 @@
  * Space does what a click does. The focus stays on the grid, which names the control that is meant
  * (aria-activedescendant): rows that scroll away can't take it with them.
  */
-
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, unionKeys } from '../../../edit/keys/selection.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';

@@ -1,5 +1,4 @@
 /** Menus of the plot and of the channel list. What is pressed on is selected first: then the menu is about what one sees. */
-
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
 import { EXTRAPOLATIONS } from '../../../model/clip.ts';

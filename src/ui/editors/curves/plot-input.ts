@@ -1,5 +1,4 @@
 /** Everything a pointer and the held keys do in the plot: what they mean is `tools/intent.ts`, what follows the tools. */
-
 import { hasKey } from '../../../edit/keys/selection.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';

@@ -1,5 +1,4 @@
 /** The corner that says in numbers what is under the pointer, and what a drag has come to. */
-
 import { keysOf } from '../../../model/clip.ts';
 import { element, setText } from '../../kit/dom.ts';
 import type { Uses } from '../../state/workbench.ts';

@@ -1,5 +1,4 @@
 /** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
-
 import { keysOf } from '../../../model/clip.ts';
 import { button, element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';

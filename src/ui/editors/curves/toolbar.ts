@@ -1,5 +1,4 @@
 /** The buttons of the curve editor, in the row of the tabs. All of them are actions; none does anything of its own. */
-
 import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';

@@ -1,5 +1,4 @@
 /** What is under the pointer, and what a box takes in. Pure: the sheet's geometry and the clip's keys, no canvas. */
-
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
 import type { Channel } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';

@@ -3,7 +3,6 @@
  * their keys on canvases to the right; both follow the document, the selection and the timeline's view, and draw once a
  * frame what has changed of them, only while they can be seen.
  */
-
 import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts';
 import { allKeys, NO_KEYS, unionKeys } from '../../../edit/keys/selection.ts';
 import { withKeys } from '../../../edit/store.ts';

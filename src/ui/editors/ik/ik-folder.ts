@@ -2,7 +2,6 @@
  * Inverse kinematics in the inspector: whether the whole travels, how the selected joint bends, and the pins, each with
  * what it holds. Shown in IK mode, and for whoever has pins.
  */
-
 import type { GUI } from 'lil-gui';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';

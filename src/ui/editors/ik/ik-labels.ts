@@ -1,5 +1,4 @@
 /** A few lines of text that stand beside points of the picture: names of pins, and what is in the way of one. */
-
 import { element, setText } from '../../kit/dom.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { PlaceOnScreen } from './nearest-on-screen.ts';

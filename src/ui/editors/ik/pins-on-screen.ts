@@ -1,5 +1,4 @@
 /** Where pins and joints are in the picture, as it is drawn now. */
-
 import { seenPoint } from '../../../evaluate/ik/drag/grip.ts';
 import { type PinPoint, pinPoints, skinPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf, pointAt } from '../../../evaluate/ik/set-up.ts';

@@ -1,5 +1,4 @@
 /** A joint's context menu, as far as it changes the skeleton. */
-
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { isMac } from '../../kit/keyboard.ts';

@@ -1,5 +1,4 @@
 /** A drag on a card of the library, which blends to its pose. */
-
 import { applyPose } from '../../../edit/commands/poses.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { HandEdit } from '../../state/hand-edit.ts';

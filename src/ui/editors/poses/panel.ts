@@ -6,7 +6,6 @@
  *     Delete                removes it                         double click on it
  *                                                              right click         all of these
  */
-
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { NamedPose } from '../../../model/poses.ts';

@@ -2,7 +2,6 @@
  * The active DOF of the selected joint: the one that its bone turns when it is dragged, and that keys turn. It is chosen
  * by its handle, its button or its slider; the next joint then has that of the same name.
  */
-
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
 import { coupleOf } from '../../../model/couples.ts';

@@ -3,7 +3,6 @@
  * follows and why. Lists of joints are filled when they are opened: a hundred joints with a hundred choices each would
  * be ten thousand elements.
  */
-
 import type { JointMatch } from '../../../evaluate/retarget/match.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { JointPair } from '../../../model/retarget.ts';

@@ -1,5 +1,4 @@
 /** What menus, keys and the tree do to a skeleton: commands with all that the page knows filled in. */
-
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setFilePose, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inverseOf, roundStep, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';

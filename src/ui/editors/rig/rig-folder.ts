@@ -3,7 +3,6 @@
  * bone, limits, box, who follows whom, and the file's pose. Everything is one step of undo, and every number can be
  * typed. Rows are made anew where there are others; a number that changes is only filled in, also while it is dragged.
  */
-
 import type { GUI } from 'lil-gui';
 import { reparentJoint } from '../../../edit/commands/rig.ts';
 import {

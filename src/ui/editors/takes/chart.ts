@@ -2,7 +2,6 @@
  * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A press or drag scrubs, the
  * wheel zooms in time, with Shift it moves. It looks at the timeline's window of time, as curves and dope sheet do.
  */
-
 import { element, setAttribute } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';

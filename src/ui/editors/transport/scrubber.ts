@@ -2,7 +2,6 @@
  * The scrubber. Drag anywhere to move through time, drag the ends of the shaded range to change it; wheel zooms, with
  * Shift (or a wheel to the side, or the middle button) it pans, double click fits. As a slider it takes arrow keys.
  */
-
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
 import { findCharacter, rangeOfClips } from '../../../model/document.ts';

@@ -1,5 +1,4 @@
 /** What each of the tools for samples asks; those that need nothing asked are in `timeline/sample-tools.ts`. */
-
 import {
   type ConvertToKeys,
   convertSteps,

@@ -1,5 +1,4 @@
 /** What a tool for whole curves changes beyond their ends, in sentences: nobody should have to find it out later. */
-
 import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
 import type { ChannelClip, Extrapolation } from '../../../../model/clip.ts';
 import { plural, shown } from '../../../kit/number-text.ts';

@@ -1,5 +1,4 @@
 /** What each of the curve tools asks. */
-
 import type { Reduction } from '../../../../edit/channels/report.ts';
 import {
   bakeExtrapolation,

@@ -8,7 +8,6 @@
  * A layer is drawn anew when something in it is another object than before; which lines have to be traced again is
  * decided one by one (`picture-curves.ts`).
  */
-
 import { keysOf } from '../../../../model/clip.ts';
 import { element } from '../../../kit/dom.ts';
 import type { Box } from '../../timeline/box.ts';

@@ -1,5 +1,4 @@
 /** The view that shows all of something, with some room around it. */
-
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
 import type { CurveLine, CurveScene } from './scene.ts';

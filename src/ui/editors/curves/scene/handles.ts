@@ -5,7 +5,6 @@
  *
  * so dragging one sets a slope and nothing else: how far it is dragged does not count.
  */
-
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
 import { keysOf } from '../../../../model/clip.ts';

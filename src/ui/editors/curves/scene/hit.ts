@@ -1,5 +1,4 @@
 /** What is under a point of the plot, and which keys a box holds. Distances are what one sees: pixels. */
-
 import { evaluateChannel } from '../../../../evaluate/curves.ts';
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';

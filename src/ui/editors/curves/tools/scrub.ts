@@ -1,5 +1,4 @@
 /** Dragging in the ruler moves the playhead: onto frames where the page counts in frames or snaps to them, unless Shift is held. */
-
 import { snapTime } from '../../../kit/time-window.ts';
 import { scrubFrames } from '../../timeline/scrub-frames.ts';
 import { pixelsPerSecond, timeAt } from '../scene/space.ts';

@@ -1,5 +1,4 @@
 /** What a click means: the thing one sees there. */
-
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { evaluateChannel } from '../../../../../src/evaluate/curves.ts';
