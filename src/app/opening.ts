@@ -2,15 +2,13 @@
  * From files to the document: read in the worker, bound together, put in as one step, shown. One opening at a time;
  * the next waits, so that what is dropped last stands last.
  */
-import { deltaTo } from '../edit/delta.ts';
 import { type Playback, play } from '../edit/playback.ts';
-import { type Store, withKeys } from '../edit/store.ts';
+import type { Store } from '../edit/store.ts';
 import { adoptSkinFacts } from '../evaluate/bounds.ts';
 import type { GivenFile } from '../io/given.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../model/document.ts';
 import type { ParsedFile } from '../model/files.ts';
-import type { Selection } from '../model/session.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -128,11 +126,13 @@ export class Opener {
     const { store, transport, viewport } = this.parts;
     const before = store.document;
     if (document === before) return;
-    const selection = selectionAfter(before, document, opened, store.selection);
+    const { characterId } = store.selection;
+    const [first] = opened;
+    const isSelected = characterId !== undefined && opened.includes(characterId);
+    const selected = first !== undefined && !isSelected ? { characterId: first } : undefined;
     if (options.asOpeningSample) {
-      store.amend({ ...document, isOpeningSample: true });
-      store.select(selection);
-    } else store.replace(label, { document, selection });
+      store.amend({ document: { ...document, isOpeningSample: true }, ...(selected && { selected }) });
+    } else store.replace(label, { document, ...(selected && { selected }) });
     // A part that was replaced keeps time and camera: someone is editing a file beside the page. What arrives for the
     // first time may be of another size than what was there.
     if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) viewport.frameAll();
@@ -141,28 +141,6 @@ export class Opener {
       transport.update((now) => play({ ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 }));
     }
   }
-}
-
-/** What was selected, where it is still there; else the first character that was opened. */
-function selectionAfter(
-  before: Document,
-  document: Document,
-  opened: readonly string[],
-  selection: Selection,
-): Selection {
-  const { characterId, joint, keys } = selection;
-  const kept = findCharacter(document, characterId);
-  const first = opened[0];
-  if (!kept || (first !== undefined && characterId !== undefined && !opened.includes(characterId))) {
-    return first === undefined ? {} : { characterId: first };
-  }
-  if (joint !== undefined && joint >= (kept.skeleton?.joints.length ?? 0)) return { characterId: kept.id };
-  if (!keys) return selection;
-  // Keys are known by index: they are the same ones only where their channel is.
-  const was = shownClipOf(before, kept.id)?.channels ?? [];
-  const now = shownClipOf(document, kept.id)?.channels ?? [];
-  const same = keys.filter(({ channel }) => now[channel] && !deltaTo(now[channel], was[channel]));
-  return same.length === keys.length ? selection : withKeys(selection, same);
 }
 
 /** Of alternatives that were there before and still are, those that were shown are. */

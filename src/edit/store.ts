@@ -5,11 +5,12 @@
  * is kept of them is their difference (`history.ts`), so a step costs what it changed. (ProseMirror needs inverses for
  * collaboration; we don't.)
  */
-import { type ChannelClip, keysOf } from '../model/clip.ts';
+import { type Channel, type ChannelClip, keysOf } from '../model/clip.ts';
 import type { Document } from '../model/document.ts';
 import { EMPTY_DOCUMENT, findCharacter, shownClip } from '../model/document.ts';
 import type { ChannelKeys, Selection } from '../model/session.ts';
 import { NOTHING_SELECTED } from '../model/session.ts';
+import { sameValue } from './delta.ts';
 import { followSources } from './drivers.ts';
 import { History, type State } from './history.ts';
 import { withoutNumbers, withParts } from './parts.ts';
@@ -26,12 +27,16 @@ export interface Command<Args, Result extends Document | Edit = Document> {
   run(document: Document, args: Args): Result;
 }
 
-/** A change that also says which keys are selected after it: those it was about, wherever they are now. */
-export interface Edit {
+/** A change that also says what is selected after it. What it does not say stays selected as far as it is still there. */
+export interface Change {
   readonly document: Document;
-  readonly keys: readonly ChannelKeys[];
-  /** The character, and the joint of it, that are selected after it; absent: those that were. */
+  /** The character, and the joint of it, that it was about. */
   readonly selected?: SelectedJoint;
+}
+
+/** A change of keys: those it was about are selected, wherever they are now. */
+export interface Edit extends Change {
+  readonly keys: readonly ChannelKeys[];
 }
 
 /** A joint that a change was about, by its index after the change; absent: the character, and none of its joints. */
@@ -125,13 +130,12 @@ export class Store {
   }
 
   /**
-   * A document made elsewhere (files opened), with the selection that goes with it, as one step. Whoever makes it from
-   * this store's document calls `settle` before, or what is only being tried would be made part of it.
+   * A document made elsewhere (files opened) as one step. Whoever makes it from this store's document calls `settle`
+   * before, or what is only being tried would be made part of it.
    */
-  replace(label: string, next: State): void {
+  replace(label: string, change: Document | Change): void {
     this.settle();
-    const document = this.followed(this.document, next.document);
-    this.step(label, document === next.document ? next : { ...next, document });
+    this.step(label, this.stateAfter(this.present, change));
   }
 
   /** A document of another page: the same as `replace`, or as `amend` where it is no step. */
@@ -191,8 +195,8 @@ export class Store {
   }
 
   /** Changes the document without a step of its own, for what is fleeting in it: undo goes on from before. */
-  amend(document: Document): void {
-    const next = this.stateAfter(this.present, document);
+  amend(change: Document | Change): void {
+    const next = this.stateAfter(this.present, change);
     // The middle of a gesture is no place to go back to.
     if (!this.gesture) this.history.rebase(this.present, next);
     this.become(next);
@@ -222,7 +226,7 @@ export class Store {
     return withParts(before, followSources(before, after), this.count);
   }
 
-  private stateAfter(before: State, change: Document | Edit): State {
+  private stateAfter(before: State, change: Document | Change): State {
     return stateAfter(before, change, this.followed(before.document, documentIn(change)));
   }
 
@@ -248,21 +252,21 @@ export class Store {
   }
 }
 
-function isEdit(change: Document | Edit): change is Edit {
+function isChange(change: Document | Change): change is Change {
   return 'document' in change;
 }
 
 /** The document of a change, whichever form it has. */
-export function documentIn(change: Document | Edit): Document {
-  return isEdit(change) ? change.document : change;
+export function documentIn(change: Document | Change): Document {
+  return isChange(change) ? change.document : change;
 }
 
 /** A document with what is selected in it after a change: what the change says, and else what is still there. */
-function stateAfter(before: State, change: Document | Edit, document: Document): State {
-  const kept = stateKept(before, change, document);
-  const selected = isEdit(change) ? change.selected : undefined;
-  if (!selected || kept.document === before.document) return kept;
-  return { document: kept.document, selection: withJoint(kept.selection, selected) };
+function stateAfter(before: State, change: Document | Change | Edit, document: Document): State {
+  const { keys, selected }: Partial<Edit> = isChange(change) ? change : {};
+  const kept = selectionKept(before, document, keys);
+  const about = selected && document !== before.document ? withJoint(kept, selected) : kept;
+  return { document, selection: withoutLostJoint(about, document) };
 }
 
 /** The same object where that joint, and no vertex, is selected already. Keys stay where the character is the same. */
@@ -273,24 +277,36 @@ function withJoint(selection: Selection, { characterId, joint }: SelectedJoint):
   return { characterId, ...(joint !== undefined && { joint }), ...(keys && { keys }) };
 }
 
-/** A document with what is still selected in it. */
-function stateKept({ document: before, selection }: State, change: Document | Edit, document: Document): State {
-  const edit = isEdit(change) ? change : undefined;
+/** Of a joint that is gone its character stays selected. */
+function withoutLostJoint(selection: Selection, document: Document): Selection {
+  const { characterId, joint } = selection;
+  if (characterId === undefined || joint === undefined) return selection;
+  const { length = 0 } = findCharacter(document, characterId)?.skeleton?.joints ?? [];
+  return joint < length ? selection : { characterId };
+}
+
+/** @param keys that a change says are selected */
+function selectionKept(
+  { document: before, selection }: State,
+  document: Document,
+  keys: Edit['keys'] | undefined,
+): Selection {
   const { characterId } = selection;
   // Nothing stays selected of a character that is gone.
-  if (characterId === undefined) return { document, selection };
-  const character = findCharacter(document, characterId);
-  if (!character) return { document, selection: NOTHING_SELECTED };
-  const isOther = document !== before && clipOf(before, characterId) === clipOf(document, characterId);
-  if (edit && !isOther) return { document, selection: withKeys(selection, edit.keys) };
-  if (!selection.keys || document === before) return { document, selection };
-  // Keys are known by index: they stay selected where their channel's column of times stays.
-  const was = clipOf(before, characterId)?.channels;
-  const now = clipOf(document, characterId)?.channels;
-  const kept = selection.keys.filter(
-    ({ channel }) => was?.[channel] && keysOf(was[channel]).times === keysOf(now?.[channel]).times,
-  );
-  return { document, selection: kept.length === selection.keys.length ? selection : withKeys(selection, kept) };
+  if (characterId === undefined) return selection;
+  if (!findCharacter(document, characterId)) return NOTHING_SELECTED;
+  const was = clipOf(before, characterId);
+  const now = clipOf(document, characterId);
+  const isOther = document !== before && was === now;
+  if (keys && !isOther) return withKeys(selection, keys);
+  if (!selection.keys || was === now) return selection;
+  const kept = selection.keys.filter(({ channel }) => hasSameKeys(was?.channels[channel], now?.channels[channel]));
+  return kept.length === selection.keys.length ? selection : withKeys(selection, kept);
+}
+
+/** Keys are known by index: they are the same where the column of times is, or where the channel was read again. */
+function hasSameKeys(was: Channel | undefined, now: Channel | undefined): boolean {
+  return was !== undefined && now !== undefined && (keysOf(was).times === keysOf(now).times || sameValue(was, now));
 }
 
 function clipOf(document: Document, characterId: string): ChannelClip | undefined {

@@ -68,7 +68,7 @@ export async function pageWith(texts: Readonly<Record<string, string>>, onDisk =
   const open = async (given: readonly GivenFile[]): Promise<readonly ParsedFile[]> => {
     const { files, broken } = await parse({ files: given }, () => undefined);
     const result = openFiles(store.document, files, broken, store.selection.characterId);
-    store.replace(result.label, { document: result.document, selection: store.selection });
+    store.replace(result.label, result.document);
     handles.note(given);
     unsaved.opened(files);
     return files;
@@ -86,7 +86,6 @@ export async function pageWith(texts: Readonly<Record<string, string>>, onDisk =
         ...store.document,
         characters: store.document.characters.map((c, i) => (i === index ? edit(c) : c)),
       },
-      selection: store.selection,
     });
   const saver = new Saver({ store, messages, unsaved, handles, disk });
   return {

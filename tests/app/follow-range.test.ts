@@ -20,7 +20,7 @@ function following() {
 
 it('takes the range of the clip that comes, and of the take that is chosen', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.replace('Open', documentOf(walking));
   expect(transport.get().range).toEqual([1, 3]);
   store.apply(showClip, { characterId: 'c1', clip: 1 });
   expect(transport.get().range).toEqual([-1, 2]);
@@ -31,13 +31,13 @@ it('takes the range of the clip that comes, and of the take that is chosen', () 
 it('spans all characters, each with its offset in time', () => {
   const { store, transport } = following();
   const later = { ...walking, id: 'c2', timeOffsetSeconds: -4 };
-  store.replace('Open', { document: documentOf(walking, later), selection: {} });
+  store.replace('Open', documentOf(walking, later));
   expect(transport.get().range).toEqual([1, 7]);
 });
 
 it('leaves a range alone that was set by hand', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, range: [1.5, 2] }));
   store.apply(showClip, { characterId: 'c1', clip: 1 });
   expect(transport.get().range).toEqual([1.5, 2]);
@@ -45,28 +45,28 @@ it('leaves a range alone that was set by hand', () => {
 
 it('stops where nothing is left to play', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, playing: true }));
-  store.replace('Open', { document: documentOf(character()), selection: {} });
+  store.replace('Open', documentOf(character()));
   expect(transport.get().playing).toBe(false);
 });
 
 it('follows the range of a take that is changed', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.replace('Open', documentOf(walking));
   store.apply(setClipRange, { characterId: 'c1', range: [0, 5] });
   expect(transport.get().range).toEqual([0, 5]);
 });
 
 it('has a range to key poses on without any clip', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(character()), selection: {} });
+  store.replace('Open', documentOf(character()));
   expect(transport.get().range).toEqual([0, 2]);
 });
 
 it('keeps range and time when the first key makes a take, and when that is undone', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(character()), selection: {} });
+  store.replace('Open', documentOf(character()));
   transport.update((now) => ({ ...now, range: [0, 4], timeSeconds: 3 }));
   store.apply(keyPose, { characterId: 'c1', timeSeconds: 3, playedRange: transport.get().range });
   expect(transport.get()).toMatchObject({ range: [0, 4], timeSeconds: 3 });
@@ -76,9 +76,9 @@ it('keeps range and time when the first key makes a take, and when that is undon
 
 it('starts anew with another character that has no clip', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.replace('Open', documentOf(walking));
   transport.update((now) => ({ ...now, timeSeconds: 2.7, playing: true }));
-  store.replace('Open', { document: documentOf({ ...character(), id: 'c2' }), selection: {} });
+  store.replace('Open', documentOf({ ...character(), id: 'c2' }));
   expect(transport.get()).toMatchObject({ range: [0, 2], timeSeconds: 0, playing: false });
 });
 
@@ -101,26 +101,26 @@ function sampled(id: string, frameSeconds: number) {
 it('counts frames as the takes do that come into an empty page, or in the place of everything', () => {
   const { store, transport } = following();
   const rate = () => transport.get().framesPerSecond;
-  store.replace('Open', { document: documentOf(sampled('c1', 0.0083333), sampled('c2', 1 / 120)), selection: {} });
+  store.replace('Open', documentOf(sampled('c1', 0.0083333), sampled('c2', 1 / 120)));
   expect(rate()).toBe(120);
-  store.replace('Open', { document: documentOf(sampled('c3', 0.01)), selection: {} });
+  store.replace('Open', documentOf(sampled('c3', 0.01)));
   expect(rate()).toBe(100);
 });
 
 it('leaves the rate alone where takes come beside others, differ, or play keys', () => {
   const { store, transport } = following();
   const rate = () => transport.get().framesPerSecond;
-  store.replace('Open', { document: documentOf(walking), selection: {} });
+  store.replace('Open', documentOf(walking));
   expect(rate()).toBe(30);
-  store.replace('Open', { document: documentOf(walking, sampled('c2', 0.01)), selection: {} });
+  store.replace('Open', documentOf(walking, sampled('c2', 0.01)));
   expect(rate()).toBe(30);
-  store.replace('Open', { document: documentOf(sampled('c3', 0.01), sampled('c4', 0.02)), selection: {} });
+  store.replace('Open', documentOf(sampled('c3', 0.01), sampled('c4', 0.02)));
   expect(rate()).toBe(30);
 });
 
 it('leaves a rate that was set by hand', () => {
   const { store, transport } = following();
-  store.replace('Open', { document: documentOf(sampled('c1', 0.01)), selection: {} });
+  store.replace('Open', documentOf(sampled('c1', 0.01)));
   transport.update((now) => ({ ...now, framesPerSecond: 24 }));
   store.apply(setClipRange, { characterId: 'c1', range: [0, 0.05] });
   expect(transport.get().framesPerSecond).toBe(24);

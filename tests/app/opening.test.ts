@@ -7,7 +7,7 @@ import { saveCharacter } from '../../src/project/save/saving.ts';
 import { observable } from '../../src/ui/kit/observable.ts';
 import { Messages } from '../../src/ui/state/messages.ts';
 import type { Loading } from '../../src/ui/state/workbench.ts';
-import { character } from '../helpers/builders.ts';
+import { character, clip } from '../helpers/builders.ts';
 import { InThisThread } from './in-this-thread.ts';
 
 function openerOf(store: Store): Opener {
@@ -41,4 +41,21 @@ describe('the opening sample', () => {
     await opening;
     expect(shown(store)).toEqual({ names: ['character'], isOpeningSample: false });
   });
+});
+
+it('opening selects the character that is new, a part for the selected one keeps what is selected, and undo gives it back', async () => {
+  const store = new Store();
+  const opener = openerOf(store);
+  await opener.open(sample);
+  expect(store.selection).toEqual({ characterId: 'c1' });
+  const joint = { characterId: 'c1', joint: 1 };
+  store.select(joint);
+  const walk = saveCharacter(character({ clips: [clip('walker_walk', [1])] }), 'anim')[0].text;
+  await opener.open(() => [{ path: 'walker_walk.anim', blob: new Blob([walk]) }]);
+  expect(store.selection).toEqual(joint);
+  const [{ blob }] = sample();
+  await opener.open(() => [{ path: 'runner.skel', blob }]);
+  expect(store.selection).toEqual({ characterId: 'c2' });
+  store.undo();
+  expect(store.selection).toEqual(joint);
 });

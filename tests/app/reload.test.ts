@@ -97,6 +97,17 @@ describe('reloading', () => {
     expect(here.store.document).toEqual(edited);
   });
 
+  it('keeps the character selected of a joint that its file has no more, and undo selects the joint again', async () => {
+    const here = await page({ 'hero.skel': SKEL });
+    const selection = { characterId: 'c1', joint: 1 };
+    here.store.select(selection);
+    here.edit('hero.skel', saveCharacter(character({ skeleton: skeleton(1) }), 'skel')[0].text);
+    await here.reloadIt();
+    expect(here.store.selection).toEqual({ characterId: 'c1' });
+    here.store.undo();
+    expect(here.store.selection).toEqual(selection);
+  });
+
   it('keeps keys selected where their channel is the same, and lets others go', async () => {
     const here = await page();
     const keys = [0, 4].map((channel) => ({ channel, indices: [0] }));

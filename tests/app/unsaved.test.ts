@@ -19,7 +19,7 @@ function opened(...files: ParsedFile[]) {
   const unsaved = new Unsaved(store);
   const open = (...more: ParsedFile[]) => {
     const result = openFiles(store.document, more, [], store.selection.characterId);
-    store.replace(result.label, { document: result.document, selection: store.selection });
+    store.replace(result.label, result.document);
     return unsaved.opened(more);
   };
   open(...files);
@@ -30,7 +30,6 @@ function opened(...files: ParsedFile[]) {
         ...store.document,
         characters: store.document.characters.map((c, i) => (i === index ? edit(c) : c)),
       },
-      selection: store.selection,
     });
   const setDof = (dof: number, value: number) =>
     store.apply(setDofs, { characterId: 'c1', dofs: [{ index: dof, value }], timeSeconds: 0 });

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
 import { removeCharacter, renameCharacter } from '../../src/edit/commands/characters.ts';
 import { type Command, type Edit, Store } from '../../src/edit/store.ts';
-import { character, clip, documentOf } from '../helpers/builders.ts';
+import { character, clip, documentOf, skeleton } from '../helpers/builders.ts';
 
 const start = documentOf(character({ name: 'a' }));
 const rename = (name: string) => ({ characterId: 'c1', name });
@@ -51,7 +51,7 @@ describe('Store', () => {
     store.undo();
     store.redo();
     store.select({ characterId: 'c1' });
-    store.replace('Open', { document: start, selection: {} });
+    store.replace('Open', start);
     expect(told.mock.calls).toEqual([
       ['a', 'b'],
       ['b', 'd'],
@@ -129,7 +129,7 @@ describe('Store', () => {
   it('puts back what was only being tried before anything else happens', () => {
     const others: readonly ((store: Store) => void)[] = [
       (store) => store.apply(renameCharacter, rename('c')),
-      (store) => store.replace('Open', { document: documentOf(character({ name: 'c' })), selection: {} }),
+      (store) => store.replace('Open', documentOf(character({ name: 'c' }))),
       (store) => store.begin('Drag').commit(),
       (store) => store.undo(),
       (store) => store.redo(),
@@ -234,7 +234,9 @@ describe('Store', () => {
       }),
       label: () => 'Rename',
     });
-    const played = documentOf(character({ name: 'a', clips: [clip('walk', [1])], shownClip: 0 }));
+    const played = documentOf(
+      character({ name: 'a', skeleton: skeleton(4), clips: [clip('walk', [1])], shownClip: 0 }),
+    );
     const store = new Store(played);
     store.select({ characterId: 'c1', joint: 3, vertex: 5, keys: [{ channel: 0, indices: [0] }] });
     const before = store.selection;
@@ -253,7 +255,7 @@ describe('Store', () => {
   });
 
   it('selects what a preview is about, and what was selected again when that is given up', () => {
-    const store = new Store(start);
+    const store = new Store(documentOf(character({ name: 'a', skeleton: skeleton(4) })));
     store.select({ characterId: 'c1', joint: 1 });
     const drag = store.begin('Drag');
     const to = (name: string, joint: number) => ({
@@ -266,5 +268,23 @@ describe('Store', () => {
     expect(store.selection).toEqual({ characterId: 'c1', joint: 3 });
     drag.cancel();
     expect(store.selection).toEqual({ characterId: 'c1', joint: 1 });
+  });
+
+  it('selects what a document made elsewhere is about, and else keeps what is still there', () => {
+    const two = (...joints: number[]) =>
+      joints.map((n, i) => ({ ...character({ skeleton: skeleton(n) }), id: `c${i + 1}` }));
+    const store = new Store(documentOf(...two(4, 4)));
+    const selected = { characterId: 'c1', joint: 3 };
+    store.select(selected);
+    store.replace('Reload', documentOf(...two(4, 2)));
+    expect(store.selection).toBe(selected);
+    store.replace('Reload', documentOf(...two(2, 2)));
+    expect(store.selection).toEqual({ characterId: 'c1' });
+    store.replace('Open', { document: documentOf(...two(2, 2, 2)), selected: { characterId: 'c3' } });
+    expect(store.selection).toEqual({ characterId: 'c3' });
+    store.replace('Reload', documentOf(...two(2, 2)));
+    expect(store.selection).toEqual({});
+    for (let step = 0; step < 4; step++) store.undo();
+    expect(store.selection).toBe(selected);
   });
 });

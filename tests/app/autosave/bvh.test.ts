@@ -40,7 +40,7 @@ async function openedPage() {
   const page = new Store();
   const unsaved = new Unsaved(page);
   const { document } = openFiles(EMPTY_DOCUMENT, files);
-  page.replace('Open', { document, selection: NOTHING_SELECTED });
+  page.replace('Open', document);
   unsaved.opened(files);
   return { store, page, unsaved, keeper: new Keeper('s', store, origins) };
 }
@@ -70,7 +70,7 @@ describe('a kept session with motion capture', () => {
     if (!clip.samples) throw new Error('There are samples.');
     const values = clip.samples.values.map((v) => v + 1);
     const edited = { ...character, clips: [{ ...clip, samples: { ...clip.samples, values } }] };
-    page.replace('Edit', { document: { ...page.document, characters: [edited] }, selection: NOTHING_SELECTED });
+    page.replace('Edit', { ...page.document, characters: [edited] });
     await keeper.save(stateOf(page.document, unsaved.snapshot()), 1);
     expect(store.lastBytes()).toBe(values.byteLength);
     await keeper.save(stateOf({ ...page.document, charactersMade: 9 }, unsaved.snapshot()), 2);

@@ -55,12 +55,12 @@ it('brings back a character that another one’s take moves, and it follows that
   const { files } = await read(FILES);
   origins.learn(FILES, files);
   const page = new Store();
-  page.replace('Open', { ...openFiles(EMPTY_DOCUMENT, files), selection: NOTHING_SELECTED });
+  page.replace('Open', openFiles(EMPTY_DOCUMENT, files));
   const [dancer, other] = page.document.characters;
   page.apply(setRetarget, { characterId: other.id, sourceId: dancer.id });
 
   const next = new Store();
-  next.replace('Restore', { document: await reloaded(page.document, origins), selection: NOTHING_SELECTED });
+  next.replace('Restore', await reloaded(page.document, origins));
   const [source, driven] = next.document.characters;
   const seconds = (shownClip(source)?.range[1] ?? 0) * 0.3;
   expect(poseOf(driven, seconds)).toEqual(poseOf(page.document.characters[1], seconds));

@@ -35,7 +35,7 @@ async function page(edit: (store: Store) => void) {
   origins.learn(FILES, files);
   const store = new Store();
   const unsaved = new Unsaved(store);
-  store.replace('Open', { ...openFiles(EMPTY_DOCUMENT, files), selection: NOTHING_SELECTED });
+  store.replace('Open', openFiles(EMPTY_DOCUMENT, files));
   unsaved.opened(files);
   edit(store);
   const kept = memoryStore();

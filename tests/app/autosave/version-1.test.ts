@@ -71,7 +71,6 @@ async function restored() {
         ...store.document,
         characters: store.document.characters.map((c, i) => (i === index ? edit(c) : c)),
       },
-      selection: store.selection,
     });
   return { store, unsaved, handles, change, names: () => unsaved.current().map(({ name }) => name) };
 }

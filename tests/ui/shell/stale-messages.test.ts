@@ -49,7 +49,7 @@ describe('a refusal', () => {
     expect(unread()).toEqual(['Amid.']);
     wb.store.apply(renameCharacter, named('ant'));
     expect(unread()).toEqual([]);
-    wb.store.replace('Open', { document: documentOf(character()), selection: {} });
+    wb.store.replace('Open', documentOf(character()));
     wb.messages.note('After.', 'warning');
     wb.store.apply(renameCharacter, named('fly'));
     expect(unread()).toEqual([]);

@@ -98,7 +98,6 @@ describe('the next take', () => {
     const { wb } = bench();
     wb.store.replace('x', {
       document: documentOf(take('a', [0, 1], { timeOffsetSeconds: 0.25 })),
-      selection: {},
     });
     runAction(wb, 'take.next');
     expect(wb.transport.get().range).toEqual([-0.25, 0.75]);

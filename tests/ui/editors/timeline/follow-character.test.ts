@@ -19,8 +19,7 @@ const picked = () => {
 };
 const NOTHING = { pinned: [], hidden: [], isolated: undefined, unfolded: [] };
 /** As files that are read again. */
-const become = (...characters: Character[]) =>
-  wb.store.replace('Reload', { document: documentOf(...characters), selection: wb.store.selection });
+const become = (...characters: Character[]) => wb.store.replace('Reload', documentOf(...characters));
 
 beforeEach(() => {
   ({ wb } = workbench(documentOf(wasp, crab)));

@@ -92,7 +92,7 @@ describe('another period', () => {
     said();
     wb.store.undo();
     wb.store.redo();
-    wb.store.replace('Reload', { document: documentOf(walker()), selection: {} });
+    wb.store.replace('Reload', documentOf(walker()));
     expect(said()).toBeUndefined();
   });
 

@@ -161,7 +161,7 @@ describe('dragging keys', () => {
     const [walker] = wb.store.document.characters;
     const clips = [...walker.clips, clip([0, 2], channel(0, 1, 2))];
     const document = { ...wb.store.document, characters: [{ ...walker, clips, shownClip: 1 }] };
-    wb.store.replace('Another take', { document, selection: wb.store.selection });
+    wb.store.replace('Another take', document);
     const put = wb.store.document;
     made.move(at(from.x + 50, from.y));
     made.end(at(from.x + 50, from.y), true);
