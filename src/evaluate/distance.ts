@@ -15,12 +15,13 @@
  * Frames are those of the take with the finer rate, over the time that both takes have. Comparing whole poses by a
  * distance after the best rigid alignment (Kovar's) was left out: it answers how alike two poses are, not where.
  */
-import type { Character, Placement } from '../model/document.ts';
+
+import type { Character } from '../model/document.ts';
 import { playedClip } from './bake.ts';
 import type { JointMatch } from './joint-match.ts';
 import { compileSkeleton, worldMatrices } from './kinematics.ts';
+import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import { dofCountOf, poseAt } from './pose.ts';
-import { applySpace } from './space.ts';
 
 export const ALIGNMENTS = ['world', 'root', 'turned'] as const;
 export type Alignment = (typeof ALIGNMENTS)[number];
@@ -156,7 +157,7 @@ class PosedJoints {
   private readonly dofs: Float64Array;
   private readonly world: Float64Array;
   private readonly compiled;
-  private readonly toScene: Float64Array;
+  private readonly toScene = new Float64Array(16);
   private readonly root = new Float64Array(16);
 
   constructor(
@@ -170,7 +171,7 @@ class PosedJoints {
     this.dofs = new Float64Array(dofCountOf(character));
     this.world = new Float64Array(16 * skeleton.joints.length);
     this.positions = new Float64Array(3 * joints.length);
-    this.toScene = sceneMatrix(character);
+    placementMatrix(character.placements[0], character.space, NO_TRAVEL, this.toScene);
   }
 
   /** Fills `positions`; allocates nothing. */
@@ -215,37 +216,4 @@ function rootInScene(m: Float64Array, world: Float64Array, out: Float64Array): v
     const length = Math.hypot(out[4 * c], out[4 * c + 1], out[4 * c + 2]) || 1;
     for (let r = 0; r < 3; r++) out[4 * c + r] /= length;
   }
-}
-
-/** From a character's own space to where its first placement has it in the scene, column-major. */
-export function sceneMatrix({ space, placements }: Character): Float64Array {
-  const [placement] = placements;
-  const m = new Float64Array(16);
-  const at = new Float64Array(3);
-  const write = (o: number) => {
-    toPlace(placement, at);
-    m.set(at, o);
-  };
-  applySpace(space, 0, 0, 0, at);
-  write(12);
-  for (let axis = 0; axis < 3; axis++) {
-    applySpace(space, axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0, at);
-    write(4 * axis);
-    for (let r = 0; r < 3; r++) m[4 * axis + r] -= m[12 + r];
-  }
-  m[15] = 1;
-  return m;
-}
-
-/** T(position) · Rz·Ry·Rx(turn) · S(scale), of a point, in place. */
-function toPlace({ position, turn, scale }: Placement, p: Float64Array): void {
-  for (let axis = 0; axis < 3; axis++) {
-    const [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
-    const cos = Math.cos(turn[axis]);
-    const sin = Math.sin(turn[axis]);
-    const [u, v] = [p[i], p[j]];
-    p[i] = cos * u - sin * v;
-    p[j] = sin * u + cos * v;
-  }
-  for (let k = 0; k < 3; k++) p[k] = scale * p[k] + position[k];
 }

@@ -1,6 +1,6 @@
 /** A camera's short move from one view to another. A click on the way leaves it alone; a drag begins where it ends. */
 import { Vector3 } from 'three';
-import { easeOut, shortTurn } from './framing.ts';
+import { easeOut, shortTurn } from '../math/framing.ts';
 
 /** Where a camera looks and from where; see `camera.ts`. */
 export interface View {

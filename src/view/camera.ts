@@ -10,9 +10,15 @@
  */
 import { type Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import {
+  distanceForHalfHeight,
+  fitDistance,
+  lookingFrom,
+  orthographicDepth,
+  perspectiveDepth,
+} from '../math/framing.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { CameraTravel, newView, PressWatch, type View } from './camera-travel.ts';
-import { distanceForHalfHeight, fitDistance, lookingFrom, orthographicDepth, perspectiveDepth } from './framing.ts';
 import { Grid } from './grid.ts';
 
 export type Side = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';

@@ -22,6 +22,7 @@ import {
   type WebGLRenderer,
 } from 'three';
 import { posedBounds } from '../evaluate/bounds.ts';
+import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { upAxis } from '../evaluate/space.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownSkin } from '../model/document.ts';
@@ -30,7 +31,6 @@ import type { Morph } from '../model/morph.ts';
 import type { Display } from '../model/session.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { Bones } from './bones.ts';
-import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import { PosePlayer } from './pose-track.ts';
 import { BUILT_AT_ONCE, ShownSkin } from './shown-skin.ts';
 import { skinTexture } from './skin-texture.ts';

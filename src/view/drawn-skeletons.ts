@@ -6,10 +6,10 @@
  *
  * An End Site stands for the joint that it ends: picked or hovered, it is that joint.
  */
+import { type JointSizes, jointSizes } from '../evaluate/shapes/joint-shapes.ts';
 import { boneEnds } from '../model/bone-ends.ts';
 import { perObject } from '../model/per-object.ts';
 import type { Skeleton } from '../model/skeleton.ts';
-import { type JointSizes, jointSizes } from './joint-shapes.ts';
 import type { Tint } from './theme.ts';
 
 /** A character's joints as they are to be drawn. The arrays live on: what they hold when it is drawn counts. */

@@ -19,13 +19,13 @@ import {
   SphereGeometry,
 } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
+import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { Display } from '../model/session.ts';
 import { nodesFor, sizesFor } from './drawn-skeletons.ts';
 import { fillBones, placePoints, scaleOf } from './node-matrices.ts';
-import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 

@@ -23,8 +23,8 @@ import {
   Vector2,
   Vector3,
 } from 'three';
+import { gridLabel, roundStep, subdivisions } from '../math/round-steps.ts';
 import { Glyphs } from './glyphs.ts';
-import { gridLabel, roundSpacing, subdivisions } from './grid-spacing.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 
@@ -111,7 +111,7 @@ export class Grid {
     drawnFor.target.copy(target);
     Object.assign(drawnFor, { distance, unitsPerPixel, plane });
     const [u, v] = AXES[plane];
-    const spacing = roundSpacing(SPACING_PX * unitsPerPixel);
+    const spacing = roundStep(SPACING_PX * unitsPerPixel);
     this.spacing = spacing;
     const radius = Grid.reach(distance);
     const tu = target.getComponent(u);

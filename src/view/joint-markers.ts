@@ -7,11 +7,11 @@ import {
   type InterleavedBufferAttribute,
   ShaderMaterial,
 } from 'three';
+import { axesMatrix, boxMatrix, type JointSizes, sphereMatrix } from '../evaluate/shapes/joint-shapes.ts';
 import { hasBox } from '../model/boxes.ts';
 import type { Joint } from '../model/skeleton.ts';
 import { dots } from './dots.ts';
 import { InstancedKind } from './instanced-kind.ts';
-import { axesMatrix, boxMatrix, type JointSizes, sphereMatrix } from './joint-shapes.ts';
 import type { StageTheme } from './theme.ts';
 import { lineMaterial, rawColor } from './thick-lines.ts';
 

@@ -18,7 +18,7 @@ import {
   type Matrix4,
   MeshDepthMaterial,
 } from 'three';
-import { boneMatrix, sphereMatrix } from './joint-shapes.ts';
+import { boneMatrix, sphereMatrix } from '../evaluate/shapes/joint-shapes.ts';
 
 export type NodeShape = 'ball' | 'bone';
 

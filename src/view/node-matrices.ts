@@ -2,9 +2,9 @@
  * Matrices of balls and bones for all nodes of one skeleton at one placement: what the skeleton drawing does in every
  * frame, and ghosts for every ghost. Allocates nothing.
  */
+import { boneMatrix, type JointSizes, sphereMatrix } from '../evaluate/shapes/joint-shapes.ts';
 import { multiplyAffine } from '../math/mat4.ts';
 import type { Nodes } from './drawn-skeletons.ts';
-import { boneMatrix, type JointSizes, sphereMatrix } from './joint-shapes.ts';
 import { NODE_STRIDE } from './node-buffer.ts';
 
 /**

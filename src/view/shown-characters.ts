@@ -4,11 +4,11 @@
  * drawn, picked or framed goes through `visible`.
  */
 import { Box3, type Group, Vector3 } from 'three';
+import { placementMatrix } from '../evaluate/placements.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../model/document.ts';
 import type { Display, Selection } from '../model/session.ts';
 import type { CharacterView } from './character-view.ts';
 import type { PosedSkeleton } from './drawn-skeletons.ts';
-import { placementMatrix } from './placements.ts';
 import type { Tints } from './theme.ts';
 
 /** A character's view, with what is drawn of it elsewhere. */

@@ -16,6 +16,7 @@ import {
   SphereGeometry,
   type Vector3,
 } from 'three';
+import { axesMatrix, boxMatrix } from '../evaluate/shapes/joint-shapes.ts';
 import { areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
 import {
@@ -31,7 +32,6 @@ import {
 } from './drawn-skeletons.ts';
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
-import { axesMatrix, boxMatrix } from './joint-shapes.ts';
 import { drawnByNodes, NODE_STRIDE, NodeBuffer, type NodeShape } from './node-buffer.ts';
 import { fillNodes, placeNodes, placePositions, scaleOf } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';

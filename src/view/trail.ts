@@ -4,11 +4,11 @@
  */
 import { BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, type ShaderMaterial } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
+import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { dofCountOf, poseAt } from '../evaluate/pose.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import type { Character } from '../model/document.ts';
 import { shownClip } from '../model/document.ts';
-import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import type { StageTheme } from './theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 

@@ -1,18 +1,11 @@
 import { describe, expect, it } from 'vitest';
-import {
-  type Alignment,
-  commonFrames,
-  type Distances,
-  measureDistances,
-  sceneMatrix,
-} from '../../src/evaluate/distance.ts';
+import { type Alignment, commonFrames, type Distances, measureDistances } from '../../src/evaluate/distance.ts';
 import { matchJoints } from '../../src/evaluate/joint-match.ts';
 import { readBvh } from '../../src/formats/bvh/read.ts';
 import { type ChannelClip, SAMPLED } from '../../src/model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import type { Samples } from '../../src/model/samples.ts';
-import { placementMatrix } from '../../src/view/placements.ts';
 import { character, clip, skeleton } from '../helpers/builders.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 
@@ -108,14 +101,6 @@ describe('the distance of two takes', () => {
     expect(d.jointMostAt[0]).toBe(1);
     expect(d.jointMean[0]).toBe(3);
     expect(d.jointRms[0]).toBeCloseTo(Math.sqrt(15), 12);
-  });
-
-  it('places characters as the picture does', () => {
-    const placements = [{ position: [1, 2, 3], turn: [0.3, -0.8, 2], scale: 1.7 }] as const;
-    const c = moving([], { placements, space: { up: 'z', unit: 'inches', lift: 0.4 } });
-    const drawn = new Float64Array(16);
-    placementMatrix(placements[0], c.space, new Float64Array(3), drawn);
-    for (const [i, value] of sceneMatrix(c).entries()) expect(value).toBeCloseTo(drawn[i], 12);
   });
 });
 

@@ -60,14 +60,6 @@ export function alongLine(
   return denominator > 1e-6 * a * c ? (b * e - c * d) / denominator : undefined;
 }
 
-/** The next 1, 2 or 5 times a power of ten, at least this much; for what numbers snap to. */
-export function roundStep(least: number): number {
-  if (!(least > 0) || !Number.isFinite(least)) return 1;
-  const power = 10 ** Math.floor(Math.log10(least));
-  for (const factor of [1, 2, 5]) if (factor * power >= least * (1 - 1e-9)) return tidy(factor * power);
-  return tidy(10 * power);
-}
-
 /** On the nearest whole multiple. */
 export function snapped(value: number, step: number): number {
   return tidy(Math.round(value / step) * step) + 0;

@@ -1,6 +1,6 @@
 /** What the gizmo's pens share: what is in hand, and how that changes a colour. */
+import { type HandleId, sameHandle } from '../../evaluate/handles/joint-handles.ts';
 import type { StageTheme } from '../theme.ts';
-import { type HandleId, sameHandle } from './handles.ts';
 import type { Shape } from './shapes.ts';
 
 export interface GizmoState {

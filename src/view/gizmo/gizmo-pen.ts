@@ -5,9 +5,9 @@
  *     limits     what can't be reached is dashed and faint; the ends of the range are ticks on the DOF in hand
  *     dragged    orange, with what was swept since the press filled in; at a limit its tick is the warning's colour
  */
+import { sameHandle } from '../../evaluate/handles/joint-handles.ts';
 import type { StageTheme } from '../theme.ts';
 import { drawKnob, type GizmoState, lookOf } from './gizmo-look.ts';
-import { sameHandle } from './handles.ts';
 import { RingPen } from './ring-pen.ts';
 import type { Layout, Shape } from './shapes.ts';
 import { StraightPen } from './straight-pen.ts';

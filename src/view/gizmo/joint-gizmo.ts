@@ -13,12 +13,12 @@
  * of the scene has it in it. The canvas is as large as the gizmo and no larger.
  */
 import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
+import type { HandleId, JointHandles } from '../../evaluate/handles/joint-handles.ts';
 import { CameraProjection } from '../camera-projection.ts';
 import type { Overlay } from '../overlay.ts';
 import type { StageTheme } from '../theme.ts';
 import type { GizmoState } from './gizmo-look.ts';
 import { GizmoPen } from './gizmo-pen.ts';
-import type { HandleId, JointHandles } from './handles.ts';
 import { handleAt, type Layout, layOut, RING_PIXELS } from './shapes.ts';
 
 /** CSS pixels: side of the canvas. */

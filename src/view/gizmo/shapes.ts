@@ -5,9 +5,9 @@
  *     ring         64 pieces, the first at the mark (where the bone points), by the right-hand rule
  *     arrow, box   from the middle outwards along the axis
  */
+import type { Hue } from '../../evaluate/handles/dof-axes.ts';
+import type { Handle, HandleId, HandleRange, JointHandles } from '../../evaluate/handles/joint-handles.ts';
 import { add, cross, dot, scaled, unit, type Vec3 } from '../../math/vec3.ts';
-import type { Hue } from './dof-axes.ts';
-import type { Handle, HandleId, HandleRange, JointHandles } from './handles.ts';
 
 /** CSS pixels. */
 export const RING_PIXELS = 90;

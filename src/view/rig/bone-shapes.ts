@@ -3,8 +3,8 @@
  * Unlit and seen through everything, for what they show is where joints are, inside of a skin too.
  */
 import { BufferAttribute, BufferGeometry, Color, type Group, MeshBasicMaterial } from 'three';
+import { boneMatrix } from '../../evaluate/shapes/joint-shapes.ts';
 import { InstancedKind } from '../instanced-kind.ts';
-import { boneMatrix } from '../joint-shapes.ts';
 import type { StageTheme } from '../theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 

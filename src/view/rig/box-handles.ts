@@ -1,9 +1,9 @@
 /** The box of the selected joint: its edges, and on each face a dot to take hold of. */
 import { Group, Mesh } from 'three';
+import { boxMatrix } from '../../evaluate/shapes/joint-shapes.ts';
 import { hasBox } from '../../model/boxes.ts';
 import type { Box, Joint } from '../../model/skeleton.ts';
 import type { CameraProjection } from '../camera-projection.ts';
-import { boxMatrix } from '../joint-shapes.ts';
 import type { StageTheme } from '../theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { colorDots, type Dots, disposeDots, putDot, rigDots } from './rig-dots.ts';

@@ -1,7 +1,7 @@
 /** Dots of rig mode: over everything, in places that are other ones with each picture. */
 import type { BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
+import { sphereMatrix } from '../../evaluate/shapes/joint-shapes.ts';
 import { dots } from '../dots.ts';
-import { sphereMatrix } from '../joint-shapes.ts';
 import type { StageTheme } from '../theme.ts';
 import { rawColor } from '../thick-lines.ts';
 

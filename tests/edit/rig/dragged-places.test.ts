@@ -5,7 +5,6 @@ import {
   boxWithFace,
   offsetMoved,
   parentToScene,
-  roundStep,
   snapped,
   withoutDust,
 } from '../../../src/edit/rig/dragged-places.ts';
@@ -99,15 +98,6 @@ describe('an arrow', () => {
 });
 
 describe('numbers of a drag', () => {
-  it.each([
-    [0.0009, 0.001],
-    [0.03, 0.05],
-    [0.5, 0.5],
-    [3, 5],
-    [6, 10],
-    [0, 1],
-  ])('of at least %s a step snap to %s', (least, step) => expect(roundStep(least)).toBe(step));
-
   it('numbers of a drag are whole steps, without digits behind them', () => {
     expect([snapped(0.3000001, 0.1), snapped(-0.04, 0.1), snapped(7.7, 5)]).toEqual([0.3, 0, 10]);
   });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import type { Handle, JointHandles } from '../../../src/evaluate/handles/joint-handles.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import type { Handle, JointHandles } from '../../../src/view/gizmo/handles.ts';
 import { BALL_PART, handleAt, hasArc, isAllowed, layOut, type Projection } from '../../../src/view/gizmo/shapes.ts';
 
 /** Looks along −z, a hundred pixels a unit, the origin in the middle of 800 × 600. */

@@ -6,9 +6,9 @@
  *     the ball within the rings        turns it any way
  *     anything else                    the camera's
  */
+import { type HandleId, type JointHandles, sameHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
-import { type HandleId, type JointHandles, sameHandle } from '../../../view/gizmo/handles.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import type { Hit } from '../../../view/viewport.ts';
 import { Readout } from '../../kit/readout.ts';

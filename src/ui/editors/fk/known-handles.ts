@@ -2,8 +2,8 @@
  * The handles of the selected joint, asked for before every picture and worked out only where the pose, its place or the
  * joint is another: pictures in which nothing but the camera moved, or the pointer, find the very same ones.
  */
+import { type JointHandles, jointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
-import { type JointHandles, jointHandles } from '../../../view/gizmo/handles.ts';
 
 export class KnownHandles {
   private known: JointHandles | undefined;

@@ -3,17 +3,18 @@
  * begins, with the pose as it stands then.
  */
 import type { DofValue } from '../../../edit/commands/pose.ts';
-import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
-import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
-import { Turning } from '../../../view/gizmo/free-turn.ts';
-import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
+import { DraggedValue, type HandWants } from '../../../evaluate/handles/dragged-value.ts';
+import { Turning } from '../../../evaluate/handles/free-turn.ts';
 import {
   type Handle,
   type HandleId,
   type JointHandles,
   jointHandles,
   sameHandle,
-} from '../../../view/gizmo/handles.ts';
+} from '../../../evaluate/handles/joint-handles.ts';
+import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
+import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
+import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
 import {
   diagonalMeasure,
   lineOfSight,
@@ -29,7 +30,6 @@ import { BALL_PART, shearPart } from '../../../view/gizmo/shapes.ts';
 import type { SelectedJoint } from '../../state/selected-joint.ts';
 import { SNAP_ANGLE, snapStep } from '../posing/active-dof.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
-import { DraggedValue, type HandWants } from './dragged-value.ts';
 
 /** What a drag has come to. */
 export interface Moved {

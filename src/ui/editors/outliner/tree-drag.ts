@@ -6,7 +6,7 @@ import { findCharacter } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
 import { waitOutDrag } from '../../kit/keyboard.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { dropPlace, type NewPlace, rowPart, whyNoDrop } from '../rig/parents.ts';
+import { dropPlace, type NewPlace, rowPart, whyNoDrop } from './drop-place.ts';
 import type { OutlineRow } from './outline-rows.ts';
 import { indentOf, type Tree } from './tree.ts';
 

@@ -1,4 +1,5 @@
 /** A joint's context menu, as far as it changes the skeleton. */
+import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import { isMac } from '../../kit/keyboard.ts';
@@ -6,7 +7,6 @@ import type { MenuEntry } from '../../kit/menu.ts';
 import { findAction, runAction } from '../../state/action.ts';
 import { ariaShortcut, shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Workbench } from '../../state/workbench.ts';
-import { possibleParents } from '../rig/parents.ts';
 
 const edits = () => import('../rig/rig-edits.ts');
 

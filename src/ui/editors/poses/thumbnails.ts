@@ -4,7 +4,7 @@
  */
 import type { Character } from '../../../model/document.ts';
 import type { NamedPose } from '../../../model/poses.ts';
-import { drawPose, type ThumbnailColours } from '../../../view/thumbnails/pose-thumbnail.ts';
+import { drawPose, type ThumbnailColours } from '../../../view/pose-thumbnail.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 
 interface Kept {

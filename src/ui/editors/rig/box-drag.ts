@@ -3,14 +3,8 @@
  * drag is one step.
  */
 import { setBox } from '../../../edit/commands/rig-joint.ts';
-import {
-  alongLine,
-  boxWithFace,
-  parentToScene,
-  roundStep,
-  type Side,
-  withoutDust,
-} from '../../../edit/rig/dragged-places.ts';
+import { alongLine, boxWithFace, parentToScene, type Side, withoutDust } from '../../../edit/rig/dragged-places.ts';
+import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
 import { shown } from '../../kit/number-text.ts';

@@ -12,11 +12,11 @@ import {
   offsetMoved,
   opposite,
   parentToScene,
-  roundStep,
   snapped,
   snappedPoint,
   withoutDust,
 } from '../../../edit/rig/dragged-places.ts';
+import { roundStep } from '../../../math/round-steps.ts';
 import { add, scaled, transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';

@@ -1,10 +1,11 @@
 /** What menus, keys and the tree do to a skeleton: commands with all that the page knows filled in. */
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setFilePose, setOffset } from '../../../edit/commands/rig-joint.ts';
-import { inverseOf, roundStep, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
+import { inverseOf, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
 import type { Axis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
 import { documentIn, type Edit } from '../../../edit/store.ts';
 import { boxOf } from '../../../evaluate/bounds.ts';
+import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import { type Character, type Document, findCharacter, shownSkin } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';

@@ -14,6 +14,7 @@ import {
   setMotion,
   setOffset,
 } from '../../../edit/commands/rig-joint.ts';
+import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
 import { type Character, type Document, findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -40,7 +41,6 @@ import {
 import { nameNote } from './joint-names.ts';
 import { limitRow } from './limit-rows.ts';
 import { motionRows, motionShape } from './motion-rows.ts';
-import { possibleParents } from './parents.ts';
 import { rigging } from './rigging-args.ts';
 
 type Joints = Skeleton['joints'];

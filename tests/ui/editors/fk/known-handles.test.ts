@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
+import { jointHandles } from '../../../../src/evaluate/handles/joint-handles.ts';
 import { KnownHandles } from '../../../../src/ui/editors/fk/known-handles.ts';
-import { jointHandles } from '../../../../src/view/gizmo/handles.ts';
 import { skeleton } from '../../builders.ts';
 
 const ARM = skeleton(['shoulder', -1], ['elbow', 0]);

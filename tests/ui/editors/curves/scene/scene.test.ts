@@ -1,6 +1,7 @@
 /** Which lines there are, what they are called, and that each can be seen. */
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { mixOklab } from '../../../../../src/math/oklab.ts';
 import {
   axisColour,
   BASE_COLOURS,
@@ -8,7 +9,6 @@ import {
   cssColour,
   followingColour,
   mixed,
-  mixOklab,
   otherColour,
 } from '../../../../../src/ui/editors/curves/scene/colours.ts';
 import { sceneLines } from '../../../../../src/ui/editors/curves/scene/scene.ts';

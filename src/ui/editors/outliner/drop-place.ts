@@ -1,23 +1,6 @@
-/** Which joints may hang on which, and where a drop between the rows of a tree puts one. */
+/** Where a drop between the rows of the tree puts a joint. */
+import { branchEnd, canHangOn } from '../../../edit/rig/parents.ts';
 import type { Joint } from '../../../model/skeleton.ts';
-
-/** One past the last joint of the branch that begins with this one: pre-order keeps it in one piece. */
-export function branchEnd(joints: readonly Pick<Joint, 'parent'>[], joint: number): number {
-  let end = joint + 1;
-  while (end < joints.length && joints[end].parent >= joint) end++;
-  return end;
-}
-
-/** Whether a joint can hang on another: not on itself or what hangs on it, and the root on nothing. */
-export function canHangOn(joints: readonly Pick<Joint, 'parent'>[], joint: number, parent: number): boolean {
-  if (joint <= 0 || parent < 0 || joint >= joints.length || parent >= joints.length) return false;
-  return parent < joint || parent >= branchEnd(joints, joint);
-}
-
-/** All that it can, in their order. */
-export function possibleParents(joints: readonly Pick<Joint, 'parent'>[], joint: number): number[] {
-  return [...joints.keys()].filter((parent) => canHangOn(joints, joint, parent));
-}
 
 /** Why a joint that is dropped on a row stays where it is; undefined where there is nothing to be said. */
 export function whyNoDrop(

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { frontOf, look } from '../../../src/view/thumbnails/look.ts';
-import { rasterise } from '../../../src/view/thumbnails/rasterise.ts';
-import { solidOf } from '../../../src/view/thumbnails/solids.ts';
+import { frontOf, look } from '../../../src/evaluate/shapes/look.ts';
+import { rasterise } from '../../../src/evaluate/shapes/rasterise.ts';
+import { solidOf } from '../../../src/evaluate/shapes/solids.ts';
 import { character, joint, skeleton, skin } from '../../helpers/builders.ts';
 
 const dark = { r: 0, g: 0, b: 0 };

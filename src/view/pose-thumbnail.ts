@@ -1,8 +1,8 @@
 /** A small picture of a character in a pose, on a canvas: see-through where nothing is, in two colours of the page. */
-import { type Character, DEFAULT_SPACE } from '../../model/document.ts';
-import { frontOf, look } from './look.ts';
-import { type Rgb, rasterise } from './rasterise.ts';
-import { type Posed, solidOf } from './solids.ts';
+import { frontOf, look } from '../evaluate/shapes/look.ts';
+import { type Rgb, rasterise } from '../evaluate/shapes/rasterise.ts';
+import { type Posed, solidOf } from '../evaluate/shapes/solids.ts';
+import { type Character, DEFAULT_SPACE } from '../model/document.ts';
 
 export interface ThumbnailColours {
   readonly dark: Rgb;

@@ -1,10 +1,10 @@
 /**
- * Which lines the grid draws: the labelled spacing is the least of 1, 2, 5 · 10ⁿ that keeps its lines a given distance
- * apart on screen, so that a character of 0.02 units and one of 200 both stand on a grid one can read.
+ * Round steps, 1, 2 or 5 · 10ⁿ: what lines of a grid are apart, and what numbers snap to. The least that is large enough
+ * suits a character of 0.02 units and one of 200.
  */
 
 /** The least number of the form 1, 2 or 5 · 10ⁿ that is not below `atLeast`; 1 where that is no positive number. */
-export function roundSpacing(atLeast: number): number {
+export function roundStep(atLeast: number): number {
   if (!(atLeast > 0) || !Number.isFinite(atLeast)) return 1;
   const exponent = Math.floor(Math.log10(atLeast));
   for (const step of [1, 2, 5]) {

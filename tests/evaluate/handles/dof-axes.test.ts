@@ -1,12 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { type DofAxis, dofAxes } from '../../../src/evaluate/handles/dof-axes.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { invertAffine, multiplyAffine } from '../../../src/math/mat4.ts';
 import { cross, scaled, transformPoint, transformVector } from '../../../src/math/vec3.ts';
 import { characterDofs } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
 import { type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
-import { type DofAxis, dofAxes } from '../../../src/view/gizmo/dof-axes.ts';
 import { bvhMotion, motion } from '../../formats/arbitraries.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';

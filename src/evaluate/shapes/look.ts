@@ -1,8 +1,8 @@
 /** From where a small picture of a pose is taken: from the front and a little from the left and above. */
-import { readName } from '../../evaluate/retarget/names.ts';
 import { isBvh } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { readName } from '../retarget/names.ts';
 import type { Shaded } from './rasterise.ts';
 import { type Solid, worldOf } from './solids.ts';
 

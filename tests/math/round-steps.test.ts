@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { gridLabel, roundSpacing, subdivisions } from '../../src/view/grid-spacing.ts';
+import { gridLabel, roundStep, subdivisions } from '../../src/math/round-steps.ts';
 
 describe('the grid', () => {
   it.each([
@@ -14,13 +14,13 @@ describe('the grid', () => {
     [70, 100],
     [1e-9, 1e-9],
   ])('whose lines are to be %d apart at least has them %d apart', (atLeast, spacing) => {
-    expect(roundSpacing(atLeast)).toBe(spacing);
+    expect(roundStep(atLeast)).toBe(spacing);
   });
 
   it('the grid is never finer than asked for, and never more than 2.5 times as coarse', () => {
     fc.assert(
       fc.property(fc.double({ min: 1e-12, max: 1e12, noNaN: true }), (atLeast) => {
-        const spacing = roundSpacing(atLeast);
+        const spacing = roundStep(atLeast);
         expect(spacing).toBeGreaterThanOrEqual(atLeast * (1 - 1e-8));
         expect(spacing).toBeLessThanOrEqual(atLeast * 2.5);
       }),
@@ -28,7 +28,7 @@ describe('the grid', () => {
   });
 
   it('the grid has a spacing of 1 where the camera sees nothing', () => {
-    for (const size of [0, -1, Number.NaN, Infinity]) expect(roundSpacing(size)).toBe(1);
+    for (const size of [0, -1, Number.NaN, Infinity]) expect(roundStep(size)).toBe(1);
   });
 
   it('divides its cells into round numbers', () => {

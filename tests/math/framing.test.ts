@@ -9,7 +9,7 @@ import {
   orthographicDepth,
   perspectiveDepth,
   shortTurn,
-} from '../../src/view/framing.ts';
+} from '../../src/math/framing.ts';
 
 const TAN = Math.tan(Math.PI / 10);
 

@@ -1,9 +1,15 @@
 import fc from 'fast-check';
 import { Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import type { Box } from '../../src/model/skeleton.ts';
-import { axesMatrix, boneMatrix, boxMatrix, jointSizes, sphereMatrix } from '../../src/view/joint-shapes.ts';
-import { joint } from '../helpers/builders.ts';
+import {
+  axesMatrix,
+  boneMatrix,
+  boxMatrix,
+  jointSizes,
+  sphereMatrix,
+} from '../../../src/evaluate/shapes/joint-shapes.ts';
+import type { Box } from '../../../src/model/skeleton.ts';
+import { joint } from '../../helpers/builders.ts';
 
 const IDENTITY = Float64Array.from(new Matrix4().elements);
 

@@ -6,8 +6,8 @@
  * In brackets: the character's space (`evaluate/space.ts`), left out where it has none. The last factor is there only
  * "in place": it takes the travel over the ground out of the picture (`evaluate/travel.ts`), and leaves pose and document alone.
  */
-import { metresPerUnit } from '../evaluate/metres.ts';
 import { DEFAULT_SPACE, type Placement, type Space } from '../model/document.ts';
+import { metresPerUnit } from './metres.ts';
 
 /** What is cancelled where nothing is. */
 export const NO_TRAVEL: Float64Array = new Float64Array(3);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { DraggedValue } from '../../../../src/ui/editors/fk/dragged-value.ts';
+import { DraggedValue } from '../../../src/evaluate/handles/dragged-value.ts';
 
 const PLAIN = { fine: false, snap: false };
 const LIMITS = { min: -1, max: 2, hold: true };

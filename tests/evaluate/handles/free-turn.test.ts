@@ -1,5 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { dofAxes } from '../../../src/evaluate/handles/dof-axes.ts';
+import { freeTurn, Turning } from '../../../src/evaluate/handles/free-turn.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { multiplyAffine } from '../../../src/math/mat4.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
@@ -7,8 +9,6 @@ import { add, cross, dot, scaled, unit } from '../../../src/math/vec3.ts';
 import { characterDofs } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
 import { type CompoundDof, EULER_ORDERS, type Motion, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
-import { dofAxes } from '../../../src/view/gizmo/dof-axes.ts';
-import { freeTurn, Turning } from '../../../src/view/gizmo/free-turn.ts';
 import { joint } from '../../helpers/builders.ts';
 import { expectClose } from '../../helpers/close.ts';
 

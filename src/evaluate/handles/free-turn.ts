@@ -2,14 +2,14 @@
  * Turning a joint freely: by a rotation about any axis, taken apart into the DOFs that it has for it. Three angles are
  * the nearest to those before, so that nothing flips; a quaternion stays on its side.
  */
-import { eulerDofs, renamedAxes } from '../../evaluate/euler-dofs.ts';
-import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { determinant3, invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
 import { transformVector, unit, type Vec3 } from '../../math/vec3.ts';
 import { coupleOf } from '../../model/couples.ts';
 import { dofsOf, quaternionDofs } from '../../model/joint-types.ts';
 import type { EulerOrder, Joint, Skeleton } from '../../model/skeleton.ts';
+import { eulerDofs, renamedAxes } from '../euler-dofs.ts';
+import { compileSkeleton } from '../kinematics.ts';
 import { frameOf } from './dof-axes.ts';
 
 /** The DOFs of a joint that make up a whole rotation, as indices into the character's. */

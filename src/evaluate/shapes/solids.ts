@@ -2,14 +2,14 @@
  * A posed character as triangles with normals, in its own space with y up: the skin that is shown, or boxes and bones
  * where there is none. For small pictures: everything is plain arrays, and no GPU is needed.
  */
-import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
-import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { boneEnds } from '../../model/bone-ends.ts';
 import { hasBox } from '../../model/boxes.ts';
 import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { blendMorphs, compileSkin, deform } from '../deform.ts';
+import { compileSkeleton, settleDofs, worldMatrices } from '../kinematics.ts';
 
 export interface Solid {
   /** x y z a vertex. */

@@ -11,8 +11,8 @@
  *
  * Only a box takes the joint's matrix as it is, shear, mirroring and all: the others show where joints are.
  */
-import { boneEnds } from '../model/bone-ends.ts';
-import type { Box, Joint, Skeleton } from '../model/skeleton.ts';
+import { boneEnds } from '../../model/bone-ends.ts';
+import type { Box, Joint, Skeleton } from '../../model/skeleton.ts';
 
 /** Sizes that suit a skeleton, from its rest offsets: as small as a finger's bone wants, and never a speck. */
 export interface JointSizes {

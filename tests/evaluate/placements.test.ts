@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { Euler, Matrix4, Quaternion, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { NO_TRAVEL, placementMatrix } from '../../src/view/placements.ts';
+import { NO_TRAVEL, placementMatrix } from '../../src/evaluate/placements.ts';
 
 const number = fc.double({ min: -10, max: 10, noNaN: true });
 

@@ -8,7 +8,6 @@
  * that are applied after it. What the derivative is like says what kind of handle it is, and no kind of joint is asked
  * for.
  */
-import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { determinant3, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import {
   acrossOf,
@@ -25,6 +24,7 @@ import { dofAxis } from '../../model/dof-axis.ts';
 import { rootDofCount } from '../../model/dofs.ts';
 import { dofsOf, takesLimits } from '../../model/joint-types.ts';
 import type { Motion, Skeleton } from '../../model/skeleton.ts';
+import { compileSkeleton } from '../kinematics.ts';
 
 /**
  * turn: about the axis; a screw's too. slide: along it. stretch: along it, whatever happens across. grow: alike in all
