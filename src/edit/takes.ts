@@ -61,8 +61,8 @@ export function newTakeName(character: Character): string {
 
 /** The same with more than `anim` behind it: `wasp_dance`, for the take `dance` of another. */
 export function takeNameOf(character: Character, what: string): string {
-  const skel = character.sources.find((s) => /\.(ax)?skel$/i.test(s.name));
-  const stem = character.skeleton?.name || (skel && stemOf(skel)) || character.name;
+  const file = character.parts?.skeleton?.file;
+  const stem = character.skeleton?.name || (file && stemOf(file.source)) || character.name;
   const isSaid = what.toLowerCase().startsWith(`${stem.toLowerCase()}_`);
   return uniqueTakeName(character, isSaid ? what : `${stem}_${what}`);
 }
@@ -90,8 +90,8 @@ export function fileInTheWay(character: Character, take: number, name: string): 
   return found?.path === character.parts?.clips[take]?.file?.source.path ? undefined : found;
 }
 
-function takeFiles({ sources }: Character): readonly SourceFile[] {
-  return sources.filter(({ name }) => /\.anim$/i.test(name));
+function takeFiles({ parts }: Character): readonly SourceFile[] {
+  return parts?.clips.flatMap(({ file }) => (file?.kind === 'anim' ? file.source : [])) ?? [];
 }
 
 /** First to last key or frame of a clip's channels, in seconds of the clip; undefined where nothing is animated. */

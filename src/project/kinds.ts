@@ -7,6 +7,9 @@ import { axisAngleObstacle, savesAsAxisAngle } from '../model/axis-angle.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import type { FileKind } from '../model/files.ts';
 
+/** What a text file can hold: all but pictures. */
+export type TextKind = Exclude<FileKind, 'texture'>;
+
 export interface Kind {
   /** Without the dot, lower case; the first one is written. */
   readonly extensions: readonly [string, ...string[]];
@@ -15,9 +18,11 @@ export interface Kind {
   /** In the menu of what can be saved. */
   readonly saveLabel: string;
   /** What a file of it becomes, and what it is made of. */
-  readonly content: Exclude<FileKind, 'texture'>;
+  readonly content: TextKind;
   /** Whether a character has anything to save as such a file. */
   has(character: Character): boolean;
+  /** What keeps a character from being saved as one although it has what the file would hold; a sentence. */
+  whyNot?(character: Character): string | undefined;
   /** Whether that is what a character's own file is; otherwise it is converted, and nothing counts as saved by it. */
   isOwn(character: Character): boolean;
 }
@@ -42,6 +47,7 @@ export const KINDS = {
     saveLabel: 'Axis-angle skeleton (.axskel)',
     content: 'skel',
     has: ({ skeleton }) => skeleton !== undefined && axisAngleObstacle(skeleton) === undefined,
+    whyNot: ({ skeleton }) => skeleton && axisAngleObstacle(skeleton),
     isOwn: (c) => !hasSkeleton(c) || isAxisAngle(c),
   },
   skin: {
@@ -92,7 +98,7 @@ export const KINDS = {
     has: ({ poses }) => (poses?.length ?? 0) > 0,
     isOwn: isAnyones,
   },
-} as const satisfies Readonly<Record<string, Kind>>;
+} as const satisfies Readonly<Record<TextKind | 'axskel', Kind>>;
 
 /** A kind of file, as which a character can be opened and saved: `skel` is the hierarchy form, `axskel` the other. */
 export type FormatKind = keyof typeof KINDS;

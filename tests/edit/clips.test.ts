@@ -45,8 +45,7 @@ describe('clip.create', () => {
 
   it('numbers a name that a file has whose take is called something else by now', () => {
     const [own] = two.characters;
-    const sources = [{ name: 'old.anim', path: 'old.anim', bytes: 1 }];
-    const document = { ...two, characters: [{ ...own, sources }] };
+    const document = { ...two, characters: [{ ...own, parts: clipsFrom('old.anim') }] };
     const made = createClip.run(document, { characterId: 'c1', range: [0, 1], name: 'old' });
     expect(names(made)).toEqual(['walk', 'run', 'old_2']);
   });

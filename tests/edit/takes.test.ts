@@ -10,12 +10,15 @@ import {
 } from '../../src/edit/commands/takes.ts';
 import { CommandError, Store } from '../../src/edit/store.ts';
 import { type Character, DEFAULT_PLACEMENT, type Document, rangeOfClips } from '../../src/model/document.ts';
+import { NO_MARKS, UNMARKED } from '../../src/model/part.ts';
 import { character, clip, documentOf, skin } from '../helpers/builders.ts';
 
 /** A character with a take, as a file of captured motion is one. */
 function take(id: string, range: readonly [number, number] = [0, 1], more: Partial<Character> = {}): Character {
-  const sources = [{ name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 }];
-  return character({ id, name: id, clips: [clip(id, [0], range)], shownClip: 0, sources, ...more });
+  const source = { name: `${id}.bvh`, path: `${id}.bvh`, bytes: 1 };
+  const mark = { ...UNMARKED, file: { kind: 'bvh', source, holds: id } } as const;
+  const parts = { ...NO_MARKS, skeleton: mark, clips: [mark] };
+  return character({ id, name: id, clips: [clip(id, [0], range)], shownClip: 0, sources: [source], parts, ...more });
 }
 
 const three = documentOf(take('a'), take('b', [0.5, 2]), take('c', [-1, 4]));

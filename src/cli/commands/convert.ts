@@ -13,7 +13,7 @@ import { type Diagnostic, hasErrors } from '../../model/diagnostic.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
 import { type FileContent, type FileKind, type ParsedFile, stemOf } from '../../model/files.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { READABLE_EXTENSIONS } from '../../project/kinds.ts';
+import { formatKindOf, READABLE_EXTENSIONS } from '../../project/kinds.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { type Format, formatOf } from '../../project/open/readers.ts';
 import { bvhOf, type NamedFigure, skelOf } from '../../project/save/character-files.ts';
@@ -181,7 +181,7 @@ function skelInForm(skeletons: readonly Skeleton[], source: string, out: string)
 }
 
 function isAxisAngleName(name: string): boolean {
-  return name.toLowerCase().endsWith('.axskel');
+  return formatKindOf(name) === 'axskel';
 }
 
 /** All roots, frames as they were read. */
@@ -230,7 +230,7 @@ function convertedTo(
   if (target === 'skel' && skeletons.length && (files.length === 1 || isAxisAngleName(out))) {
     return skelInForm(skeletons, files[0].source.name, out);
   }
-  const made = outputsOf(characters, target, options).filter(({ name }) => name.toLowerCase().endsWith(`.${target}`));
+  const made = outputsOf(characters, target, options).filter(({ name }) => formatKindOf(name) === target);
   if (made.length === 0) return undefined;
   if (made.length > 1)
     return {

@@ -4,6 +4,7 @@
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, type Space, shownClip } from '../../model/document.ts';
+import { NO_MARKS, type PartMark } from '../../model/part.ts';
 import { finiteNumber, indexIn, listOf } from '../arguments.ts';
 import { requireCharacter } from '../characters.ts';
 import { driverSource, withoutDriver } from '../drivers.ts';
@@ -196,11 +197,11 @@ export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
 };
 
 /** Whether a character is a skeleton that came with its motion, and nothing that anyone would keep without. */
-function isOnlyTakes({ sources, skins, morphs, skeleton }: Character): boolean {
+function isOnlyTakes({ skins, morphs, skeleton, parts = NO_MARKS }: Character): boolean {
   if (!skeleton) return true;
-  return (
-    skins.length === 0 && morphs.length === 0 && sources.length > 0 && sources.every((s) => /\.bvh$/i.test(s.name))
-  );
+  const isOther = (mark: PartMark | undefined) => mark?.file !== undefined && mark.file.kind !== 'bvh';
+  const isCaptured = parts.skeleton?.file?.kind === 'bvh' && ![...parts.clips, parts.poses].some(isOther);
+  return skins.length === 0 && morphs.length === 0 && isCaptured;
 }
 
 /** In place of the take that was shown the next one is; the one before it, where it was the last. */

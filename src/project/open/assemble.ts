@@ -79,7 +79,7 @@ function put<T>(list: readonly T[], at: number, item: T): readonly T[] {
 
 /** Gives a character's skins the textures that they name; the same character where there is nothing to give. */
 export function withTextures(character: Character, given: readonly ParsedFile[]): Character {
-  const skinFolders = character.sources.filter((s) => s.name.toLowerCase().endsWith('.skin')).map(folderOf);
+  const skinFolders = character.parts?.skins.flatMap(({ file }) => (file ? folderOf(file.source) : [])) ?? [];
   let next = character;
   for (const skin of character.skins) {
     const wanted = skin.material?.texture;

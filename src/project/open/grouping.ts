@@ -18,6 +18,7 @@ import {
   sameName,
   stemOf,
 } from '../../model/files.ts';
+import { type FormatKind, KINDS, type TextKind } from '../kinds.ts';
 
 /** A file that was given, read or not. */
 export type GivenFile = ParsedFile | (BrokenFile & { readonly broken: true });
@@ -65,7 +66,7 @@ export function groupFiles(files: readonly GivenFile[]): Grouping {
       continue;
     }
     const { rig } = file;
-    const find = (kind: GivenFile['kind'], name: string | undefined) => {
+    const find = (kind: TextKind, name: string | undefined) => {
       if (name === undefined) return undefined;
       const found = lookUp(files, file, kind, name);
       if (!found) diagnostics.push(partNotGiven(file, kind, name));
@@ -153,19 +154,8 @@ function lookUp(files: readonly GivenFile[], rig: GivenFile, kind: GivenFile['ki
   return fits.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits[0];
 }
 
-const PART_NAMES = {
-  skel: 'skeleton',
-  skin: 'skin',
-  morph: 'morph',
-  anim: 'animation',
-  bvh: 'motion capture',
-  rig: 'rig',
-  pose: 'poses',
-  texture: 'texture',
-};
-
-function partNotGiven(rig: ParsedFile, kind: GivenFile['kind'], name: string): Diagnostic {
-  const message = `The ${PART_NAMES[kind]} "${name}" named by the rig was not among the files.`;
+function partNotGiven(rig: ParsedFile, kind: FormatKind, name: string): Diagnostic {
+  const message = `The ${KINDS[kind].label} "${name}" named by the rig was not among the files.`;
   const assumed = kind === 'morph' ? 'later morphs move up by one' : 'opened without it';
   return withoutPlace('warning', 'part-not-given', message, rig.source.name, assumed);
 }

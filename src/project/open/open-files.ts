@@ -14,6 +14,7 @@ import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type Unus
 import {
   type BrokenFile,
   type Figure,
+  type FileKind,
   folderOf,
   type ParsedFile,
   type SourceFile,
@@ -273,8 +274,8 @@ class Opening {
 }
 
 /** Poses and nothing else: they show nothing by themselves. */
-function isOfPosesAlone(files: readonly { readonly source: SourceFile }[]): boolean {
-  return files.length > 0 && files.every(({ source }) => /\.pose$/i.test(source.name));
+function isOfPosesAlone(files: readonly { readonly kind: FileKind }[]): boolean {
+  return files.length > 0 && files.every(({ kind }) => kind === 'pose');
 }
 
 /** What a file brings that has skeletons; no clips where it is a skeleton alone. */
@@ -288,9 +289,9 @@ function bySkinName(source: SourceFile, characters: readonly Character[]): Chara
   let best: Character | undefined;
   let length = 0;
   for (const character of characters) {
-    const own = character.sources.filter((s) => /\.(skel|skin)$/i.test(s.name)).map(stemOf);
-    for (const name of character.skins.length ? own : []) {
-      const fit = prefixFit(name, stemOf(source));
+    const { skeleton, skins = [] } = character.parts ?? {};
+    for (const file of character.skins.length ? [skeleton?.file, ...skins.map((mark) => mark.file)] : []) {
+      const fit = file ? prefixFit(stemOf(file.source), stemOf(source)) : 0;
       if (fit <= length) continue;
       best = character;
       length = fit;

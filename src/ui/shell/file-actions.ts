@@ -1,15 +1,8 @@
 /** Opening and saving. */
-import { axisAngleObstacle } from '../../model/axis-angle.ts';
-import { FORMAT_KINDS, KINDS } from '../../project/kinds.ts';
+import { FORMAT_KINDS, KINDS, type Kind } from '../../project/kinds.ts';
 import { currentCharacter } from '../state/action.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
-
-/** What stands in the way of the axis-angle form, which is more than that there is no skeleton. */
-function whyNotAxisAngle(wb: Uses<'store'>): string | undefined {
-  const skeleton = currentCharacter(wb)?.skeleton;
-  return skeleton && axisAngleObstacle(skeleton);
-}
 
 const hasCharacters = (wb: Uses<'store'>) => wb.store.document.characters.length > 0;
 
@@ -79,7 +72,11 @@ export const FILE_ACTIONS: readonly Action[] = [
         const character = currentCharacter(wb);
         return character !== undefined && KINDS[kind].has(character);
       },
-      ...(kind === 'axskel' && { whyNot: whyNotAxisAngle }),
+      whyNot(wb) {
+        const { whyNot }: Kind = KINDS[kind];
+        const character = currentCharacter(wb);
+        return character && whyNot?.(character);
+      },
       run(wb) {
         const character = currentCharacter(wb);
         if (character) wb.files.save(character.id, kind);
