@@ -22,6 +22,7 @@ import type { JointMatch } from './joint-match.ts';
 import { compileSkeleton, worldMatrices } from './kinematics.ts';
 import { NO_TRAVEL, placementMatrix } from './placements.ts';
 import { dofCountOf, poseAt } from './pose.ts';
+import type { Steps } from './steps.ts';
 
 export const ALIGNMENTS = ['world', 'root', 'turned'] as const;
 export type Alignment = (typeof ALIGNMENTS)[number];
@@ -105,7 +106,7 @@ export function* measureDistances(
   match: JointMatch,
   times: FrameTimes,
   alignment: Alignment,
-): Generator<number, Distances, void> {
+): Steps<Distances> {
   const one = new PosedJoints(a, match.first, alignment);
   const two = new PosedJoints(b, match.second, alignment);
   const { frameCount, startSeconds, frameSeconds } = times;

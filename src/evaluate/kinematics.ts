@@ -113,11 +113,11 @@ export function clampDofs(skeleton: CompiledSkeleton, dofs: Float64Array): void 
 }
 
 /**
- * Brings DOFs into what the skeleton allows, in place: first all limits, then each coupled DOF takes what it follows,
- * after that one's limits or its own couple, within limits of its own.
- * @param clamps whether limits hold; couples always do
+ * Applies the skeleton's limits and linked DOFs to a pose, in place: all limits first, then each linked DOF from the
+ * final value of the DOF that it follows, clamped to its own limits.
+ * @param clamps whether limits are enforced; links always are
  */
-export function settleDofs(skeleton: CompiledSkeleton, dofs: Float64Array, clamps: boolean): void {
+export function applyConstraints(skeleton: CompiledSkeleton, dofs: Float64Array, clamps: boolean): void {
   if (clamps) clampDofs(skeleton, dofs);
   const { couples, lower, upper } = skeleton;
   const first = skeleton.firstDof[0];

@@ -15,7 +15,7 @@ import { rootDofCount } from '../model/dofs.ts';
 import { type CompiledClip, compileClip } from './compiled-clip.ts';
 import { evaluateClip } from './curves.ts';
 import { drivenPose } from './driven-pose.ts';
-import { type CompiledSkeleton, compileSkeleton, settleDofs } from './kinematics.ts';
+import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import { type SampledJoints, sampledJoints } from './sampled-joints.ts';
 import { samplePose } from './sampled-pose.ts';
@@ -84,7 +84,7 @@ export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Ar
       if (unkeyed.dofs[i] < count) out[unkeyed.dofs[i]] = unkeyed.values[i];
     }
   }
-  if (skeleton) settleDofs(skeleton, out, character.clampsToLimits);
+  if (skeleton) applyConstraints(skeleton, out, character.clampsToLimits);
 }
 
 /** The channel that has the say over a DOF, whatever its kind; none where another has. */

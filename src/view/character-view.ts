@@ -24,6 +24,7 @@ import {
 import { posedBounds } from '../evaluate/bounds.ts';
 import { NO_TRAVEL, placementMatrix } from '../evaluate/placements.ts';
 import { upAxis } from '../evaluate/space.ts';
+import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownSkin } from '../model/document.ts';
 import { baseName, type Texture as Picture, sameName } from '../model/files.ts';
@@ -36,7 +37,7 @@ import { BUILT_AT_ONCE, ShownSkin } from './shown-skin.ts';
 import { skinTexture } from './skin-texture.ts';
 import { SKIN_THEMES } from './skin-theme.ts';
 import type { MarrowSkinnedMesh } from './skinning.ts';
-import { runInSlices, runThrough, type Sliced } from './slices.ts';
+import { runInSlices } from './slices.ts';
 import { STAGE_THEMES, type ThemeName, type Tint } from './theme.ts';
 import { uploadInFrames } from './upload.ts';
 
@@ -75,7 +76,7 @@ export class CharacterView {
   private groups: readonly Group[] = [];
   private skin: ShownSkin | undefined;
   /** A skin on its way: run through at once, or bit by bit in `prepare`. */
-  private building: Sliced<void> | undefined;
+  private building: Steps<void> | undefined;
   private preparing: Promise<void> | undefined;
   private skinLife = new AbortController();
   private picture: Picture | undefined;
@@ -221,7 +222,7 @@ export class CharacterView {
 
   /** The skin's vertices as they are drawn, x y z each, in the character's own space; empty without a skin. */
   vertices(): Float64Array {
-    if (this.building) runThrough(this.building);
+    if (this.building) runToEnd(this.building);
     const mesh = this.skin?.meshes[0];
     if (!mesh) return new Float64Array(0);
     const count = vertexCount(mesh.gpu.skin);
@@ -309,11 +310,11 @@ export class CharacterView {
     this.skin = skin;
     this.building = this.bring(skin);
     if (sizeOf(model, character.morphs) > BUILT_AT_ONCE) return;
-    runThrough(this.building);
+    runToEnd(this.building);
     skin.reveal();
   }
 
-  private *bring(skin: ShownSkin): Sliced<void> {
+  private *bring(skin: ShownSkin): Steps<void> {
     yield* skin.build();
     this.building = undefined;
     skin.place(this.groups);

@@ -13,7 +13,7 @@
  * torn; winding as the file has it, for it may differ from triangle to triangle; normals computed anew, for the file's
  * are smooth where its author wanted.
  */
-import type { Sliced } from './slices.ts';
+import type { Steps } from '../evaluate/steps.ts';
 
 /** Triangles, vertices or edges between two yields: under a millisecond's work. */
 const STRIDE = 16384;
@@ -30,7 +30,7 @@ export interface Facing {
  * @param positions x y z a vertex
  * @param normals x y z a vertex, of any length
  */
-export function* facingOf(triangles: Uint32Array, positions: Float64Array, normals: Float64Array): Sliced<Facing> {
+export function* facingOf(triangles: Uint32Array, positions: Float64Array, normals: Float64Array): Steps<Facing> {
   const vertices = positions.length / 3;
   const count = triangles.length / 3;
   const patches = yield* patchesOf(triangles, vertices);
@@ -144,7 +144,7 @@ class Patches {
 }
 
 /** Edges are sorted by their lower vertex, as in `edgesOf`; those of one vertex are told apart by their upper ones. */
-function* patchesOf(triangles: Uint32Array, vertices: number): Sliced<Patches> {
+function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
   const all = triangles.length;
   const patches = new Patches(all / 3);
   const start = new Uint32Array(vertices + 1);

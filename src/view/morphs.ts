@@ -12,8 +12,8 @@
  * Either way `getVertexPosition` sees what is drawn.
  */
 import { BufferAttribute, type BufferGeometry } from 'three';
+import type { Steps } from '../evaluate/steps.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
-import type { Sliced } from './slices.ts';
 
 /** Weights are uniforms: WebGL2 promises 256 vectors of them, and materials need some. */
 const MOST_ON_GPU = 128;
@@ -39,7 +39,7 @@ export function* morphing(
   positions: Float64Array,
   normals: Float64Array,
   morphs: readonly Morph[],
-): Sliced<Morphing> {
+): Steps<Morphing> {
   const work = (positions.length / 3) * morphs.length;
   if (morphs.length <= MOST_ON_GPU && work <= LARGEST_ON_GPU) {
     return new TargetMorphing(geometry, positions, normals, morphs);
@@ -117,7 +117,7 @@ interface Differences {
   readonly values: Float32Array;
 }
 
-function* sortByVertex(morphs: readonly MorphRows[], base: Float64Array): Sliced<Differences> {
+function* sortByVertex(morphs: readonly MorphRows[], base: Float64Array): Steps<Differences> {
   const vertexCount = base.length / 3;
   const counts = new Uint32Array(vertexCount);
   let all = 0;

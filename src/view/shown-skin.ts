@@ -5,6 +5,7 @@
 import { type Box3, BufferAttribute, type BufferGeometry, type Group, type Sphere, type Texture } from 'three';
 import { posedBounds, type SkinBounds, skinBounds } from '../evaluate/bounds.ts';
 import { type CompiledSkin, compileSkin, skinMatrices } from '../evaluate/deform.ts';
+import { runToEnd, type Steps } from '../evaluate/steps.ts';
 import type { Morph } from '../model/morph.ts';
 import type { Display, SkinStyle } from '../model/session.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
@@ -14,7 +15,7 @@ import { edgesOf, influenceOf, normalsGeometry, packSkin, wireGeometry } from '.
 import { SkinMaterials } from './skin-materials.ts';
 import type { SkinTheme } from './skin-theme.ts';
 import { ExactSkeleton, MarrowSkinnedMesh, type SkinGpu, SkinnedLines } from './skinning.ts';
-import { runInSlices, runThrough, type Sliced } from './slices.ts';
+import { runInSlices } from './slices.ts';
 
 /** Up to so many vertices a skin is built, and its wire made, at once: a few milliseconds. */
 export const BUILT_AT_ONCE = 40_000;
@@ -76,7 +77,7 @@ export class ShownSkin {
   }
 
   /** Converts everything for the GPU. Nothing is drawn before it has run through, and `reveal` was called. */
-  *build(): Sliced<void> {
+  *build(): Steps<void> {
     const { skin, compiled, skeleton } = this;
     const isPosed = this.bones !== undefined;
     const packed = yield* packSkin(skin, compiled.normals, skeleton.identityIndex, isPosed);
@@ -252,7 +253,7 @@ export class ShownSkin {
     const vertices = vertexCount(this.skin);
     const work = edgesOf(this.skin.triangles, vertices);
     if (vertices <= BUILT_AT_ONCE) {
-      this.wire = wireGeometry(gpu.geometry, runThrough(work));
+      this.wire = wireGeometry(gpu.geometry, runToEnd(work));
       return;
     }
     this.wireIsComing = true;

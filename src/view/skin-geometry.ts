@@ -19,9 +19,9 @@ import {
   InstancedBufferGeometry,
   RGFormat,
 } from 'three';
+import type { Steps } from '../evaluate/steps.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { facingOf } from './facing.ts';
-import type { Sliced } from './slices.ts';
 
 /** How many attachments the attributes hold. */
 const IN_ATTRIBUTES = 4;
@@ -42,7 +42,7 @@ export interface PackedSkin {
  * @param identity index of the identity among the bone matrices
  * @param isPosed whether there is a skeleton
  */
-export function* packSkin(skin: Skin, normals: Float64Array, identity: number, isPosed: boolean): Sliced<PackedSkin> {
+export function* packSkin(skin: Skin, normals: Float64Array, identity: number, isPosed: boolean): Steps<PackedSkin> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(yield* floatsOf(skin.positions, 0), 3));
   geometry.setAttribute('normal', new BufferAttribute(yield* floatsOf(normals, 0.1), 3));
@@ -58,7 +58,7 @@ export function* packSkin(skin: Skin, normals: Float64Array, identity: number, i
 }
 
 /** @param done how far the whole work is */
-function* floatsOf(doubles: Float64Array, done: number): Sliced<Float32Array<ArrayBuffer>> {
+function* floatsOf(doubles: Float64Array, done: number): Steps<Float32Array<ArrayBuffer>> {
   const floats = new Float32Array(doubles.length);
   for (let i = 0; i < doubles.length; i += STRIDE) {
     floats.set(doubles.subarray(i, i + STRIDE), i);
@@ -72,7 +72,7 @@ function* packAttachments(
   identity: number,
   isPosed: boolean,
   geometry: BufferGeometry,
-): Sliced<DataTexture | undefined> {
+): Steps<DataTexture | undefined> {
   const vertices = vertexCount(skin);
   const { attachments } = skin;
   const indices =
@@ -125,7 +125,7 @@ function* packAttachments(
  *
  * Edges are sorted by their lower vertex in two passes; those of one vertex are told apart by marking the upper ones.
  */
-export function* edgesOf(triangles: Uint32Array, vertices: number): Sliced<Uint32Array<ArrayBuffer>> {
+export function* edgesOf(triangles: Uint32Array, vertices: number): Steps<Uint32Array<ArrayBuffer>> {
   const start = new Uint32Array(vertices + 1);
   const all = triangles.length;
   for (let i = 0; i < all; i++) {

@@ -1,25 +1,14 @@
 /**
- * Long work on the main thread, cut up so that the page goes on answering: a generator that yields every now and then,
- * and either runs through at once or is given a few milliseconds at a time.
+ * Long work on the main thread in slices of a few milliseconds, so that the page stays responsive.
  */
-
-/** Work that yields how far it is, 0 to 1, at least every few milliseconds. */
-export type Sliced<T> = Generator<number, T, void>;
+import type { Steps } from '../evaluate/steps.ts';
 
 /** Milliseconds at a stretch: half of what a frame at 60 Hz has, and far from a task that is felt. */
 const BUDGET_MS = 8;
 
-/** All at once. */
-export function runThrough<T>(work: Sliced<T>): T {
-  for (;;) {
-    const step = work.next();
-    if (step.done) return step.value;
-  }
-}
-
 /** Bit by bit. Gives undefined when `signal` aborts it. */
 export async function runInSlices<T>(
-  work: Sliced<T>,
+  work: Steps<T>,
   signal: AbortSignal,
   onProgress?: (done: number) => void,
 ): Promise<T | undefined> {

@@ -8,9 +8,9 @@ import { commonFrames, measureDistances } from '../../src/evaluate/distance.ts';
 import { matchJoints } from '../../src/evaluate/joint-match.ts';
 import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
+import { runToEnd } from '../../src/evaluate/steps.ts';
 import { type ChannelClip, restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
-import { runThrough } from '../../src/view/slices.ts';
 import { character, joint } from '../helpers/builders.ts';
 
 const JOINTS = 60;
@@ -71,6 +71,6 @@ describe('distances of two takes, 3,000 frames of 60 joints', () => {
   });
 
   bench('measuring them', () => {
-    runThrough(measureDistances(a, b, match, times, 'turned'));
+    runToEnd(measureDistances(a, b, match, times, 'turned'));
   });
 });

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { compileSkeleton, settleDofs } from '../../src/evaluate/kinematics.ts';
+import { applyConstraints, compileSkeleton } from '../../src/evaluate/kinematics.ts';
 import { poseAt } from '../../src/evaluate/pose.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { coupleOf, couplesOf } from '../../src/model/couples.ts';
@@ -18,7 +18,7 @@ function skel(text: string): Skeleton {
 function settled(skeleton: Skeleton, values: readonly number[], clamps = true): number[] {
   const compiled = compileSkeleton(skeleton);
   const dofs = Float64Array.of(...new Array<number>(compiled.firstDof[0]).fill(0), ...values);
-  settleDofs(compiled, dofs, clamps);
+  applyConstraints(compiled, dofs, clamps);
   return [...dofs.subarray(compiled.firstDof[0])];
 }
 

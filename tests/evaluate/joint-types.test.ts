@@ -1,6 +1,6 @@
 /** Skeletons of every joint type through the reader, against the reference's world matrices. */
 import { expect, it } from 'vitest';
-import { compileSkeleton, settleDofs, worldMatrices } from '../../src/evaluate/kinematics.ts';
+import { applyConstraints, compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { readSkel } from '../../src/formats/skel/read.ts';
 import { writeSkel } from '../../src/formats/skel/write.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
@@ -37,7 +37,7 @@ describeShared('joint types, against the reference', () => {
     const world = new Float64Array(16 * compiled.jointCount);
     for (const set of sets) {
       pose.set(set.dofs, first);
-      settleDofs(compiled, pose, true);
+      applyConstraints(compiled, pose, true);
       // It comes on top of what a root has of its own, after its limits.
       compiled.travel.forEach((dof, k) => {
         pose[dof] = set.root_translation[k] + (first ? 0 : pose[dof]);

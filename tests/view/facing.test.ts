@@ -1,14 +1,14 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { runToEnd } from '../../src/evaluate/steps.ts';
 import { facingOf } from '../../src/view/facing.ts';
-import { runThrough } from '../../src/view/slices.ts';
 
 /** An octahedron wound outward, and its smooth normals, which are its corners. */
 const CORNERS = Float64Array.of(1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1);
 const OUTWARD = Uint32Array.of(0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5);
 const UNTURNED = new Float32Array(6);
 
-const facing = (triangles: Uint32Array, normals = CORNERS) => runThrough(facingOf(triangles, CORNERS, normals));
+const facing = (triangles: Uint32Array, normals = CORNERS) => runToEnd(facingOf(triangles, CORNERS, normals));
 
 /** Some triangles with their first two corners exchanged. */
 function rewound(which: readonly boolean[]): Uint32Array {
@@ -53,7 +53,7 @@ describe('the facing of a skin', () => {
   it('takes each patch by itself: a reversed one beside a right one', () => {
     const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0);
     const normals = Float64Array.from({ length: 18 }, (_, i) => (i % 3 === 2 ? 1 : 0));
-    const { triangles, turned } = runThrough(facingOf(Uint32Array.of(0, 1, 2, 4, 3, 5), positions, normals));
+    const { triangles, turned } = runToEnd(facingOf(Uint32Array.of(0, 1, 2, 4, 3, 5), positions, normals));
     expect([...triangles]).toEqual([0, 1, 2, 3, 4, 5]);
     expect(turned).toEqual(UNTURNED);
   });
@@ -63,7 +63,7 @@ describe('the facing of a skin', () => {
     const positions = Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0);
     const normals = Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1);
     const twice = Uint32Array.of(0, 1, 2, 0, 2, 3, 1, 0, 2, 2, 0, 3);
-    const { triangles } = runThrough(facingOf(twice, positions, normals));
+    const { triangles } = runToEnd(facingOf(twice, positions, normals));
     expect([...triangles]).toEqual([0, 1, 2, 0, 2, 3, 0, 1, 2, 0, 2, 3]);
   });
 
@@ -78,7 +78,7 @@ describe('the facing of a skin', () => {
     fc.assert(
       fc.property(fc.shuffledSubarray(strip, { minLength: count }), turns, (right, turn) => {
         const given = right.map(([a, b, c], t) => (turn[t] ? [b, a, c] : [a, b, c]));
-        const { triangles } = runThrough(facingOf(Uint32Array.from(given.flat()), positions, normals));
+        const { triangles } = runToEnd(facingOf(Uint32Array.from(given.flat()), positions, normals));
         expect([...triangles]).toEqual(right.flat());
       }),
     );

@@ -1,9 +1,9 @@
 import { type BufferAttribute, Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { runToEnd } from '../../src/evaluate/steps.ts';
 import type { Morph } from '../../src/model/morph.ts';
 import { morphing } from '../../src/view/morphs.ts';
 import { packSkin } from '../../src/view/skin-geometry.ts';
-import { runThrough } from '../../src/view/slices.ts';
 import { skin } from '../helpers/builders.ts';
 
 const rows = (indices: number[], values: number[]) => ({
@@ -16,13 +16,13 @@ const none = rows([], []);
 function morphed(filler: number) {
   const base = skin();
   const normals = Float64Array.of(0, 0, 1, 0, 0, 1, 0, 0, 1);
-  const { geometry } = runThrough(packSkin(base, normals, 1, true));
+  const { geometry } = runToEnd(packSkin(base, normals, 1, true));
   const morphs: Morph[] = [
     { name: 'up', positions: rows([0, 1], [0, 2, 0, 1, 2, 0]), normals: rows([1], [0, 1, 0]) },
     { name: 'out', positions: rows([1], [1, 0, 10]), normals: none },
     ...Array.from({ length: filler }, (_, i) => ({ name: `${i}`, positions: none, normals: none })),
   ];
-  const made = runThrough(morphing(geometry, base.positions, normals, morphs));
+  const made = runToEnd(morphing(geometry, base.positions, normals, morphs));
   const mesh = new Mesh(geometry);
   if (made.influences.length > 0) mesh.morphTargetInfluences = made.influences;
   return {

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { runToEnd } from '../../src/evaluate/steps.ts';
 import { edgesOf, influenceOf, normalsGeometry, packSkin } from '../../src/view/skin-geometry.ts';
-import { runThrough } from '../../src/view/slices.ts';
 import { skin } from '../helpers/builders.ts';
 
 const many = (counts: readonly number[]) =>
@@ -23,7 +23,7 @@ const many = (counts: readonly number[]) =>
 describe('a skin packed for the GPU', () => {
   it('has four attachments a vertex in attributes and the rest in a texture, in ranges', () => {
     const model = many([0, 1, 4, 6, 9, 0]);
-    const { geometry, attachmentTexture } = runThrough(packSkin(model, model.positions, 99, true));
+    const { geometry, attachmentTexture } = runToEnd(packSkin(model, model.positions, 99, true));
     const index = geometry.getAttribute('skinIndex');
     const weight = geometry.getAttribute('skinWeight');
     expect([...index.array]).toEqual([99, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 3, 0, 1, 2, 3, 0, 1, 2, 3, 99, 0, 0, 0]);
@@ -36,22 +36,22 @@ describe('a skin packed for the GPU', () => {
 
   it('a skin packed for the GPU has no texture where four are enough, and hangs on the root without any', () => {
     const model = many([0, 1, 4]);
-    expect(runThrough(packSkin(model, model.positions, 9, true)).attachmentTexture).toBeUndefined();
+    expect(runToEnd(packSkin(model, model.positions, 9, true)).attachmentTexture).toBeUndefined();
     const { attachments: _, ...bare } = skin();
-    const { geometry } = runThrough(packSkin(bare, bare.positions, 9, true));
+    const { geometry } = runToEnd(packSkin(bare, bare.positions, 9, true));
     expect([...geometry.getAttribute('skinWeight').array]).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0]);
   });
 
   it('hangs on the identity without a skeleton', () => {
     const model = many([0, 1, 9]);
-    const { geometry, attachmentTexture } = runThrough(packSkin(model, model.positions, 7, false));
+    const { geometry, attachmentTexture } = runToEnd(packSkin(model, model.positions, 7, false));
     expect([...geometry.getAttribute('skinIndex').array]).toEqual([7, 0, 0, 0, 7, 0, 0, 0, 7, 0, 0, 0]);
     expect(attachmentTexture).toBeUndefined();
   });
 
   it('takes more joints than 16 bits count', () => {
     const model = many([1]);
-    const { geometry } = runThrough(packSkin(model, model.positions, 70_000, true));
+    const { geometry } = runToEnd(packSkin(model, model.positions, 70_000, true));
     expect(geometry.getAttribute('skinIndex').array).toBeInstanceOf(Float32Array);
   });
 
@@ -69,7 +69,7 @@ describe('a skin packed for the GPU', () => {
   });
 
   it('shares its arrays with the lines that show its normals', () => {
-    const { geometry } = runThrough(packSkin(skin(), new Float64Array(9), 9, true));
+    const { geometry } = runToEnd(packSkin(skin(), new Float64Array(9), 9, true));
     const lines = normalsGeometry(geometry);
     expect(lines.getAttribute('position').array).toBe(geometry.getAttribute('position').array);
     expect(lines.instanceCount).toBe(3);
@@ -94,7 +94,7 @@ describe('the wire of a skin', () => {
       Array.from({ length: pairs.length / 2 }, (_, e) => `${pairs[2 * e]}-${pairs[2 * e + 1]}`).sort();
     fc.assert(
       fc.property(triangles, (all) => {
-        expect(sorted(runThrough(edgesOf(all, 10)))).toEqual([...sidesOf(all)].sort());
+        expect(sorted(runToEnd(edgesOf(all, 10)))).toEqual([...sidesOf(all)].sort());
       }),
     );
   });

@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { runInSlices, runThrough, type Sliced } from '../../src/view/slices.ts';
+import { runToEnd, type Steps } from '../../src/evaluate/steps.ts';
+import { runInSlices } from '../../src/view/slices.ts';
 
-function* count(to: number, seen: number[] = []): Sliced<number> {
+function* count(to: number, seen: number[] = []): Steps<number> {
   for (let i = 0; i < to; i++) {
     seen.push(i);
     yield i / to;
@@ -11,14 +12,14 @@ function* count(to: number, seen: number[] = []): Sliced<number> {
 
 describe('work in slices', () => {
   it('comes to the same as at once', async () => {
-    expect(runThrough(count(1000))).toBe(1000);
+    expect(runToEnd(count(1000))).toBe(1000);
     expect(await runInSlices(count(1000), new AbortController().signal)).toBe(1000);
   });
 
   it('stops when it is no longer wanted', async () => {
     const seen: number[] = [];
     const life = new AbortController();
-    function* work(): Sliced<number> {
+    function* work(): Steps<number> {
       yield* count(3, seen);
       life.abort();
       yield* count(3, seen);

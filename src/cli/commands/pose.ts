@@ -7,7 +7,7 @@
  */
 import { blendMorphs, compileSkin, deform } from '../../evaluate/deform.ts';
 import { type EndSitePosition, endSitePositions, tipPosition } from '../../evaluate/end-sites.ts';
-import { compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { applyConstraints, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, EMPTY_DOCUMENT, shownClip, shownSkin } from '../../model/document.ts';
@@ -210,7 +210,7 @@ function poseValues(character: Character, asked: Asked): Float64Array {
   if (morphs && character.morphs.length) values.set(morphs, values.length - morphs.length);
   if (!skeleton) return values;
   const compiled = compileSkeleton(skeleton);
-  settleDofs(compiled, values, true);
+  applyConstraints(compiled, values, true);
   // A root that moves by itself has its own say over where it is, within its limits; the translation is added to that.
   if (root && !own) {
     compiled.travel.forEach((dof, k) => {

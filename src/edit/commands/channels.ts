@@ -3,6 +3,8 @@
  * that were selected before are still there, and what has changed is what one wants to see. Where nothing changes the
  * document is the very same, and no step is made.
  */
+
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import type { Document } from '../../model/document.ts';
 import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
@@ -18,7 +20,6 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { allKeys } from '../keys/selection.ts';
 import { refuseMoved } from '../refuse-moved.ts';
 import { filteringAngles } from '../samples/euler-filter.ts';
-import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 
@@ -65,7 +66,7 @@ export function resamplePreview(document: Document, args: Resample): Reduction {
 export const eulerFilter: Command<OfChannels, Edit> = {
   id: 'channels.eulerFilter',
   label: () => 'Euler filter',
-  run: (document, args) => finished(eulerFilterSteps(document, args)).edit,
+  run: (document, args) => runToEnd(eulerFilterSteps(document, args)).edit,
 };
 
 /** What the filter came to. */

@@ -3,6 +3,7 @@
  * every frame of the range, by inverse kinematics on each frame's own pose; see `hold/`.
  */
 import { ikOf } from '../../evaluate/ik/set-up.ts';
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
@@ -13,7 +14,6 @@ import { type HeldTake, holding, placesAt } from '../hold/hold.ts';
 import type { HoldWindow } from '../hold/window.ts';
 import { rangeFrom } from '../key-dofs.ts';
 import { refuseMoved } from '../refuse-moved.ts';
-import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { requireTake, withChannels, withTake } from '../takes.ts';
 import { withUnkeyed } from '../unkeyed.ts';
@@ -41,7 +41,7 @@ const EASE_SECONDS = 0.1;
 export const holdPins: Command<HoldPins, Edit> = {
   id: 'hold.pins',
   label: (document, { characterId, pins }) => `Hold ${pinnedNames(requireCharacter(document, characterId), pins)}`,
-  run: (document, args) => finished(holdSteps(document, args)).edit,
+  run: (document, args) => runToEnd(holdSteps(document, args)).edit,
 };
 
 /** What a hold came to, with the document as it is after it. */

@@ -3,6 +3,8 @@
  * into keys. Seconds are the clip's. Refused while another character's take moves the character: nobody would see it.
  * Where nothing changes the document is the very same, and no step is made.
  */
+
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
@@ -18,7 +20,6 @@ import { resampling } from '../samples/resample.ts';
 import { reversing } from '../samples/reverse.ts';
 import { jointRotations } from '../samples/rotations.ts';
 import { type SampleFilter, smoothing } from '../samples/smooth.ts';
-import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { requireTake, uniqueTakeName, withTake } from '../takes.ts';
 import { withoutUnkeyed } from '../unkeyed.ts';
@@ -85,7 +86,7 @@ export interface ResampleSamples extends OfSamples {
 export const resampleSamples: Command<ResampleSamples> = {
   id: 'samples.resample',
   label: (document, args) => `Resample ${nameOf(document, args)}`,
-  run: (document, args) => finished(resampleSteps(document, args)),
+  run: (document, args) => runToEnd(resampleSteps(document, args)),
 };
 
 /** The same, pausing every few milliseconds with the part that is done. */
@@ -100,7 +101,7 @@ export function* resampleSteps(document: Document, args: ResampleSamples): Steps
 export const reverseSamples: Command<OfSamples> = {
   id: 'samples.reverse',
   label: (document, args) => `Reverse ${nameOf(document, args)}`,
-  run: (document, args) => finished(reverseSteps(document, args)),
+  run: (document, args) => runToEnd(reverseSteps(document, args)),
 };
 
 /** The same, pausing every few milliseconds with the part that is done. */
@@ -125,7 +126,7 @@ export const smoothSamples: Command<SmoothSamples> = {
   id: 'samples.smooth',
   label: (document, args) =>
     args.filter === 'median' ? `Remove spikes from ${nameOf(document, args)}` : `Smooth ${nameOf(document, args)}`,
-  run: (document, args) => finished(smoothSteps(document, args)),
+  run: (document, args) => runToEnd(smoothSteps(document, args)),
 };
 
 /** The same, pausing every few milliseconds with the part that is done. */
@@ -174,7 +175,7 @@ export interface ConvertToKeys extends OfSamples {
 export const convertToKeys: Command<ConvertToKeys, Edit> = {
   id: 'samples.convertToKeys',
   label: (document, args) => `Convert ${nameOf(document, args)} to keys`,
-  run: (document, args) => finished(convertSteps(document, args)).edit,
+  run: (document, args) => runToEnd(convertSteps(document, args)).edit,
 };
 
 /** What the conversion came to, with the document as it is after it. */

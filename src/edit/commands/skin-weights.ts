@@ -5,6 +5,7 @@
  */
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { runToEnd, type Steps } from '../../evaluate/steps.ts';
 import { boneSegments } from '../../evaluate/weights/bones.ts';
 import { heatWeights } from '../../evaluate/weights/heat-weights.ts';
 import { invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
@@ -14,7 +15,6 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
-import { finished, type Steps } from '../samples/steps.ts';
 import { type Command, CommandError } from '../store.ts';
 
 /**
@@ -58,7 +58,7 @@ export const autoWeights: Command<AutoWeights> = {
     const { skins, shownSkin } = requireCharacter(document, args.characterId);
     return `Automatic weights of ${skins[args.skin ?? shownSkin]?.name ?? 'the skin'}`;
   },
-  run: (document, args) => finished(autoWeightsSteps(document, args)).document,
+  run: (document, args) => runToEnd(autoWeightsSteps(document, args)).document,
 };
 
 /** The same, pausing every few milliseconds with the part that is done. */

@@ -6,6 +6,7 @@
  * with few; what is further off than allowed gets less, until nothing is. As *convert to keys* does.
  */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
+import type { Steps } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
@@ -15,7 +16,6 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 import { replacingColumns } from '../samples/columns.ts';
 import { firstFrameFrom } from '../samples/frames.ts';
-import type { Steps } from '../samples/steps.ts';
 import type { HeldFrames } from './frames.ts';
 import { distances, withHalves } from './measure.ts';
 import { replaceStretch } from './replace-curve.ts';

@@ -3,7 +3,7 @@
  * stretched: exactly as near as can be would be a jerk. No pin is at its place there anyway, so changes of such frames
  * come and go at a pace instead, from the frame before and to the one after.
  */
-import { type CompiledSkeleton, settleDofs } from '../../evaluate/kinematics.ts';
+import { applyConstraints, type CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import type { HeldFrames } from './frames.ts';
 
 /** Radians, and reaches, in a second: about as fast as people and creatures move. */
@@ -35,7 +35,7 @@ export function calm(
       const change = held[p + d] - own[p + d];
       held[o + d] = own[o + d] + change + part * (held[o + d] - own[o + d] - change);
     }
-    settleDofs(compiled, held.subarray(o, o + width), clamps);
+    applyConstraints(compiled, held.subarray(o, o + width), clamps);
   };
   for (let f = 1; f < times.length; f++) follow(f, f - 1);
   for (let f = times.length - 2; f >= 0; f--) follow(f, f + 1);

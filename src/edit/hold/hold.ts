@@ -7,12 +7,12 @@
 import { ikOf, type PinTarget, pinTarget, reachOfSkeleton, stiffnessOf } from '../../evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import { type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { Pin } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { refuseTooMany } from '../samples/most-frames.ts';
-import { type Steps, within } from '../samples/steps.ts';
 import { withTake } from '../takes.ts';
 import { bakingFrames, thinning } from './bake.ts';
 import { changedDofs } from './changed-dofs.ts';

@@ -5,7 +5,7 @@
  * the joints above have by now. So where a joint can't turn as its counterpart did, those below make up for it as far as
  * they can. DOFs that follow others are left to what they follow.
  */
-import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
 import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
 import { withoutRoundOff } from '../../math/round-off.ts';
@@ -73,7 +73,7 @@ export function mirroredPose(
       : undefined;
   if (isCarried && !stand && compiled.hasRootTranslation) mirrorTravel(reflection, from, out);
   new Mirroring(skeleton, compiled, reflection, from, out, clamps, stand).run(new Set(joints));
-  settleDofs(compiled, out, clamps);
+  applyConstraints(compiled, out, clamps);
   return { dofs: out, joints, alone };
 }
 

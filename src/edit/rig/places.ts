@@ -1,5 +1,5 @@
 /** Joints put back where they were, in the pose shown, after what they hang on has changed. */
-import { type CompiledSkeleton, settleDofs, worldMatrices } from '../../evaluate/kinematics.ts';
+import { applyConstraints, type CompiledSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { isDriven } from '../../evaluate/pose.ts';
 import { fitJoint, jointFit } from '../../evaluate/retarget/fit.ts';
 import { backMultiply3, setIdentity3, writeRotationPart } from '../../math/mat3.ts';
@@ -157,7 +157,7 @@ function turnedInFile(
 function inFilePose(character: Character): Shown {
   const shown = shownAt(character, 0);
   const dofs = Float64Array.from(filePose(character.skeleton, character.morphs.length));
-  settleDofs(shown.compiled, dofs, false);
+  applyConstraints(shown.compiled, dofs, false);
   const world = new Float64Array(shown.world.length);
   worldMatrices(shown.compiled, dofs, world);
   return { compiled: shown.compiled, dofs, world };
@@ -197,7 +197,7 @@ function dofsAs(
   const values = dofs.slice();
   fitJoint(compiled, j, fit, wanted.subarray(18), new Float64Array(3), 0, values);
   const settled = values.slice();
-  settleDofs(compiled, settled, clamps);
+  applyConstraints(compiled, settled, clamps);
   worldMatrices(compiled, settled, world);
   return isTurned(world, TURNED) ? values : undefined;
 }

@@ -2,8 +2,9 @@
  * Columns of samples on their own, in model units, and samples with some of them replaced. Both go a few rows at a time,
  * with all of their columns: column by column would go through the memory of all rows again for each.
  */
+
+import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import type { Samples } from '../../model/samples.ts';
-import { STEP_VALUES, type Steps } from './steps.ts';
 
 /** Columns by their numbers, an entry a frame. */
 export function* takingColumns(samples: Samples, columns: readonly number[]): Steps<Map<number, Float64Array>> {

@@ -23,6 +23,8 @@
  *
  * It is a generator, which pauses every few milliseconds: a page does it between frames and can stop it.
  */
+
+import { type Steps, within } from '../../evaluate/steps.ts';
 import type { ChannelClip, KeyedChannel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { type CharacterDof, characterDofs } from '../../model/dofs.ts';
@@ -34,7 +36,6 @@ import { fittingFrames } from './fit-frames.ts';
 import { requireSamples } from './frames.ts';
 import { measuringPoses, type PoseErrors } from './pose-error.ts';
 import { jointRotations, unroll, unrollTriples } from './rotations.ts';
-import { type Steps, within } from './steps.ts';
 
 export interface Tolerance {
   /** How far a joint or End Site may be from where it was, in the file's lengths; above 0. */

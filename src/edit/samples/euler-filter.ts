@@ -6,6 +6,8 @@
  * or as the other triple of the same rotation. Between frames nothing changes, for samples turn joints from rotation to
  * rotation; the curves do, and so does what is made of them: keys, files.
  */
+
+import { type Steps, within } from '../../evaluate/steps.ts';
 import type { Channel, ChannelClip, KeyedChannel } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
@@ -13,7 +15,6 @@ import { columnOf, type Samples } from '../../model/samples.ts';
 import { keysChanged } from '../channels/euler-filter.ts';
 import { filterCharacter } from '../channels/rotations.ts';
 import { replacingColumns, takingColumns } from './columns.ts';
-import { type Steps, within } from './steps.ts';
 
 export interface FilteredClip {
   /** The very same channels and samples where nothing changed. */

@@ -7,8 +7,10 @@
  *
  * World means the character's own space, before it is placed, with limits not held.
  */
+
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
+import type { Steps } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import type { Samples } from '../../model/samples.ts';
@@ -34,7 +36,7 @@ export function* measuringPoses(
   before: ChannelClip,
   after: ChannelClip,
   { frameCount, startSeconds, frameSeconds }: Samples,
-): Generator<number, PoseErrors> {
+): Steps<PoseErrors> {
   const { skeleton } = character;
   const count = dofCountOf(character);
   const jointCount = skeleton?.joints.length ?? 0;

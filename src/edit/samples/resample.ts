@@ -3,12 +3,12 @@
  * or cubic), and joints turn along their way from one rotation to the next, not angle by angle.
  */
 import { poseAt } from '../../evaluate/pose.ts';
+import type { Steps } from '../../evaluate/steps.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { requireSamples } from './frames.ts';
 import { refuseTooMany } from './most-frames.ts';
-import type { Steps } from './steps.ts';
 import { takeAlone } from './take-alone.ts';
 
 /** Frames from one pause to the next. */

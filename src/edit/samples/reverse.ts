@@ -3,12 +3,13 @@
  *
  *     t  →  start + stop − t
  */
+
+import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
 import { sameValue } from '../delta.ts';
 import { scaleKeys } from '../keys/scale.ts';
 import { requireSamples } from './frames.ts';
-import { STEP_VALUES, type Steps } from './steps.ts';
 
 export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
   const samples = requireSamples(clip);

@@ -18,6 +18,8 @@
  * (Savitzky–Golay keeps peaks higher for the same window but lets some jitter through with its sign turned; a Gaussian's
  * one number is one that people have a feeling for.)
  */
+
+import { type Steps, within } from '../../evaluate/steps.ts';
 import { turnedNear } from '../../math/euler.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import type { CharacterDof } from '../../model/dofs.ts';
@@ -28,7 +30,6 @@ import { convolving, gaussian } from './gaussian.ts';
 import { medianFrame, medianRotation } from './median.ts';
 import { anglesOf, type JointRotation, nearestForm, putQuaternions, unroll } from './rotations.ts';
 import { type FrameRange, frameRange, isWhole, weightAt } from './seam.ts';
-import { type Steps, within } from './steps.ts';
 
 export type SampleFilter =
   /** σ in seconds, above 0. */

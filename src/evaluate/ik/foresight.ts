@@ -10,7 +10,7 @@
  * Where the last solution didn't come there, because of limits or pins that hold, the errors are mostly such as no step
  * takes away, and say nothing of the hand: nothing is foreseen then.
  */
-import { lookAt } from './forward.ts';
+import { evaluatePose } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
 import { FIRST_BOOST, freezeAtLimits, takeStep, writeStep } from './levenberg.ts';
 import type { IkProblem } from './state.ts';
@@ -40,7 +40,7 @@ export function stepForeseen(problem: IkProblem, dofs: Float64Array, error: numb
   for (let v = 0; v < count; v++) before[v] = dofs[dof[v]];
   writeStep(problem, foreseen, FIRST_BOOST * (error + 1e-6), true);
   takeStep(problem, dofs);
-  const next = lookAt(problem, dofs);
+  const next = evaluatePose(problem, dofs);
   if (next < error) {
     for (let r = 0; r < rows; r++) bend[r] = errors[r] - expected[r] + part * bend[r];
     return next;
@@ -48,7 +48,7 @@ export function stepForeseen(problem: IkProblem, dofs: Float64Array, error: numb
   // What is undone teaches nothing; beside no last errors the bend, too, counts for nothing.
   for (let r = 0; r < rows; r++) last[r] = 0;
   for (let v = 0; v < count; v++) dofs[dof[v]] = before[v];
-  return lookAt(problem, dofs);
+  return evaluatePose(problem, dofs);
 }
 
 /** How long the errors are along the last ones, beside those, squared; 0 where nothing is foreseen. */

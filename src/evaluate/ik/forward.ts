@@ -2,15 +2,15 @@
 import { multiplyAffine } from '../../math/mat4.ts';
 import { length3 } from '../../math/vec3.ts';
 import { writeMatrices } from './chain.ts';
-import { FRAME_SIZE, writeFrame, writeTurnLeft } from './orientation.ts';
+import { FRAME_SIZE, writeFrame, writeOrientationError } from './orientation.ts';
 import type { IkProblem } from './state.ts';
 import { settleFollowers } from './variables.ts';
 
 /**
- * Looks at a pose: matrices, positions, errors. Coupled DOFs take their places in `dofs`.
+ * Evaluates a pose: matrices, positions, errors. Linked DOFs are written into `dofs`.
  * @returns the sum of the squared errors
  */
-export function lookAt(problem: IkProblem, dofs: Float64Array): number {
+export function evaluatePose(problem: IkProblem, dofs: Float64Array): number {
   if (problem.variables.followers.count > 0) settleFollowers(problem.variables.followers, dofs);
   const { seen } = problem.scratch;
   for (let d = 0; d < seen.length; d++) seen[d] = dofs[d];
@@ -19,8 +19,8 @@ export function lookAt(problem: IkProblem, dofs: Float64Array): number {
   return writeErrors(problem);
 }
 
-/** Whether the pose is the one last looked at: in a drag, where the step before left it. */
-export function isLookedAt({ scratch }: IkProblem, dofs: Float64Array): boolean {
+/** Whether this pose was the last one evaluated: in a drag, the result of the step before. */
+export function isEvaluatedAt({ scratch }: IkProblem, dofs: Float64Array): boolean {
   const { seen } = scratch;
   for (let d = 0; d < seen.length; d++) if (seen[d] !== dofs[d]) return false;
   return true;
@@ -57,7 +57,7 @@ function writePins({ pins, slots }: IkProblem): void {
   }
 }
 
-/** Of the pose last looked at, against what the pins aim at now. @returns the sum of the squared errors */
+/** Errors of the pose last evaluated, against the current targets of the pins. @returns the sum of the squared errors */
 export function writeErrors({ pins, errors }: IkProblem): number {
   const { count, positions, aims, weights, row, holdsOrientation, frames, targetFrames, turns, turnWeights } = pins;
   let sum = 0;
@@ -69,7 +69,7 @@ export function writeErrors({ pins, errors }: IkProblem): number {
       sum += e * e;
     }
     if (!holdsOrientation[p]) continue;
-    writeTurnLeft(frames, FRAME_SIZE * p, targetFrames, 9 * p, turns, 3 * p);
+    writeOrientationError(frames, FRAME_SIZE * p, targetFrames, 9 * p, turns, 3 * p);
     for (let k = 0; k < 3; k++) {
       const e = turnWeights[p] * turns[3 * p + k];
       errors[r + 3 + k] = e;
@@ -95,7 +95,7 @@ function distance(a: Float64Array, b: Float64Array, o: number): number {
 }
 
 /** The angle that a pin's joint has still to turn; 0 for one that holds no orientation. Radians. */
-export function turnLeft({ turns }: IkProblem['pins'], p: number): number {
+export function orientationError({ turns }: IkProblem['pins'], p: number): number {
   const [x, y, z] = [turns[3 * p], turns[3 * p + 1], turns[3 * p + 2]];
   return Math.sqrt(x * x + y * y + z * z);
 }
@@ -104,7 +104,7 @@ export function turnLeft({ turns }: IkProblem['pins'], p: number): number {
 export function isThere({ pins, reach }: IkProblem, within: number): boolean {
   for (let p = 0; p < pins.count; p++) {
     if (!(aimDistance(pins, p) <= within * reach)) return false;
-    if (pins.holdsOrientation[p] && !(turnLeft(pins, p) <= within)) return false;
+    if (pins.holdsOrientation[p] && !(orientationError(pins, p) <= within)) return false;
   }
   return true;
 }

@@ -10,7 +10,7 @@
  *
  * Coupled DOFs add to the column of what they follow, times how fast they follow.
  */
-import { FRAME_SIZE, turnLeftSpeed, writeFrameSpeed } from './orientation.ts';
+import { FRAME_SIZE, orientationErrorSpeed, writeFrameSpeed } from './orientation.ts';
 import type { IkProblem } from './state.ts';
 import { writeTwists } from './twists.ts';
 
@@ -157,7 +157,7 @@ function addTurn(
   speed[0] = wx;
   speed[1] = wy;
   speed[2] = wz;
-  turnLeftSpeed(pins.turns, 3 * p, speed);
+  orientationErrorSpeed(pins.turns, 3 * p, speed);
   const at = (pins.row[p] + 3) * count + v;
   for (let k = 0; k < 3; k++) jacobian[at + k * count] += pins.turnWeights[p] * speed[k];
 }

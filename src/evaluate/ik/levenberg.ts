@@ -12,7 +12,7 @@
  * as far as that, and the step is solved again for the others (an active set; Baerlocher and Boulic 2004 do so with
  * priorities). No pose that is looked at is outside the limits.
  */
-import { isThere, lookAt } from './forward.ts';
+import { evaluatePose, isThere } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
 import { solveDamped, solveThree, writeNormal } from './normal.ts';
 import type { IkProblem } from './state.ts';
@@ -49,7 +49,7 @@ export interface DescentOptions {
  * the pose left in `dofs`.
  */
 export function descend(problem: IkProblem, dofs: Float64Array, options: DescentOptions, out: Descent): void {
-  descendFrom(problem, dofs, lookAt(problem, dofs), options, out);
+  descendFrom(problem, dofs, evaluatePose(problem, dofs), options, out);
 }
 
 /** The same where the pose was looked at already. @param error the sum of its squared errors */
@@ -83,7 +83,7 @@ export function descendFrom(
       break;
     }
     takeStep(problem, dofs);
-    const next = lookAt(problem, dofs);
+    const next = evaluatePose(problem, dofs);
     out.iterations++;
     if (next < error) {
       const gain = (error - next) / (error - promised);
@@ -102,7 +102,7 @@ export function descendFrom(
       if (!(boost < MOST_BOOST)) break;
     }
   }
-  if (!isFresh) error = lookAt(problem, dofs);
+  if (!isFresh) error = evaluatePose(problem, dofs);
   out.error = error;
 }
 

@@ -75,7 +75,7 @@ export function writeFrameSpeed(
 }
 
 /** φ of the frame at `f` against the target's at `t` (its first 9 numbers), 3 numbers at `out[o]`. */
-export function writeTurnLeft(
+export function writeOrientationError(
   frame: Float64Array,
   f: number,
   target: Float64Array,
@@ -102,7 +102,7 @@ const relative = new Float64Array(9);
 const quaternion = new Float64Array(4);
 
 /** dφ of a frame that turns with ω, where φ is at `turn[o]`; ω becomes dφ. */
-export function turnLeftSpeed(turn: Float64Array, o: number, w: Float64Array): void {
+export function orientationErrorSpeed(turn: Float64Array, o: number, w: Float64Array): void {
   const [x, y, z] = [turn[o], turn[o + 1], turn[o + 2]];
   const square = x * x + y * y + z * z;
   const half = Math.sqrt(square) / 2;

@@ -6,8 +6,8 @@
  * Errors are divided by the reach, so that a character in centimetres is solved as one in metres.
  */
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type CompiledSkeleton, compileSkeleton, settleDofs, worldMatrices } from '../kinematics.ts';
-import { lookAt } from './forward.ts';
+import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices } from '../kinematics.ts';
+import { evaluatePose } from './forward.ts';
 import { systemSize } from './normal.ts';
 import { FRAME_SIZE, writeTurnFrame } from './orientation.ts';
 import { checkPins, HOLDING_WEIGHT, type IkOptions, type IkPin, ikStiffness } from './pins.ts';
@@ -33,7 +33,7 @@ export function ikProblem(
   checkPins(compiled, pins);
   const { clamps = true, stiffness = ikStiffness(skeleton, false) } = options;
   const dofs = Float64Array.from(pose);
-  settleDofs(compiled, dofs, clamps);
+  applyConstraints(compiled, dofs, clamps);
   const world = new Float64Array(16 * compiled.jointCount);
   worldMatrices(compiled, dofs, world);
   const reach = reachOf(skeleton, compiled, pins, world);
@@ -81,7 +81,7 @@ export function ikProblem(
     },
   };
   // Most are solved from this very pose first, which is then known.
-  lookAt(problem, dofs);
+  evaluatePose(problem, dofs);
   return problem;
 }
 

@@ -10,7 +10,7 @@
  * Both are the same for the same problem and pose: the numbers thrown come from a sequence (Weyl's), not from chance.
  */
 import { length3 } from '../../math/vec3.ts';
-import { aimDistance, isThere, lookAt } from './forward.ts';
+import { aimDistance, evaluatePose, isThere } from './forward.ts';
 import type { Descent, DescentOptions } from './levenberg.ts';
 import { descend } from './levenberg.ts';
 import type { IkProblem } from './state.ts';
@@ -109,7 +109,7 @@ function throwNear({ variables }: IkProblem, v: number, value: number, far: numb
 /** To the best pose there was. */
 function goBack(problem: IkProblem, dofs: Float64Array, { aim }: DescentOptions, descent: Descent): void {
   dofs.set(problem.scratch.bestPose);
-  descent.error = lookAt(problem, dofs);
+  descent.error = evaluatePose(problem, dofs);
   descent.isThere = isThere(problem, aim);
 }
 

@@ -6,9 +6,9 @@
  *     solve(problem, dofs, 'drag');        every time the hand moves, from the pose it has come to
  *     solve(problem, dofs, 'settle');      on click or release: as exactly as can be, from elsewhere too
  */
-import { settleDofs } from '../kinematics.ts';
+import { applyConstraints } from '../kinematics.ts';
 import { stepForeseen } from './foresight.ts';
-import { isLookedAt, isThere, lookAt, residual, turnLeft, writeErrors } from './forward.ts';
+import { evaluatePose, isEvaluatedAt, isThere, orientationError, residual, writeErrors } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
 import { type Descent, type DescentOptions, descendFrom, freezeAtLimits } from './levenberg.ts';
 import { aimPins } from './reach.ts';
@@ -40,8 +40,8 @@ const descent: Descent = { iterations: 0, error: 0, isThere: false, isFlat: fals
  */
 export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkResult {
   const options = MODES[mode];
-  settleDofs(problem.skeleton, dofs, problem.clamps);
-  if (!isLookedAt(problem, dofs)) lookAt(problem, dofs);
+  applyConstraints(problem.skeleton, dofs, problem.clamps);
+  if (!isEvaluatedAt(problem, dofs)) evaluatePose(problem, dofs);
   // The centres of the balls are where the pose has them.
   aimPins(problem.balls, problem.pins, problem.slots);
   let error = writeErrors(problem);
@@ -60,7 +60,7 @@ export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkR
     restart(problem, dofs, options, options.restarts, descent);
   foresight.isMet = descent.isThere && problem.variables.count > 0;
   // What follows from afar.
-  if (problem.skeleton.couples.length > 0) settleDofs(problem.skeleton, dofs, problem.clamps);
+  if (problem.skeleton.couples.length > 0) applyConstraints(problem.skeleton, dofs, problem.clamps);
   return writeResult(problem, dofs, options.aim);
 }
 
@@ -71,7 +71,7 @@ function writeResult(problem: IkProblem, dofs: Float64Array, aim: number): IkRes
   result.isSolved = descent.isThere;
   for (let p = 0; p < pins.count; p++) {
     result.residuals[p] = residual(pins, p);
-    result.turns[p] = pins.holdsOrientation[p] ? turnLeft(pins, p) : 0;
+    result.turns[p] = pins.holdsOrientation[p] ? orientationError(pins, p) : 0;
     if (result.residuals[p] > aim * reach) result.isSolved = false;
   }
   result.bindingCount = 0;

@@ -5,7 +5,7 @@
 import type { DriverSource } from '../../model/document.ts';
 import { type CompiledClip, compileClip } from '../compiled-clip.ts';
 import { evaluateClip } from '../curves.ts';
-import { type CompiledSkeleton, compileSkeleton, settleDofs } from '../kinematics.ts';
+import { applyConstraints, type CompiledSkeleton, compileSkeleton } from '../kinematics.ts';
 import { type SampledJoints, sampledJoints } from '../sampled-joints.ts';
 import { samplePose } from '../sampled-pose.ts';
 
@@ -42,5 +42,5 @@ export function sourcePose(source: PlayedSource, clipSeconds: number, out: Float
   for (let d = 0; d < dofCount; d++) out[d] = pose[d] ?? 0;
   evaluateClip(curves, clipSeconds, out, driven);
   if (curves.samples) samplePose(curves.samples, curves, joints, clipSeconds, out, driven);
-  settleDofs(source.skeleton, out, source.clampsToLimits);
+  applyConstraints(source.skeleton, out, source.clampsToLimits);
 }

@@ -53,7 +53,7 @@ export function worldOf(skeleton: Skeleton, values: ArrayLike<number>, clamps: b
   const compiled = compileSkeleton(skeleton);
   const dofs = new Float64Array(Math.max(values.length, compiled.firstDof[compiled.jointCount]));
   dofs.set(values);
-  settleDofs(compiled, dofs, clamps);
+  applyConstraints(compiled, dofs, clamps);
   const world = new Float64Array(16 * compiled.jointCount);
   worldMatrices(compiled, dofs, world);
   return world;

@@ -6,9 +6,9 @@
  * Conjugate gradients with an incomplete factorisation were tried first: on a tube of 100,000 vertices whose triangles
  * are five times as long as wide they take 190 iterations a joint, a second each.
  */
+import { type Steps, within } from '../steps.ts';
 import { eliminationOrder } from './elimination-order.ts';
 import type { Laplacian } from './laplacian.ts';
-import { within } from './within.ts';
 
 /** Multiplications between two pauses: a few milliseconds' worth. */
 const WORK_A_STEP = 2e5;
@@ -44,7 +44,7 @@ export class Cholesky {
    * @param added to the Laplacian's diagonal; above 0 in one row at least of what hangs together
    * @param positions x y z a vertex
    */
-  static *of(matrix: Laplacian, added: Float64Array, positions: Float64Array): Generator<number, Cholesky> {
+  static *of(matrix: Laplacian, added: Float64Array, positions: Float64Array): Steps<Cholesky> {
     const size = added.length;
     const order = yield* within(eliminationOrder(matrix, positions), 0, ORDERED);
     const pattern = yield* reordered(matrix, added, order);
@@ -131,7 +131,7 @@ export class Cholesky {
 }
 
 /** The matrix with its rows and columns in the order of elimination, and the tree that follows from it. */
-function* reordered(matrix: Laplacian, added: Float64Array, order: Uint32Array): Generator<number, Pattern> {
+function* reordered(matrix: Laplacian, added: Float64Array, order: Uint32Array): Steps<Pattern> {
   const size = order.length;
   const place = new Uint32Array(size);
   for (let k = 0; k < size; k++) place[order[k]] = k;

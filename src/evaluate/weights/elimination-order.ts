@@ -6,6 +6,7 @@
  *
  * On a surface of n vertices the separators have about √n of them, and the factor n·log n entries.
  */
+import type { Steps } from '../steps.ts';
 import type { Laplacian } from './laplacian.ts';
 import { longestAxis, selectMiddle } from './select.ts';
 
@@ -18,7 +19,7 @@ const SORTED_A_STEP = 20000;
  * The vertices in their order. Pauses every few milliseconds with the part that is done.
  * @param positions x y z a vertex
  */
-export function* eliminationOrder(matrix: Laplacian, positions: Float64Array): Generator<number, Uint32Array> {
+export function* eliminationOrder(matrix: Laplacian, positions: Float64Array): Steps<Uint32Array> {
   const count = positions.length / 3;
   const { start, columns } = matrix;
   const order = Uint32Array.from({ length: count }, (_, v) => v);

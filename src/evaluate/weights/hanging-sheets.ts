@@ -5,6 +5,7 @@
  * away: it nears the sheet by more than half of its length. A bone that runs within clothes, or within a body that is
  * modelled as an open surface, does not.
  */
+import type { Steps } from '../steps.ts';
 import { type BoneSegments, endsAt, isPoint } from './bones.ts';
 import type { WeldedMesh } from './weld.ts';
 
@@ -15,11 +16,7 @@ const A_STEP = 100_000;
  * Of each part of the mesh, the bone without length that it hangs on, or -1. Pauses with the part that is done.
  * @param sides of each part, 0 for sheets (`surface-sides.ts`)
  */
-export function* hangingSheets(
-  mesh: WeldedMesh,
-  sides: Int8Array,
-  { joints, ends }: BoneSegments,
-): Generator<number, Int32Array> {
+export function* hangingSheets(mesh: WeldedMesh, sides: Int8Array, { joints, ends }: BoneSegments): Steps<Int32Array> {
   const { parts, partCount, vertexCount } = mesh;
   const step = Math.ceil(A_STEP / joints.length);
   const nearest = new Int32Array(partCount).fill(-1);

@@ -15,7 +15,9 @@
  * Bounded biharmonic weights (Jacobson 2011) are smoother, and need the volume filled with tetrahedra, which real files
  * with their holes and overlapping parts do not let one do.
  */
+
 import type { Attachments, Skin } from '../../model/skin.ts';
+import { type Steps, within } from '../steps.ts';
 import { type BoneSegments, squareToBone } from './bones.ts';
 import { Cholesky } from './cholesky.ts';
 import { Influences } from './influences.ts';
@@ -25,7 +27,6 @@ import { surfaceSides } from './surface-sides.ts';
 import { triangleTree } from './triangle-tree.ts';
 import { visibleBones, type Warmth } from './visible-bones.ts';
 import { type WeldedMesh, weld } from './weld.ts';
-import { within } from './within.ts';
 
 export interface HeatWeights {
   readonly attachments: Attachments;
@@ -55,7 +56,7 @@ export function* heatWeights(
   { positions, triangles }: Pick<Skin, 'positions' | 'triangles'>,
   given: BoneSegments,
   mostInfluences: number,
-): Generator<number, HeatWeights> {
+): Steps<HeatWeights> {
   const mesh = yield* within(weld(positions, triangles), 0, WELD_DONE);
   const influences = new Influences(mesh.vertexCount, mostInfluences);
   const tree = yield* within(triangleTree(mesh), WELD_DONE, TREE_DONE);
@@ -76,7 +77,7 @@ export function* heatWeights(
 }
 
 /** One system for each joint that warms anything. */
-function* equilibria(mesh: WeldedMesh, warmth: Warmth, influences: Influences): Generator<number, void> {
+function* equilibria(mesh: WeldedMesh, warmth: Warmth, influences: Influences): Steps<void> {
   const matrix = yield* within(laplacian(mesh), 0, MATRIX_MADE);
   const { squares, start, joints } = warmth;
   const heat = new Float64Array(mesh.vertexCount);

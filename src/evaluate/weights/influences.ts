@@ -1,5 +1,7 @@
 /** The few joints that move each vertex most, gathered one joint after another, and made the weights of a skin. */
+
 import type { Attachments } from '../../model/skin.ts';
+import type { Steps } from '../steps.ts';
 
 /** Less, beside all of a vertex's weight, moves nothing that anyone sees, and takes its place in the file. */
 const LEAST_PART = 0.004;
@@ -44,7 +46,7 @@ export class Influences {
    * Pauses every few milliseconds with the part that is done.
    * @param of the vertex here of each vertex of the skin
    */
-  *attachments(of: Uint32Array): Generator<number, Attachments> {
+  *attachments(of: Uint32Array): Steps<Attachments> {
     const start = new Uint32Array(of.length + 1);
     const joints = new Uint32Array(of.length * this.most);
     const weights = new Float64Array(of.length * this.most);

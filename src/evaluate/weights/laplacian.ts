@@ -7,6 +7,7 @@
  * obtuse; kept above 0 no weight leaves 0 … 1, whatever the mesh is like (Wardetzky et al. 2007 show that nothing has all
  * one would wish for). Its rows are kept compressed, without the diagonal.
  */
+import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
 
 export interface Laplacian {
@@ -27,7 +28,7 @@ const MOST = 1e3;
 const A_STEP = 6000;
 
 /** Pauses every few milliseconds with the part that is done. */
-export function* laplacian({ vertexCount, positions, triangles }: WeldedMesh): Generator<number, Laplacian> {
+export function* laplacian({ vertexCount, positions, triangles }: WeldedMesh): Steps<Laplacian> {
   const areas = new Float64Array(vertexCount);
   /** Room of each row while edges stand in it once a triangle, from both ends. */
   const room = new Uint32Array(vertexCount + 1);

@@ -11,12 +11,12 @@
  *
  * Baran and Popović (`heat-weights.ts`) have no such joints: their skeletons are their own, and all bones have two ends.
  */
+import { type Steps, within } from '../steps.ts';
 import { type BoneSegments, isPoint } from './bones.ts';
 import { hangingSheets } from './hanging-sheets.ts';
 import type { SurfaceSides } from './surface-sides.ts';
 import type { TriangleTree } from './triangle-tree.ts';
 import { visibleBones } from './visible-bones.ts';
-import { within } from './within.ts';
 
 /** How the time goes, about. */
 const SEEN = 0.9;
@@ -26,11 +26,7 @@ const SHORTEST = 1e-4;
 const A_STEP = 15000;
 
 /** The same bones, in their order, with ends for those that are points. Pauses with the part that is done. */
-export function* lastBones(
-  tree: TriangleTree,
-  surface: SurfaceSides,
-  bones: BoneSegments,
-): Generator<number, BoneSegments> {
+export function* lastBones(tree: TriangleTree, surface: SurfaceSides, bones: BoneSegments): Steps<BoneSegments> {
   const points = [...bones.joints.keys()].filter((bone) => isPoint(bones.ends, bone));
   if (points.length === 0) return bones;
   const { mesh } = tree;
@@ -39,7 +35,7 @@ export function* lastBones(
   const { areas } = surface;
   const pointOf = new Map(points.map((point) => [bones.joints[point], point]));
   /** Every vertex with each point that it belongs to. */
-  const each = function* (visit: (v: number, point: number) => void): Generator<number, void> {
+  const each = function* (visit: (v: number, point: number) => void): Steps<void> {
     for (let v = 0; v < mesh.vertexCount; v++) {
       if (v % A_STEP === 0) yield 1;
       const sheet = sheets[mesh.parts[v]];

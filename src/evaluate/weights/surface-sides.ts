@@ -1,5 +1,7 @@
 /** Which side of a mesh is out. */
+
 import { normalizeAt } from '../../math/vec3.ts';
+import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
 
 export interface SurfaceSides {
@@ -20,7 +22,7 @@ const A_STEP = 30000;
  * By the sign of each part's volume, seen from its middle: files wind triangles either way. Pauses every few
  * milliseconds, with nothing to say.
  */
-export function* surfaceSides(mesh: WeldedMesh): Generator<number, SurfaceSides> {
+export function* surfaceSides(mesh: WeldedMesh): Steps<SurfaceSides> {
   const { positions: p, triangles, parts, partCount, vertexCount } = mesh;
   const normals = new Float64Array(3 * vertexCount);
   const middles = middlesOf(mesh);

@@ -4,6 +4,7 @@
  *
  * A regular grid is simpler, and slow where a mesh is dense in one place (a face on a body).
  */
+import type { Steps } from '../steps.ts';
 import { longestAxis, selectMiddle } from './select.ts';
 import type { WeldedMesh } from './weld.ts';
 
@@ -27,7 +28,7 @@ export interface TriangleTree {
 }
 
 /** Pauses with the part that is done. */
-export function* triangleTree(mesh: WeldedMesh): Generator<number, TriangleTree> {
+export function* triangleTree(mesh: WeldedMesh): Steps<TriangleTree> {
   const { positions, triangles } = mesh;
   const count = triangles.length / 3;
   const order = Uint32Array.from({ length: count }, (_, t) => t);

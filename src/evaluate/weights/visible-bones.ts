@@ -12,6 +12,7 @@
  * out of the middle, and the inner side of a leg is often nearer to the other leg's bone. Where none is seen through the
  * inside, the nearest that nothing at all hides counts: bones may run beside the mesh.
  */
+import type { Steps } from '../steps.ts';
 import { type BoneSegments, endsAt, nearest, squareToBone } from './bones.ts';
 import type { SurfaceSides } from './surface-sides.ts';
 import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
@@ -40,11 +41,7 @@ export interface Warmth {
 }
 
 /** Pauses with the part that is done. */
-export function* visibleBones(
-  tree: TriangleTree,
-  surface: SurfaceSides,
-  bones: BoneSegments,
-): Generator<number, Warmth> {
+export function* visibleBones(tree: TriangleTree, surface: SurfaceSides, bones: BoneSegments): Steps<Warmth> {
   const { mesh } = tree;
   const sight = new Sight(tree, surface);
   const boneCount = bones.joints.length;

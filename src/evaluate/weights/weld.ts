@@ -2,6 +2,7 @@
  * A mesh as a surface: vertices that files have twice, because a texture or an edge parts there, are one, and what hangs
  * together is a part. Heat flows within a part only.
  */
+import type { Steps } from '../steps.ts';
 
 export interface WeldedMesh {
   /** Of each vertex of the mesh, its vertex here. */
@@ -25,7 +26,7 @@ const SAME_PLACE = 1e-6;
 const A_STEP = 5000;
 
 /** Pauses every few milliseconds with the part that is done. */
-export function* weld(positions: Float64Array, triangles: Uint32Array): Generator<number, WeldedMesh> {
+export function* weld(positions: Float64Array, triangles: Uint32Array): Steps<WeldedMesh> {
   const diagonal = diagonalOf(positions);
   const { of, firsts } = yield* samePlaces(positions, SAME_PLACE * diagonal);
   const welded = new Float64Array(3 * firsts.length);
@@ -65,7 +66,7 @@ interface Places {
  * A grid of cells, wide beside the tolerance: a vertex is looked for in its own cell, and in those next to it that are
  * within the tolerance.
  */
-function* samePlaces(positions: Float64Array, tolerance: number): Generator<number, Places> {
+function* samePlaces(positions: Float64Array, tolerance: number): Steps<Places> {
   const count = positions.length / 3;
   const of = new Uint32Array(count);
   const firsts: number[] = [];
@@ -115,10 +116,7 @@ function* samePlaces(positions: Float64Array, tolerance: number): Generator<numb
 }
 
 /** What hangs together by triangles, numbered in the order of vertices. */
-function* partsOf(
-  vertexCount: number,
-  triangles: Uint32Array,
-): Generator<number, Pick<WeldedMesh, 'parts' | 'partCount'>> {
+function* partsOf(vertexCount: number, triangles: Uint32Array): Steps<Pick<WeldedMesh, 'parts' | 'partCount'>> {
   const root = Uint32Array.from({ length: vertexCount }, (_, v) => v);
   const rootOf = (vertex: number) => {
     let v = vertex;

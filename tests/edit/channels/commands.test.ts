@@ -10,8 +10,8 @@ import {
   simplify,
   simplifyPreview,
 } from '../../../src/edit/commands/channels.ts';
-import { finished } from '../../../src/edit/samples/steps.ts';
 import { CommandError, Store } from '../../../src/edit/store.ts';
+import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { type Channel, keysOf, restChannel } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
 import { character, documentOf, joint, skeleton } from '../../helpers/builders.ts';
@@ -120,7 +120,7 @@ describe('resampling, looping and baking curves', () => {
 
 /** What it comes to, with the channels afterwards. */
 function filteredBy(document: Document, args: { characterId: string; channels: readonly number[] }) {
-  const { edit, keysChanged, notes } = finished(eulerFilterSteps(document, args));
+  const { edit, keysChanged, notes } = runToEnd(eulerFilterSteps(document, args));
   return { channels: channelsOf(edit.document), keysChanged, notes };
 }
 

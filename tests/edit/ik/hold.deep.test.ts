@@ -4,11 +4,11 @@ import { type HoldPins, holdPins, holdSteps } from '../../../src/edit/commands/h
 import { pinPoint, setRootFree, setStiffness } from '../../../src/edit/commands/ik.ts';
 import { setDofs } from '../../../src/edit/commands/pose.ts';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
-import { finished } from '../../../src/edit/samples/steps.ts';
 import { CommandError, Store } from '../../../src/edit/store.ts';
 import { pointAt, reachOfSkeleton } from '../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
+import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
 import {
   type Channel,
@@ -197,7 +197,7 @@ describe('holding a pin over a range of time', () => {
 
   it('reports what it came to', () => {
     const s = store();
-    const { report } = finished(holdSteps(s.document, HOLD));
+    const { report } = runToEnd(holdSteps(s.document, HOLD));
     const [pin] = report.pins;
     expect(pin.pin).toBe(1);
     expect(pin.slideBefore).toBeGreaterThan(0.1);
@@ -247,7 +247,7 @@ describe('what a hold may move', () => {
     ]);
     const gone = store({ clips: [{ ...far, channels }] });
     gone.apply(setRootFree, { characterId: 'c1', isFree: false });
-    const { report, edit } = finished(holdSteps(gone.document, { ...HOLD, range: [0.2, 1.6], atSeconds: 0.2 }));
+    const { report, edit } = runToEnd(holdSteps(gone.document, { ...HOLD, range: [0.2, 1.6], atSeconds: 0.2 }));
     expect(report.unreached).toBeGreaterThan(10);
     const after = edit.document.characters[0];
     // The hip is 4.2 from where it was, and the leg 2 long.

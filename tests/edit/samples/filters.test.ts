@@ -6,9 +6,9 @@ import { smoothSamples } from '../../../src/edit/commands/samples.ts';
 import { gaussian } from '../../../src/edit/samples/gaussian.ts';
 import { medianFrame } from '../../../src/edit/samples/median.ts';
 import { frameRange, weightAt } from '../../../src/edit/samples/seam.ts';
-import { finished } from '../../../src/edit/samples/steps.ts';
 import { CommandError, Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { runToEnd } from '../../../src/evaluate/steps.ts';
 import type { ChannelClip } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
 import { RADIANS_PER_DEGREE, type Samples } from '../../../src/model/samples.ts';
@@ -210,7 +210,7 @@ describe('the Euler filter, of samples', () => {
     const after = clipOf(store.document);
     for (let f = 0; f < 121; f++) expect(row(after, f)[3]).toBeCloseTo(170 + 1.5 * f, 10);
     expect(after.channels[3]).toBe(turning.channels[3]);
-    const again = finished(eulerFilterSteps(store.document, { ...c1, channels: [3, 4, 5] }));
+    const again = runToEnd(eulerFilterSteps(store.document, { ...c1, channels: [3, 4, 5] }));
     expect(again).toMatchObject({ changed: [], notes: [] });
     expect(again.edit.document).toBe(store.document);
     store.undo();
@@ -219,7 +219,7 @@ describe('the Euler filter, of samples', () => {
 
   it('takes whole turns alone where not all angles of a joint are given, and says so', () => {
     const document = documentWith(take((c, t) => (c === 3 ? (t < 1 ? 179 : -179) : 0)));
-    const { edit, notes } = finished(eulerFilterSteps(document, { ...c1, channels: [3] }));
+    const { edit, notes } = runToEnd(eulerFilterSteps(document, { ...c1, channels: [3] }));
     expect(row(clipOf(edit.document), 100)[3]).toBeCloseTo(181, 10);
     expect(notes).toEqual([expect.stringContaining('only whole turns were removed')]);
     expect(RADIANS_PER_DEGREE).toBeCloseTo(Math.PI / 180, 15);

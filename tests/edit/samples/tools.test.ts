@@ -15,10 +15,10 @@ import {
 } from '../../../src/edit/commands/samples.ts';
 import { refuseTooMany } from '../../../src/edit/samples/most-frames.ts';
 import { resampling } from '../../../src/edit/samples/resample.ts';
-import { finished } from '../../../src/edit/samples/steps.ts';
 import { takeAlone } from '../../../src/edit/samples/take-alone.ts';
 import { CommandError } from '../../../src/edit/store.ts';
 import { poseAt } from '../../../src/evaluate/pose.ts';
+import { runToEnd } from '../../../src/evaluate/steps.ts';
 import { type ChannelClip, keysOf } from '../../../src/model/clip.ts';
 import { type Document, shownClip } from '../../../src/model/document.ts';
 import { documentOf } from '../../helpers/builders.ts';
@@ -191,7 +191,7 @@ describe('samples of a character that another one moves', () => {
   it('samples of a character that another one moves are worked with as they are, not as the other one moves', () => {
     const [character] = driven(swing).characters;
     expect(takeAlone(character, swing)).not.toHaveProperty('driver');
-    const resampled = finished(resampling(character, swing, 30));
+    const resampled = runToEnd(resampling(character, swing, 30));
     expect(pose(resampled, 1)).toEqual(
       pose(clipOf(resampleSamples.run(documentWith(), { ...c1, framesPerSecond: 30 })), 1),
     );

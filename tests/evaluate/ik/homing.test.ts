@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { lookAt } from '../../../src/evaluate/ik/forward.ts';
+import { evaluatePose } from '../../../src/evaluate/ik/forward.ts';
 import { goHome, writeWayHome } from '../../../src/evaluate/ik/homing.ts';
 import { ikProblem } from '../../../src/evaluate/ik/problem.ts';
 import { DEFAULT_BOX, type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
@@ -36,7 +36,7 @@ const pose = fc.array(fc.double({ min: -1, max: 1, noNaN: true }), { minLength: 
 
 function problemAt(dofs: Float64Array) {
   const problem = ikProblem(CHAIN, [{ joint: 3, point: [0, 0, 0], target: [0, 3, 0] }], dofs);
-  lookAt(problem, dofs);
+  evaluatePose(problem, dofs);
   return problem;
 }
 
@@ -52,7 +52,7 @@ describe('the way home', () => {
         const way = writeWayHome(problem, dofs, home);
         const after = dofs.slice();
         goHome(problem, after, PART);
-        lookAt(problem, after);
+        evaluatePose(problem, after);
         expect(apart(problem.pins.positions, tip)).toBeLessThan(SECOND_ORDER * (1 + way));
         if (way > 0.05) expect(apart(after, home)).toBeLessThan(apart(dofs, home));
       }),

@@ -1,12 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { lookAt, turnLeft } from '../../../src/evaluate/ik/forward.ts';
+import { evaluatePose, orientationError } from '../../../src/evaluate/ik/forward.ts';
 import { writeJacobian } from '../../../src/evaluate/ik/jacobian.ts';
 import { type IkPin, ikStiffness } from '../../../src/evaluate/ik/pins.ts';
 import { ikProblem } from '../../../src/evaluate/ik/problem.ts';
 import { aimPins } from '../../../src/evaluate/ik/reach.ts';
 import type { IkProblem } from '../../../src/evaluate/ik/state.ts';
-import { compileSkeleton, settleDofs, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { applyConstraints, compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
 import { filePose } from '../../../src/model/dofs.ts';
 import { dofsOf } from '../../../src/model/joint-types.ts';
@@ -16,7 +16,7 @@ import { expectClose } from '../../helpers/close.ts';
 import { type AnyProblem, anyProblem } from './any-problem.ts';
 
 function errorsAt(problem: IkProblem, dofs: Float64Array): Float64Array {
-  lookAt(problem, dofs);
+  evaluatePose(problem, dofs);
   return problem.errors.slice();
 }
 
@@ -25,12 +25,12 @@ function expectSlopes({ skeleton, pins }: AnyProblem, clamps: boolean): void {
   stiffness[0] = 2.5;
   const pose = Float64Array.from(filePose(skeleton, 0));
   const problem = ikProblem(skeleton, pins, pose, { stiffness, clamps });
-  settleDofs(problem.skeleton, pose, clamps);
-  lookAt(problem, pose);
+  applyConstraints(problem.skeleton, pose, clamps);
+  evaluatePose(problem, pose);
   aimPins(problem.balls, problem.pins, problem.slots);
-  lookAt(problem, pose);
+  evaluatePose(problem, pose);
   // Near half a turn the turn left jumps from one side to the other.
-  fc.pre(pins.every((_, p) => turnLeft(problem.pins, p) < 2.9));
+  fc.pre(pins.every((_, p) => orientationError(problem.pins, p) < 2.9));
   writeJacobian(problem, pose);
   const { count, dof, scale, followers } = problem.variables;
   // A follower just on its own limit has a slope to one side only.
@@ -93,10 +93,10 @@ describe('the matrices of the joints that matter', () => {
       fc.property(anyProblem(false), ({ skeleton, pins }) => {
         const pose = Float64Array.from(filePose(skeleton, 0));
         const problem = ikProblem(skeleton, pins, pose);
-        settleDofs(problem.skeleton, pose, true);
+        applyConstraints(problem.skeleton, pose, true);
         const world = new Float64Array(16 * skeleton.joints.length);
         worldMatrices(problem.skeleton, pose, world);
-        lookAt(problem, pose);
+        evaluatePose(problem, pose);
         const { joint: joints, isKept, worlds, count } = problem.slots;
         expect(isKept).toContain(1);
         const largest = Math.max(1, ...world.map(Math.abs));
@@ -130,7 +130,7 @@ describe('the screws of a joint', () => {
         // A pin on each, so that both matrices are kept.
         const pins = [0, 1].map((j): IkPin => ({ joint: j, point: [0, 0, 0], target: [0, 0, 0] }));
         const problem = ikProblem(skeleton, pins, dofs);
-        lookAt(problem, dofs);
+        evaluatePose(problem, dofs);
         for (const o of [0, 16]) {
           const places = [0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14].map((k) => o + k);
           expectClose(

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { lookAt } from '../../../src/evaluate/ik/forward.ts';
+import { evaluatePose } from '../../../src/evaluate/ik/forward.ts';
 import { writeJacobian } from '../../../src/evaluate/ik/jacobian.ts';
 import { type Descent, descend, writeStep } from '../../../src/evaluate/ik/levenberg.ts';
 import { orientationAt } from '../../../src/evaluate/ik/orientation.ts';
@@ -8,7 +8,7 @@ import { IkError, type IkPin, ikStiffness } from '../../../src/evaluate/ik/pins.
 import { ikProblem, movePin, turnPin } from '../../../src/evaluate/ik/problem.ts';
 import { aimPins } from '../../../src/evaluate/ik/reach.ts';
 import { solve } from '../../../src/evaluate/ik/solve.ts';
-import { clampDofs, compileSkeleton, settleDofs, worldMatrices } from '../../../src/evaluate/kinematics.ts';
+import { applyConstraints, clampDofs, compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { characterDofs, filePose } from '../../../src/model/dofs.ts';
 import { type Joint, type Skeleton, UNLIMITED } from '../../../src/model/skeleton.ts';
 import { joint } from '../../helpers/builders.ts';
@@ -52,8 +52,8 @@ describe('a solution of any problem', () => {
       fc.property(anyProblem(true), fc.nat(12), ({ skeleton, pins }: AnyProblem, iterations) => {
         const dofs = poseOf(skeleton);
         const problem = ikProblem(skeleton, pins, dofs, { stiffness: ikStiffness(skeleton, true) });
-        settleDofs(problem.skeleton, dofs, true);
-        lookAt(problem, dofs);
+        applyConstraints(problem.skeleton, dofs, true);
+        evaluatePose(problem, dofs);
         aimPins(problem.balls, problem.pins, problem.slots);
         const descent: Descent = { iterations: 0, error: 0, isThere: false, isFlat: false };
         descend(problem, dofs, { aim: 1e-6, iterations, leastGain: 0 }, descent);
@@ -64,7 +64,7 @@ describe('a solution of any problem', () => {
         expect(clamped).toEqual(dofs);
         solve(problem, dofs, 'drag');
         const settled = dofs.slice();
-        settleDofs(problem.skeleton, settled, true);
+        applyConstraints(problem.skeleton, settled, true);
         expect(settled).toEqual(dofs);
       }),
       { numRuns: 300 },
@@ -76,10 +76,10 @@ describe('a solution of any problem', () => {
       fc.property(anyProblem(true), mode, ({ skeleton, pins }: AnyProblem, how) => {
         const dofs = poseOf(skeleton);
         const problem = ikProblem(skeleton, pins, dofs);
-        settleDofs(problem.skeleton, dofs, true);
-        lookAt(problem, dofs);
+        applyConstraints(problem.skeleton, dofs, true);
+        evaluatePose(problem, dofs);
         aimPins(problem.balls, problem.pins, problem.slots);
-        const before = lookAt(problem, dofs);
+        const before = evaluatePose(problem, dofs);
         const start = dofs.slice();
         const { residuals } = solve(problem, dofs, how);
         const world = worldOf(skeleton, dofs);
@@ -88,7 +88,7 @@ describe('a solution of any problem', () => {
           pins.map((pin) => distanceOf(pin, world)),
           1e-9,
         );
-        expect(lookAt(problem, dofs)).toBeLessThanOrEqual(before * (1 + 1e-9) + 1e-12);
+        expect(evaluatePose(problem, dofs)).toBeLessThanOrEqual(before * (1 + 1e-9) + 1e-12);
         solve(ikProblem(skeleton, pins, poseOf(skeleton)), start, how);
         expect(start).toEqual(dofs);
       }),
@@ -104,7 +104,7 @@ describe('a solution of any problem', () => {
         const locked = lock % dofs.length;
         if (dofs.length > 0) stiffness[locked] = Infinity;
         const problem = ikProblem(skeleton, pins, dofs, { stiffness });
-        settleDofs(problem.skeleton, dofs, true);
+        applyConstraints(problem.skeleton, dofs, true);
         const start = dofs.slice();
         solve(problem, dofs, how);
         const { ofDof } = problem.variables;
@@ -133,7 +133,7 @@ describe('a target', () => {
           lower.forEach((low, d) => {
             if (low > -Infinity) goal[firstDof[0] + d] = low + parts[d % parts.length] * (upper[d] - low);
           });
-          settleDofs(compileSkeleton(skeleton), goal, true);
+          applyConstraints(compileSkeleton(skeleton), goal, true);
           const world = worldOf(skeleton, goal);
           const reached = pins.map(({ orientation: _, ...pin }) => ({ ...pin, target: pointAt(pin, world) }));
           const stiffness = ikStiffness(skeleton, true).fill(1);
@@ -237,7 +237,7 @@ describe('what may move', () => {
     const skeleton = chain(4);
     const dofs = poseOf(skeleton).fill(0.3, -4);
     const problem = ikProblem(skeleton, [endPin(4, 1, 2)], dofs);
-    lookAt(problem, dofs);
+    evaluatePose(problem, dofs);
     writeJacobian(problem, dofs);
     problem.scratch.before.set(dofs.subarray(-4));
     expect(writeStep(problem, problem.errors, 0, true)).toBeNaN();

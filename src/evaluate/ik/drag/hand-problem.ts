@@ -11,7 +11,7 @@ import type { IkSetup } from '../../../model/ik.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
-import { lookAt } from '../forward.ts';
+import { evaluatePose } from '../forward.ts';
 import { ikProblem, movePin } from '../problem.ts';
 import { type Dragged, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
 import { type IkMode, solve } from '../solve.ts';
@@ -93,7 +93,7 @@ export class HandProblem {
 
   /** Where everything is in a pose that no solution has come to. */
   look(): void {
-    lookAt(this.problem, this.dofs);
+    evaluatePose(this.problem, this.dofs);
   }
 
   /**

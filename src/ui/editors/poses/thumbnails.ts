@@ -2,6 +2,7 @@
  * Pictures of poses, drawn when they come into view, one at a time between frames, and kept as long as nothing of what
  * they show changes: by identity of the pose's values, and with it skeleton, skin and theme.
  */
+import type { Steps } from '../../../evaluate/steps.ts';
 import type { Character } from '../../../model/document.ts';
 import type { NamedPose } from '../../../model/poses.ts';
 import { drawPose, type ThumbnailColours } from '../../../view/pose-thumbnail.ts';
@@ -61,7 +62,7 @@ export class Thumbnails {
     inSlices(this.steps(), { isOver: () => false, progress: () => undefined, done: end, failed: end });
   }
 
-  private *steps(): Generator<number, void> {
+  private *steps(): Steps<void> {
     for (let next = this.take(); next; next = this.take()) {
       const { canvas, character, pose } = next;
       if (canvas.isConnected) {

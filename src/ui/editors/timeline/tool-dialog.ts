@@ -2,8 +2,10 @@
  * Dialogs of the tools for whole curves: a few numbers, what they would come to, and the curves themselves as they would
  * be, while one types: one step of undo when applied, nothing when closed.
  */
+
 import { type Command, CommandError, type Edit } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
+import type { Steps } from '../../../evaluate/steps.ts';
 import type { Document } from '../../../model/document.ts';
 import type { DialogContent } from '../../kit/dialog.ts';
 import { element, setText } from '../../kit/dom.ts';
@@ -56,7 +58,7 @@ export interface ToolDialog<A> {
    * The command a little at a time, where it takes longer than a moment: pauses with the part that is done, and ends
    * with the change and what it came to. Another answer, or closing, stops it.
    */
-  steps?(base: Document, args: A): Generator<number, Stepped>;
+  steps?(base: Document, args: A): Steps<Stepped>;
   /** Whether steps with these answers are only made when asked for: by the button, or by applying. */
   takesLong?(args: A): boolean;
   /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. `after` is the document as it would be. */
@@ -133,7 +135,7 @@ export function toolDialog<A>(
     result.classList.add('wrong');
     apply.disabled = true;
   };
-  const goOn = (steps: Generator<number, Stepped>, mine: number) =>
+  const goOn = (steps: Steps<Stepped>, mine: number) =>
     inSlices(steps, {
       isOver: () => trial.over || mine !== asked,
       progress: (part) => setText(result, `Working… ${Math.floor(100 * part)}%`),

@@ -2,7 +2,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { Pull } from '../../../../src/evaluate/ik/drag/pull.ts';
 import { pinTargets, pointAt } from '../../../../src/evaluate/ik/set-up.ts';
-import { compileSkeleton, settleDofs, worldMatrices } from '../../../../src/evaluate/kinematics.ts';
+import { applyConstraints, compileSkeleton, worldMatrices } from '../../../../src/evaluate/kinematics.ts';
 import type { Vec3 } from '../../../../src/math/vec3.ts';
 import { coupleOf } from '../../../../src/model/couples.ts';
 import { characterDofs, filePose } from '../../../../src/model/dofs.ts';
@@ -77,7 +77,7 @@ function pull({ skeleton, dragged, pinned, point, way, rootIsFree }: Drag, look:
   const start = filePose(skeleton, 0).slice();
   const world = new Float64Array(16 * compiled.jointCount);
   const dofs = Float64Array.from(start);
-  settleDofs(compiled, dofs, true);
+  applyConstraints(compiled, dofs, true);
   worldMatrices(compiled, dofs, world);
   const [x, y, z] = pointAt(world, dragged, point);
   const hand = new Pull(one, skeleton, dofs, pinTargets(ik, world), { joint: dragged, point, target: [x, y, z] });
