@@ -9,20 +9,20 @@ import type { Samples } from '../model/samples.ts';
 /** Rates of television are whole ones by this. */
 const TELEVISION = 1.001;
 /** So far from a whole rate, as part of it, no rounding leads. */
-const MOST_ROUNDED = 0.005;
+const MAX_ROUNDED = 0.005;
 /** What single precision leaves of a number, as part of it. */
-const LEAST_ROUNDED = 1e-6;
-const MOST_LOST_FRAMES = 0.5;
+const MIN_ROUNDED = 1e-6;
+const MAX_LOST_FRAMES = 0.5;
 
 /** Frames per second, above 0. */
 export function frameRateOf({ frameSeconds, frameCount }: Pick<Samples, 'frameSeconds' | 'frameCount'>): number {
   const rate = 1 / frameSeconds;
   const decimals = String(frameSeconds).split('.')[1]?.length ?? 0;
-  const rounding = Math.min(Math.max(10 ** -decimals, LEAST_ROUNDED * frameSeconds), MOST_ROUNDED * frameSeconds);
+  const rounding = Math.min(Math.max(10 ** -decimals, MIN_ROUNDED * frameSeconds), MAX_ROUNDED * frameSeconds);
   const isMeant = (usual: number) =>
     usual > 0 &&
     Math.abs(1 / usual - frameSeconds) <= rounding &&
-    frameCount * Math.abs(usual * frameSeconds - 1) < MOST_LOST_FRAMES;
+    frameCount * Math.abs(usual * frameSeconds - 1) < MAX_LOST_FRAMES;
   return [Math.round(rate), Math.round(rate * TELEVISION) / TELEVISION].find(isMeant) ?? rate;
 }
 

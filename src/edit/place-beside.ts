@@ -12,7 +12,7 @@ import { perObject } from '../model/per-object.ts';
 /** Room left between two characters, as a part of the wider one. */
 const GAP = 0.25;
 /** Characters in a row; all figures of a file count as one. */
-const MOST_IN_ROW = 8;
+const MAX_IN_ROW = 8;
 /** From one row to the next, as a multiple of the largest in both: one can walk between them. */
 const ROW_STEP = 1.5;
 /** Roots so near to each other along z stand in one row, as a part of the larger character. */
@@ -55,7 +55,7 @@ export function placeBeside(others: readonly Character[], character: Character):
       right = Math.max(right, position[0] + scale * extent.max);
     }
   }
-  const isFull = new Set(figures.map(leaderOf)).size >= MOST_IN_ROW;
+  const isFull = new Set(figures.map(leaderOf)).size >= MAX_IN_ROW;
   const x = isFull ? left - own.min : right + GAP * widest - own.min;
   const z = isFull ? row + ROW_STEP * largest - depth : row - depth;
   return { ...DEFAULT_PLACEMENT, position: [rounded(x), 0, rounded(z)] };

@@ -21,9 +21,9 @@ export interface Frames {
 }
 
 /** What a page can bear: takes that were read have fewer, and a rate or range that gives more is a slip. */
-export const MOST_FRAMES = 1_000_000;
+export const MAX_FRAMES = 1_000_000;
 /** The same for frames times channels: 800 MB. */
-export const MOST_VALUES = 100_000_000;
+export const MAX_VALUES = 100_000_000;
 
 /** Nearer to a frame than this part of one is that frame: 2.3 s at 30 a second are 69 frames, not 68.99. */
 const SAME_FRAME = 1e-6;

@@ -52,7 +52,7 @@ export interface Distances extends FrameTimes {
 }
 
 /** More distances than this are not kept: 128 MB. Frames are left out evenly instead. */
-const MOST_VALUES = 2 ** 25;
+const MAX_VALUES = 2 ** 25;
 
 /**
  * The frames at which two characters' takes are compared; undefined where they have no time in common, or one of them
@@ -74,7 +74,7 @@ export function commonFrames(
   const first = Math.ceil((from - finer.startSeconds) / finer.frameSeconds - 1e-6);
   const last = Math.floor((to - finer.startSeconds) / finer.frameSeconds + 1e-6);
   if (!(last >= first)) return undefined;
-  const step = Math.max(1, Math.ceil(((last - first + 1) * jointCount) / MOST_VALUES));
+  const step = Math.max(1, Math.ceil(((last - first + 1) * jointCount) / MAX_VALUES));
   return {
     startSeconds: finer.startSeconds + first * finer.frameSeconds,
     frameSeconds: step * finer.frameSeconds,

@@ -11,8 +11,8 @@ import { type ChannelClip, type KeyedChannel, LINEAR } from '../model/clip.ts';
 import { perObject } from '../model/per-object.ts';
 import type { Frames } from './bake.ts';
 
-const LEAST_STRAIGHT = 10;
-const LEAST_CURVED = 23;
+const MIN_STRAIGHT = 10;
+const MIN_CURVED = 23;
 /** Times may be off their frame by this part of one: what decimals of a file leave. */
 const SAME_FRAME = 1e-4;
 
@@ -29,7 +29,7 @@ function find({ channels, range, samples }: ChannelClip): Frames | undefined {
   const frames = longest && evenTimes(longest.times);
   if (!frames) return undefined;
   const { startSeconds, frameSeconds, frameCount } = frames;
-  const least = keyed.every(isStraight) ? LEAST_STRAIGHT : LEAST_CURVED;
+  const least = keyed.every(isStraight) ? MIN_STRAIGHT : MIN_CURVED;
   if (!(frameSeconds * least <= 1)) return undefined;
   const frameOf = (seconds: number) => (seconds - startSeconds) / frameSeconds;
   const isFrame = (seconds: number) => {

@@ -32,11 +32,11 @@ export function applySpace(space: Space | undefined, x: number, y: number, z: nu
 /** What a person is taken to measure, metres; the units that come nearest to it are how tall figures are guessed. */
 const PERSON = 1.7;
 /** A figure that no unit brings within this factor of a person's height is scaled to that height. */
-const MOST_OFF = 2;
+const MAX_DEVIATION = 2;
 /** In which to find the unit; ordered by how common they are, for ties. */
 const GUESSED_UNITS = ['centimetres', 'metres', 'inches', 'millimetres', 'cmu', 'decimetres'] as const;
 /** Frames that are looked at, evenly over the clip. */
-const MOST_FRAMES = 64;
+const MAX_FRAMES = 64;
 /** Of the frames' heights: who stands in any of ten frames is measured standing. */
 const STANDING = 0.9;
 /** Of the frames' lowest points: noise and a toe through the floor are below, jumps above. */
@@ -111,7 +111,7 @@ function unitFor(height: number): Pick<Space, 'unit' | 'metres'> {
     least = off;
     best = unit;
   }
-  if (least <= Math.log(MOST_OFF)) return { unit: best };
+  if (least <= Math.log(MAX_DEVIATION)) return { unit: best };
   return { unit: 'own', metres: Number((PERSON / height).toPrecision(3)) };
 }
 
@@ -129,7 +129,7 @@ function framesOf(skeleton: Skeleton, clip: ChannelClip | undefined): FrameShape
   const feet = indicesOf(skeleton, FOOT);
   const low = feet.length ? feet : indicesOf(skeleton, HIPS).slice(0, 1);
   const shapes: FrameShape[] = [];
-  forFrames(skeleton, clip, MOST_FRAMES, (dofs) => {
+  forFrames(skeleton, clip, MAX_FRAMES, (dofs) => {
     worldMatrices(compiled, dofs, world);
     shapes.push(shapeOf(skeleton, world, head, low));
   });

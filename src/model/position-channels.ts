@@ -12,7 +12,7 @@ export type Positions = BvhMotion['positions'];
 
 const TRANSLATIONS: readonly string[] = ['tx', 'ty', 'tz'];
 /** Frames that are looked at, evenly over the clip. */
-const MOST_FRAMES = 16;
+const MAX_FRAMES = 16;
 /** Channels that stay below this part of their OFFSET's length stay at 0. */
 const NOTHING = 0.05;
 
@@ -42,7 +42,7 @@ export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined
   const samples = clip?.samples;
   if (!samples || tellers.length === 0) return 'replace';
   const { values, scales, frameCount, firstChannel } = samples;
-  const count = Math.min(MOST_FRAMES, frameCount);
+  const count = Math.min(MAX_FRAMES, frameCount);
   for (let i = 0; i < count; i++) {
     const row = scales.length * Math.round((i * (frameCount - 1)) / Math.max(1, count - 1)) - firstChannel;
     for (const teller of tellers) {

@@ -30,7 +30,7 @@ export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 export const GHOST_UNITS = ['seconds', 'frames'] as const;
 export type GhostUnit = (typeof GHOST_UNITS)[number];
 /** On each side of the time shown. */
-export const MOST_GHOSTS = 20;
+export const MAX_GHOSTS = 20;
 
 /** What is drawn, for all characters. */
 export interface Display {
@@ -51,7 +51,7 @@ export interface Display {
   readonly trail: boolean;
   /** The selected character at other times, before and after the one shown. */
   readonly ghosts: boolean;
-  /** How many of them, 0 to `MOST_GHOSTS`. */
+  /** How many of them, 0 to `MAX_GHOSTS`. */
   readonly ghostsBefore: number;
   readonly ghostsAfter: number;
   /** From one ghost to the next, in `ghostStepIn`; above 0. */

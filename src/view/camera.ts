@@ -41,7 +41,7 @@ const TAN_HALF_FOV = Math.tan((FOV_DEGREES * Math.PI) / 360);
 /** Room around what is framed, beside what a box from the joints has already. */
 const MARGIN = 1.12;
 /** What lies over the picture leaves this much of its height at least. */
-const LEAST_FREE = 0.6;
+const MIN_FREE = 0.6;
 
 /** Where the camera looks and from where, as plain data; see above. */
 export interface CameraView {
@@ -179,7 +179,7 @@ export class CameraRig {
 
   /** What so many CSS pixels are of the picture's height; at most what framing can do without. */
   partOfHeight(pixels: number): number {
-    return Math.min(pixels / this.heightPx, 1 - LEAST_FREE);
+    return Math.min(pixels / this.heightPx, 1 - MIN_FREE);
   }
 
   /** A sphere of this radius around a point, in the picture. */

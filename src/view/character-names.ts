@@ -7,14 +7,14 @@ import type { Matrix4 } from 'three';
 import type { DrawnSkeleton } from './drawn-skeletons.ts';
 
 /** CSS pixels. Of who is smaller than this, the name would be all that is seen. */
-const LEAST_HEIGHT = 22;
+const MIN_HEIGHT = 22;
 /** From the highest joint to the middle of the name, and a share of the height for what a skull or a hat adds. */
 const GAP = 11;
 const HEAD = 0.05;
 /** The page's tools are over the picture's upper edge: a name stays below them, before the face if it must. */
-const LEAST_Y = 56;
+const MIN_Y = 56;
 /** Joints looked at; of more, every second or third. */
-const MOST_JOINTS = 48;
+const MAX_JOINTS = 48;
 
 /**
  * Writes x and y of the middle of the name, in CSS pixels, to `out`; false where it has no place in the picture. Of a
@@ -30,7 +30,7 @@ export function placeName(
   out: Float64Array,
 ): boolean {
   const m = toClip.elements;
-  const step = Math.ceil(nodes.count / MOST_JOINTS);
+  const step = Math.ceil(nodes.count / MAX_JOINTS);
   let sum = 0;
   let count = 0;
   let top = Infinity;
@@ -49,8 +49,8 @@ export function placeName(
     top = Math.min(top, down);
     bottom = Math.max(bottom, down);
   }
-  if (!(bottom - top >= LEAST_HEIGHT)) return false;
+  if (!(bottom - top >= MIN_HEIGHT)) return false;
   out[0] = sum / count;
-  out[1] = Math.max(LEAST_Y, top - GAP - HEAD * (bottom - top));
+  out[1] = Math.max(MIN_Y, top - GAP - HEAD * (bottom - top));
   return out[0] >= 0 && out[0] <= width && out[1] < bottom && out[1] <= height;
 }

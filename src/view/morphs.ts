@@ -16,7 +16,7 @@ import type { Steps } from '../evaluate/steps.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
 
 /** Weights are uniforms: WebGL2 promises 256 vectors of them, and materials need some. */
-const MOST_ON_GPU = 128;
+const MAX_ON_GPU = 128;
 /** Vertices × morphs whose texture three.js builds in a few milliseconds. */
 const LARGEST_ON_GPU = 200_000;
 
@@ -41,7 +41,7 @@ export function* morphing(
   morphs: readonly Morph[],
 ): Steps<Morphing> {
   const work = (positions.length / 3) * morphs.length;
-  if (morphs.length <= MOST_ON_GPU && work <= LARGEST_ON_GPU) {
+  if (morphs.length <= MAX_ON_GPU && work <= LARGEST_ON_GPU) {
     return new TargetMorphing(geometry, positions, normals, morphs);
   }
   const rows = (of: 'positions' | 'normals') => morphs.map((m) => m[of]);

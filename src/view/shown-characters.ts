@@ -24,7 +24,7 @@ export interface Shown {
 /** Of the played range, looked at when everything is framed. */
 const FRAMED_MOMENTS = 16;
 /** Framing leaves a character's motion at most so much more room than it takes now. */
-const MOST_ROOM = 3;
+const MAX_ROOM = 3;
 
 export class ShownCharacters {
   private readonly byId = new Map<string, Shown>();
@@ -144,7 +144,7 @@ export class ShownCharacters {
         }
         view.seek(timeSeconds);
       }
-      const isFar = own.getSize(size).length() > MOST_ROOM * box.getSize(size).length();
+      const isFar = own.getSize(size).length() > MAX_ROOM * box.getSize(size).length();
       room.union(isFar ? box : own);
     }
     return room;

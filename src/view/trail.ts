@@ -14,7 +14,7 @@ import { lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
 /** Samples a second of the range, and at most. */
 const SAMPLES_PER_SECOND = 60;
-const MOST_SAMPLES = 1500;
+const MAX_SAMPLES = 1500;
 
 /**
  * Where a joint is at `count` moments from `start` to `end` (seconds of the transport), x y z each, in the character's
@@ -84,7 +84,7 @@ export class Trail {
       shown.inPlace === inPlace;
     if (same) return;
     this.shown = { character, joint, start, end, inPlace };
-    const count = Math.min(MOST_SAMPLES, 2 + Math.ceil((end - start) * SAMPLES_PER_SECOND));
+    const count = Math.min(MAX_SAMPLES, 2 + Math.ceil((end - start) * SAMPLES_PER_SECOND));
     const path = samplePath(character, joint, [start, end], count, inPlace);
     const segments = new Float64Array(6 * (count - 1));
     for (let i = 0; i + 1 < count; i++) segments.set(path.subarray(3 * i, 3 * i + 6), 6 * i);

@@ -61,7 +61,7 @@ export interface FrameStats {
   readonly triangles: number;
 }
 
-const MOST_PIXELS_PER_PIXEL = 2;
+const MAX_PIXELS_PER_PIXEL = 2;
 /** Above this many triangles the pointer's every move would be felt: joints in skins then light up on a click only. */
 const HOVER_TRIANGLES = 300_000;
 
@@ -428,7 +428,7 @@ export class Viewport {
 
   private resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
-    const ratio = Math.min(window.devicePixelRatio || 1, MOST_PIXELS_PER_PIXEL);
+    const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);
     if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) return;
     this.width = width;
     this.height = height;

@@ -5,7 +5,7 @@ import { type Box3, type Camera, PerspectiveCamera, Vector3 } from 'three';
 const MIDDLE = 0.5;
 const EDGE = 1.1;
 /** What is smaller than a third of the picture's height is looked at from nearer. */
-const LEAST_SIZE = 2 / 3;
+const MIN_SIZE = 2 / 3;
 
 /**
  * The figure is in the picture as a whole and no smaller than a third of it; and where it goes has its centre in the
@@ -30,7 +30,7 @@ export function isWellSeen(figure: Box3, room: Box3, camera: Camera, covered = 0
   }
   const { elements } = camera.projectionMatrix;
   const aspect = elements[5] / elements[0];
-  return Math.max((right - left) * aspect, high - low) >= LEAST_SIZE;
+  return Math.max((right - left) * aspect, high - low) >= MIN_SIZE;
 }
 
 /** From the world into the picture, in place; false for what is behind the camera. */

@@ -2,20 +2,20 @@
 import { expect } from 'vitest';
 
 /** Four times as much takes four times as long, or sixteen times where it takes the square of it. */
-const MOST_GROWTH = 8;
+const MAX_GROWTH = 8;
 /** Shorter times say more about the clock and the collection of garbage than about what is measured. */
-const LEAST_MS = 10;
+const MIN_MS = 10;
 const ATTEMPTS = 5;
 
 /** Fails if `run` takes far longer than four times as long for 4 n as for n, however often it is tried. */
 export function expectLinearTime(run: (n: number) => void, n: number, what = 'time of 4 n by that of n'): void {
   let [short, long] = [Infinity, Infinity];
   for (let attempt = 0; attempt < ATTEMPTS; attempt++) {
-    short = Math.min(short, Math.max(LEAST_MS, milliseconds(run, n)));
+    short = Math.min(short, Math.max(MIN_MS, milliseconds(run, n)));
     long = Math.min(long, milliseconds(run, 4 * n));
-    if (long < MOST_GROWTH * short) return;
+    if (long < MAX_GROWTH * short) return;
   }
-  expect(long / short, what).toBeLessThan(MOST_GROWTH);
+  expect(long / short, what).toBeLessThan(MAX_GROWTH);
 }
 
 /** Of this process, its other threads included. */

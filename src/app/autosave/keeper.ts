@@ -28,7 +28,7 @@ export interface HeadFile {
 }
 
 /** More than this to write makes a long task of a save that does not wait. */
-const MOST_AT_ONCE_BYTES = 8 << 20;
+const MAX_AT_ONCE_BYTES = 8 << 20;
 
 export class Keeper {
   readonly pieces = new Pieces();
@@ -125,7 +125,7 @@ export class Keeper {
       goneFiles: filePlan.gone,
       gonePieces: piecePlan.gone,
       follows: this.isStored,
-      atOnce: atOnce && piecePlan.puts.reduce((sum, put) => sum + put.size, 0) <= MOST_AT_ONCE_BYTES,
+      atOnce: atOnce && piecePlan.puts.reduce((sum, put) => sum + put.size, 0) <= MAX_AT_ONCE_BYTES,
     };
     try {
       await this.store.write(write);

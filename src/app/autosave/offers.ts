@@ -8,7 +8,7 @@ import type { Observable } from '../../ui/kit/observable.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import { READABLE_VERSIONS } from './session-state.ts';
 
-export const MOST_KEPT = 5;
+export const MAX_KEPT = 5;
 export const LONGEST_KEPT_MS = 30 * 24 * 3600 * 1000;
 /** A page that is being reloaded may hold its session's lock for a moment yet. */
 const LOCK_PATIENCE_MS = 2000;
@@ -38,7 +38,7 @@ export class KeptOffers {
       sorted.map(async (card) => {
         const lock = await this.locks.hold(card.id, LOCK_PATIENCE_MS);
         if (!lock) return;
-        const tooMany = this.works.filter((other) => other.savedAtMs > card.savedAtMs).length >= MOST_KEPT;
+        const tooMany = this.works.filter((other) => other.savedAtMs > card.savedAtMs).length >= MAX_KEPT;
         try {
           if (tooMany || now - card.savedAtMs > LONGEST_KEPT_MS) await this.sessions.remove(card.id);
           // Another version's may be read by that version.

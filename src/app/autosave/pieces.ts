@@ -17,7 +17,7 @@ export const PIECE_BYTES = 1 << 20;
 /** Arrays from here on have pieces of their own. */
 export const LARGE_BYTES = 1 << 18;
 /** More pieces of small arrays than these, and those that are mostly empty are put together. */
-const MOST_SCRAPS = 32;
+const MAX_SCRAPS = 32;
 const SCRAP_BYTES = PIECE_BYTES / 4;
 
 interface Place {
@@ -137,7 +137,7 @@ export class Pieces {
       if (piece && 2 * bytes < piece.bytes) worn.add(id);
       else if (bytes < SCRAP_BYTES) scraps.push(id);
     }
-    if (scraps.length > MOST_SCRAPS) for (const id of scraps) worn.add(id);
+    if (scraps.length > MAX_SCRAPS) for (const id of scraps) worn.add(id);
     return worn;
   }
 

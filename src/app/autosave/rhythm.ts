@@ -4,7 +4,7 @@
  */
 
 const QUIET_MS = 800;
-const MOST_MS = 5000;
+const MAX_MS = 5000;
 /** A hand that stays down so long holds up nothing. */
 const PATIENCE_MS = 30_000;
 
@@ -26,12 +26,12 @@ export class Rhythm {
   changed(): void {
     const now = performance.now();
     this.firstMs ??= now;
-    this.wait(Math.min(QUIET_MS, this.firstMs + MOST_MS - now));
+    this.wait(Math.min(QUIET_MS, this.firstMs + MAX_MS - now));
   }
 
   /** Waits so long before the next try: the last one failed. */
   changedLater(milliseconds: number): void {
-    this.firstMs = performance.now() + milliseconds - MOST_MS;
+    this.firstMs = performance.now() + milliseconds - MAX_MS;
     this.wait(milliseconds);
   }
 

@@ -30,7 +30,7 @@ export interface Baked {
 }
 
 /** A short period and a long time could ask for any number of keys. */
-const MOST_KEYS = 1_000_000;
+const MAX_KEYS = 1_000_000;
 
 /**
  * The channel with keys for what its extrapolation does from `from` to `to` (seconds of the clip); between them it
@@ -123,7 +123,7 @@ function repetitions(channel: KeyedChannel, slopes: Slopes, period: number, to: 
   let end = last;
   while (channel.times[end - 1] === stop) end--;
   const count = Math.ceil((to - stop) / period);
-  if (count * (end - first) > MOST_KEYS) {
+  if (count * (end - first) > MAX_KEYS) {
     throw new CommandError(`That would take ${count} repetitions of ${end - first} keys, which is too many.`);
   }
   const offset = channel.extrapolateOut === 'cycle_offset' ? channel.values[last] - channel.values[0] : 0;

@@ -38,7 +38,7 @@ export interface Resampled extends Difference {
   readonly keysAfter: number;
 }
 
-const MOST_KEYS = 1_000_000;
+const MAX_KEYS = 1_000_000;
 /** Files round times to a few digits: a key so near to a frame, in seconds, is on it. */
 const ON_FRAME = 1e-5;
 
@@ -54,7 +54,7 @@ export function resampleChannel(channel: KeyedChannel, resampling: Resampling): 
   // Plus 0: a key at −0 s would be written as that.
   const firstFrame = Math.ceil((from - offsetSeconds - ON_FRAME) * framesPerSecond) + 0;
   const lastFrame = Math.floor((to - offsetSeconds + ON_FRAME) * framesPerSecond) + 0;
-  if (lastFrame - firstFrame >= MOST_KEYS) {
+  if (lastFrame - firstFrame >= MAX_KEYS) {
     throw new CommandError(`That would take ${lastFrame - firstFrame + 1} keys per curve, which is too many.`);
   }
   if (keysBefore === 0 || firstFrame > lastFrame) {

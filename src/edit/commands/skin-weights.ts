@@ -38,7 +38,7 @@ export interface AutoWeights {
 }
 
 export const USUAL_INFLUENCES = 4;
-const MOST_INFLUENCES = 16;
+const MAX_INFLUENCES = 16;
 
 /** What it came to. */
 export interface AutoWeighted {
@@ -70,8 +70,8 @@ export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<
   const index = indexIn(args.skin ?? character.shownSkin, 0, skins.length, 'skin');
   const skin = skins[index];
   const most = finiteNumber(args.mostInfluences ?? USUAL_INFLUENCES, '"mostInfluences"');
-  if (!Number.isInteger(most) || most < 1 || most > MOST_INFLUENCES) {
-    throw new CommandError(`A vertex takes 1 to ${MOST_INFLUENCES} joints, found ${most}.`);
+  if (!Number.isInteger(most) || most < 1 || most > MAX_INFLUENCES) {
+    throw new CommandError(`A vertex takes 1 to ${MAX_INFLUENCES} joints, found ${most}.`);
   }
   const seconds = finiteNumber(args.timeSeconds, '"timeSeconds"');
   const places = bindPlaces(character, skin, seconds);

@@ -217,7 +217,7 @@ function withoutClips(character: Character, gone: ReadonlySet<number>): Characte
 // Places.
 
 const ROOM = 1.6;
-const LEAST_CELL = 0.5;
+const MIN_CELL_SIZE = 0.5;
 
 /** Where a character's root begins, on the ground of the scene, without its placement; and how wide it is. */
 function startOf(character: Character): { readonly x: number; readonly z: number; readonly width: number } {
@@ -229,7 +229,7 @@ function startOf(character: Character): { readonly x: number; readonly z: number
 /** As near to a square as can be; the first one at the back left, the rows towards the viewer. */
 function inGrid(characters: readonly Character[]): Map<string, Vec3> {
   const starts = characters.map(startOf);
-  const cell = ROOM * starts.reduce((most, s) => Math.max(most, s.width), LEAST_CELL);
+  const cell = ROOM * starts.reduce((most, s) => Math.max(most, s.width), MIN_CELL_SIZE);
   const columns = Math.ceil(Math.sqrt(characters.length));
   const rows = Math.ceil(characters.length / columns);
   return new Map(

@@ -25,7 +25,7 @@ import type { HoldWindow } from './window.ts';
 const FIRST_SHARE = 0.5;
 /** After so many rounds it goes faster, and after so many doubles are not as fine as what is asked. */
 const PATIENT_ROUNDS = 6;
-const MOST_ROUNDS = 20;
+const MAX_ROUNDS = 20;
 
 /** The take with a key on every frame in place of what the DOFs had there; those of samples have other frames. */
 export function* bakingFrames(
@@ -90,7 +90,7 @@ export function* thinning(
       todo.push(dof);
     }
     if (todo.length === 0) return thin;
-    if (round === MOST_ROUNDS) return dense;
+    if (round === MAX_ROUNDS) return dense;
   }
 }
 

@@ -41,7 +41,7 @@ export interface Holding {
 /** In how many parts pins go to their targets. */
 const PARTS = 8;
 /** How often a solution that isn't there yet is gone on with. */
-const MOST_TRIES = 4;
+const MAX_TRIES = 4;
 /** Of the reach: joints that change so much less like in the frame before have jumped, unless the targets did. */
 const JUMP = 0.02;
 /** The same as a multiple of how the targets' distances changed. */
@@ -134,7 +134,7 @@ function changeOf(
 function finish(problem: IkProblem, dofs: Float64Array, starts: readonly PinTarget[], ends: readonly PinTarget[]) {
   aim(problem, starts, ends, 1);
   let { isSolved } = solve(problem, dofs, 'drag');
-  for (let tries = 1; tries < MOST_TRIES && !isSolved; tries++) isSolved = solve(problem, dofs, 'drag').isSolved;
+  for (let tries = 1; tries < MAX_TRIES && !isSolved; tries++) isSolved = solve(problem, dofs, 'drag').isSolved;
   // Where it is there already, settling looks nowhere else: it only takes the rest of the way.
   if (isSolved) solve(problem, dofs, 'settle');
   return { dofs, isReached: isSolved, left: problem.result.residuals.reduce((sum, residual) => sum + residual, 0) };

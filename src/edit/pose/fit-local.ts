@@ -9,9 +9,9 @@
  */
 import type { JointMotion } from '../../evaluate/motions/motion.ts';
 
-const MOST_STEPS = 60;
+const MAX_STEPS = 60;
 const DONE = 1e-28;
-const MOST_DAMPING = 1e12;
+const MAX_DAMPING = 1e12;
 /** An end is better than another by that part at least; else the earlier one stands. */
 const BETTER = 1e-9;
 
@@ -79,7 +79,7 @@ function descend(fit: LocalFit, dofs: Float64Array): number {
   let error = errorsAt(fit, dofs, errors);
   let damping = 1e-3;
   let growth = 2;
-  for (let n = 0; n < MOST_STEPS && error > DONE && damping < MOST_DAMPING; n++) {
+  for (let n = 0; n < MAX_STEPS && error > DONE && damping < MAX_DAMPING; n++) {
     for (let d = 0; d < count; d++) {
       motion.writeDerivative(dofs, first, d, matrix, 0);
       gradient[d] = 0;
@@ -99,7 +99,7 @@ function descend(fit: LocalFit, dofs: Float64Array): number {
     if (free.every((d) => Math.abs(gradient[d]) < 1e-17)) break;
     for (let d = 0; d < count; d++) before[d] = dofs[first + d];
     let isLower = false;
-    while (!isLower && damping < MOST_DAMPING) {
+    while (!isLower && damping < MAX_DAMPING) {
       const predicted = solve(jacobian, gradient, free, count, damping, normal, step);
       free.forEach((d, i) => {
         dofs[first + d] = Math.min(upper[d], Math.max(lower[d], before[d] + step[i]));

@@ -18,7 +18,7 @@ const FITS = 0.35;
 /** A pair fits better than that part of what each of the two would be off its own mirror image. */
 const BETTER_THAN_SELF = 0.5;
 /** Of more siblings than that only names tell. */
-const MOST_SIBLINGS = 400;
+const MAX_SIBLINGS = 400;
 
 export interface Partners {
   /** Each joint's, itself for one in the middle, -1 for one that has none. */
@@ -116,7 +116,7 @@ class Shape {
     const { partner, size } = this;
     const self = children.map((c) => this.cost(c, c));
     const candidates: { readonly a: number; readonly b: number; readonly cost: number }[] = [];
-    if (children.length <= MOST_SIBLINGS) {
+    if (children.length <= MAX_SIBLINGS) {
       children.forEach((a, i) => {
         for (let k = i + 1; k < children.length; k++) {
           const cost = this.cost(a, children[k]);
@@ -149,7 +149,7 @@ class Shape {
     }
     const [rest, otherRest] = [children, others].map((list) => list.filter((c) => partner[c] < 0));
     if (rest.length === 1 && otherRest.length === 1) this.pair(rest[0], otherRest[0]);
-    if (rest.length * otherRest.length > MOST_SIBLINGS ** 2) return;
+    if (rest.length * otherRest.length > MAX_SIBLINGS ** 2) return;
     this.take(
       rest.flatMap((a) => otherRest.map((b) => ({ a, b, cost: this.cost(a, b) })).filter((c) => c.cost < FITS * size)),
     );

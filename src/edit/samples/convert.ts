@@ -74,7 +74,7 @@ const STEP_FRAMES = 1 << 15;
 const FIRST_SHARE = 0.5;
 /** After so many rounds it goes faster, and after so many it is plain that doubles are not as fine as what is asked. */
 const PATIENT_ROUNDS = 8;
-const MOST_ROUNDS = 30;
+const MAX_ROUNDS = 30;
 
 /** One channel on its way. */
 interface Fitting {
@@ -131,7 +131,7 @@ export function* converting(
     let step = measuring.next();
     for (; !step.done; step = measuring.next()) yield progress(0.7 + 0.3 * step.value);
     if (!tighten(fittings, skeleton, step.value, allowed, round)) return result(made, samples, fittings, step.value);
-    if (round === MOST_ROUNDS)
+    if (round === MAX_ROUNDS)
       throw new CommandError('That tolerance is too tight for the precision of numbers. Increase it a little.');
   }
 }

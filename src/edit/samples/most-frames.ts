@@ -1,5 +1,5 @@
 /** How many frames may be made: what a page can hold, and no slip of a rate. */
-import { MOST_FRAMES, MOST_VALUES } from '../../evaluate/bake.ts';
+import { MAX_FRAMES, MAX_VALUES } from '../../evaluate/bake.ts';
 import { CommandError } from '../store.ts';
 
 /**
@@ -9,7 +9,7 @@ import { CommandError } from '../store.ts';
  */
 export function refuseTooMany(frameCount: number, width: number, there = 0): void {
   if (frameCount <= there) return;
-  const most = Math.min(MOST_FRAMES, Math.floor(MOST_VALUES / Math.max(1, width)));
+  const most = Math.min(MAX_FRAMES, Math.floor(MAX_VALUES / Math.max(1, width)));
   if (frameCount <= most) return;
   const [asked, possible] = [frameCount, most].map((count) => count.toLocaleString('en'));
   throw new CommandError(`That would be ${asked} frames of ${width} channels, but the maximum is ${possible} frames.`);

@@ -111,11 +111,11 @@ function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement:
  */
 function markOf(axis: Vec3, bone: Vec3 | undefined, other: Vec3): Vec3 {
   const across = bone && add(bone, axis, -dot(axis, bone));
-  return (across && Math.hypot(...across) > LEAST_ACROSS ? unit(across) : undefined) ?? other;
+  return (across && Math.hypot(...across) > MIN_ACROSS ? unit(across) : undefined) ?? other;
 }
 
 /** Of a bone of length 1: with less of it across the axis it points nowhere in particular. */
-const LEAST_ACROSS = 0.2;
+const MIN_ACROSS = 0.2;
 
 /** Of what stands at right angles to the axis. */
 function rotated(across: Vec3, axis: Vec3, angle: number): Vec3 {

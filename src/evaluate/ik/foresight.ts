@@ -16,9 +16,9 @@ import { FIRST_BOOST, freezeAtLimits, takeStep, writeStep } from './levenberg.ts
 import type { IkProblem } from './state.ts';
 
 /** A step that much longer than the last is foreseen no more: the miss grows with the square. */
-const MOST_STRETCH = 2;
+const MAX_STRETCH = 2;
 /** The cosine of the angle between two steps up to which the second goes on as the first; straight back does too. */
-const LEAST_ALONG = 0.7;
+const MIN_ALONG = 0.7;
 
 /**
  * The first step of a drag, from the pose last looked at; nothing is changed where it would not lower the error.
@@ -60,7 +60,7 @@ function stretchSquared({ foresight, errors, rows }: IkProblem, error: number): 
     along += errors[r] * last[r];
     square += last[r] * last[r];
   }
-  if (!(along * along > LEAST_ALONG * LEAST_ALONG * square * error)) return 0;
+  if (!(along * along > MIN_ALONG * MIN_ALONG * square * error)) return 0;
   const stretch = along / square;
-  return stretch * stretch <= MOST_STRETCH * MOST_STRETCH ? stretch * stretch : 0;
+  return stretch * stretch <= MAX_STRETCH * MAX_STRETCH ? stretch * stretch : 0;
 }

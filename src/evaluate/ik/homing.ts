@@ -14,7 +14,7 @@ import type { IkProblem } from './state.ts';
 /** Of the mean of the diagonal. Less than that and directions that nothing can move in would be divided by nothing. */
 const DAMPING = 1e-7;
 /** How often it is projected again because of limits. */
-const MOST_ROUNDS = 3;
+const MAX_ROUNDS = 3;
 
 /**
  * Writes h to `problem.scratch.step`, in unknowns. The pose in `dofs` is the one last looked at.
@@ -55,7 +55,7 @@ export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: Array
       }
       const value = dofs[dof[v]];
       const pressed = (value <= lower[v] && step[v] < 0) || (value >= upper[v] && step[v] > 0);
-      if (!pressed || round >= MOST_ROUNDS) continue;
+      if (!pressed || round >= MAX_ROUNDS) continue;
       held[v] = 1;
       isFree = false;
     }

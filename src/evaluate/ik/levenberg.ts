@@ -20,11 +20,11 @@ import type { IkProblem } from './state.ts';
 /** No step turns a joint further: radians, and as many reaches. */
 const LONGEST_STEP = 1;
 /** How often a step is solved again because of limits that it would cross. */
-const MOST_ROUNDS = 4;
+const MAX_ROUNDS = 4;
 export const FIRST_BOOST = 0.1;
-const LEAST_BOOST = 1e-4;
+const MIN_BOOST = 1e-4;
 /** Past that, no step however short lowers the error. */
-const MOST_BOOST = 1e12;
+const MAX_BOOST = 1e12;
 
 export interface Descent {
   /** Steps tried, those undone too. */
@@ -87,7 +87,7 @@ export function descendFrom(
     out.iterations++;
     if (next < error) {
       const gain = (error - next) / (error - promised);
-      if (gain > 0.75) boost = Math.max(LEAST_BOOST, boost / 2);
+      if (gain > 0.75) boost = Math.max(MIN_BOOST, boost / 2);
       else if (gain < 0.25) boost *= 2;
       idle = error - next < options.leastGain * error ? idle + 1 : 0;
       error = next;
@@ -99,7 +99,7 @@ export function descendFrom(
       for (let r = 0; r < rows; r++) errors[r] = errorsBefore[r];
       boost *= 4;
       isFresh = false;
-      if (!(boost < MOST_BOOST)) break;
+      if (!(boost < MAX_BOOST)) break;
     }
   }
   if (!isFresh) error = evaluatePose(problem, dofs);
@@ -155,7 +155,7 @@ export function writeStep(problem: IkProblem, errors: Float64Array, damping: num
     let shortest = 1;
     for (let v = 0; v < n; v++) shortest = Math.min(shortest, LONGEST_STEP / Math.abs(step[v] * relative[v]));
     let crossed = 0;
-    for (let v = 0; v < n && round < MOST_ROUNDS; v++) {
+    for (let v = 0; v < n && round < MAX_ROUNDS; v++) {
       if (fixed[v] === 1) continue;
       const value = before[v] + shortest * step[v] * scale[v];
       if (value >= lower[v] && value <= upper[v]) continue;

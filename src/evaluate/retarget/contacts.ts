@@ -33,7 +33,7 @@ const LEVEL = 0.17;
 const SHORTEST_GAP = 0.05;
 /** Samples of the source a second, and at most in all. */
 const RATE = 60;
-const MOST_SAMPLES = 20000;
+const MAX_SAMPLES = 20000;
 /** Of all heights: who stands is near the lowest. */
 const STANDING = 0.12;
 /** Moments of a contact at which the offset is measured. */
@@ -91,7 +91,7 @@ interface Ways {
 
 function sampleWays(plan: RetargetPlan, joints: readonly number[]): Ways {
   const [start, end] = plan.range;
-  const count = Math.max(2, Math.min(MOST_SAMPLES, Math.ceil((end - start) * RATE) + 1));
+  const count = Math.max(2, Math.min(MAX_SAMPLES, Math.ceil((end - start) * RATE) + 1));
   const step = (end - start) / (count - 1);
   const points = new Float64Array(3 * joints.length * count);
   const p = new Float64Array(3);

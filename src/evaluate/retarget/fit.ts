@@ -19,7 +19,7 @@ import { eulerDofs, type RenamedAxes, renamedAxes, rigidEulerDofs } from '../eul
 import type { CompiledSkeleton } from '../kinematics.ts';
 
 const BONE_WEIGHT = 4;
-const MOST_SWEEPS = 24;
+const MAX_SWEEPS = 24;
 const SETTLED = 1e-10;
 
 export interface JointFit {
@@ -115,7 +115,7 @@ export function fitJoint(
   }
   if (isDone) return;
   weigh(wanted, bone, bo);
-  for (let sweep = 0; sweep < MOST_SWEEPS; sweep++) {
+  for (let sweep = 0; sweep < MAX_SWEEPS; sweep++) {
     let moved = 0;
     for (let i = 0; i < angles.length; i++) {
       if (upper[i] <= lower[i]) continue;

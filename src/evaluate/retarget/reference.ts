@@ -13,7 +13,7 @@ import { SIDES } from './roles.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
 
 /** Moments that are looked at, evenly over the clip. */
-const MOST_MOMENTS = 64;
+const MAX_MOMENTS = 64;
 /** Within 45° of upright. */
 const STANDS = Math.SQRT1_2;
 
@@ -34,8 +34,8 @@ export function referenceFigure(
   let best = rest;
   let least = Infinity;
   const [start, end] = range;
-  for (let i = 0; i < MOST_MOMENTS; i++) {
-    const figure = at(start + ((end - start) * i) / (MOST_MOMENTS - 1));
+  for (let i = 0; i < MAX_MOMENTS; i++) {
+    const figure = at(start + ((end - start) * i) / (MAX_MOMENTS - 1));
     const off = unlikeness(bodies, figure);
     if (off >= least) continue;
     least = off;

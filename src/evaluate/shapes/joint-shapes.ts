@@ -29,7 +29,7 @@ export interface JointSizes {
 /** A ball's radius is at most so much of a bone that it is at an end of. */
 const SHARE_OF_BONE = 0.22;
 /** And at most so many times that at the bone's other end. */
-const MOST_BESIDE = 1.4;
+const MAX_BESIDE = 1.4;
 
 export function jointSizes(skeleton: Skeleton): JointSizes {
   const joints = skeleton.joints;
@@ -59,7 +59,7 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   });
   // And no bone looks like a club: thin at the shoulder and with the largest ball of all at its elbow.
   const evenOut = (j: number, beside: number) => {
-    radii[j] = Math.min(radii[j], Math.max(MOST_BESIDE * radii[beside], 0.5 * usual));
+    radii[j] = Math.min(radii[j], Math.max(MAX_BESIDE * radii[beside], 0.5 * usual));
   };
   for (let j = joints.length - 1; j > 0; j--) if (lengths[j] > 0) evenOut(joints[j].parent, j);
   for (let j = 1; j < joints.length; j++) if (lengths[j] > 0) evenOut(j, joints[j].parent);

@@ -12,7 +12,7 @@ const PITCH = (14 * Math.PI) / 180;
 const MARGIN = 0.07;
 /** Where light comes from, as the eye sees it: from the upper left, and behind it. */
 const LIGHT = [-0.42, 0.62, 0.66];
-const LEAST_LIGHT = 0.12;
+const MIN_LIGHT = 0.12;
 
 /** A solid as it is seen in a picture of that size, as large as fits. */
 export function look(
@@ -45,7 +45,7 @@ export function look(
     // Files have normals that point inward: whatever is seen is seen from its outside.
     const length = Math.hypot(nx, ny, nz) || 1;
     const part = (facing < 0 ? -lit : lit) / length;
-    light[v] = LEAST_LIGHT + (1 - LEAST_LIGHT) * Math.min(1, Math.max(0, 0.5 + 0.5 * part) ** 1.3);
+    light[v] = MIN_LIGHT + (1 - MIN_LIGHT) * Math.min(1, Math.max(0, 0.5 + 0.5 * part) ** 1.3);
     for (let k = 0; k < 2; k++) {
       low[k] = Math.min(low[k], seen[3 * v + k]);
       high[k] = Math.max(high[k], seen[3 * v + k]);

@@ -21,7 +21,7 @@ export interface Solid {
 }
 
 /** A skin with more vertices than that is not deformed for a picture of that size: its bones stand for it. */
-const MOST_VERTICES = 150_000;
+const MAX_VERTICES = 150_000;
 
 export type Posed = Pick<Character, 'skeleton' | 'skins' | 'shownSkin' | 'morphs' | 'clampsToLimits'>;
 
@@ -34,7 +34,7 @@ export function solidOf(character: Posed, values: ArrayLike<number>): Solid | un
   const dofs = Float64Array.from(values);
   const world = skeleton && worldOf(skeleton, dofs, character.clampsToLimits);
   const skin = character.skins[character.shownSkin];
-  if (skin && skin.triangles.length > 0 && skin.positions.length / 3 <= MOST_VERTICES) {
+  if (skin && skin.triangles.length > 0 && skin.positions.length / 3 <= MAX_VERTICES) {
     const compiled = compileSkin(skin);
     const points = new Float64Array(3 * compiled.vertexCount);
     const normals = new Float64Array(3 * compiled.vertexCount);

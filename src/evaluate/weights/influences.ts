@@ -4,7 +4,7 @@ import type { Attachments } from '../../model/skin.ts';
 import type { Steps } from '../steps.ts';
 
 /** Less, beside all of a vertex's weight, moves nothing that anyone sees, and takes its place in the file. */
-const LEAST_PART = 0.004;
+const MIN_FRACTION = 0.004;
 /** Weights are written with so many decimals. */
 const SCALE = 1e4;
 /** Vertices between two pauses. */
@@ -78,7 +78,7 @@ export class Influences {
     for (let i = 0; i < most; i++) all += weights[from + i];
     let kept = 0;
     let count = 0;
-    while (count < most && weights[from + count] >= LEAST_PART * all && weights[from + count] > 0) {
+    while (count < most && weights[from + count] >= MIN_FRACTION * all && weights[from + count] > 0) {
       kept += weights[from + count++];
     }
     let left = SCALE;

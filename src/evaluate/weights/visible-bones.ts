@@ -18,7 +18,7 @@ import type { SurfaceSides } from './surface-sides.ts';
 import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
 
 /** Bones looked at for each vertex, nearest first. */
-const MOST_TRIED = 12;
+const MAX_CANDIDATES = 12;
 /** Distances that differ by a smaller part are the same. */
 const AS_NEAR = 1e-4;
 /** Nearer than this part of the mesh's diagonal, they are the same, too. */
@@ -64,7 +64,7 @@ export function* visibleBones(tree: TriangleTree, surface: SurfaceSides, bones: 
     let through: number = HIDDEN;
     let open = -1;
     let after = -1;
-    for (let tried = 0; tried < Math.min(MOST_TRIED, boneCount) && through !== INSIDE; tried++) {
+    for (let tried = 0; tried < Math.min(MAX_CANDIDATES, boneCount) && through !== INSIDE; tried++) {
       const b = nextNearest(distances, after);
       after = b;
       through = sight.from(v, bones, b, along[b]);

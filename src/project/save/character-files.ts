@@ -5,7 +5,7 @@
 import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
 import { CommandError } from '../../edit/store.ts';
-import { framesOf, MOST_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
+import { framesOf, MAX_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
 import type { BvhFigure } from '../../evaluate/bvh-figure.ts';
 import { framesFor, toBvhFigure } from '../../evaluate/bvh-figure.ts';
 import { keyFrames } from '../../evaluate/key-frames.ts';
@@ -57,10 +57,10 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
     framesPerSecond === undefined
       ? framesFor(character, DEFAULT_FRAMES_PER_SECOND)
       : framesOf(clip?.range ?? [0, 0], framesPerSecond);
-  if (frames.frameCount > Math.max(MOST_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
+  if (frames.frameCount > Math.max(MAX_FRAMES, ownFrames(character)?.frameCount ?? 0)) {
     const count = frames.frameCount.toLocaleString('en');
     throw new CommandError(
-      `${name} would have ${count} frames, but the maximum is ${MOST_FRAMES.toLocaleString('en')}.`,
+      `${name} would have ${count} frames, but the maximum is ${MAX_FRAMES.toLocaleString('en')}.`,
     );
   }
   const made = toBvhFigure(character, frames, `${name}.bvh`);

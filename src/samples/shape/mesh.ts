@@ -146,7 +146,7 @@ export const roundVec = (p: Vec3, decimals: number): [number, number, number] =>
 ];
 
 /** Less is left out: it moves nothing that anyone sees, and takes its place in the file. */
-const LEAST_WEIGHT = 0.03;
+const MIN_WEIGHT = 0.03;
 
 /** At most 4 a vertex, in hundredths that sum to 100; what rounding leaves goes to the largest. */
 function packWeights(all: readonly Weights[]): Attachments {
@@ -155,7 +155,7 @@ function packWeights(all: readonly Weights[]): Attachments {
   const weights: number[] = [];
   for (const vertex of all) {
     const total = [...vertex.values()].reduce((s, w) => s + w, 0);
-    const ranked = [...vertex].sort((a, b) => b[1] - a[1]).filter(([, w]) => w >= LEAST_WEIGHT * total);
+    const ranked = [...vertex].sort((a, b) => b[1] - a[1]).filter(([, w]) => w >= MIN_WEIGHT * total);
     const kept = ranked.slice(0, 4);
     const sum = kept.reduce((s, [, w]) => s + w, 0);
     const parts = kept.map(([joint, w]) => ({ joint, hundredths: Math.round((100 * w) / sum) }));

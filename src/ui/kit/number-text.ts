@@ -5,7 +5,7 @@
 import { type Units, workedOut } from './arithmetic.ts';
 
 /** Decimals in the interface, unless a number is copied or edited. */
-export const MOST_DECIMALS = 3;
+export const MAX_DECIMALS = 3;
 
 /** The shortest decimal that reads back as the same double, in ASCII. Minus zero is 0. */
 export function exact(value: number): string {
@@ -13,13 +13,13 @@ export function exact(value: number): string {
 }
 
 /** For fields, labels and messages: without trailing zeros, huge numbers as powers of ten. */
-export function shown(value: number, decimals = MOST_DECIMALS): string {
+export function shown(value: number, decimals = MAX_DECIMALS): string {
   const text = aligned(value, decimals);
   return text.includes('.') && !text.includes('e') ? text.replace(/\.?0+$/, '') : text;
 }
 
 /** The same with trailing zeros, so that columns line up and a running number keeps its width. */
-export function aligned(value: number, decimals = MOST_DECIMALS): string {
+export function aligned(value: number, decimals = MAX_DECIMALS): string {
   if (Number.isNaN(value)) return 'NaN';
   const size = Math.abs(value);
   const text = size === Infinity ? '∞' : size >= 1e9 ? size.toExponential(2) : size.toFixed(decimals);
@@ -27,14 +27,14 @@ export function aligned(value: number, decimals = MOST_DECIMALS): string {
 }
 
 /** Decimals that leave a number within so many characters: fewer for larger numbers. */
-export function decimalsWithin(value: number, characters: number, decimals = MOST_DECIMALS): number {
+export function decimalsWithin(value: number, characters: number, decimals = MAX_DECIMALS): number {
   const whole = String(Math.trunc(Math.abs(value))).length + (value < 0 ? 2 : 1);
   return Math.max(0, Math.min(decimals, characters - whole));
 }
 
 /** How large an error or a difference is, 0 or more: `0.02`, `under 0.001` for what would read as 0 but is not. */
 export function errorSize(value: number): string {
-  const least = 10 ** -MOST_DECIMALS;
+  const least = 10 ** -MAX_DECIMALS;
   return value > 0 && value < least / 2 ? `under ${least}` : shown(value);
 }
 
@@ -55,9 +55,9 @@ const NO_UNITS: Units = {};
 /** Why a field shows what it showed before: `Frame: “ten” is not a number.` */
 export function notANumber(label: string, typed: string): string {
   const text = typed.trim();
-  return `${label}: “${text.length > MOST_QUOTED ? `${text.slice(0, MOST_QUOTED)}…` : text}” is not a number.`;
+  return `${label}: “${text.length > MAX_QUOTED ? `${text.slice(0, MAX_QUOTED)}…` : text}” is not a number.`;
 }
-const MOST_QUOTED = 24;
+const MAX_QUOTED = 24;
 
 /** Made once: making one takes longer than all that it formats in a frame. */
 const COUNTS = new Intl.NumberFormat('en-US');

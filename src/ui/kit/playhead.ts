@@ -25,14 +25,14 @@ export interface PlayheadColours {
 /** By font and text; digits are all taken to be as wide as 0, which a label has room for. */
 const widths = new Map<string, number>();
 /** Fonts change with the theme at most, and texts by their length: it is never so many. */
-const MOST_WIDTHS = 256;
+const MAX_WIDTHS = 256;
 
 /** CSS pixels. Asked in every frame, and measuring text is slow. */
 function widthOf(g: CanvasRenderingContext2D, font: string, text: string): number {
   const key = `${font} ${text.replace(/\d/g, '0')}`;
   let width = widths.get(key);
   if (width === undefined) {
-    if (widths.size >= MOST_WIDTHS) widths.clear();
+    if (widths.size >= MAX_WIDTHS) widths.clear();
     width = g.measureText(text).width;
     widths.set(key, width);
   }

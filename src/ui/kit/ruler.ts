@@ -22,7 +22,7 @@ export interface RulerScale {
 }
 
 /** Never more than this, whatever the scale: a window of no size must not hang the page. */
-const MOST_TICKS = 2000;
+const MAX_TICKS = 2000;
 
 export function rulerTicks(scale: RulerScale): Tick[] {
   const { fromSeconds, toSeconds, width, spacing, framesPerSecond } = scale;
@@ -38,7 +38,7 @@ export function rulerTicks(scale: RulerScale): Tick[] {
   const small = step / parts;
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const first = Math.ceil(from / small - 1e-9);
-  const last = Math.min(Math.floor(to / small + 1e-9), first + MOST_TICKS);
+  const last = Math.min(Math.floor(to / small + 1e-9), first + MAX_TICKS);
   const ticks: Tick[] = [];
   for (let i = first; i <= last; i++) {
     const timeSeconds = i * small * unit;

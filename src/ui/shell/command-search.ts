@@ -6,7 +6,7 @@ import { actionLabel, actionsOf, isEnabled, tryAction } from '../state/action.ts
 import { shortcutsFor, shortcutText } from '../state/shortcuts.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 
-const MOST_SHOWN = 12;
+const MAX_SHOWN = 12;
 
 export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => void): DialogContent {
   const listId = uniqueId('commands');
@@ -47,7 +47,7 @@ export function commandSearch(wb: Uses<'actions' | 'settings'>, close: () => voi
       input.value,
       (a) => longLabel(wb, a),
       (a) => TRAVELS.includes(a.id),
-    ).slice(0, MOST_SHOWN);
+    ).slice(0, MAX_SHOWN);
     list.replaceChildren(...found.map((action) => row(wb, action, () => run(action))));
     if (!found.length) list.append(element('li', { class: 'empty' }, 'No matching command'));
     choose(0);

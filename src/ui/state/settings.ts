@@ -3,7 +3,7 @@
  * localStorage. A store that is forbidden, full, or holds something else than we wrote only means defaults: nobody
  * should be locked out of the page by what an older version left there.
  */
-import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MOST_GHOSTS } from '../../model/session.ts';
+import { DEFAULT_DISPLAY, type Display, GHOST_UNITS, MAX_GHOSTS } from '../../model/session.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 
 export const THEMES = ['system', 'light', 'dark'] as const;
@@ -128,7 +128,7 @@ function parseDisplay(kept: Record<string, unknown>): Display {
 
 /** How many ghosts. */
 function count(kept: unknown, otherwise: number): number {
-  const fits = typeof kept === 'number' && Number.isInteger(kept) && kept >= 0 && kept <= MOST_GHOSTS;
+  const fits = typeof kept === 'number' && Number.isInteger(kept) && kept >= 0 && kept <= MAX_GHOSTS;
   return fits ? kept : otherwise;
 }
 

@@ -23,7 +23,7 @@ import { handleAt, type Layout, layOut, RING_PIXELS } from './shapes.ts';
 
 /** CSS pixels: side of the canvas. */
 const SIDE = Math.ceil(2 * 1.5 * RING_PIXELS);
-const MOST_PIXELS_PER_PIXEL = 2;
+const MAX_PIXELS_PER_PIXEL = 2;
 
 export interface GizmoSource {
   /**
@@ -70,7 +70,7 @@ export class JointGizmo implements Overlay {
     const { layout, canvas, pen } = this;
     if (canvas.hidden !== (layout === undefined)) canvas.hidden = layout === undefined;
     if (!layout || !pen) return;
-    const ratio = Math.min(window.devicePixelRatio || 1, MOST_PIXELS_PER_PIXEL);
+    const ratio = Math.min(window.devicePixelRatio || 1, MAX_PIXELS_PER_PIXEL);
     if (ratio !== this.ratio) {
       this.ratio = ratio;
       canvas.width = canvas.height = Math.round(SIDE * ratio);

@@ -12,7 +12,7 @@ import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 const WAIST = 0.14;
 /** Its thickness, as part of its length, and at most in CSS pixels. */
 const SHARE = 0.09;
-const MOST_PIXELS = 9;
+const MAX_PIXELS = 9;
 
 const CORNERS = [
   [1, WAIST, 0],
@@ -77,7 +77,7 @@ export class BoneShapes {
     const dx = world[b] - world[a];
     const dy = world[b + 1] - world[a + 1];
     const dz = world[b + 2] - world[a + 2];
-    const thick = Math.min(SHARE * Math.sqrt(dx * dx + dy * dy + dz * dz), MOST_PIXELS * perPixel);
+    const thick = Math.min(SHARE * Math.sqrt(dx * dx + dy * dy + dz * dz), MAX_PIXELS * perPixel);
     boneMatrix(world, 16 * from, 16 * to, thick, this.faces.matrices, 16 * i);
     this.edges.matrices.set(this.faces.matrices.subarray(16 * i, 16 * i + 16), 16 * i);
   }

@@ -10,7 +10,7 @@ import { colorDots, type Dots, disposeDots, putDot, rigDots } from './rig-dots.t
 import { AXES } from './rig-screen.ts';
 
 /** A box that is smaller than this on the screen has no handles: they would be one upon the other. CSS pixels. */
-const LEAST_BOX = 26;
+const MIN_BOX = 26;
 
 export class BoxHandles {
   readonly object = new Group();
@@ -44,7 +44,7 @@ export class BoxHandles {
     }
     const isTiny = AXES.every((axis) => {
       const [x, y] = [4 * axis, 4 * axis + 1];
-      return !(Math.hypot(screen[x + 2] - screen[x], screen[y + 2] - screen[y]) >= LEAST_BOX);
+      return !(Math.hypot(screen[x + 2] - screen[x], screen[y + 2] - screen[y]) >= MIN_BOX);
     });
     if (isTiny) {
       screen.fill(Number.NaN);

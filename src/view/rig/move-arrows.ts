@@ -12,7 +12,7 @@ import { AXES, type Axis } from './rig-screen.ts';
 const LENGTH = 78;
 const START = 16;
 /** An arrow that points at the viewer, or away, is a dot: nothing to take hold of. */
-const LEAST_PIXELS = 14;
+const MIN_PIXELS = 14;
 
 const UP = new Vector3(0, 1, 0);
 
@@ -64,7 +64,7 @@ export class MoveArrows {
       reach(LENGTH, 4 * axis + 2);
       const dx = screen[4 * axis + 2] - screen[4 * axis];
       const dy = screen[4 * axis + 3] - screen[4 * axis + 1];
-      if (!(Math.hypot(dx, dy) >= LEAST_PIXELS)) {
+      if (!(Math.hypot(dx, dy) >= MIN_PIXELS)) {
         arrow.object.visible = false;
         screen.fill(Number.NaN, 4 * axis, 4 * axis + 4);
         continue;

@@ -14,7 +14,7 @@ import { characterOf, frameTimes, heightOf, worstDistance } from './round-trip.t
 const TOLERANCE = 1e-9;
 
 /** Frames compared of each file; the last one is among them. */
-const MOST_FRAMES = 150;
+const MAX_FRAMES = 150;
 
 /** Megabytes of text are written and read here, five times for each: some machines have more to do besides. */
 const SLOW_MS = 60_000;
@@ -46,7 +46,7 @@ function throughBvh(figure: Figure, framesPerSecond: number): Figure {
 
 function someFrames(figure: Figure): readonly number[] {
   const times = frameTimes(figure);
-  const step = Math.ceil(times.length / MOST_FRAMES);
+  const step = Math.ceil(times.length / MAX_FRAMES);
   return times.filter((_, f) => f % step === 0 || f === times.length - 1);
 }
 

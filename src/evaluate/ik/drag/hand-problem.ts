@@ -29,7 +29,7 @@ const HOLDS_BACK = 0.25;
 /** Where nothing moves a point further than that, for a radian or a reach, it does not move. */
 const DOES_NOT_MOVE = 1e-6;
 /** Solutions at one place of the hand, until what pulls less has come to rest. */
-const MOST_ROUNDS = 5;
+const MAX_ROUNDS = 5;
 
 export class HandProblem {
   readonly problem: IkProblem;
@@ -102,7 +102,7 @@ export class HandProblem {
    */
   comeToRest(spare: number): void {
     const rest = 0.1 * IS_THERE * this.reach;
-    for (let round = 0; round < MOST_ROUNDS && this.left > spare; round++) {
+    for (let round = 0; round < MAX_ROUNDS && this.left > spare; round++) {
       const before = this.missing;
       if (before <= IS_THERE * this.reach) return;
       this.solve('drag');

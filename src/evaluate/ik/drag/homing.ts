@@ -10,18 +10,18 @@ import { goHome, writeWayHome } from '../homing.ts';
 import { type HandProblem, IS_THERE } from './hand-problem.ts';
 
 /** Steps of a frame, each of so much at most: radians, factors, parts of the reach. */
-const MOST_STEPS = 4;
+const MAX_STEPS = 4;
 const LONGEST_STEP = 0.12;
 /** A way that is shorter than that is no way. */
 const IS_HOME = 1e-3;
 /** What of a step is left at least, once the pins are put right; less is none. */
-const LEAST_PART = 0.1;
+const MIN_FRACTION = 0.1;
 /**
  * A hand out of reach draws the pose back by as much as it has gone, for ever: after so many frames that gained less than
  * so much of the distance it has come as near as it can.
  */
-const MOST_IN_VAIN = 3;
-const LEAST_GAIN = 1e-3;
+const MAX_FUTILE_STEPS = 3;
+const MIN_GAIN = 1e-3;
 /** What of the iterations of a frame a step is counted as, beside those that put the pins right. */
 const COST = 1;
 
@@ -50,19 +50,19 @@ export class Homing {
   come(spare: number, isHere: boolean): void {
     this.isOnItsWay = false;
     this.lookAtHand();
-    if (this.inVain >= MOST_IN_VAIN) return;
+    if (this.inVain >= MAX_FUTILE_STEPS) return;
     this.goOn(spare);
     if (!this.isOnItsWay) return;
     const now = this.distance();
-    this.inVain = isHere && now > this.nearest * (1 - LEAST_GAIN) ? this.inVain + 1 : 0;
+    this.inVain = isHere && now > this.nearest * (1 - MIN_GAIN) ? this.inVain + 1 : 0;
     this.nearest = isHere ? Math.min(now, this.nearest) : Infinity;
-    if (this.inVain >= MOST_IN_VAIN) this.isOnItsWay = false;
+    if (this.inVain >= MAX_FUTILE_STEPS) this.isOnItsWay = false;
   }
 
   private goOn(spare: number): void {
     const { of, home, tried } = this;
     // What is out of reach takes many iterations each time: one step in a frame.
-    const most = of.missing > IS_THERE * of.reach ? 1 : MOST_STEPS;
+    const most = of.missing > IS_THERE * of.reach ? 1 : MAX_STEPS;
     for (let s = 0; s < most && of.left > spare; s++) {
       const way = writeWayHome(of.problem, of.dofs, home);
       of.left -= COST;
@@ -78,7 +78,7 @@ export class Homing {
       const isWorse = of.worstPin > Math.max(missed, IS_THERE * of.reach) + 1e-12;
       const hasLost = of.missing > Math.max(missing * (1 + 1e-3), IS_THERE * of.reach);
       // What is put right by going back again would go on for ever, and nowhere.
-      const isNowhere = of.furthest(tried) < LEAST_PART * part * way || this.distance() > far * (1 - 1e-6);
+      const isNowhere = of.furthest(tried) < MIN_FRACTION * part * way || this.distance() > far * (1 - 1e-6);
       if (isWorse || hasLost || isNowhere) {
         of.dofs.set(tried);
         of.solve('drag');

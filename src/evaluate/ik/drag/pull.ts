@@ -20,9 +20,9 @@ import { Shaking } from './shaking.ts';
 /** Part of the reach. */
 const LONGEST_STEP = 0.15;
 /** Steps of one move: past these it is a jump, and what leads there is coarser. */
-const MOST_STEPS = 8;
+const MAX_STEPS = 8;
 /** Iterations of a frame. One takes some 20 µs for a wasp on six feet. */
-const MOST_ITERATIONS = 96;
+const MAX_ITERATIONS = 96;
 /** Of one solution, at most: see `solve`. */
 const ONE_SOLUTION = 24;
 /** What shaking a pose takes, at least. */
@@ -107,7 +107,7 @@ export class Pull {
     goal[0] = x;
     goal[1] = y;
     goal[2] = z;
-    of.left = MOST_ITERATIONS;
+    of.left = MAX_ITERATIONS;
     // What had no room in the frame before has it in this one.
     const spare = this.shakingWaits ? TO_SHAKE : 0;
     const way = this.follow(spare);
@@ -190,7 +190,7 @@ export class Pull {
     const [fromX, fromY, fromZ] = of.hand;
     const [x, y, z] = goal;
     const way = Math.hypot(x - fromX, y - fromY, z - fromZ);
-    const steps = Math.min(MOST_STEPS, Math.max(1, Math.ceil(way / (LONGEST_STEP * of.reach))));
+    const steps = Math.min(MAX_STEPS, Math.max(1, Math.ceil(way / (LONGEST_STEP * of.reach))));
     for (let s = 1; s < steps; s++) {
       const part = s / steps;
       of.moveHand(fromX + part * (x - fromX), fromY + part * (y - fromY), fromZ + part * (z - fromZ));

@@ -29,14 +29,14 @@ export interface SharedNumbers {
 }
 
 /** More than this are not looked through: nobody types a time for all of them. */
-const MOST_KEYS = 5000;
+const MAX_KEYS = 5000;
 /** What a field has room for: `-418.731`. */
-const MOST_CHARACTERS = 8;
-const brief = (value: number) => shown(value, decimalsWithin(value, MOST_CHARACTERS));
+const MAX_CHARACTERS = 8;
+const brief = (value: number) => shown(value, decimalsWithin(value, MAX_CHARACTERS));
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
 
 function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[]): SharedNumbers {
-  if (!keys.length || countKeys(keys) > MOST_KEYS) return MIXED;
+  if (!keys.length || countKeys(keys) > MAX_KEYS) return MIXED;
   let found: { -readonly [K in keyof SharedNumbers]: SharedNumbers[K] } | undefined;
   for (const { channel: c, indices } of keys) {
     const channel = keysOf(clip.channels[c]);

@@ -37,7 +37,7 @@ const GRIPS: readonly (readonly [-1 | 0 | 1, -1 | 0 | 1, string])[] = [
 /** Kept free between the keys and the frame, so that keys can still be taken. */
 const MARGIN = 12;
 /** A side that is shorter has nothing to scale. */
-const LEAST_PIXELS = 2;
+const MIN_PIXELS = 2;
 
 export class ScaleFrame {
   readonly element = element('div', { class: 'scale-frame', hidden: true });
@@ -66,8 +66,8 @@ export class ScaleFrame {
     frame.style.transform = `translate(${edges.left - MARGIN}px, ${edges.top - MARGIN}px)`;
     frame.style.width = `${edges.right - edges.left + 2 * MARGIN}px`;
     frame.style.height = `${edges.bottom - edges.top + 2 * MARGIN}px`;
-    const wide = edges.right - edges.left >= LEAST_PIXELS;
-    const high = edges.bottom - edges.top >= LEAST_PIXELS;
+    const wide = edges.right - edges.left >= MIN_PIXELS;
+    const high = edges.bottom - edges.top >= MIN_PIXELS;
     for (const grip of this.grips) grip.element.hidden = (grip.x !== 0 && !wide) || (grip.y !== 0 && !high);
   }
 

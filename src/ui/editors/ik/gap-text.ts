@@ -6,9 +6,9 @@ import { jointName } from '../../../model/joint-name.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 
 /** Limits named at once; the rest is counted. */
-const MOST_NAMED = 3;
+const MAX_NAMED = 3;
 /** Of pins and locks, whose names are all that is said. */
-const MOST_JOINTS = 2;
+const MAX_JOINTS = 2;
 
 /**
  * `knee_l rx at its limit`, `knee_l is locked`, or both; where neither is in the way what else it is: pins that hold, or
@@ -34,7 +34,7 @@ function limitsText(character: Character, joint: number, binding: readonly numbe
     return at < 0 ? onWay.length : at;
   };
   const ordered = [...binding].sort((a, b) => place(a) - place(b) || a - b);
-  const named = ordered.slice(0, MOST_NAMED).map((dof) => {
+  const named = ordered.slice(0, MAX_NAMED).map((dof) => {
     const { joint: of = -1, name = '' } = dofs[dof] ?? {};
     return `${jointName(character.skeleton, of)} ${name}`;
   });
@@ -50,7 +50,7 @@ function locksText({ skeleton }: Character, joint: number, locks: readonly numbe
 }
 
 function namesOf(skeleton: Skeleton | undefined, joints: readonly number[]): string {
-  const named = joints.slice(0, MOST_JOINTS).map((joint) => jointName(skeleton, joint));
+  const named = joints.slice(0, MAX_JOINTS).map((joint) => jointName(skeleton, joint));
   const more = joints.length - named.length;
   return more > 0 ? `${named.join(', ')} and ${more} more` : named.join(' and ');
 }

@@ -22,7 +22,7 @@ const QUICK_SECONDS = 2;
 /** About as long as a foot stands. */
 const STEP_SECONDS = 0.5;
 /** Curves named at once; the rest is counted. */
-const MOST_NAMED = 3;
+const MAX_NAMED = 3;
 
 export function holdDialog(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'messages' | 'dialog'>,
@@ -103,7 +103,7 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
     })
     .map((channel) => `${jointName(before.skeleton, dofs[channel].joint)} ${dofs[channel].name}`);
   if (names.length === 0) return '';
-  const named = names.slice(0, MOST_NAMED);
+  const named = names.slice(0, MAX_NAMED);
   const more = names.length - named.length;
   const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
   return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys replace the cycle over the played range.`;

@@ -31,7 +31,7 @@ const AXIS_LENGTH = 16;
 /** Part of the reach. */
 const LIMB = 0.13;
 /** Shorter gaps are not worth a line. */
-const LEAST_GAP = 1.5;
+const MIN_GAP = 1.5;
 /** Part of the reach: as near as that counts as there. */
 const IS_THERE = 1e-3;
 
@@ -242,7 +242,7 @@ function paintGap(
   const b = eye.toScreen(to);
   // One that lies in the line of sight is short on the screen, and a gap nevertheless.
   const inDepth = Math.hypot(...to.map((v, k) => v - from[k])) / eye.unitsPerPixel(from);
-  if (Math.max(inDepth, Math.hypot(b.x - a.x, b.y - a.y)) < LEAST_GAP) return [];
+  if (Math.max(inDepth, Math.hypot(b.x - a.x, b.y - a.y)) < MIN_GAP) return [];
   painter.line(from, to, 'pinGap', 2, true);
   painter.mark(to, { shape: 'ring', color: 'pinGap', size: 10 });
   const of = pin === undefined ? 'dragged' : pinKey(seen, pin);

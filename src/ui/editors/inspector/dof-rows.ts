@@ -8,7 +8,7 @@ import type { CharacterDof } from '../../../model/dofs.ts';
 import { reachOf } from '../../../model/reach.ts';
 import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../model/skeleton.ts';
 import { element, uniqueId } from '../../kit/dom.ts';
-import { MOST_DECIMALS, shown } from '../../kit/number-text.ts';
+import { MAX_DECIMALS, shown } from '../../kit/number-text.ts';
 import { Slider, type SliderOptions } from '../../kit/slider.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
@@ -159,7 +159,7 @@ function resolutionOf(dof: CharacterDof, span: readonly [number, number], angles
   if (dof.unit === 'angle') return angles === 'degrees' ? { step: 0.1, decimals: 2 } : { step: 0.001, decimals: 3 };
   // About a thousandth of the span, as a power of ten.
   const power = Math.floor(Math.log10((span[1] - span[0]) / 1000));
-  return { step: 10 ** power, decimals: Math.max(0, Math.min(MOST_DECIMALS, 1 - power)) };
+  return { step: 10 ** power, decimals: Math.max(0, Math.min(MAX_DECIMALS, 1 - power)) };
 }
 
 function scale([low, high]: readonly [number, number], factor: number): readonly [number, number] {

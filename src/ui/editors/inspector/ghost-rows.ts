@@ -1,6 +1,6 @@
 /** Ghosts in the display folder: how many before and after, and how far apart they are. */
 import type { GUI } from 'lil-gui';
-import { type Display, GHOST_UNITS, type GhostUnit, MOST_GHOSTS } from '../../../model/session.ts';
+import { type Display, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
 import { Slider } from '../../kit/slider.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { setDisplay } from '../viewport/actions.ts';
@@ -12,7 +12,7 @@ const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.
 export function addGhostRows(wb: Uses<'settings' | 'messages'>, folder: GUI): (display: Display) => void {
   const { display } = wb.settings.get();
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
-  const counts = { span: [0, 10], bounds: [0, MOST_GHOSTS], step: 1, decimals: 0 } as const;
+  const counts = { span: [0, 10], bounds: [0, MAX_GHOSTS], step: 1, decimals: 0 } as const;
   const before = new Slider(folder, 'Ghosts before', display.ghostsBefore, counts, refuse);
   const after = new Slider(folder, 'Ghosts after', display.ghostsAfter, counts, refuse);
   before.onChange((count: number) => setDisplay(wb, { ghostsBefore: Math.round(count) }));

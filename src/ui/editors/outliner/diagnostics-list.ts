@@ -10,7 +10,7 @@ import { caretPad, counts, type Message } from '../../state/messages.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** More are counted; Copy takes them all. */
-const MOST_SHOWN = 200;
+const MAX_SHOWN = 200;
 const EXCERPT_CHARACTERS = 200;
 
 export function diagnosticsList(wb: Uses<'messages'>): HTMLElement {
@@ -21,7 +21,7 @@ export function diagnosticsList(wb: Uses<'messages'>): HTMLElement {
       list.replaceChildren(element('p', { class: 'empty' }, 'Problems in your files appear here, with line numbers.'));
       return;
     }
-    let room = MOST_SHOWN;
+    let room = MAX_SHOWN;
     const shown = [...messages].reverse().map((message) => {
       const block = messageBlock(wb, message, Math.max(0, room));
       room -= message.diagnostics.length;

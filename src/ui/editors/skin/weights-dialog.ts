@@ -81,14 +81,14 @@ function asked(places: readonly BindPlace[]): Asked[] {
 }
 
 /** Names beyond so many are counted. */
-const MOST_NAMED = 4;
+const MAX_NAMED = 4;
 
 /** `8 of 23 joints move nothing: their bones lie outside the skin, or others’ lie nearer (head, …).` */
 export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
   if (!idle.length) return '';
   const { length } = skeleton.joints;
-  const named = idle.slice(0, MOST_NAMED).map((joint) => jointName(skeleton, joint));
-  const names = [...named, ...(idle.length > MOST_NAMED ? ['…'] : [])].join(', ');
+  const named = idle.slice(0, MAX_NAMED).map((joint) => jointName(skeleton, joint));
+  const names = [...named, ...(idle.length > MAX_NAMED ? ['…'] : [])].join(', ');
   const isOne = idle.length === 1;
   const move = isOne ? 'moves nothing: its bone is' : 'move nothing: their bones are';
   return `${idle.length} of ${plural(length, 'joint')} ${move} outside the skin, or others are nearer (${names}).`;

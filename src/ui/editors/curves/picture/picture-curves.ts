@@ -28,7 +28,7 @@ const EMPHASISED_WIDTH = 2;
  * More lines than this are drawn aside, in columns as wide as a CSS pixel, however fine the screen: nobody sees the
  * difference.
  */
-const MOST_LINES_AT_ONCE = 12;
+const MAX_LINES_AT_ONCE = 12;
 /** What drawing aside may take of a frame. */
 const SLICE_MS = 2.5;
 const DOT = 2;
@@ -78,7 +78,7 @@ export class CurveLayer {
    * @returns whether it is the picture of that view; if not, it has to be asked again in the next frame
    */
   draw(g: CanvasRenderingContext2D, view: LinesView): boolean {
-    if (view.scene.lines.length <= MOST_LINES_AT_ONCE) {
+    if (view.scene.lines.length <= MAX_LINES_AT_ONCE) {
       this.shown = this.next = undefined;
       finish(this.drawing(g, view));
       return true;
@@ -147,7 +147,7 @@ export class CurveLayer {
     const { lines } = scene;
     const before = this.traced;
     this.traced = new Map(before);
-    const isMany = lines.length > MOST_LINES_AT_ONCE;
+    const isMany = lines.length > MAX_LINES_AT_ONCE;
     const columnsPerPixel = isMany ? 1 : ratio;
     const { samples } = scene.curves;
     if (isMany && samples) yield* sampleExtremes(samples).building();

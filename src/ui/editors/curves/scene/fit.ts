@@ -11,7 +11,7 @@ const SIDE_PIXELS = 48;
 const ABOVE_PIXELS = 22;
 
 /** An axis never shows less than this when fitted: noise in the last digits must not look like a movement. */
-const LEAST_EXTENT: Readonly<Record<AxisName, number>> = {
+const MIN_EXTENT: Readonly<Record<AxisName, number>> = {
   angle: Math.PI / 90,
   length: 1e-3,
   factor: 0.02,
@@ -79,7 +79,7 @@ function fittedAxis(axis: AxisName, bounds: Bounds, space: CurveSpace): ValueAxi
   const low = bounds.low[axis];
   const high = bounds.high[axis];
   if (!(low <= high) || !Number.isFinite(high - low)) return space.axes[axis];
-  const least = high > low ? LEAST_EXTENT[axis] : STILL_EXTENT[axis];
+  const least = high > low ? MIN_EXTENT[axis] : STILL_EXTENT[axis];
   const around = Math.max(0, least - (high - low)) / 2;
   const part = Math.min(0.25, ABOVE_PIXELS / Math.max(1, space.height - PLOT_TOP));
   const extent = (high - low + 2 * around) / (1 - 2 * part);

@@ -13,12 +13,12 @@ import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 
 export const HANDLE_PIXELS = 44;
 /** With more selected keys than this in view, handles would be a thicket that nobody can take one out of. */
-const MOST_KEYS_WITH_HANDLES = 120;
+const MAX_KEYS_WITH_HANDLES = 120;
 /** Nor where a line's selected keys are nearer to each other than this on average; a few may be. */
-const LEAST_PIXELS_BETWEEN = 24;
+const MIN_PIXELS_BETWEEN = 24;
 const FEW_KEYS = 4;
 /** A pointer straight above its key would mean an endless slope; it counts as this far to the side. */
-const LEAST_PIXELS_ASIDE = 1;
+const MIN_PIXELS_ASIDE = 1;
 
 export interface Handle {
   readonly line: CurveLine;
@@ -46,14 +46,14 @@ export function handlesOf(scene: CurveScene): Handle[] {
     if (!line) continue;
     const begin = firstNotBelow(indices, firstNotBelow(times, left));
     let end = begin;
-    while (end < indices.length && end - begin <= MOST_KEYS_WITH_HANDLES && times[indices[end]] <= right) end++;
+    while (end < indices.length && end - begin <= MAX_KEYS_WITH_HANDLES && times[indices[end]] <= right) end++;
     const count = end - begin;
     if (count > FEW_KEYS) {
       const pixels = (times[indices[end - 1]] - times[indices[begin]]) * pixelsPerSecond(space);
-      if (pixels < LEAST_PIXELS_BETWEEN * (count - 1)) continue;
+      if (pixels < MIN_PIXELS_BETWEEN * (count - 1)) continue;
     }
     for (let i = begin; i < end; i++) {
-      if (handles.length >= 2 * MOST_KEYS_WITH_HANDLES) return [];
+      if (handles.length >= 2 * MAX_KEYS_WITH_HANDLES) return [];
       const index = indices[i];
       if (times[index - 1] !== times[index]) handles.push(handleOf(scene, line, index, 'in'));
       if (times[index + 1] !== times[index]) handles.push(handleOf(scene, line, index, 'out'));
@@ -88,7 +88,7 @@ export function slopeFromHandle(
   const { space } = scene;
   const { times, values } = keysOf(scene.clip.channels[line.channel]);
   const aside = x - xOf(space, times[index] - scene.offsetSeconds);
-  const dx = side === 'in' ? Math.min(-LEAST_PIXELS_ASIDE, aside) : Math.max(LEAST_PIXELS_ASIDE, aside);
+  const dx = side === 'in' ? Math.min(-MIN_PIXELS_ASIDE, aside) : Math.max(MIN_PIXELS_ASIDE, aside);
   const up = yOf(space, line, values[index]) - y;
   return ((up / pixelsPerUnit(space, line)) * pixelsPerSecond(space)) / dx;
 }

@@ -30,7 +30,7 @@ const DEGREE_STEPS: readonly (readonly [number, number])[] = [
   [1800, 5],
 ];
 /** Never more, whatever the scale. */
-const MOST_TICKS = 1000;
+const MAX_TICKS = 1000;
 
 /**
  * @param pixels height of the axis
@@ -44,7 +44,7 @@ export function valueTicks(axis: ValueAxis, pixels: number, spacing: number, inD
   const [step, parts] = stepFor(((high - low) / pixels) * spacing, inDegrees);
   const fine = step / parts;
   const first = Math.ceil(low / fine - 1e-9);
-  const last = Math.min(Math.floor(high / fine + 1e-9), first + MOST_TICKS);
+  const last = Math.min(Math.floor(high / fine + 1e-9), first + MAX_TICKS);
   const ticks: ValueTick[] = [];
   for (let i = first; i <= last; i++) {
     const value = i * fine * unit;

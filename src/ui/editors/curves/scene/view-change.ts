@@ -17,7 +17,7 @@ export interface ViewChange {
 /** Axes that end up further apart than this have been changed each by itself. */
 const SAME_PIXELS = 0.25;
 /** A picture stretched or shrunk by more shows nothing any more. */
-const MOST_SCALE = 4;
+const MAX_SCALE = 4;
 
 /** undefined where no picture of the one can stand for the other. */
 export function movedBetween(from: CurveSpace, to: CurveSpace, lines: readonly OnAxis[]): ViewChange | undefined {
@@ -35,6 +35,6 @@ export function movedBetween(from: CurveSpace, to: CurveSpace, lines: readonly O
   }
   const { top, bottom } = first ?? { top: PLOT_TOP, bottom: to.height };
   const scaleY = (bottom - top) / (from.height - PLOT_TOP);
-  const isNear = [scaleX, scaleY].every((scale) => scale > 1 / MOST_SCALE && scale < MOST_SCALE);
+  const isNear = [scaleX, scaleY].every((scale) => scale > 1 / MAX_SCALE && scale < MAX_SCALE);
   return isNear ? { scaleX, scaleY, x, y: top - scaleY * PLOT_TOP } : undefined;
 }

@@ -1,6 +1,6 @@
 /** Numbers of the plot in words: where the pointer is, and what a drag has come to. */
 import type { DofUnit } from '../../../../model/skeleton.ts';
-import { MOST_DECIMALS, shown } from '../../../kit/number-text.ts';
+import { MAX_DECIMALS, shown } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
 import { framesOf } from '../../timeline/snapping.ts';
@@ -16,7 +16,7 @@ export function timeText(wb: Uses<'transport' | 'settings'>, timeSeconds: number
 export function valueText(wb: Uses<'settings'>, unit: DofUnit, value: number): string {
   const { angles } = wb.settings.get();
   const inDegrees = unit === 'angle' && angles === 'degrees';
-  return `${shown(value * shownPerUnit(unit, angles), inDegrees ? 2 : MOST_DECIMALS)}${unitText(unit, angles)}`;
+  return `${shown(value * shownPerUnit(unit, angles), inDegrees ? 2 : MAX_DECIMALS)}${unitText(unit, angles)}`;
 }
 
 /** `Δ +3 frames   +4.2°`. */

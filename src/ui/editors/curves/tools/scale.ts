@@ -12,7 +12,7 @@ import { isSideways } from './move-keys.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
 /** Nearer than this to the pivot, a pixel would be an endless factor. */
-const LEAST_PIXELS = 32;
+const MIN_PIXELS = 32;
 /** Pixels up that make values e times as large. */
 const VALUE_PIXELS = 120;
 
@@ -37,7 +37,7 @@ export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
     if (!scene || !scale) return;
     sideways ??= isSideways(from, at);
     const arm = from.x - xOf(scene.space, pivotSeconds);
-    const length = Math.max(LEAST_PIXELS, Math.abs(arm));
+    const length = Math.max(MIN_PIXELS, Math.abs(arm));
     const factor = 1 + ((at.x - from.x) * (arm < 0 ? -1 : 1)) / length;
     scale.to({
       pivotSeconds,
