@@ -9,7 +9,7 @@ import type { Character } from '../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { blendMorphs, compileSkin, deform } from '../deform.ts';
-import { compileSkeleton, settleDofs, worldMatrices } from '../kinematics.ts';
+import { applyConstraints, compileSkeleton, worldMatrices } from '../kinematics.ts';
 
 export interface Solid {
   /** x y z a vertex. */
