@@ -7,14 +7,16 @@
  * Matrices are 16 numbers a joint, column-major, in the character's own space (before its placement).
  */
 import { multiplyAffine } from '../math/mat4.ts';
+import { writeRotation } from '../math/quaternion.ts';
 import { couplesOf, type DofCouple } from '../model/couples.ts';
 import { rootDofCount } from '../model/dofs.ts';
-import { dofsOf, offsetBesideDofs, takesLimits } from '../model/joint-types.ts';
+import { dofsOf, factorsOf, offsetBesideDofs, takesLimits } from '../model/joint-types.ts';
 import { perObject } from '../model/per-object.ts';
-import { type Joint, type Motion, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
+import { type Motion, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
 import { appliedDofs, eulerDofs } from './euler-dofs.ts';
 import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
+import type { PoseRotations } from './pose-rotations.ts';
 
 /** A skeleton ready to be posed. Joints are in depth-first pre-order, so a subtree is one contiguous range. */
 export interface CompiledSkeleton {
@@ -39,8 +41,10 @@ export interface CompiledSkeleton {
   /** Which of them any limit holds: none of motion capture's, whose limits are those that mean none. */
   readonly limited: Int32Array;
   readonly motions: readonly JointMotion[];
-  /** Three a joint that does nothing but turn by three angles: its DOFs in the order in which they are applied; else −1. */
+  /** Three a joint that is T(t)·R of three angles: those DOFs, in the order in which they are applied; else −1. */
   readonly turns: Int32Array;
+  /** Three a joint: its DOFs along x, y and z; −1 where it has none. */
+  readonly slides: Int32Array;
   /** DOFs that follow others, each after the one that it follows. */
   readonly couples: readonly DofCouple[];
 }
@@ -71,13 +75,14 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     }
     firstDof[j + 1] = firstDof[j] + count;
   });
+  const slides = Int32Array.from(joints.flatMap(({ motion }, j) => slidesOf(motion, firstDof[j])));
   return {
     jointCount,
     dofCount: lower.length,
     parent,
     subtreeEnd,
     firstDof,
-    travel: firstDof[0] > 0 ? Int32Array.of(0, 1, 2) : translationDofs(joints[0]),
+    travel: firstDof[0] > 0 ? Int32Array.of(0, 1, 2) : slides.slice(0, 3),
     hasRootTranslation: firstDof[0] > 0,
     offsets: Float64Array.from(joints.flatMap(offsetBesideDofs)),
     lower: Float64Array.from(lower),
@@ -85,19 +90,21 @@ function compile(skeleton: Skeleton): CompiledSkeleton {
     limited: Int32Array.from([...lower.keys()].filter((d) => lower[d] > UNLIMITED.min || upper[d] < UNLIMITED.max)),
     motions: joints.map((j) => jointMotion(j.motion)),
     turns: Int32Array.from(joints.flatMap(({ motion }, j) => turnsOf(motion, firstDof[j]))),
+    slides,
     couples: couplesOf(skeleton).ordered,
   };
 }
 
 function turnsOf(motion: Motion, first: number): readonly number[] {
-  const euler = dofsOf(motion).length === 3 ? eulerDofs(motion) : undefined;
-  return euler ? appliedDofs(euler).map((dof) => first + dof) : [-1, -1, -1];
+  const euler = eulerDofs(motion);
+  const before = factorsOf(motion)?.slice(0, -3) ?? [];
+  if (!euler || !before.every((name) => name.startsWith('t'))) return [-1, -1, -1];
+  return appliedDofs(euler).map((dof) => first + dof);
 }
 
-/** Where among the DOFs of a joint that moves by itself those along x, y and z are. */
-function translationDofs(joint: Joint): Int32Array {
-  const dofs = dofsOf(joint.motion);
-  return Int32Array.from(['tx', 'ty', 'tz'], (name) => dofs.findIndex((dof) => dof.name === name));
+function slidesOf(motion: Motion, first: number): readonly number[] {
+  const names = dofsOf(motion).map(({ name }) => name);
+  return ['tx', 'ty', 'tz'].map((name) => (names.includes(name) ? first + names.indexOf(name) : -1));
 }
 
 /** Clamps the joints' DOFs to their limits, in place. Root translation and morph weights have none. */
@@ -138,50 +145,60 @@ const local = new Float64Array(16);
 
 /**
  * Each joint's matrix in the character's space.
- * @param known rotations that may be those of the same angles: see `known-rotations.ts`
+ * @param rotations those that came with the DOFs, of joints of the same skeleton
  */
 export function worldMatrices(
   skeleton: CompiledSkeleton,
   dofs: Float64Array,
   world: Float64Array,
-  known?: Float64Array,
+  rotations?: PoseRotations,
 ): void {
   const { parent, jointCount } = skeleton;
+  const given = rotations?.values;
   for (let j = 0; j < jointCount; j++) {
     const above = parent[j];
-    if (above < 0) writeLocal(skeleton, j, dofs, world, 16 * j, known);
-    else if (!known || !turnWorld(skeleton, j, dofs, known, world)) {
-      writeLocal(skeleton, j, dofs, local, 0, known);
+    const keepsRotation = given !== undefined && hasAnglesOf(skeleton, j, dofs, given);
+    if (above >= 0 && keepsRotation) turnWorld(skeleton, j, dofs, given, world);
+    else if (above >= 0) {
+      writeLocal(skeleton, j, dofs, local, 0);
       multiplyAffine(world, 16 * above, local, 0, world, 16 * j);
+    } else {
+      writeLocal(skeleton, j, dofs, world, 16 * j);
+      // Of all joints only the root takes its sines and cosines in vain.
+      if (keepsRotation) {
+        const g = 8 * j;
+        writeRotation(given[g + 3], given[g + 4], given[g + 5], given[g + 6], world, 16 * j, 4);
+      }
     }
   }
 }
 
+/** Whether the joint's angles are those that its rotation came with. */
+function hasAnglesOf({ turns }: CompiledSkeleton, j: number, dofs: Float64Array, given: Float64Array): boolean {
+  const first = turns[3 * j];
+  return (
+    first >= 0 &&
+    given[8 * j] === dofs[first] &&
+    given[8 * j + 1] === dofs[turns[3 * j + 1]] &&
+    given[8 * j + 2] === dofs[turns[3 * j + 2]]
+  );
+}
+
 /**
- * W = W_parent · L of a joint whose rotation is known: most joints of a crowd are such, and their local matrices are
- * nowhere written. False, and nothing written, for all others.
+ * W = W_parent · L of a joint whose rotation is given: most joints of a crowd are such, and their local matrices are
+ * nowhere written.
  */
 function turnWorld(
-  { turns, parent, offsets }: CompiledSkeleton,
+  { parent, offsets, slides }: CompiledSkeleton,
   j: number,
   dofs: Float64Array,
-  known: Float64Array,
+  given: Float64Array,
   out: Float64Array,
-): boolean {
-  const first = turns[3 * j];
-  const k = 8 * first;
-  if (
-    first < 0 ||
-    known[k] !== dofs[first] ||
-    known[k + 1] !== dofs[turns[3 * j + 1]] ||
-    known[k + 2] !== dofs[turns[3 * j + 2]]
-  ) {
-    return false;
-  }
-  const x = known[k + 3];
-  const y = known[k + 4];
-  const z = known[k + 5];
-  const w = known[k + 6];
+): void {
+  const x = given[8 * j + 3];
+  const y = given[8 * j + 4];
+  const z = given[8 * j + 5];
+  const w = given[8 * j + 6];
   const l0 = 1 - 2 * (y * y + z * z);
   const l1 = 2 * (x * y + w * z);
   const l2 = 2 * (x * z - w * y);
@@ -191,9 +208,12 @@ function turnWorld(
   const l8 = 2 * (x * z + w * y);
   const l9 = 2 * (y * z - w * x);
   const l10 = 1 - 2 * (x * x + y * y);
-  const tx = offsets[3 * j];
-  const ty = offsets[3 * j + 1];
-  const tz = offsets[3 * j + 2];
+  const sx = slides[3 * j];
+  const sy = slides[3 * j + 1];
+  const sz = slides[3 * j + 2];
+  const tx = offsets[3 * j] + (sx < 0 ? 0 : dofs[sx]);
+  const ty = offsets[3 * j + 1] + (sy < 0 ? 0 : dofs[sy]);
+  const tz = offsets[3 * j + 2] + (sz < 0 ? 0 : dofs[sz]);
   const p = 16 * parent[j];
   const o = 16 * j;
   for (let r = 0; r < 3; r++) {
@@ -207,19 +227,11 @@ function turnWorld(
   }
   out[o + 3] = out[o + 7] = out[o + 11] = 0;
   out[o + 15] = 1;
-  return true;
 }
 
-function writeLocal(
-  skeleton: CompiledSkeleton,
-  j: number,
-  dofs: Float64Array,
-  out: Float64Array,
-  o: number,
-  known?: Float64Array,
-): void {
+function writeLocal(skeleton: CompiledSkeleton, j: number, dofs: Float64Array, out: Float64Array, o: number): void {
   const { offsets } = skeleton;
-  skeleton.motions[j].write(dofs, skeleton.firstDof[j], out, o, known);
+  skeleton.motions[j].write(dofs, skeleton.firstDof[j], out, o);
   out[o + 12] += offsets[3 * j];
   out[o + 13] += offsets[3 * j + 1];
   out[o + 14] += offsets[3 * j + 2];

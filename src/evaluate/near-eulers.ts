@@ -16,6 +16,7 @@
  */
 import type { Samples } from '../model/samples.ts';
 import { HalfAngles } from './half-angles.ts';
+import type { PoseRotations } from './pose-rotations.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 
 /** Of the series of slerp, and the least of cos θ − 1 for which so many are exact. */
@@ -61,10 +62,10 @@ export function readRows(
  * @returns false, and nothing written, where its angles are not near
  */
 export function nearEuler(
-  { eulerDofs, eulerSigns, eulerAxes }: SampledJoints,
+  { eulerJoints, eulerDofs, eulerSigns, eulerAxes }: SampledJoints,
   r: number,
   out: Float64Array,
-  known: Float64Array | undefined,
+  rotations: PoseRotations | undefined,
 ): boolean {
   const { halves: from, turned: fromTurned } = fromRow;
   const { halves: to, turned: toTurned } = toRow;
@@ -160,15 +161,16 @@ export function nearEuler(
     gamma += sum + difference;
   }
   const sign = eulerSigns[r];
-  if (known) {
-    const o = 8 * eulerDofs[i];
-    known[o] = sign * alpha;
-    known[o + 1] = sign * middle;
-    known[o + 2] = sign * gamma;
-    known[o + 3 + eulerAxes[i]] = sign * x;
-    known[o + 3 + eulerAxes[i + 1]] = sign * y;
-    known[o + 3 + eulerAxes[i + 2]] = sign * z;
-    known[o + 6] = w;
+  if (rotations) {
+    const { values } = rotations;
+    const o = 8 * eulerJoints[r];
+    values[o] = sign * alpha;
+    values[o + 1] = sign * middle;
+    values[o + 2] = sign * gamma;
+    values[o + 3 + eulerAxes[i]] = sign * x;
+    values[o + 3 + eulerAxes[i + 1]] = sign * y;
+    values[o + 3 + eulerAxes[i + 2]] = sign * z;
+    values[o + 6] = w;
   }
   out[eulerDofs[i]] = sign * alpha;
   out[eulerDofs[i + 1]] = sign * middle;

@@ -16,6 +16,7 @@ import { type CompiledClip, compileClip } from './compiled-clip.ts';
 import { evaluateClip } from './curves.ts';
 import { drivenPose } from './driven-pose.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton } from './kinematics.ts';
+import type { PoseRotations } from './pose-rotations.ts';
 import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import { type SampledJoints, sampledJoints } from './sampled-joints.ts';
 import { samplePose } from './sampled-pose.ts';
@@ -67,16 +68,17 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
 
 /**
  * `poseAt` for what was looked up before. Allocates nothing.
- * @param known takes the rotations of joints that samples drive: see `known-rotations.ts`
+ * @param rotations takes those that samples give to the joints, and loses the ones it had
  */
-export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, known?: Float64Array): void {
+export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, rotations?: PoseRotations): void {
   const { character, count, driven, skeleton, curves, joints } = source;
   const { pose, unkeyed, driver } = character;
+  rotations?.clear();
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
   if (curves) {
     const time = timeSeconds + character.timeOffsetSeconds;
     evaluateClip(curves, time, out, driven);
-    if (curves.samples && joints) samplePose(curves.samples, curves, joints, time, out, driven, known);
+    if (curves.samples && joints) samplePose(curves.samples, curves, joints, time, out, driven, rotations);
   }
   if (driver && character.skeleton) drivenPose(character, driver, character.skeleton, timeSeconds, out);
   if (unkeyed && Math.abs(timeSeconds - unkeyed.timeSeconds) <= SAME_MOMENT) {

@@ -13,6 +13,8 @@ export interface SampledJoints {
   /** Angles by themselves. */
   readonly angleDofs: Int32Array;
   readonly angleColumns: Int32Array;
+  /** One a rotation by three Euler angles: its joint. */
+  readonly eulerJoints: Int32Array;
   /** Three a rotation, in the order in which they are applied. */
   readonly eulerDofs: Int32Array;
   readonly eulerColumns: Int32Array;
@@ -51,6 +53,7 @@ export function sampledJoints(clip: CompiledClip, skeleton: Skeleton): SampledJo
 function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJoints {
   const first = firstDofs(skeleton);
   const eulers: number[] = [];
+  const joints: number[] = [];
   const signs: number[] = [];
   const axes: number[] = [];
   const quaternions: number[] = [];
@@ -69,6 +72,7 @@ function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJo
       const applied = appliedDofs(euler).map((dof) => first[j] + dof);
       const renamed = renamedAxes(euler.order);
       if (take(applied, eulers)) {
+        joints.push(j);
         signs.push(renamed.sign);
         axes.push(...renamed.axes);
       }
@@ -91,6 +95,7 @@ function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJo
     plainColumns: columnsOf(plain),
     angleDofs: Int32Array.from(angles),
     angleColumns: columnsOf(angles),
+    eulerJoints: Int32Array.from(joints),
     eulerDofs: Int32Array.from(eulers),
     eulerColumns: columnsOf(eulers),
     eulerSigns: Float64Array.from(signs),

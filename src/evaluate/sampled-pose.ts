@@ -13,6 +13,7 @@
 import { turnedNear } from '../math/euler.ts';
 import type { Samples } from '../model/samples.ts';
 import type { CompiledClip } from './compiled-clip.ts';
+import type { PoseRotations } from './pose-rotations.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 import { betweenEulers, betweenQuaternions } from './sampled-rotations.ts';
 import { catmullRom, frameAt, sampleRow } from './sampling.ts';
@@ -20,7 +21,7 @@ import { catmullRom, frameAt, sampleRow } from './sampling.ts';
 /**
  * Writes to `out` the first `count` DOFs, as far as they follow the clip's samples; others stay as they are.
  * @param joints of the same clip
- * @param known takes the rotations of the joints, as far as they are known: see `known-rotations.ts`
+ * @param rotations takes the joints' rotations, where the samples give whole ones
  */
 export function samplePose(
   samples: Samples,
@@ -29,7 +30,7 @@ export function samplePose(
   timeSeconds: number,
   out: Float64Array,
   count: number,
-  known?: Float64Array,
+  rotations?: PoseRotations,
 ): void {
   const frame = frameAt(samples, timeSeconds);
   const row = Math.floor(frame);
@@ -40,7 +41,7 @@ export function samplePose(
   }
   betweenPlain(samples, joints, row, part, out, count);
   betweenAngles(samples, joints, row, part, out);
-  betweenEulers(samples, joints, row, part, out, known);
+  betweenEulers(samples, joints, row, part, out, rotations);
   betweenQuaternions(samples, joints, row, part, out);
 }
 

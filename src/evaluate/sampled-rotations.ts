@@ -17,6 +17,7 @@ import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler } from '..
 import { slerp } from '../math/slerp.ts';
 import type { Samples } from '../model/samples.ts';
 import { nearEuler, readRows } from './near-eulers.ts';
+import type { PoseRotations } from './pose-rotations.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 import { catmullRom } from './sampling.ts';
 
@@ -35,24 +36,25 @@ export function betweenEulers(
   row: number,
   part: number,
   out: Float64Array,
-  known?: Float64Array,
+  rotations?: PoseRotations,
 ): void {
   const isLinear = samples.interpolation === 'linear';
   if (isLinear) readRows(samples, joints, row, part);
   for (let r = 0; r < joints.eulerSigns.length; r++) {
-    if (!isLinear || !nearEuler(joints, r, out, known)) betweenAnyEuler(samples, joints, r, row, part, out, known);
+    if (!isLinear || !nearEuler(joints, r, out, rotations))
+      betweenAnyEuler(samples, joints, r, row, part, out, rotations);
   }
 }
 
 /** One of those rotations, number `r`. */
 function betweenAnyEuler(
   { values, scales, frameCount, interpolation }: Samples,
-  { eulerDofs, eulerColumns, eulerHalves, eulerSigns, eulerAxes }: SampledJoints,
+  { eulerJoints, eulerDofs, eulerColumns, eulerHalves, eulerSigns, eulerAxes }: SampledJoints,
   r: number,
   row: number,
   part: number,
   out: Float64Array,
-  known?: Float64Array,
+  rotations?: PoseRotations,
 ): void {
   const width = scales.length;
   const at = row * width;
@@ -87,7 +89,7 @@ function betweenAnyEuler(
     quaternionsOfEulers(a0, b0, c0, a1, b1, c1, here, next);
     slerp(here, next, part, turned);
     turnAngles(2 * a1, 2 * b1, 2 * c1, part);
-    if (known) know(known, 8 * eulerDofs[3 * r], eulerSigns[r], eulerAxes, 3 * r);
+    if (rotations) keepTurned(rotations.values, 8 * eulerJoints[r], eulerSigns[r], eulerAxes, 3 * r);
   }
   const sign = eulerSigns[r];
   out[eulerDofs[3 * r]] = sign * angles[0];
@@ -95,13 +97,13 @@ function betweenAnyEuler(
   out[eulerDofs[3 * r + 2]] = sign * angles[2];
 }
 
-/** Puts down the rotation `turned`, of length 1, for `angles`; their axes are at `axes[i]`. */
-function know(known: Float64Array, o: number, sign: number, axes: Int32Array, i: number): void {
+/** Writes `angles` and their rotation `turned`, of length 1, as `PoseRotations` has them; the axes are at `axes[i]`. */
+function keepTurned(out: Float64Array, o: number, sign: number, axes: Int32Array, i: number): void {
   for (let k = 0; k < 3; k++) {
-    known[o + k] = sign * angles[k];
-    known[o + 3 + axes[i + k]] = sign * turned[k];
+    out[o + k] = sign * angles[k];
+    out[o + 3 + axes[i + k]] = sign * turned[k];
   }
-  known[o + 6] = turned[3];
+  out[o + 6] = turned[3];
 }
 
 /** From the angles of `here`, which are in `angles`, to those of `turned`; α β γ are those of `next`. */

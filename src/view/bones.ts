@@ -9,6 +9,7 @@
  */
 import { Bone, type Matrix4 } from 'three';
 import { type CompiledSkeleton, compileSkeleton, localMatrices, worldMatrices } from '../evaluate/kinematics.ts';
+import type { PoseRotations } from '../evaluate/pose-rotations.ts';
 import { setIdentity } from '../math/mat4.ts';
 import type { Vec3 } from '../math/vec3.ts';
 import { hasBox } from '../model/boxes.ts';
@@ -159,10 +160,10 @@ export class Bones {
   /**
    * Poses the bones.
    * @param dofs kept by reference, and to stay as they are until the next pose
-   * @param known rotations that may be those of the same angles: see `known-rotations.ts`
+   * @param rotations those that came with the DOFs
    */
-  pose(dofs: Float64Array, known?: Float64Array): void {
-    worldMatrices(this.compiled, dofs, this.world, known);
+  pose(dofs: Float64Array, rotations?: PoseRotations): void {
+    worldMatrices(this.compiled, dofs, this.world, rotations);
     this.posed = dofs;
   }
 

@@ -167,7 +167,7 @@ export class CharacterView {
     player.seek(timeSeconds);
     const { dofs } = player;
     const firstMorph = dofs.length - shown.morphs.length;
-    boneSet?.pose(dofs, player.knownRotations);
+    boneSet?.pose(dofs, player.rotations);
     skin?.pose(dofs, firstMorph);
     if (this.display?.inPlace) this.placeGroups(shown);
 

@@ -18,12 +18,9 @@
  *    bounces and stops by itself; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
  */
 import { type AnimationAction, AnimationClip, AnimationMixer, Interpolant, NumberKeyframeTrack, Object3D } from 'three';
-import { KnownRotations } from '../evaluate/known-rotations.ts';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
+import { PoseRotations } from '../evaluate/pose-rotations.ts';
 import { type Character, shownClip } from '../model/document.ts';
-
-/** One for all: a character's matrices are made right after its pose, while this is still in the cache. */
-const rotations = new KnownRotations();
 
 /** The property that the track drives. */
 class Dofs {
@@ -69,7 +66,7 @@ class PoseInterpolant extends Interpolant {
   override evaluate(timeSeconds: number): Float64Array {
     // The buffer is the constructor's above, or the mixer's, which is one of doubles too.
     const out = this.resultBuffer as Float64Array;
-    poseFrom(this.player.source, timeSeconds, out, rotations.values);
+    poseFrom(this.player.source, timeSeconds, out, this.player.rotations);
     return out;
   }
 
@@ -83,6 +80,8 @@ class PoseInterpolant extends Interpolant {
 export class PosePlayer {
   /** Of the character whose pose and clip are read. It holds the compiled clip, or each frame might have to make it. */
   source: PoseSource;
+  /** Those that samples gave to the joints at that time, beside `dofs`; undefined where no samples drive the character. */
+  rotations: PoseRotations | undefined;
   /** Each DOF's value at the time of the last `seek`, in the order of `model/dofs.ts`. */
   readonly dofs: Float64Array;
   readonly clip: AnimationClip;
@@ -91,8 +90,8 @@ export class PosePlayer {
 
   constructor(character: Character) {
     this.source = poseSource(character);
+    this.rotations = rotationsFor(this.source);
     const { count } = this.source;
-    rotations.reserve(count);
     const track = new NumberKeyframeTrack(TRACK, [0], new Float32Array(count));
     // three.js declares the three methods it puts here one by one; it only ever calls this one.
     Object.assign(track, { createInterpolant: () => new PoseInterpolant(track.times, track.values, this) });
@@ -108,15 +107,11 @@ export class PosePlayer {
   /** Replaced after an edit that keeps DOFs and clip. */
   set character(character: Character) {
     this.source = poseSource(character);
+    this.rotations = rotationsFor(this.source);
   }
 
   get character(): Character {
     return this.source.character;
-  }
-
-  /** Those of the last `seek`, of this character or of another one. */
-  get knownRotations(): Float64Array {
-    return rotations.values;
   }
 
   /** Whether this can go on playing the character after an edit. */
@@ -129,4 +124,8 @@ export class PosePlayer {
     this.action.time = timeSeconds;
     this.mixer.update(0);
   }
+}
+
+function rotationsFor({ skeleton, joints }: PoseSource): PoseRotations | undefined {
+  return skeleton && joints && new PoseRotations(skeleton.jointCount);
 }

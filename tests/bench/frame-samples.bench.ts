@@ -87,7 +87,7 @@ function crowd(interpolation: Interpolation): PosePlayer[] {
 function play(players: readonly PosePlayer[], time: number): void {
   for (let i = 0; i < CHARACTERS; i++) {
     players[i].seek(time);
-    worldMatrices(compiled, players[i].dofs, worldOf[i], players[i].knownRotations);
+    worldMatrices(compiled, players[i].dofs, worldOf[i], players[i].rotations);
   }
 }
 

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { compileSkeleton, localMatrices } from '../../src/evaluate/kinematics.ts';
 import { nearEuler, readRows } from '../../src/evaluate/near-eulers.ts';
+import { PoseRotations } from '../../src/evaluate/pose-rotations.ts';
 import { sampledJoints } from '../../src/evaluate/sampled-joints.ts';
 import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import type { Samples } from '../../src/model/samples.ts';
@@ -25,7 +26,8 @@ interface Between {
   readonly isNear: boolean;
   /** Three angles. */
   readonly dofs: Float64Array;
-  readonly known: Float64Array;
+  /** As `PoseRotations` has them. */
+  readonly rotation: Float64Array;
   readonly skeleton: Skeleton;
 }
 
@@ -44,9 +46,9 @@ function between(order: readonly BvhChannel[], from: readonly number[], to: read
   const channels = Array.from({ length: 6 }, (_, c) => (c < 3 ? restChannel() : SAMPLED));
   const joints = sampledJoints(compileClip({ name: 'go', range: [0, 1], channels, samples }), skeleton);
   const out = new Float64Array(6);
-  const known = new Float64Array(8 * 6);
+  const rotations = new PoseRotations(1);
   readRows(samples, joints, 0, part);
-  return { isNear: nearEuler(joints, 0, out, known), dofs: out.subarray(3), known, skeleton };
+  return { isNear: nearEuler(joints, 0, out, rotations), dofs: out.subarray(3), rotation: rotations.values, skeleton };
 }
 
 function matrix(skeleton: Skeleton, angles: ArrayLike<number>): Float64Array {
@@ -95,9 +97,8 @@ describe('angles between two frames that are near to each other', () => {
     fc.assert(
       fc.property(order, angles, step, part, (channels, from, by, share) => {
         const to = from.map((angle, i) => angle + by[i]);
-        const { dofs, known, skeleton } = between(channels, from, to, share);
-        // The rotation that is applied first is the one listed last.
-        const [x, y, z, w] = known.subarray(8 * 5 + 3);
+        const { dofs, rotation, skeleton } = between(channels, from, to, share);
+        const [x, y, z, w] = rotation.subarray(3);
         expect(Math.abs(Math.hypot(x, y, z, w) - 1)).toBeLessThan(CLOSE);
         const m = matrix(skeleton, dofs);
         const column = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)];

@@ -1,10 +1,13 @@
 import { Box3, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import { compileSkeleton, worldMatrices } from '../../src/evaluate/kinematics.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../../src/model/document.ts';
 import { filePose } from '../../src/model/dofs.ts';
 import { DEFAULT_DISPLAY } from '../../src/model/session.ts';
+import type { BvhChannel } from '../../src/model/skeleton.ts';
 import { CharacterView } from '../../src/view/character-view.ts';
 import { character, clip, morph, skeleton, skin } from '../helpers/builders.ts';
+import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 import { expectClose, WITHIN } from '../helpers/close.ts';
 import { referenceClip, referenceMorph, referenceSkeleton, referenceSkin } from '../helpers/reference.ts';
 import { conformance, describeShared } from '../helpers/shared.ts';
@@ -223,6 +226,29 @@ describe('a character in the picture', () => {
     expect(view.vertices()[0]).toBe(3);
     view.show(model, DEFAULT_DISPLAY, undefined);
     expectClose(view.bounds(new Box3()).min.toArray(), [3, 5, 5], WITHIN.rounding);
+  });
+
+  it('turns by its own angles, whatever rotation samples gave another character for the same ones', () => {
+    const turning = (channels: readonly BvhChannel[]) => ({ name: 'one', joints: [bvhJoint(-1, channels)] });
+    const { skeleton: captured, clip: take } = bvhFigure(
+      turning(['rz', 'rx', 'ry']),
+      [
+        [0, 0, 0],
+        [20, 30, 10],
+      ],
+      1,
+    );
+    const capture = shown(character({ skeleton: captured, clips: take ? [take] : [], shownClip: 0 }), 0.5);
+    const other = turning(['rx', 'rz', 'ry']);
+    const view = shown(character({ skeleton: other, pose: [...capture.dofs] }), 0.5);
+    // One after the other, as the page plays them.
+    capture.seek(0.5);
+    view.seek(0.5);
+    expect(view.dofs).toEqual(capture.dofs);
+    expect(view.worldMatrices).not.toEqual(capture.worldMatrices);
+    const byAngles = new Float64Array(16);
+    worldMatrices(compileSkeleton(other), view.dofs, byAngles);
+    expect(view.worldMatrices).toEqual(byAngles);
   });
 
   it('a character in the picture is culled by where it is now', () => {

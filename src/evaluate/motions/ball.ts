@@ -1,5 +1,4 @@
 /** Three angles about x, y and z, multiplied in any order: balljoints, and the rotation of what has one within it. */
-import { writeRotation } from '../../math/quaternion.ts';
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { renamedAxes } from '../euler-dofs.ts';
 import { type JointMotion, turnAbout } from './motion.ts';
@@ -78,17 +77,10 @@ export function spreadBall(order: EulerOrder, x: number, y: number, z: number): 
   const kj = 4 * k + j;
   const kk = 5 * k;
   const ball: BallMotion = {
-    write(dofs, first, out, o, known) {
+    write(dofs, first, out, o) {
       const alpha = dofs[first + atI];
       const beta = dofs[first + atJ];
       const gamma = dofs[first + atK];
-      const k = 8 * (first + atI);
-      if (known !== undefined && known[k] === alpha && known[k + 1] === beta && known[k + 2] === gamma) {
-        writeRotation(known[k + 3], known[k + 4], known[k + 5], known[k + 6], out, o, 4);
-        out[o + 3] = out[o + 7] = out[o + 11] = out[o + 12] = out[o + 13] = out[o + 14] = 0;
-        out[o + 15] = 1;
-        return;
-      }
       const sx = sign * Math.sin(alpha);
       const cx = Math.cos(alpha);
       const sy = sign * Math.sin(beta);

@@ -2,11 +2,8 @@ import type { Vec3 } from '../../math/vec3.ts';
 
 /** A joint's own rule, with what its motion says (axes, order) worked out. */
 export interface JointMotion {
-  /**
-   * Writes J(φ) as 16 numbers at `out[o]`; φ begins at `dofs[first]`.
-   * @param known rotations that may be those of the same angles: see `known-rotations.ts`
-   */
-  write(dofs: Float64Array, first: number, out: Float64Array, o: number, known?: Float64Array): void;
+  /** Writes J(φ) as 16 numbers at `out[o]`; φ begins at `dofs[first]`. */
+  write(dofs: Float64Array, first: number, out: Float64Array, o: number): void;
   /**
    * Writes ∂J/∂φ of the joint's DOF number `dof` (0 is its first) as 16 numbers at `out[o]`: its last row is 0, and so
    * is its last column where the DOF moves no pivot.

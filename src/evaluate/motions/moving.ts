@@ -14,8 +14,8 @@ const SLIDES = [slideAlong(0, 0), slideAlong(1, 1), slideAlong(2, 2)];
 export function freeMotion(order: EulerOrder): JointMotion {
   const ball = BALLS[order];
   return {
-    write(dofs, first, out, o, known) {
-      ball.write(dofs, first + 3, out, o, known);
+    write(dofs, first, out, o) {
+      ball.write(dofs, first + 3, out, o);
       out[o + 12] = dofs[first];
       out[o + 13] = dofs[first + 1];
       out[o + 14] = dofs[first + 2];
@@ -38,8 +38,8 @@ export function bvhMotion({ channels }: BvhMotion): JointMotion {
   const rotation = turns.length === 3 ? listedBall(channels) : productOf(turns);
   if (translations.every((at) => at < 0)) return rotation;
   return {
-    write(dofs, first, out, o, known) {
-      rotation.write(dofs, first, out, o, known);
+    write(dofs, first, out, o) {
+      rotation.write(dofs, first, out, o);
       for (let k = 0; k < 3; k++) {
         const at = translations[k];
         if (at >= 0) out[o + 12 + k] = dofs[first + at];
