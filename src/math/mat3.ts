@@ -64,12 +64,22 @@ export function copy3(from: Float64Array, fo: number, to: Float64Array, o: numbe
  *
  * @param m 16 numbers at `mo`, whose upper left 3×3 is meant
  * @param stride of `out`, from one column to the next: 3 for nine numbers, 4 within a 4×4 matrix
+ * @param lengths takes at `l` how long the first column is along the rotation's x, and the second one along x and y
  */
-export function writeRotationPart(m: Float64Array, mo: number, out: Float64Array, o: number, stride: 3 | 4): void {
+export function writeRotationPart(
+  m: Float64Array,
+  mo: number,
+  out: Float64Array,
+  o: number,
+  stride: 3 | 4,
+  lengths?: Float64Array,
+  l = 0,
+): void {
   let x = m[mo];
   let y = m[mo + 1];
   let z = m[mo + 2];
   let length = Math.sqrt(x * x + y * y + z * z);
+  const alongX = length;
   if (!(length > 0)) {
     x = length = 1;
     y = z = 0;
@@ -86,6 +96,11 @@ export function writeRotationPart(m: Float64Array, mo: number, out: Float64Array
   v -= along * y;
   w -= along * z;
   length = Math.sqrt(u * u + v * v + w * w);
+  if (lengths) {
+    lengths[l] = alongX;
+    lengths[l + 1] = along;
+    lengths[l + 2] = length;
+  }
   if (!(length > 1e-12 * size)) {
     // Any direction at right angles: of x, or of y where that is nearly x itself.
     const isX = Math.abs(x) < 0.9;

@@ -1,7 +1,7 @@
 /**
  * How a joint stands, whatever its matrix does besides (scales, shears): the frame that its x and y axes span,
  *
- *     x = W_x/|W_x|        y = n/|n|, n = W_y − (W_y·x)·x        z = x × y        (Gram–Schmidt)
+ *     x = W_x/|W_x|        y = n/|n|, n = W_y − (W_y·x)·x        z = x × y        (`writeRotationPart`)
  *
  * and how far it is from where it should be: φ with R(φ) = F·Tᵀ, a vector along the axis of the turn that remains, as
  * long as its angle. The sine of that angle, which is cheaper and often used, is 0 again at half a turn.
@@ -12,6 +12,7 @@
  *
  * (the inverse of the left Jacobian of SO(3): Barfoot, State Estimation for Robotics, 2017, § 7.1.5).
  */
+import { writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import type { Turn } from './pins.ts';
 
@@ -20,35 +21,13 @@ export const FRAME_SIZE = 12;
 
 /** Of the matrix at `w[o]`, 16 numbers, to `out[to]`. A matrix whose axes span no frame is taken to stand as the world. */
 export function writeFrame(w: Float64Array, o: number, out: Float64Array, to: number): void {
-  const lengthX = Math.sqrt(w[o] * w[o] + w[o + 1] * w[o + 1] + w[o + 2] * w[o + 2]);
-  const x0 = w[o] / lengthX;
-  const x1 = w[o + 1] / lengthX;
-  const x2 = w[o + 2] / lengthX;
-  const along = w[o + 4] * x0 + w[o + 5] * x1 + w[o + 6] * x2;
-  const n0 = w[o + 4] - along * x0;
-  const n1 = w[o + 5] - along * x1;
-  const n2 = w[o + 6] - along * x2;
-  const lengthY = Math.sqrt(n0 * n0 + n1 * n1 + n2 * n2);
-  if (!(lengthX > 1e-100 && lengthY > 1e-12 * (lengthY + Math.abs(along)))) {
-    out.fill(0, to, to + FRAME_SIZE);
-    out[to] = out[to + 4] = out[to + 8] = 1;
-    return;
-  }
-  const y0 = n0 / lengthY;
-  const y1 = n1 / lengthY;
-  const y2 = n2 / lengthY;
-  out[to] = x0;
-  out[to + 1] = x1;
-  out[to + 2] = x2;
-  out[to + 3] = y0;
-  out[to + 4] = y1;
-  out[to + 5] = y2;
-  out[to + 6] = x1 * y2 - x2 * y1;
-  out[to + 7] = x2 * y0 - x0 * y2;
-  out[to + 8] = x0 * y1 - x1 * y0;
-  out[to + 9] = lengthX;
-  out[to + 10] = along;
-  out[to + 11] = lengthY;
+  writeRotationPart(w, o, out, to, 3, out, to + 9);
+  const lengthX = out[to + 9];
+  const along = out[to + 10];
+  const lengthY = out[to + 11];
+  if (lengthX > 1e-100 && lengthY > 1e-12 * (lengthY + Math.abs(along))) return;
+  out.fill(0, to, to + FRAME_SIZE);
+  out[to] = out[to + 4] = out[to + 8] = 1;
 }
 
 /**

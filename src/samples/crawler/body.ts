@@ -1,9 +1,10 @@
 /** The crawler's mesh and colours: a shell over a round body, a friendly head, six legs, two feelers. */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
 import { along, around, loft, MeshBuilder, type Part, type Rect, type Section, type Weights } from '../shape/mesh.ts';
 import { jointIndex, posedFrames } from '../shape/skeletons.ts';
-import { add, apply, cross, dot, normalise, scale, smoothstep, sub } from '../shape/vectors.ts';
+import { apply, normalise, smoothstep } from '../shape/vectors.ts';
 import { chainWeights } from '../shape/weights.ts';
 import { BODY_HEIGHT, COXA, CRAWLER_SKELETON, FEMUR, LEGS, type LegPlan, TIBIA } from './skeleton.ts';
 
@@ -93,8 +94,8 @@ function legShape({ name, side }: LegPlan): Shape {
   const sections = spots.map(([at, r], i): Section => {
     const before = spots[Math.max(0, i - 1)][0];
     const after = spots[Math.min(spots.length - 1, i + 1)][0];
-    const up = normalise(cross(scale(across, side), sub(after, before)));
-    return { at, side: scale(across, r), front: scale(up, r) };
+    const up = normalise(cross(scaled(across, side), subtract(after, before)));
+    return { at, side: scaled(across, r), front: scaled(up, r) };
   });
   const bones = [coxa.at, femur.at, tibia.at, end];
   return {
@@ -108,9 +109,9 @@ function legShape({ name, side }: LegPlan): Shape {
       let place = 0;
       let nearest = Number.POSITIVE_INFINITY;
       for (let i = 0; i < 3; i++) {
-        const d = sub(bones[i + 1], bones[i]);
-        const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(sub(p, bones[i]), d) / dot(d, d)));
-        const miss = sub(p, add(bones[i], scale(d, t)));
+        const d = subtract(bones[i + 1], bones[i]);
+        const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(subtract(p, bones[i]), d) / dot(d, d)));
+        const miss = subtract(p, add(bones[i], scaled(d, t)));
         if (dot(miss, miss) < nearest) [nearest, place] = [dot(miss, miss), i + t];
       }
       return chainWeights(place, joint('body'), [
@@ -160,7 +161,7 @@ function eyePoint(side: number, s: number, t: number): Vec3 {
   const up = cross(outward, right);
   const centre = add(HEAD, [0.1 * side, 0.06, 0.105]);
   const high = 0.075 * Math.sqrt(Math.max(0, 1 - 0.96 * (u * u + w * w)));
-  return add(add(centre, add(scale(right, 0.088 * u), scale(up, 0.094 * w))), scale(outward, high));
+  return add(add(centre, add(scaled(right, 0.088 * u), scaled(up, 0.094 * w))), scaled(outward, high));
 }
 
 export function buildCrawlerMesh(): MeshBuilder {
@@ -200,7 +201,7 @@ const painters: Record<Shape['name'], Painter> = {
     return blend(TEAL, TEAL_DEEP, 0.8 * smoothstep(0.3, 0.57, fold) + 0.35 * smoothstep(-0.3, -0.55, p[2]));
   },
   head: (p) => {
-    const [x, y, z] = sub(p, HEAD);
+    const [x, y, z] = subtract(p, HEAD);
     const side = Math.abs(x);
     if (z > 0) {
       const smile = Math.abs(y + 0.08 - 5 * side * side);

@@ -4,10 +4,11 @@
  *
  *     coxa turns toward the foot about y; in the plane through it, femur and tibia are the two sides of a triangle
  */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, subtract, type Vec3 } from '../../math/vec3.ts';
 import { type Circle, carriedBack } from '../motion/circle.ts';
 import type { WalkPose } from '../motion/walk.ts';
-import { add, apply, ballRotation, inverse, mixVec, rotationY, sub } from '../shape/vectors.ts';
+import { apply, ballRotation, inverse, mixVec, rotationY } from '../shape/vectors.ts';
 import { BODY_HEIGHT, COXA, FEMUR, LEGS, type LegPlan, TIBIA } from './skeleton.ts';
 
 export const CIRCLE: Circle = { radius: 1, strides: 12, strideSeconds: 0.6 };
@@ -42,7 +43,7 @@ export function crawlPose(anyPhase: number): WalkPose {
   const turn = ballRotation(body);
   for (const leg of LEGS) {
     const foot = footAt(leg, (phase + 1 - leg.lag) % 1);
-    const local = sub(apply(inverse(turn), sub(foot, root)), leg.hip);
+    const local = subtract(apply(inverse(turn), subtract(foot, root)), leg.hip);
     const level = Math.hypot(local[0], local[2]);
     const across = level - COXA;
     const far = Math.min(Math.hypot(across, local[1]), 0.999 * (FEMUR + TIBIA));

@@ -1,8 +1,9 @@
 /** What the exhibits look like: steps, plinths and rods that stand still, and a piece on each joint that moves with it. */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
 import { along, around, MeshBuilder, type Rect, type Weights } from '../shape/mesh.ts';
-import { add, cross, normalise, scale, sub } from '../shape/vectors.ts';
+import { normalise } from '../shape/vectors.ts';
 import { type Family, type Piece, PLACED, PLINTH, ROWS, STEP_DEPTH, STEP_HEIGHT, WIDTH } from './exhibits.ts';
 
 const ATLAS_SIZE = 128;
@@ -103,7 +104,7 @@ function addBlock(mesh: MeshBuilder, at: Vec3, half: Vec3, side: Rect, front: Re
     [0, half[1], 0],
     [0, 0, half[2]],
   ];
-  const back = (v: Vec3) => scale(v, -1);
+  const back = (v: Vec3) => scaled(v, -1);
   addFace(mesh, add(at, z), x, y, front, weights);
   addFace(mesh, add(at, back(z)), back(x), y, side, weights);
   addFace(mesh, add(at, x), back(z), y, side, weights);
@@ -116,7 +117,7 @@ function addFace(mesh: MeshBuilder, middle: Vec3, right: Vec3, up: Vec3, rect: R
   mesh.addPatch({
     columns: 1,
     rows: 1,
-    point: (s, t) => add(middle, add(scale(right, 2 * s - 1), scale(up, 2 * t - 1))),
+    point: (s, t) => add(middle, add(scaled(right, 2 * s - 1), scaled(up, 2 * t - 1))),
     rect,
     weights: () => weights,
   });
@@ -125,13 +126,13 @@ function addFace(mesh: MeshBuilder, middle: Vec3, right: Vec3, up: Vec3, rect: R
 const ROD_RADIUS = 0.03;
 /** Six-sided, open at its ends. */
 function addRod(mesh: MeshBuilder, from: Vec3, to: Vec3, weights: Weights): void {
-  const axis = normalise(sub(to, from));
+  const axis = normalise(subtract(to, from));
   const side = normalise(cross(axis, Math.abs(axis[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
   const front = cross(side, axis);
   mesh.addPart({
     point: (angle, v) => {
-      const out = add(scale(side, ROD_RADIUS * Math.sin(angle)), scale(front, ROD_RADIUS * Math.cos(angle)));
-      return add(add(from, scale(sub(to, from), v)), out);
+      const out = add(scaled(side, ROD_RADIUS * Math.sin(angle)), scaled(front, ROD_RADIUS * Math.cos(angle)));
+      return add(add(from, scaled(subtract(to, from), v)), out);
     },
     angles: around(6),
     rows: [0, 1],

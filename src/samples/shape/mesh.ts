@@ -10,9 +10,10 @@
  * it hides those edges, but spends vertices evenly where a face needs many and a back few, and leaves texture
  * coordinates to be found afterwards.
  */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import type { Attachments, Material, Skin } from '../../model/skin.ts';
-import { add, cross, normalise, round, scale, sub } from './vectors.ts';
+import { normalise, round } from './vectors.ts';
 
 /** Joint indices and weights of one vertex; any sum, made 1 later. */
 export type Weights = ReadonlyMap<number, number>;
@@ -112,7 +113,7 @@ export class MeshBuilder {
     const sums: Vec3[] = positions.map(() => [0, 0, 0]);
     for (let t = 0; t < this.triangles.length; t += 3) {
       const [a, b, c] = this.triangles.slice(t, t + 3);
-      const n = cross(sub(positions[b], positions[a]), sub(positions[c], positions[a]));
+      const n = cross(subtract(positions[b], positions[a]), subtract(positions[c], positions[a]));
       for (const v of [a, b, c]) sums[v] = add(sums[v], n);
     }
     return sums.map((n) => normalise(n));
@@ -189,18 +190,18 @@ export function loft(sections: readonly Section[]): (angle: number, v: number) =
     const four = [i - 1, i, i + 1, i + 2].map((k) => sections[Math.max(0, Math.min(last, k))]);
     const weights = catmullRom(t);
     const blend = (pick: (s: Section) => Vec3): Vec3 =>
-      four.reduce<Vec3>((sum, s, k) => add(sum, scale(pick(s), weights[k])), [0, 0, 0]);
+      four.reduce<Vec3>((sum, s, k) => add(sum, scaled(pick(s), weights[k])), [0, 0, 0]);
     const power = 2 / four.reduce((sum, s, k) => sum + (s.squareness ?? 2) * weights[k], 0);
     const [sine, cosine] = [Math.sin(angle), Math.cos(angle)];
     const along = (c: number) => Math.sign(c) * Math.abs(c) ** power;
     return add(
       blend((s) => s.at),
       add(
-        scale(
+        scaled(
           blend((s) => s.side),
           along(sine),
         ),
-        scale(
+        scaled(
           blend((s) => s.front),
           along(cosine),
         ),

@@ -1,7 +1,8 @@
 /** Building skeletons by name: parents are named rather than numbered, and joints are put in depth-first order. */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, type Vec3 } from '../../math/vec3.ts';
 import { type Box, DEFAULT_MOTION, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
-import { add, apply, ballRotation, type Mat3, rotate } from './vectors.ts';
+import { apply, ballRotation, type Mat3, rotate } from './vectors.ts';
 
 /** A ball joint as a sample describes it. */
 export interface JointPlan {
@@ -72,7 +73,7 @@ export function posedFrames(skeleton: Skeleton): Frame[] {
 /** Frames as bindings: 16 numbers a joint, column-major. */
 export function bindingMatrices(frames: readonly Frame[]): Float64Array {
   return Float64Array.from(
-    frames.flatMap(({ turn: m, at }) => [m[0], m[3], m[6], 0, m[1], m[4], m[7], 0, m[2], m[5], m[8], 0, ...at, 1]),
+    frames.flatMap(({ turn: m, at }) => [m[0], m[1], m[2], 0, m[3], m[4], m[5], 0, m[6], m[7], m[8], 0, ...at, 1]),
   );
 }
 

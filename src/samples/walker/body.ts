@@ -1,5 +1,6 @@
 /** The walker's mesh: which parts there are, how they are shaped, and which joints they follow. */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import {
   along,
   around,
@@ -12,7 +13,7 @@ import {
   type Weights,
 } from '../shape/mesh.ts';
 import { jointIndex, posedFrames } from '../shape/skeletons.ts';
-import { add, apply, cross, dot, mixVec, normalise, scale, smoothstep, sub } from '../shape/vectors.ts';
+import { apply, mixVec, normalise, smoothstep } from '../shape/vectors.ts';
 import { type Bend, chainWeights, mixWeights } from '../shape/weights.ts';
 import { eyePoint, headPoint, mouthPoint, nosePoint } from './head.ts';
 import { FOREARM, UPPER_ARM, WALKER_SKELETON } from './skeleton.ts';
@@ -113,8 +114,8 @@ function armShape(suffix: '_l' | '_r', side: number): Shape {
   const axis = apply(turn, [side, 0, 0]);
   const up = apply(turn, [0, 1, 0]);
   const section = (s: number, thick: number, wide = thick): Section => ({
-    at: add(shoulder, scale(axis, s)),
-    side: scale(up, thick * side),
+    at: add(shoulder, scaled(axis, s)),
+    side: scaled(up, thick * side),
     front: [0, 0, wide],
   });
   const sections = [
@@ -140,7 +141,7 @@ function armShape(suffix: '_l' | '_r', side: number): Shape {
     startPole: true,
     endPole: true,
     weights: (p) =>
-      chainWeights(dot(sub(p, shoulder), axis), joint('chest'), [
+      chainWeights(dot(subtract(p, shoulder), axis), joint('chest'), [
         bend(`upper_arm${suffix}`, 0.01, 0.06),
         bend(`forearm${suffix}`, UPPER_ARM, 0.06),
         bend(`hand${suffix}`, UPPER_ARM + FOREARM, 0.04),
@@ -152,12 +153,12 @@ function thumbShape(suffix: '_l' | '_r', side: number): Shape {
   const { turn, at: shoulder } = frames[joint(`upper_arm${suffix}`)];
   const axis = apply(turn, [side, 0, 0]);
   const up = apply(turn, [0, 1, 0]);
-  const along = normalise(add(scale(axis, 0.7), [0, 0, 0.7]));
+  const along = normalise(add(scaled(axis, 0.7), [0, 0, 0.7]));
   const across = normalise(cross(up, along));
   const section = (s: number, r: number): Section => ({
-    at: add(add(shoulder, scale(axis, UPPER_ARM + FOREARM + 0.03)), add([0, 0, 0.04], scale(along, s))),
-    side: scale(up, r),
-    front: scale(across, -r * side),
+    at: add(add(shoulder, scaled(axis, UPPER_ARM + FOREARM + 0.03)), add([0, 0, 0.04], scaled(along, s))),
+    side: scaled(up, r),
+    front: scaled(across, -r * side),
   });
   const sections = [section(-0.02, 0.03), section(0.025, 0.031), section(0.05, 0.024), section(0.065, 0.001)];
   return {
@@ -246,10 +247,10 @@ function footShape(suffix: '_l' | '_r', side: number): Shape {
 /** A tube along a curve in a plane x = constant, `front` up or back in that plane. */
 function bentTube(points: readonly Vec3[], sizes: readonly (readonly [number, number])[]): Section[] {
   return points.map((p, i) => {
-    const tangent = normalise(sub(points[Math.min(points.length - 1, i + 1)], points[Math.max(0, i - 1)]));
+    const tangent = normalise(subtract(points[Math.min(points.length - 1, i + 1)], points[Math.max(0, i - 1)]));
     const side: Vec3 = [1, 0, 0];
     const front = normalise(cross(side, tangent));
-    return { at: p, side: scale(side, sizes[i][0]), front: scale(front, sizes[i][1]) };
+    return { at: p, side: scaled(side, sizes[i][0]), front: scaled(front, sizes[i][1]) };
   });
 }
 
@@ -286,9 +287,9 @@ const tail: Shape = {
     let best = 0;
     let nearest = Number.POSITIVE_INFINITY;
     for (let i = 0; i < 4; i++) {
-      const d = sub(line[i + 1], line[i]);
-      const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(sub(p, line[i]), d) / dot(d, d)));
-      const q = sub(p, add(line[i], scale(d, t)));
+      const d = subtract(line[i + 1], line[i]);
+      const t = Math.max(i === 0 ? -1 : 0, Math.min(1, dot(subtract(p, line[i]), d) / dot(d, d)));
+      const q = subtract(p, add(line[i], scaled(d, t)));
       if (dot(q, q) < nearest) [nearest, best] = [dot(q, q), i + t];
     }
     return chainWeights(best, joint('hips'), [
@@ -393,8 +394,8 @@ function earShape(suffix: '_l' | '_r', side: number): Shape {
   const lean = normalise([0.36 * side, 1, -0.02]);
   const across = normalise(cross(lean, [0, 0, 1]));
   const section = (s: number, wide: number, thick: number, z = 0): Section => ({
-    at: add(add(base, scale(lean, s)), [0, 0, z]),
-    side: scale(across, wide * side),
+    at: add(add(base, scaled(lean, s)), [0, 0, z]),
+    side: scaled(across, wide * side),
     front: [0, 0, thick],
   });
   const sections = [
@@ -432,9 +433,9 @@ const tufts: readonly Shape[] = [
   const across = normalise(cross(up, [0, 0, 1]));
   const front = cross(across, up);
   const section = (s: number, r: number): Section => ({
-    at: add(add(foot, scale(up, s * tall)), [0, -0.03 * s * s, 0.04 * s * s]),
-    side: scale(across, r),
-    front: scale(front, r),
+    at: add(add(foot, scaled(up, s * tall)), [0, -0.03 * s * s, 0.04 * s * s]),
+    side: scaled(across, r),
+    front: scaled(front, r),
   });
   const sections = [section(-0.2, 0.055), section(0.35, 0.042), section(0.78, 0.024), section(1, 0.001)];
   return {

@@ -7,15 +7,14 @@
  * the air the point they turn about moves from the one to the other. Hips are carried over them, legs follow by analytic
  * two-bone IK, and the upper body answers the hips: chest against pelvis, arms against legs, the head nearly still.
  */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, cross, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { type Circle, carriedBack } from '../motion/circle.ts';
 import type { WalkPose } from '../motion/walk.ts';
 import {
-  add,
   apply,
   ballAngles,
   ballRotation,
-  cross,
   fromAxes,
   inverse,
   length,
@@ -26,8 +25,6 @@ import {
   rotationX,
   rotationY,
   rotationZ,
-  scale,
-  sub,
 } from '../shape/vectors.ts';
 import { ANKLE_HEIGHT, HEEL_CONTACT, HIP_HEIGHT, SHIN, THIGH, THIGH_OFFSET, TOE_OFFSET } from './skeleton.ts';
 
@@ -95,7 +92,7 @@ const LIFT_POWER = 1.8;
 const liftAt = (x: number) => Math.max(0, (x - HEEL_LIFTS) / (TOE_LEAVES - HEEL_LIFTS)) ** LIFT_POWER;
 
 function pivoted(pivot: Vec3, pivotLocal: Vec3, turn: Mat3, toe: number): Foot {
-  return { ankle: sub(pivot, apply(turn, pivotLocal)), turn, toe };
+  return { ankle: subtract(pivot, apply(turn, pivotLocal)), turn, toe };
 }
 
 function hermite(t: number, a: number, slopeA: number, b: number, slopeB: number): number {
@@ -105,16 +102,16 @@ function hermite(t: number, a: number, slopeA: number, b: number, slopeB: number
 
 /** Thigh and shin that put the ankle where the foot has it; the knee points where the toes do. */
 function legAngles(hipsTurn: Mat3, hip: Vec3, foot: Foot): { thigh: Vec3; shin: number; ankle: Vec3 } {
-  const reach = sub(foot.ankle, hip);
+  const reach = subtract(foot.ankle, hip);
   const far = Math.min(length(reach), (THIGH + SHIN) * 0.999);
   const down = normalise(reach);
   const forward = add(apply(foot.turn, [0, 0.35, 0.65]), apply(hipsTurn, [0, 0, 0.6]));
-  const side = normalise(cross(scale(down, -1), forward));
+  const side = normalise(cross(scaled(down, -1), forward));
   const ahead = cross(down, side);
   const bendAtHip = Math.acos((THIGH * THIGH + far * far - SHIN * SHIN) / (2 * THIGH * far));
   const knee = Math.PI - Math.acos((THIGH * THIGH + SHIN * SHIN - far * far) / (2 * THIGH * SHIN));
-  const along = add(scale(down, Math.cos(bendAtHip)), scale(ahead, Math.sin(bendAtHip)));
-  const up = scale(along, -1);
+  const along = add(scaled(down, Math.cos(bendAtHip)), scaled(ahead, Math.sin(bendAtHip)));
+  const up = scaled(along, -1);
   const thighTurn = fromAxes(side, up, cross(side, up));
   const shinTurn = rotate(thighTurn, rotationX(knee));
   return {
@@ -152,7 +149,7 @@ const settle = (() => {
   for (let i = 0; i < 400; i++) {
     const { at, turn } = hipsAt(i / 400);
     for (const { side, lag } of SIDES) {
-      const reach = sub(footAt((i / 400 + lag) % 1, side).ankle, hipOf(at, turn, side));
+      const reach = subtract(footAt((i / 400 + lag) % 1, side).ankle, hipOf(at, turn, side));
       const level = Math.hypot(reach[0], reach[2]);
       drop = Math.max(drop, -reach[1] - Math.sqrt(longest * longest - level * level));
     }

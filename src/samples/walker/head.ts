@@ -3,8 +3,8 @@
  *
  *     p = centre + d · halfSize · (1 + Σ amount · exp(−(angle to bump / width)²))        d: a unit direction
  */
-import type { Vec3 } from '../../math/vec3.ts';
-import { add, dot, normalise, scale, sub } from '../shape/vectors.ts';
+import { add, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
+import { normalise } from '../shape/vectors.ts';
 
 export const HEAD_CENTRE: Vec3 = [0, 1.56, 0.02];
 const HALF_SIZE: Vec3 = [0.455, 0.4, 0.4];
@@ -51,10 +51,10 @@ export function faceDepth(x: number, y: number): number {
   let outside = HEAD_CENTRE[2] + 0.8;
   for (let i = 0; i < 40; i++) {
     const z = (inside + outside) / 2;
-    const p = sub([x, y, z], HEAD_CENTRE);
+    const p = subtract([x, y, z], HEAD_CENTRE);
     const q: Vec3 = [p[0] / HALF_SIZE[0], p[1] / HALF_SIZE[1], p[2] / HALF_SIZE[2]];
     const far = Math.hypot(q[0], q[1], q[2]);
-    if (far < swell(scale(q, 1 / far))) inside = z;
+    if (far < swell(scaled(q, 1 / far))) inside = z;
     else outside = z;
   }
   return inside;

@@ -1,8 +1,9 @@
 /** The walker's three morphs: what they move, and by how much. */
-import type { Vec3 } from '../../math/vec3.ts';
+
+import { add, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import type { Morph } from '../../model/morph.ts';
 import { roundVec, type Span } from '../shape/mesh.ts';
-import { add, length, scale, smoothstep, sub } from '../shape/vectors.ts';
+import { length, smoothstep } from '../shape/vectors.ts';
 import { EYE_GRID, MOUTH_GRID, type WalkerMesh } from './body.ts';
 import { eyePoint, HEAD_CENTRE, mouthPoint } from './head.ts';
 
@@ -38,7 +39,7 @@ export function walkerMorphs({ mesh, spans }: WalkerMesh): Morph[] {
   return MORPH_NAMES.map((name) => {
     const moved = shapes[name];
     const normals = mesh.normalsOf(moved);
-    const indices = rest.flatMap((p, v) => (length(sub(moved[v], p)) > 1e-3 ? [v] : []));
+    const indices = rest.flatMap((p, v) => (length(subtract(moved[v], p)) > 1e-3 ? [v] : []));
     const rows = (values: readonly Vec3[], decimals: number) => ({
       indices: Uint32Array.from(indices),
       values: Float64Array.from(indices.flatMap((v) => roundVec(values[v], decimals))),
@@ -55,9 +56,9 @@ function eachOfGrid(span: Span, columns: number, rows: number, visit: (vertex: n
 
 /** Cheeks go up and out. */
 function raisedCheek(p: Vec3): Vec3 {
-  const [x, y, z] = sub(p, HEAD_CENTRE);
+  const [x, y, z] = subtract(p, HEAD_CENTRE);
   const near = smoothstep(1, 0, Math.hypot((Math.abs(x) - 0.27) / 0.18, (y + 0.15) / 0.14)) * smoothstep(0, 0.12, z);
-  return add(p, scale([Math.sign(x) * 0.5, 0.75, 0.6], 0.032 * near));
+  return add(p, scaled([Math.sign(x) * 0.5, 0.75, 0.6], 0.032 * near));
 }
 
 /** The chest fills, to the front more than to the back. */
