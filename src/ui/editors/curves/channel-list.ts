@@ -1,18 +1,17 @@
 /**
- * The list of channels beside the plot. Only the rows in view exist, so that ten thousand channels cost what twenty do.
- *
- * For the keyboard it is one grid with one tab stop: arrows go from row to row and from control to control, Enter or
- * Space does what a click does. The focus stays on the grid, which names the control that is meant
- * (aria-activedescendant): rows that scroll away can't take it with them.
+ * The list of channels beside the plot, a windowed list. For the keyboard it is one grid with one tab stop: arrows go
+ * from row to row and from control to control, Enter or Space does what a click does. The focus stays on the grid, which
+ * names the control that is meant.
  */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, unionKeys } from '../../../edit/keys/selection.ts';
-import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
+import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
+import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -26,15 +25,11 @@ import { cssColour } from './scene/colours.ts';
 import type { CurveLine } from './scene/scene.ts';
 import { buttonMeant } from './tools/intent.ts';
 
-const ROW_PIXELS = 22;
-/** Rows beyond the edges, so that a quick turn of the wheel doesn't show gaps. */
-const SPARE_ROWS = 4;
 /** The controls of a row, left to right. */
 const CELLS = ['eye', 'name', 'in', 'out', 'pin'] as const;
 type Cell = (typeof CELLS)[number];
 
-interface Row {
-  readonly element: HTMLElement;
+interface Row extends WindowedRow {
   readonly cells: Readonly<Record<Cell, HTMLElement>>;
   readonly swatch: HTMLElement;
   readonly joint: HTMLElement;
@@ -70,10 +65,9 @@ export class ChannelList {
     { class: 'channel-rows', role: 'grid', tabindex: 0, 'aria-label': 'Channels' },
     this.space,
   );
-  private readonly rows: Row[] = [];
-  private readonly id = uniqueId('channel');
+  private readonly list: WindowedList<Row>;
+  private state: ListState = { hidden: new Set(), isolated: undefined, pinned: new Set(), selected: new Set() };
   private channels: readonly ListedChannel[] = [];
-  private first = 0;
   private active = 0;
   private activeCell: Cell = 'name';
   /** Where Shift and a click count from. */
@@ -104,12 +98,19 @@ export class ChannelList {
       else return;
       event.preventDefault();
     });
-    this.grid.addEventListener('scroll', this.showSoon);
+    this.list = new WindowedList({
+      scroller: this.grid,
+      space: this.space,
+      rowHeight: ['--channel-row', 22],
+      rowsAbove: 0,
+      make: makeRow,
+      fill: (row, index) => this.fill(row, index, this.state),
+      meant: ({ cells }) => cells[this.activeCell],
+    });
     this.grid.addEventListener('keydown', (event) => this.onKey(event));
     this.grid.addEventListener('click', (event) => this.onClick(event));
     this.grid.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     this.grid.addEventListener('contextmenu', (event) => this.onMenu(event));
-    new ResizeObserver(this.showSoon).observe(this.grid);
     wb.store.subscribe((now, before) => {
       if (now.document !== before.document || now.selection !== before.selection) this.showSoon();
     });
@@ -132,24 +133,15 @@ export class ChannelList {
     this.empty.hidden = count > 0;
     grid.hidden = count === 0;
     setText(this.empty, emptyText(wb, view.list, view.filter));
-    setAttribute(grid, 'aria-rowcount', String(count));
-    this.space.style.height = `${count * ROW_PIXELS}px`;
     this.active = Math.max(0, Math.min(this.active, count - 1));
-    this.first = Math.max(0, Math.floor(grid.scrollTop / ROW_PIXELS) - SPARE_ROWS);
-    const last = Math.min(count, Math.ceil((grid.scrollTop + grid.clientHeight) / ROW_PIXELS) + SPARE_ROWS);
-    const needed = Math.max(0, last - this.first);
-    while (this.rows.length < needed) this.rows.push(this.makeRow(this.rows.length));
-    const state: ListState = {
+    this.state = {
       hidden: new Set(view.hidden),
       isolated: view.isolated && new Set(view.isolated),
       pinned: new Set(view.pinned),
       selected: new Set(keysInHand(wb).map((k) => k.channel)),
     };
-    for (const [i, row] of this.rows.entries()) {
-      row.element.hidden = i >= needed;
-      if (i < needed) this.fill(row, this.first + i, state);
-    }
-    setAttribute(grid, 'aria-activedescendant', count ? this.cellId(this.active, this.activeCell) : undefined);
+    this.list.show(count);
+    this.list.focus(this.active);
   }
 
   private showChoice(list: ListChoice): void {
@@ -159,36 +151,6 @@ export class ChannelList {
     const texts = showsAll ? { ...LIST_LABELS, selected: NO_JOINT_LABEL } : LIST_LABELS;
     for (const [i, one] of CHANNEL_LISTS.entries()) setText(choice.options[i], texts[one]);
     setAttribute(choice, 'title', showsAll ? NO_JOINT_TITLE : undefined);
-  }
-
-  private cellId(index: number, cell: Cell): string {
-    return `${this.id}-${index - this.first}-${cell}`;
-  }
-
-  private makeRow(place: number): Row {
-    const swatch = element('span', { class: 'channel-swatch' });
-    const joint = element('span', { class: 'channel-joint' });
-    const dof = element('span', { class: 'channel-dof' });
-    const follows = element('span', { class: 'channel-follows' });
-    const cell = (name: Cell, ...content: (Node | undefined)[]) => {
-      const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
-      made.id = `${this.id}-${place}-${name}`;
-      made.dataset.cell = name;
-      for (const node of content) if (node) made.append(node);
-      // The focus belongs to the grid, and a click on a control leaves it where it was.
-      made.addEventListener('mousedown', (event) => event.preventDefault());
-      return made;
-    };
-    const cells = {
-      eye: cell('eye', icon('eye')),
-      name: cell('name', swatch, joint, dof, follows),
-      in: cell('in'),
-      out: cell('out'),
-      pin: cell('pin', icon('pin')),
-    };
-    const row = element('div', { role: 'row', class: 'channel-row' }, ...CELLS.map((c) => cells[c]));
-    this.space.append(row);
-    return { element: row, cells, swatch, joint, dof, follows };
   }
 
   private fill(row: Row, index: number, state: ListState): void {
@@ -201,15 +163,11 @@ export class ChannelList {
     const hidden = state.hidden.has(channel);
     const isolated = state.isolated?.has(channel) ?? false;
     const { element: target, cells } = row;
-    target.style.transform = `translateY(${index * ROW_PIXELS}px)`;
-    target.dataset.index = String(index);
-    setAttribute(target, 'aria-rowindex', String(index + 1));
     target.className = 'channel-row';
     target.classList.toggle('keyless', !keyed);
     target.classList.toggle('not-drawn', keyed && (state.isolated ? !isolated : hidden));
     target.classList.toggle('isolated', isolated);
     target.classList.toggle('selected', state.selected.has(channel));
-    target.classList.toggle('active', index === this.active);
     setText(row.joint, listed.joint);
     setText(row.dof, listed.dof);
     setText(row.follows, listed.follows === undefined ? '' : `← ${listed.follows}`);
@@ -235,14 +193,14 @@ export class ChannelList {
       cell.setAttribute('aria-haspopup', 'menu');
     }
     for (const cell of CELLS) {
+      cells[cell].id = `${target.id}-${cell}`;
       cells[cell].classList.toggle('current', index === this.active && cell === this.activeCell);
     }
   }
 
   private indexAt(event: Event): { readonly index: number; readonly cell: Cell | undefined } | undefined {
     if (!(event.target instanceof Element)) return undefined;
-    const row = event.target.closest<HTMLElement>('.channel-row');
-    const index = Number(row?.dataset.index ?? Number.NaN);
+    const index = this.list.indexOf(event);
     if (!this.channels[index]) return undefined;
     const name = event.target.closest<HTMLElement>('[data-cell]')?.dataset.cell;
     return { index, cell: CELLS.find((c) => c === name) };
@@ -301,7 +259,7 @@ export class ChannelList {
     const byKeyboard = buttonMeant(event, isMac) !== 2;
     const index = byKeyboard ? this.active : at?.index;
     if (index === undefined || !this.channels[index]) return;
-    const box = this.rows[index - this.first]?.element.getBoundingClientRect();
+    const box = this.list.row(index)?.element.getBoundingClientRect();
     const where = byKeyboard && box ? { x: box.left + 24, y: box.bottom } : { x: event.clientX, y: event.clientY };
     this.active = index;
     openChannelMenu(this.wb, this.channels[index].channel, where, byKeyboard);
@@ -311,35 +269,47 @@ export class ChannelList {
   private onKey(event: KeyboardEvent): void {
     if (event.altKey || !this.channels.length) return;
     const ctrl = isMac ? event.metaKey : event.ctrlKey;
-    const page = Math.max(1, Math.floor(this.grid.clientHeight / ROW_PIXELS) - 1);
-    const last = this.channels.length - 1;
-    const steps: Record<string, number> = { ArrowUp: -1, ArrowDown: 1, PageUp: -page, PageDown: page };
-    const step = steps[event.key];
+    const to = rowAfterKey(event.key, this.active, this.channels.length, this.list.page);
     const side = event.key === 'ArrowLeft' ? -1 : event.key === 'ArrowRight' ? 1 : 0;
     if (event.key === 'Enter' || event.key === ' ') {
-      const box = this.rows[this.active - this.first]?.cells[this.activeCell].getBoundingClientRect();
+      const box = this.list.row(this.active)?.cells[this.activeCell].getBoundingClientRect();
       this.press(this.active, this.activeCell, event.shiftKey, ctrl, box, true);
     } else if (ctrl || event.shiftKey) return;
-    else if (step) this.goTo(this.active + step);
-    else if (event.key === 'Home') this.goTo(0);
-    else if (event.key === 'End') this.goTo(last);
-    else if (side) {
+    else if (to !== undefined) {
+      this.active = to;
+      this.list.reveal(to);
+      this.showSoon();
+    } else if (side) {
       const next = CELLS.indexOf(this.activeCell) + side;
       this.activeCell = CELLS[Math.max(0, Math.min(CELLS.length - 1, next))];
       this.showSoon();
     } else return;
     event.preventDefault();
   }
+}
 
-  private goTo(index: number): void {
-    this.active = Math.max(0, Math.min(this.channels.length - 1, index));
-    const top = this.active * ROW_PIXELS;
-    const { grid } = this;
-    if (top < grid.scrollTop) grid.scrollTop = top;
-    else if (top + ROW_PIXELS > grid.scrollTop + grid.clientHeight)
-      grid.scrollTop = top + ROW_PIXELS - grid.clientHeight;
-    this.showSoon();
-  }
+function makeRow(): Row {
+  const swatch = element('span', { class: 'channel-swatch' });
+  const joint = element('span', { class: 'channel-joint' });
+  const dof = element('span', { class: 'channel-dof' });
+  const follows = element('span', { class: 'channel-follows' });
+  const cell = (name: Cell, ...content: Node[]) => {
+    const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
+    made.dataset.cell = name;
+    made.append(...content);
+    // The focus belongs to the grid, and a click on a control leaves it where it was.
+    made.addEventListener('mousedown', (event) => event.preventDefault());
+    return made;
+  };
+  const cells = {
+    eye: cell('eye', icon('eye')),
+    name: cell('name', swatch, joint, dof, follows),
+    in: cell('in'),
+    out: cell('out'),
+    pin: cell('pin', icon('pin')),
+  };
+  const row = element('div', { role: 'row', class: 'channel-row' }, ...CELLS.map((c) => cells[c]));
+  return { element: row, cells, swatch, joint, dof, follows };
 }
 
 interface ListState {

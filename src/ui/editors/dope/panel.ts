@@ -285,7 +285,6 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   private measure(): void {
     this.size = { width: this.plot.clientWidth, height: this.plot.clientHeight };
     if (!this.size.width) return;
-    this.names.resized();
     this.redraw();
   }
 

@@ -1,9 +1,7 @@
-/**
- * A tree of which only the rows in view are in the page, so that ten thousand joints scroll like ten. The focus stays
- * on the tree itself and points at its row (`aria-activedescendant`), for a row may leave the page while focused.
- */
-import { element, uniqueId } from '../../kit/dom.ts';
+/** The outliner's tree, a windowed list: what clicks and keys do to its rows, and what is the same in all of them. */
+import { element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import type { OutlineRow } from './outline-rows.ts';
 
 export interface TreeEvents {
@@ -18,7 +16,6 @@ export interface TreeEvents {
   draw(row: OutlineRow): Node[];
 }
 
-const OVERSCAN = 6;
 const MEANT = 'Nothing is selected; channels and keys are those of this character';
 /** Pixels that a row is moved in by for each level down to this one; deeper levels less, and those below not at all. */
 const INDENTS: readonly (readonly [depth: number, pixels: number])[] = [
@@ -47,12 +44,10 @@ export class Tree {
   private readonly space = element('div', { class: 'tree-space', role: 'presentation' });
   private rows: readonly OutlineRow[] = [];
   private places = new Map<string, number>();
-  private readonly drawn = new Map<number, HTMLElement>();
+  private readonly list: WindowedList<WindowedRow>;
   private selectedKey: string | undefined;
   private focusedKey: string | undefined;
   private meantKey: string | undefined;
-  private rowHeight = 24;
-  private readonly idPrefix = uniqueId('row');
 
   constructor(
     label: string,
@@ -60,15 +55,17 @@ export class Tree {
   ) {
     this.element.setAttribute('aria-label', label);
     this.element.append(this.space);
-    this.element.addEventListener('scroll', () => this.draw());
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.element.addEventListener('click', (event) => this.onClick(event));
     this.element.addEventListener('dblclick', (event) => this.onDoubleClick(event));
     this.element.addEventListener('contextmenu', (event) => this.onContextMenu(event));
-    new ResizeObserver(() => {
-      this.rowHeight = Number.parseFloat(getComputedStyle(this.element).getPropertyValue('--row')) || 24;
-      this.drawAnew();
-    }).observe(this.element);
+    this.list = new WindowedList({
+      scroller: this.element,
+      space: this.space,
+      rowHeight: ['--row', 24],
+      make: () => ({ element: element('div', { role: 'treeitem' }) }),
+      fill: (row, index) => this.fill(row.element, index),
+    });
   }
 
   show(rows: readonly OutlineRow[]): void {
@@ -82,7 +79,7 @@ export class Tree {
     this.selectedKey = key;
     if (key !== undefined) {
       this.focusedKey = key;
-      this.reveal(key);
+      this.list.reveal(this.placeOf(key));
     }
     this.mark();
   }
@@ -106,95 +103,49 @@ export class Tree {
 
   /** Anew, though the rows are the same: something that `draw` reads has changed. */
   drawAnew(): void {
-    this.space.replaceChildren();
-    this.drawn.clear();
-    this.space.style.height = `${this.rows.length * this.rowHeight}px`;
-    this.draw();
-  }
-
-  private draw(): void {
-    const first = Math.max(0, Math.floor(this.element.scrollTop / this.rowHeight) - OVERSCAN);
-    const shown = Math.ceil(this.element.clientHeight / this.rowHeight) + 2 * OVERSCAN;
-    const end = Math.min(this.rows.length, first + shown);
-    for (const [index, row] of this.drawn) {
-      if (index >= first && index < end) continue;
-      row.remove();
-      this.drawn.delete(index);
-    }
-    for (let i = first; i < end; i++) {
-      if (this.drawn.has(i)) continue;
-      const row = this.drawRow(i);
-      this.drawn.set(i, row);
-      this.space.append(row);
-    }
-    this.mark();
+    this.list.show(this.rows.length);
+    this.list.focus(this.placeOf(this.focusedKey));
   }
 
   /** Selection and focus, on rows that stay: a double click needs both of its clicks on one element. */
   private mark(): void {
-    for (const [index, made] of this.drawn) {
-      const { key } = this.rows[index];
-      made.setAttribute('aria-selected', String(key === this.selectedKey));
-      made.classList.toggle('focused', key === this.focusedKey);
-      made.classList.toggle('meant', key === this.meantKey);
-      if (key === this.meantKey) made.title = MEANT;
-      else if (made.title === MEANT) made.title = '';
-    }
-    const focused = this.placeOf(this.focusedKey);
-    if (this.drawn.has(focused)) this.element.setAttribute('aria-activedescendant', this.idOf(focused));
-    else this.element.removeAttribute('aria-activedescendant');
+    this.list.each(({ element: made }, index) => this.markRow(made, this.rows[index]));
+    this.list.focus(this.placeOf(this.focusedKey));
   }
 
-  private drawRow(index: number): HTMLElement {
+  private markRow(made: HTMLElement, { key }: OutlineRow): void {
+    made.setAttribute('aria-selected', String(key === this.selectedKey));
+    made.classList.toggle('meant', key === this.meantKey);
+    setAttribute(made, 'title', key === this.meantKey ? MEANT : undefined);
+  }
+
+  private fill(made: HTMLElement, index: number): void {
     const row = this.rows[index];
-    const made = element('div', {
-      role: 'treeitem',
-      id: this.idOf(index),
-      class: `row row-${row.kind}`,
-      'data-index': index,
-      'aria-level': row.depth + 1,
-      'aria-expanded': row.expandable ? String(row.expanded) : undefined,
-      'aria-checked': row.shown === undefined ? undefined : String(row.shown),
-    });
+    made.className = `row row-${row.kind}`;
     made.classList.toggle('on-the-way', row.onTheWay);
-    made.style.top = `${index * this.rowHeight}px`;
+    setAttribute(made, 'aria-level', String(row.depth + 1));
+    setAttribute(made, 'aria-expanded', row.expandable ? String(row.expanded) : undefined);
+    setAttribute(made, 'aria-checked', row.shown === undefined ? undefined : String(row.shown));
     made.style.setProperty('--indent', `${indentOf(row.depth)}px`);
     const twisty = element('span', { class: 'twisty' });
     if (row.expandable) twisty.append(icon('fold'));
-    made.append(twisty, ...this.events.draw(row));
-    return made;
-  }
-
-  private idOf(index: number): string {
-    return `${this.idPrefix}-${index}`;
+    made.replaceChildren(twisty, ...this.events.draw(row));
+    this.markRow(made, row);
   }
 
   private placeOf(key: string | undefined): number {
     return key === undefined ? -1 : (this.places.get(key) ?? -1);
   }
 
-  private reveal(key: string): void {
-    const index = this.placeOf(key);
-    if (index < 0) return;
-    const top = index * this.rowHeight;
-    const { scrollTop, clientHeight } = this.element;
-    if (top < scrollTop) this.element.scrollTop = top;
-    else if (top + this.rowHeight > scrollTop + clientHeight) {
-      this.element.scrollTop = top + this.rowHeight - clientHeight;
-    }
-  }
-
-  /** The row at that height of the page, with its element; none below the last. */
+  /** The row at that height of the window, with its element; none below the last. */
   rowUnder(clientY: number): { readonly row: OutlineRow; readonly made: HTMLElement } | undefined {
-    const { top } = this.element.getBoundingClientRect();
-    const index = Math.floor((clientY - top + this.element.scrollTop) / this.rowHeight);
-    const made = this.drawn.get(index);
+    const index = this.list.indexAt(clientY);
+    const made = this.list.row(index)?.element;
     return made && { row: this.rows[index], made };
   }
 
   private rowAt(event: Event): OutlineRow | undefined {
-    const target = event.target instanceof Element ? event.target.closest<HTMLElement>('[data-index]') : null;
-    return target ? this.rows[Number(target.dataset.index)] : undefined;
+    return this.rows[this.list.indexOf(event)];
   }
 
   private onClick(event: MouseEvent): void {
@@ -225,7 +176,7 @@ export class Tree {
     this.events.select(row);
     // Last, for what is selected may be another row: the character of a skin.
     this.focusedKey = row.key;
-    this.reveal(row.key);
+    this.list.reveal(this.placeOf(row.key));
     this.mark();
   }
 
@@ -234,26 +185,13 @@ export class Tree {
     const index = Math.max(0, this.placeOf(this.focusedKey));
     const row = this.rows[index];
     if (!row) return;
-    const page = Math.max(1, Math.floor(this.element.clientHeight / this.rowHeight) - 1);
+    const to = rowAfterKey(event.key, index, this.rows.length, this.list.page);
+    if (to !== undefined) {
+      this.moveTo(this.rows[to]);
+      event.preventDefault();
+      return;
+    }
     switch (event.key) {
-      case 'ArrowDown':
-        this.moveTo(this.rows[Math.min(this.rows.length - 1, index + 1)]);
-        break;
-      case 'ArrowUp':
-        this.moveTo(this.rows[Math.max(0, index - 1)]);
-        break;
-      case 'PageDown':
-        this.moveTo(this.rows[Math.min(this.rows.length - 1, index + page)]);
-        break;
-      case 'PageUp':
-        this.moveTo(this.rows[Math.max(0, index - page)]);
-        break;
-      case 'Home':
-        this.moveTo(this.rows[0]);
-        break;
-      case 'End':
-        this.moveTo(this.rows.at(-1));
-        break;
       case 'ArrowRight':
         if (row.expandable && !row.expanded) this.events.toggle(row, true);
         else if (row.expandable) this.moveTo(this.rows[index + 1]);
@@ -281,7 +219,7 @@ export class Tree {
   }
 
   private openMenuAt(row: OutlineRow, index: number): void {
-    const box = (this.drawn.get(index) ?? this.element).getBoundingClientRect();
+    const box = (this.list.row(index)?.element ?? this.element).getBoundingClientRect();
     this.events.menu(row, { x: box.left + 24, y: box.bottom });
   }
 

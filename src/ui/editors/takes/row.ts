@@ -40,7 +40,7 @@ export class RowView {
   private readonly eye: HTMLButtonElement;
   private readonly fields: Readonly<Record<'start' | 'x' | 'z', NumberField>>;
 
-  constructor(row: TakeRow, id: string, events: RowEvents) {
+  constructor(row: TakeRow, events: RowEvents) {
     this.row = row;
     const field = (label: string, decimals: number, commit: (row: TakeRow, value: number) => void, step: number) =>
       new NumberField({
@@ -71,7 +71,7 @@ export class RowView {
     this.nameCell = cell('take-name', this.mark, this.name, this.note);
     this.element = element(
       'div',
-      { class: 'take-row', role: 'row', id },
+      { class: 'take-row', role: 'row' },
       cell('take-shown', this.eye, play),
       this.nameCell,
       this.character,
@@ -83,12 +83,6 @@ export class RowView {
       element('div', { role: 'gridcell', class: 'number take-place' }, this.fields.z.element),
       this.file,
     );
-    this.element.dataset.key = row.key;
-  }
-
-  /** Whether something in it is being typed or pressed: it may not leave the page. */
-  get hasFocus(): boolean {
-    return this.element.contains(document.activeElement);
   }
 
   /** To the field of its start, as a key asks for. */
@@ -100,7 +94,6 @@ export class RowView {
     this.row = row;
     const { element: target, eye, fields } = this;
     setAttribute(target, 'aria-selected', String(chosen));
-    target.classList.toggle('focused', focused);
     target.classList.toggle('hidden-take', !row.isShown && !compared);
     if (eye.dataset.shown !== String(row.isShown)) {
       eye.dataset.shown = String(row.isShown);

@@ -1,16 +1,17 @@
 /**
- * The table of takes, of which only the rows in view are in the page: hundreds of files scroll like ten. The focus stays
- * on the table and points at its row (`aria-activedescendant`), but for the fields and buttons within a row.
+ * The table of takes, a windowed list below its head. The focus is on the table, but for the fields and buttons within a
+ * row.
  *
  *     ↑ ↓ Home End     to a row; Shift: and all between are chosen     Ctrl+A   all
  *     Enter            plays it alone                                  Delete   removes what is chosen
  *     F2               when it starts                                  Ctrl+Space   chooses it too, or no more
  */
-import { element, setAttribute, uniqueId } from '../../kit/dom.ts';
+import { element, setAttribute } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { plural } from '../../kit/number-text.ts';
+import { WindowedList } from '../../kit/windowed-list.ts';
 import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
 import { type RowEvents, type RowState, RowView } from './row.ts';
 import type { TakeRow } from './rows.ts';
@@ -43,9 +44,6 @@ const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string,
   ['file', 'File', 'take-file', 'Where it came from'],
 ];
 
-const OVERSCAN = 4;
-const ROW_HEIGHT = 24;
-
 export class TakeTable {
   readonly element = element('div', {
     class: 'take-table',
@@ -58,18 +56,15 @@ export class TakeTable {
   });
   private readonly space = element('div', { class: 'take-space', role: 'rowgroup' });
   private readonly heads = new Map<TakeColumn, HTMLElement>();
-  private readonly idPrefix = uniqueId('take');
-  private readonly drawn = new Map<string, RowView>();
+  private readonly list: WindowedList<RowView>;
   private rows: readonly TakeRow[] = [];
   private places = new Map<string, number>();
   private state: TableState | undefined;
-  private rowHeight = ROW_HEIGHT;
   /** Where Shift extends from. */
   private anchor: string | undefined;
 
   constructor(private readonly events: TableEvents) {
     this.element.append(this.head(), this.space);
-    this.element.addEventListener('scroll', () => this.draw());
     this.element.addEventListener('keydown', (event) => this.onKey(event));
     this.space.addEventListener('click', (event) => this.onClick(event));
     this.space.addEventListener('dblclick', (event) => {
@@ -77,11 +72,16 @@ export class TakeTable {
       if (row && !isControl(event.target)) events.play(row);
     });
     this.space.addEventListener('contextmenu', (event) => this.onMenu(event));
-    new ResizeObserver(() => {
-      const height = Number.parseFloat(getComputedStyle(this.element).getPropertyValue('--take-row'));
-      this.rowHeight = height || ROW_HEIGHT;
-      this.draw();
-    }).observe(this.element);
+    this.list = new WindowedList({
+      scroller: this.element,
+      space: this.space,
+      rowHeight: ['--take-row', 24],
+      rowsAbove: 1,
+      headHeight: () => this.heads.get('name')?.offsetHeight ?? 0,
+      keyOf: (index) => this.rows[index].key,
+      make: (index) => new RowView(this.rows[index], events),
+      fill: (view, index) => this.fill(view, this.rows[index]),
+    });
   }
 
   show(rows: readonly TakeRow[], state: TableState): void {
@@ -89,7 +89,6 @@ export class TakeTable {
     if (rows !== this.rows) {
       this.rows = rows;
       this.places = new Map(rows.map((row, i) => [row.key, i]));
-      setAttribute(this.element, 'aria-rowcount', String(rows.length + 1));
     }
     this.state = state;
     for (const [column, head] of this.heads) {
@@ -100,8 +99,10 @@ export class TakeTable {
         else head.querySelector('.icon')?.remove();
       }
     }
-    if (focusMoved) this.reveal(state.focused);
-    this.draw();
+    const focused = state.focused === undefined ? -1 : (this.places.get(state.focused) ?? -1);
+    if (focusMoved) this.list.reveal(focused);
+    this.list.show(rows.length);
+    this.list.focus(focused);
   }
 
   private head(): HTMLElement {
@@ -127,38 +128,9 @@ export class TakeTable {
     return head;
   }
 
-  /** Rows in view, and one that something is typed in. */
-  private draw(): void {
-    const { rows, state, rowHeight, space, drawn, element: scroller } = this;
-    if (!state || !scroller.clientHeight) return;
-    space.style.height = `${rows.length * rowHeight}px`;
-    const first = Math.max(0, Math.floor(scroller.scrollTop / rowHeight) - OVERSCAN);
-    const end = Math.min(rows.length, Math.ceil((scroller.scrollTop + scroller.clientHeight) / rowHeight) + OVERSCAN);
-    for (const [key, view] of drawn) {
-      const place = this.places.get(key);
-      if (place !== undefined && ((place >= first && place < end) || view.hasFocus)) continue;
-      view.element.remove();
-      drawn.delete(key);
-    }
-    for (let i = first; i < end; i++) this.drawRow(i, state);
-    for (const key of drawn.keys()) {
-      const place = this.places.get(key);
-      if (place !== undefined && (place < first || place >= end)) this.drawRow(place, state);
-    }
-    const focused = state.focused !== undefined && drawn.has(state.focused) ? this.idOf(state.focused) : undefined;
-    setAttribute(scroller, 'aria-activedescendant', focused);
-  }
-
-  private drawRow(place: number, state: TableState): void {
-    const row = this.rows[place];
-    let view = this.drawn.get(row.key);
-    if (!view) {
-      view = new RowView(row, this.idOf(row.key), this.events);
-      this.drawn.set(row.key, view);
-      this.space.append(view.element);
-    }
-    view.element.style.top = `${place * this.rowHeight}px`;
-    setAttribute(view.element, 'aria-rowindex', String(place + 2));
+  private fill(view: RowView, row: TakeRow): void {
+    const { state } = this;
+    if (!state) return;
     view.show(row, {
       chosen: state.chosen.has(row.key),
       focused: state.focused === row.key,
@@ -167,24 +139,8 @@ export class TakeTable {
     });
   }
 
-  private idOf(key: string): string {
-    return `${this.idPrefix}-${key.replace(/\s/g, '_')}`;
-  }
-
-  private reveal(key: string | undefined): void {
-    const place = key === undefined ? undefined : this.places.get(key);
-    if (place === undefined) return;
-    const { element: scroller, rowHeight } = this;
-    const room = scroller.clientHeight - (this.heads.get('name')?.offsetHeight ?? 0);
-    const top = place * rowHeight;
-    if (top < scroller.scrollTop) scroller.scrollTop = top;
-    else if (top + rowHeight > scroller.scrollTop + room) scroller.scrollTop = top + rowHeight - room;
-  }
-
   private rowAt(event: Event): TakeRow | undefined {
-    const key = event.target instanceof Element && event.target.closest<HTMLElement>('.take-row')?.dataset.key;
-    const place = typeof key === 'string' ? this.places.get(key) : undefined;
-    return place === undefined ? undefined : this.rows[place];
+    return this.rows[this.list.indexOf(event)];
   }
 
   // Choosing.
@@ -267,7 +223,7 @@ export class TakeTable {
         break;
       case 'F2':
         if (!row) return;
-        this.drawn.get(row.key)?.edit();
+        this.list.row(at)?.edit();
         break;
       case 'Delete':
       case 'Backspace':
@@ -276,7 +232,7 @@ export class TakeTable {
       case 'ContextMenu':
       case 'F10':
         if (!row || (event.key === 'F10' && !event.shiftKey)) return;
-        this.openMenuAtRow(row);
+        this.openMenuAtRow(at);
         break;
       default:
         return;
@@ -290,8 +246,9 @@ export class TakeTable {
     this.events.choose(next, row);
   }
 
-  private openMenuAtRow(row: TakeRow): void {
-    const box = this.drawn.get(row.key)?.element.getBoundingClientRect();
+  private openMenuAtRow(place: number): void {
+    const row = this.rows[place];
+    const box = this.list.row(place)?.element.getBoundingClientRect();
     if (!this.state?.chosen.has(row.key)) this.goTo(row);
     if (box) this.events.menu(row, { x: box.left + 60, y: box.bottom });
   }
