@@ -5,6 +5,7 @@
  * A browser opens one dialog for a click or a key. So of several files without a place each save asks about one, and
  * says which ones wait; giving up a dialog gives up the others too.
  */
+import type { Store } from '../edit/store.ts';
 import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
 import { partsOf } from '../model/character-parts.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -12,24 +13,33 @@ import { findCharacter } from '../model/document.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
 import { type FormatKind, formatKindOf, KINDS } from '../project/kinds.ts';
-import { jointPose } from '../project/save/own-formats.ts';
-import type { FilePiece } from '../project/save/saving.ts';
+import { changedFiles, distinctJobs, filesOf, type Job } from '../project/save/jobs.ts';
+import type { FilePiece } from '../project/save/output.ts';
+import { jointPose, poseToSave } from '../project/save/own-formats.ts';
 import type { Messages } from '../ui/state/messages.ts';
-import { changedFiles, distinctJobs, filesOf, type Job, type JobParts } from './save-jobs.ts';
+import type { DiskHandles } from './disk-handles.ts';
+import type { Unsaved } from './unsaved.ts';
 
 /** What of `io` it takes, so that a test can stand in for browser and disk. */
 export interface Disk {
   asksWhereToSave(): boolean;
   pickTarget(suggestedName: string): Promise<FileSystemFileHandle | undefined>;
-  writeTo(handle: FileSystemFileHandle, content: Content): Promise<string>;
+  writeTo(handle: FileSystemFileHandle, content: Blob): Promise<string>;
   versionOnDisk(handle: FileSystemFileHandle): Promise<string | undefined>;
-  download(name: string, content: Content): void;
+  download(name: string, content: Blob): void;
 }
 
-/** Of a file: a text, the bytes of a zip, or a file of any length that was put together from pieces. */
-type Content = string | Uint8Array<ArrayBuffer> | Blob;
+interface DiskJob extends Job {
+  /** It holds parts, and is no file of theirs. */
+  readonly isZip?: true;
+}
 
-export interface SaverParts extends JobParts {
+export interface SaverParts {
+  readonly store: Store;
+  readonly unsaved: Unsaved;
+  readonly handles: DiskHandles;
+  /** At which keys are sampled for motion capture; absent: 30. */
+  readonly framesPerSecond?: () => number;
   readonly messages: Pick<Messages, 'note' | 'report'>;
   readonly disk: Disk;
 }
@@ -47,20 +57,24 @@ export class Saver {
   /** Saves all that changed. Never rejects: what goes wrong is a message. */
   saveChanged(): Promise<void> {
     return this.inTurn(async () => {
-      const jobs = changedFiles(this.parts);
-      if (jobs.length === 0) this.parts.messages.note('Everything is saved. Use Save as to write copies.');
-      await this.run(jobs, (job) => job.target);
+      const { store, unsaved, handles, messages } = this.parts;
+      const jobs = changedFiles(store.document, unsaved.current(), (c) => poseToSave(c, unsaved.poseInFile(c)));
+      if (jobs.length === 0) messages.note('Everything is saved. Use Save as to write copies.');
+      // All parts that a file holds lie in the same one.
+      await this.run(jobs, ({ holds: [first] }) => first && handles.ofPart(first.part));
     });
   }
 
   /** Saves a character's parts of one kind as the files that the person chooses. */
   saveAs(characterId: string, kind: FormatKind): Promise<void> {
     return this.inTurn(async () => {
-      const character = findCharacter(this.parts.store.document, characterId);
-      const jobs = character ? filesOf(this.parts, character, kind) : [];
+      const { store, messages, framesPerSecond } = this.parts;
+      const character = findCharacter(store.document, characterId);
+      const options = framesPerSecond && { framesPerSecond: framesPerSecond() };
+      const jobs = character ? filesOf(store.document, character, kind, options) : [];
       if (jobs.length === 0) {
         const who = character?.name ?? 'The character';
-        this.parts.messages.note(`${who} has nothing to save as .${kind}.`, 'warning');
+        messages.note(`${who} has nothing to save as .${kind}.`, 'warning');
       }
       // One dialog is a choice, ten are a nuisance.
       await this.run(jobs, () => undefined, jobs.length === 1);
@@ -75,7 +89,10 @@ export class Saver {
       const { zipCharacter } = await import('./zip-character.ts');
       const { name, bytes } = zipCharacter(character);
       const holds = partsOf(character).map((part) => ({ character, part, pose: jointPose(character) }));
-      await this.run([{ name, holds, target: undefined, write: () => ({ bytes }) }], () => undefined);
+      await this.run(
+        [{ name, holds, isZip: true, write: () => ({ pieces: () => [bytes], diagnostics: () => [] }) }],
+        () => undefined,
+      );
     });
   }
 
@@ -85,7 +102,11 @@ export class Saver {
     return turn;
   }
 
-  private async run(jobs: readonly Job[], targetOf: (job: Job) => DiskFile | undefined, asks = true): Promise<void> {
+  private async run(
+    jobs: readonly DiskJob[],
+    targetOf: (job: Job) => DiskFile | undefined,
+    asks = true,
+  ): Promise<void> {
     const { disk, messages } = this.parts;
     const names: string[] = [];
     const diagnostics: Diagnostic[] = [];
@@ -94,7 +115,7 @@ export class Saver {
     let dialogs: 'open' | 'cancelled' | 'used up' = 'open';
     let hadDialog = false;
     let remedy = '';
-    for (const job of distinctJobs(jobs, targetOf)) {
+    for (const job of distinctJobs(jobs, (job) => targetOf(job)?.handle !== undefined)) {
       const wantsDialog = asks && !targetOf(job)?.handle && disk.asksWhereToSave();
       if (wantsDialog && dialogs !== 'open') {
         left.push(job.name);
@@ -102,8 +123,7 @@ export class Saver {
       }
       try {
         const written = job.write(job.name);
-        const make = async () =>
-          'bytes' in written ? written.bytes : 'text' in written ? written.text : await blobOf(written.pieces);
+        const make = () => blobOf(written.pieces(), job.isZip ? 'application/zip' : 'text/plain');
         const saved = await this.put(job, make, targetOf(job), wantsDialog);
         if (saved === undefined) {
           dialogs = 'cancelled';
@@ -112,8 +132,7 @@ export class Saver {
         }
         names.push(saved);
         well.push(job.name);
-        if ('text' in written) diagnostics.push(...written.diagnostics);
-        else if ('pieces' in written) diagnostics.push(...written.diagnostics());
+        diagnostics.push(...written.diagnostics());
       } catch (error) {
         // A dialog before it, or a long time, has used up the click: that is no fault of anyone's.
         if (error instanceof NotNowError) {
@@ -140,14 +159,14 @@ export class Saver {
 
   /** Gives the name under which it was saved; undefined where the person gave up. */
   private async put(
-    job: Job,
-    make: () => Promise<Content>,
+    job: DiskJob,
+    make: () => Promise<Blob>,
     target: DiskFile | undefined,
     wantsDialog: boolean,
   ): Promise<string | undefined> {
     const { disk, handles, unsaved, store } = this.parts;
     let savedAs = job.name;
-    let content: Content;
+    let content: Blob;
     let file: Omit<DiskFile, 'path'> | undefined;
     if (target?.handle) {
       content = await make();
@@ -165,11 +184,10 @@ export class Saver {
     }
     for (const { character, part, pose } of job.holds) {
       unsaved.written(part, pose);
-      // A zip is no file of a part's.
-      if (content instanceof Uint8Array || !findCharacter(store.document, character.id)) continue;
-      const own = part.file ?? this.newFile(character.id, part, savedAs, new Blob([content]).size);
+      if (job.isZip || !findCharacter(store.document, character.id)) continue;
+      const own = part.file ?? this.newFile(character.id, part, savedAs, content.size);
       if (!part.file) unsaved.setFile(character.id, part, own);
-      else if (own.name === savedAs) unsaved.setBytes(character.id, part, new Blob([content]).size);
+      else if (own.name === savedAs) unsaved.setBytes(character.id, part, content.size);
       if (file) handles.set(own.path, { ...file, path: own.path });
     }
     return savedAs;
@@ -192,7 +210,7 @@ export class Saver {
   /** Gives the file's new version. */
   private async overwrite(
     { holds, name }: Job,
-    content: Content,
+    content: Blob,
     target: DiskFile,
     handle: FileSystemFileHandle,
   ): Promise<string> {
@@ -222,7 +240,7 @@ export class Saver {
  * A long file as a Blob, made in stretches between which the page lives on. The browser keeps it, not the script: what is
  * in the script's memory at any time are some hundred pieces.
  */
-async function blobOf(pieces: Iterable<FilePiece>): Promise<Blob> {
+async function blobOf(pieces: Iterable<FilePiece>, type: string): Promise<Blob> {
   const parts: Blob[] = [];
   let batch: FilePiece[] = [];
   let begun = performance.now();
@@ -234,5 +252,5 @@ async function blobOf(pieces: Iterable<FilePiece>): Promise<Blob> {
     await new Promise((resolve) => setTimeout(resolve));
     begun = performance.now();
   }
-  return new Blob([...parts, ...batch], { type: 'text/plain' });
+  return new Blob([...parts, ...batch], { type });
 }

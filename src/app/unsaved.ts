@@ -11,9 +11,9 @@ import type { Character } from '../model/document.ts';
 import { filePose, rootDofCount } from '../model/dofs.ts';
 import { type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
 import { fileNameOf, mapMarks, NO_MARKS, type Part, type PartFile, type PartKind } from '../model/part.ts';
+import type { UnsavedPart } from '../project/save/jobs.ts';
 import { poseToSave } from '../project/save/own-formats.ts';
 import { type Observable, observable } from '../ui/kit/observable.ts';
-import type { UnsavedPart } from '../ui/state/workbench.ts';
 
 /** What of a character is in files: plain data, to be kept with a session and given back with it. */
 export interface SavedCharacter {

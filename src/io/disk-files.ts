@@ -100,10 +100,7 @@ export async function pickTarget(suggestedName: string): Promise<FileSystemFileH
  * Writes a file in place; it is only replaced when all of it is written. Gives the version that it is now. Throws a
  * `NotNowError` where the browser would have to ask first, and won't just now.
  */
-export async function writeTo(
-  handle: FileSystemFileHandle,
-  content: string | Uint8Array<ArrayBuffer> | Blob,
-): Promise<string> {
+export async function writeTo(handle: FileSystemFileHandle, content: Blob): Promise<string> {
   try {
     await allow(handle, 'readwrite');
     const stream = await handle.createWritable();

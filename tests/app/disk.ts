@@ -42,15 +42,10 @@ export class FakeDisk implements Disk {
     if (this.picks === 'as suggested') return this.put(name, '');
     return this.picks === 'give up' ? undefined : this.picks;
   };
-  writeTo = async (handle: FileSystemFileHandle, content: string | Uint8Array | Blob) => {
+  writeTo = async (handle: FileSystemFileHandle, content: Blob) => {
     if (!this.mayWrite) throw new NotNowError('Save again to allow writing to it.');
     if (!this.files.has(handle)) throw new DiskError('It is gone.', true);
-    const text =
-      content instanceof Uint8Array
-        ? `${content.length} bytes`
-        : content instanceof Blob
-          ? await content.text()
-          : content;
+    const text = await content.text();
     this.files.set(handle, text);
     return text;
   };

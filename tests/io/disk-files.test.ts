@@ -31,8 +31,8 @@ function handle(name: string, text = '', fails?: string) {
       trouble();
       let written = '';
       return {
-        async write(content: string) {
-          written += content;
+        async write(content: Blob) {
+          written += await content.text();
         },
         close: async () => {
           state.text = written;
@@ -145,7 +145,7 @@ describe('dialogs', () => {
 describe('writing', () => {
   it('replaces the content, and tells the new version', async () => {
     const { handle: own, state } = handle('a.anim', 'old');
-    expect(await writeTo(own, 'new')).toBe(await versionOnDisk(own));
+    expect(await writeTo(own, new Blob(['new']))).toBe(await versionOnDisk(own));
     expect(state.text).toBe('new');
     expect(state.asked).toEqual([]);
   });
@@ -153,12 +153,12 @@ describe('writing', () => {
   it('asks where the browser wants to be asked, and stops where the answer is no', async () => {
     const { handle: own, state } = handle('a.anim', 'old');
     state.permission = 'prompt';
-    await writeTo(own, 'new');
+    await writeTo(own, new Blob(['new']));
     expect(state.asked).toEqual(['readwrite']);
     own.requestPermission = async () => 'denied';
-    await expect(writeTo(own, 'newer')).rejects.toThrow('The browser has no permission.');
+    await expect(writeTo(own, new Blob(['newer']))).rejects.toThrow('The browser has no permission.');
     own.requestPermission = () => Promise.reject(new DOMException('', 'SecurityError'));
-    await expect(writeTo(own, 'newer')).rejects.toBeInstanceOf(NotNowError);
+    await expect(writeTo(own, new Blob(['newer']))).rejects.toBeInstanceOf(NotNowError);
     expect(state.text).toBe('new');
   });
 
@@ -168,7 +168,7 @@ describe('writing', () => {
     ['QuotaExceededError', 'There is not enough space.', false],
   ])('writing says %s in a sentence', async (name, message, isGone) => {
     const { handle: own } = handle('a.anim', 'old', name);
-    const error = await writeTo(own, 'new').catch((e: unknown) => e);
+    const error = await writeTo(own, new Blob(['new'])).catch((e: unknown) => e);
     expect(error).toBeInstanceOf(DiskError);
     expect(error).toMatchObject({ message, isGone });
     expect(await versionOnDisk(own)).toBeUndefined();

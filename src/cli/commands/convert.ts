@@ -17,16 +17,8 @@ import { formatKindOf, READABLE_EXTENSIONS } from '../../project/kinds.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { type Format, formatOf } from '../../project/open/readers.ts';
 import { bvhOf, type NamedFigure, skelOf } from '../../project/save/character-files.ts';
-import {
-  bvhOutput,
-  type ConversionOptions,
-  type Output,
-  outputsOf,
-  refusal,
-  TARGETS,
-  type Target,
-  textOutput,
-} from '../../project/save/conversion.ts';
+import { type ConversionOptions, outputsOf, refusal, TARGETS, type Target } from '../../project/save/conversion.ts';
+import { bvhOutput, type Output, textOutput } from '../../project/save/output.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
 import type { Command, CommandIo, ExitCode } from '../io.ts';
@@ -188,7 +180,7 @@ function isAxisAngleName(name: string): boolean {
 function bvhAgain(file: ParsedFile, out: string): Output {
   const figures = file.kind === 'bvh' ? file.figures : [];
   return bvhOutput(
-    stem(out),
+    `${stem(out)}.bvh`,
     figures.map((figure) => ({ figure, name: figure.skeleton.name, diagnostics: [] })),
   );
 }
@@ -223,7 +215,7 @@ function convertedTo(
         };
       }
     }
-    return { output: bvhOutput(stem(out), figures) };
+    return { output: bvhOutput(`${stem(out)}.bvh`, figures) };
   }
   // One kind alone: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
   const skeletons = characters.flatMap((character) => skelOf(character) ?? []);

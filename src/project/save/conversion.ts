@@ -1,16 +1,19 @@
 /**
- * What the files given are in another format: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton and clip.
- * Everything that comes in one file of BVH goes out as one where that can be: several roots of the same frames.
+ * Characters in formats that they did not come from: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton and
+ * clip, either form of skeletons. Everything that comes in one file of BVH goes out as one where that can be: several
+ * roots of the same frames.
  */
+
 import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
-import { fitOneBvh, writeBvhPieces } from '../../formats/bvh/write.ts';
-import { inHierarchyForm } from '../../model/axis-angle.ts';
+import { fitOneBvh } from '../../formats/bvh/write.ts';
+import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import { type FileContent, type SourceFile, stemOf } from '../../model/files.ts';
-import { formatKindOf } from '../kinds.ts';
-import { animOf, bvhOf, type NamedFigure, skelOf } from './character-files.ts';
-import { writeFile } from './writers.ts';
+import { type SourceFile, stemOf } from '../../model/files.ts';
+import type { Skeleton } from '../../model/skeleton.ts';
+import { type FormatKind, formatKindOf } from '../kinds.ts';
+import { animOf, bvhOf, skelOf } from './character-files.ts';
+import { bvhOutput, type Output, textOutput } from './output.ts';
 
 /** What there can be of any character that has a skeleton. */
 export const TARGETS = ['skel', 'anim', 'bvh'] as const;
@@ -21,12 +24,31 @@ export interface ConversionOptions extends KeyOptions {
   readonly framesPerSecond?: number;
 }
 
-/** A file to be written, made only when its pieces are taken. */
-export interface Output {
-  readonly name: string;
-  pieces(): Iterable<string | Uint8Array>;
-  /** Complete when the pieces have been taken. */
-  diagnostics(): readonly Diagnostic[];
+type Convert = (character: Character, options: ConversionOptions) => readonly Output[];
+
+/** Of the kinds that a character can be converted to, the files that it is then; none where it has nothing for them. */
+export const CONVERSIONS: Partial<Record<FormatKind, Convert>> = {
+  skel: (character) => skelOutput(character, inHierarchyForm),
+  axskel(character) {
+    const skeleton = skelOf(character);
+    if (!skeleton || axisAngleObstacle(skeleton) !== undefined) return [];
+    return [textOutput(`${skeleton.name}.axskel`, () => ({ kind: 'skel', skeletons: [inAxisAngleForm(skeleton)] }))];
+  },
+  anim: animOutputs,
+  bvh: (character, { framesPerSecond }) =>
+    bvhOf(character, framesPerSecond).map((figure) => bvhOutput(`${figure.name}.bvh`, [figure])),
+};
+
+function skelOutput(character: Character, inForm: (skeleton: Skeleton) => Skeleton): readonly Output[] {
+  const skeleton = skelOf(character);
+  if (!skeleton) return [];
+  return [textOutput(`${skeleton.name}.skel`, () => ({ kind: 'skel', skeletons: [inForm(skeleton)] }))];
+}
+
+function animOutputs(character: Character, options: ConversionOptions): readonly Output[] {
+  return character.clips.map((clip) =>
+    textOutput(`${clip.name}.anim`, () => ({ kind: 'anim', clip: animOf(character, clip, options) })),
+  );
 }
 
 /** The file that what is called so was made from: the skeleton's, or that of a clip. */
@@ -47,70 +69,30 @@ export function outputsOf(
 ): readonly Output[] {
   if (target === 'bvh') return bvhOutputs(characters, options);
   return characters.flatMap((character) => {
-    const skeleton = skelOf(character);
-    if (!skeleton) return [];
-    const clips = character.clips.map((clip) =>
-      textOutput(`${clip.name}.anim`, () => ({ kind: 'anim', clip: animOf(character, clip, options) })),
-    );
+    if (!character.skeleton) return [];
+    const clips = animOutputs(character, options);
     if (target === 'anim') return clips;
     // A change of the ending asks for the form that all `.skel`s have.
     const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
-    const written = readAs === 'axskel' ? inHierarchyForm(skeleton) : skeleton;
-    return [textOutput(`${skeleton.name}.skel`, () => ({ kind: 'skel', skeletons: [written] })), ...clips];
+    return [...skelOutput(character, readAs === 'axskel' ? inHierarchyForm : (skeleton) => skeleton), ...clips];
   });
 }
 
 /** A clip of each character, as roots of one file where they have the same frames. */
-export function bvhOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
+function bvhOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
   const all = characters.map((character) => bvhOf(character, options.framesPerSecond));
   const first = all.map(([figure]) => figure);
   const isOneFile = all.length > 1 && all.every((figures) => figures.length === 1);
   if (isOneFile && sameSource(characters) && fitOneBvh(first.map(({ figure }) => figure))) {
     const [source] = characters[0].sources;
-    return [bvhOutput(stemOf(source), first)];
+    return [bvhOutput(`${stemOf(source)}.bvh`, first)];
   }
-  return all.flat().map((figure) => bvhOutput(figure.name, [figure]));
+  return all.flat().map((figure) => bvhOutput(`${figure.name}.bvh`, [figure]));
 }
 
 function sameSource(characters: readonly Character[]): boolean {
   const path = characters[0]?.sources[0]?.path;
   return path !== undefined && characters.every(({ sources }) => sources.length === 1 && sources[0].path === path);
-}
-
-/** Several figures of the same frames as one file. */
-export function bvhOutput(stem: string, figures: readonly NamedFigure[]): Output {
-  const name = `${stem}.bvh`;
-  let written: readonly Diagnostic[] = [];
-  return {
-    name,
-    *pieces() {
-      const { pieces, diagnostics } = writeBvhPieces(
-        figures.map(({ figure }) => figure),
-        name,
-      );
-      yield* pieces;
-      written = diagnostics();
-    },
-    diagnostics: () => [
-      ...figures.flatMap((figure) => figure.diagnostics.map((d) => ({ ...d, file: name }))),
-      ...written,
-    ],
-  };
-}
-
-/** A file of any format that is written as one text. */
-export function textOutput(name: string, content: () => FileContent): Output {
-  let written: readonly Diagnostic[] = [];
-  return {
-    name,
-    *pieces() {
-      const result = writeFile(content(), name);
-      if (!result) throw new Error(`There is no writer for ${name}.`);
-      written = result.diagnostics;
-      yield result.text;
-    },
-    diagnostics: () => written,
-  };
 }
 
 /** That a file can't be made, in a sentence. */

@@ -4,8 +4,8 @@
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
-import type { PartKind } from '../../model/part.ts';
 import type { FormatKind } from '../../project/kinds.ts';
+import type { UnsavedPart } from '../../project/save/jobs.ts';
 import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../kit/icons.ts';
 import type { Observable } from '../kit/observable.ts';
@@ -135,16 +135,6 @@ export interface Loading {
   /** 0 while it is not known. */
   readonly of: number;
   cancel(): void;
-}
-
-/** A part of a character that is not as it was opened, or last saved. */
-export interface UnsavedPart {
-  readonly characterId: string;
-  readonly kind: PartKind;
-  /** Into the character's skins, morphs or clips; 0 for its skeleton and its library of poses. */
-  readonly index: number;
-  /** Of its file: `wasp_walk.anim`. */
-  readonly name: string;
 }
 
 export interface SampleEntry {
