@@ -51,20 +51,27 @@ function wellFormed(text: string): boolean {
 const axis = fc.oneof(vec3, fc.constant([1, 0, 0] as Vec3)).filter((v) => v.some((part) => part !== 0));
 const order = fc.constantFrom(...EULER_ORDERS);
 
+type SkelKind = Exclude<Motion['kind'], 'bvh'>;
+
+const PARAMETERS: { readonly [K in SkelKind]: fc.Arbitrary<Omit<Extract<Motion, { kind: K }>, 'kind'>> } = {
+  ball: fc.record({ order }),
+  hinge: fc.record({ axis }),
+  universal: fc.record({ order: fc.constantFrom(...AXIS_PAIRS) }),
+  quaternion: fc.constant({}),
+  prismatic: fc.record({ axis }),
+  translational: fc.constant({}),
+  free: fc.record({ order }),
+  screw: fc.record({ axis, pitch: finite }),
+  scale: fc.record({ mode: fc.constantFrom(...SCALE_MODES), axis }),
+  shear: fc.constant({}),
+  fixed: fc.constant({}),
+  compound: fc.record({ dofs: fc.shuffledSubarray([...COMPOUND_DOFS]) }),
+};
+
 /** All that `.skel` can say of how a joint moves. */
 export const motion: fc.Arbitrary<Motion> = fc.oneof(
-  fc.record({ kind: fc.constant('ball' as const), order }),
-  fc.record({ kind: fc.constant('hinge' as const), axis }),
-  fc.record({ kind: fc.constant('universal' as const), order: fc.constantFrom(...AXIS_PAIRS) }),
-  fc.constant({ kind: 'quaternion' as const }),
-  fc.record({ kind: fc.constant('prismatic' as const), axis }),
-  fc.constant({ kind: 'translational' as const }),
-  fc.record({ kind: fc.constant('free' as const), order }),
-  fc.record({ kind: fc.constant('screw' as const), axis, pitch: finite }),
-  fc.record({ kind: fc.constant('scale' as const), mode: fc.constantFrom(...SCALE_MODES), axis }),
-  fc.constant({ kind: 'shear' as const }),
-  fc.constant({ kind: 'fixed' as const }),
-  fc.record({ kind: fc.constant('compound' as const), dofs: fc.shuffledSubarray([...COMPOUND_DOFS]) }),
+  // Each kind has the parameters that are listed for it.
+  ...Object.entries(PARAMETERS).map(([kind, parameters]) => parameters.map((own) => ({ kind, ...own }) as Motion)),
 );
 
 /** A joint of BVH: any channels, in any order. */

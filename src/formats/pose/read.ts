@@ -9,6 +9,7 @@
  * apart; what a pose says nothing of stays as it is where the pose is taken on.
  */
 import type { Vec3 } from '../../math/vec3.ts';
+import { DOF_NAMES } from '../../model/joint-types/dof.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
 import { braceTooMany, number, numbers, openBrace, type Part, skipStrange, stemOf, warnRepeated } from '../grammar.ts';
 import { WHOLE_FILE } from '../places.ts';
@@ -25,8 +26,7 @@ export function readPoses(bytes: Uint8Array | string, fileName: string): ReadRes
   return readWhole(poseReader(fileName), bytes);
 }
 
-/** Of all kinds of joints. */
-const DOF_NAMES = new Set('r t s rx ry rz tx ty tz sx sy sz qx qy qz qw hxy hxz hyz'.split(' '));
+const DOFS: ReadonlySet<string> = new Set(DOF_NAMES);
 const KEYWORDS = new Set(['pose', 'root', 'joint', 'weight', ...DOF_NAMES]);
 
 function* poseFile(t: Tokens): Part<readonly PoseByNames[]> {
@@ -78,7 +78,7 @@ function* joint(t: Tokens): Part<PosedJoint> {
     if (kind === '}') break;
     if (kind === 'end') t.failAtEnd(opened, 'the joint');
     const word = t.keyword();
-    if (!DOF_NAMES.has(word)) {
+    if (!DOFS.has(word)) {
       yield* skipStrange(t, 'a joint of a pose', 'a DOF such as rx');
       continue;
     }
