@@ -1,12 +1,12 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { FORMAT_KINDS } from '../../src/project/kinds.ts';
+import { READABLE_EXTENSIONS } from '../../src/project/kinds.ts';
 import { expectLinearTime } from '../helpers/growth.ts';
 import { describeShared, sharedBytes } from '../helpers/shared.ts';
 import { bytesOf, read, readInPieces } from './read-in-pieces.ts';
 import { ALL_FILES } from './shared-files.ts';
 
-const NAMES = FORMAT_KINDS.map((kind) => `x.${kind}`);
+const NAMES = READABLE_EXTENSIONS.map((extension) => `x.${extension}`);
 
 const VOCABULARY = [
   ...['{', '}', '{{', '}}', ' ', '\n', '\r', '\r\n', '\r\r\n', '\t', '"', '"a b"', 'x', 'ü', '骨', '\uFEFF', '\0'],

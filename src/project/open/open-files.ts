@@ -280,8 +280,19 @@ function isOfPosesAlone(files: readonly { readonly kind: FileKind }[]): boolean 
 
 /** What a file brings that has skeletons; no clips where it is a skeleton alone. */
 function figuresOf(file: ParsedFile): readonly Figure[] {
-  if (file.kind === 'skel') return file.skeletons.map((skeleton) => ({ skeleton }));
-  return file.kind === 'bvh' ? file.figures : [];
+  switch (file.kind) {
+    case 'skel':
+      return file.skeletons.map((skeleton) => ({ skeleton }));
+    case 'bvh':
+      return file.figures;
+    case 'skin':
+    case 'morph':
+    case 'anim':
+    case 'rig':
+    case 'pose':
+    case 'texture':
+      return [];
+  }
 }
 
 /** The character of the skin whose name is the longest beginning of a morph's: `head1.morph` → `head.skin`. */
