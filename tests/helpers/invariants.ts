@@ -1,6 +1,6 @@
 /** What holds for every document, whatever was done to it. */
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { type ChannelClip, EXTRAPOLATIONS, FIXED, keysOf, TANGENT_KINDS } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED, keysOf, TANGENT_KINDS } from '../../src/model/clip.ts';
 import { couplesOf } from '../../src/model/couples.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
 import { characterDofs } from '../../src/model/dofs.ts';
@@ -140,32 +140,38 @@ function checkClip({ name, range, channels, samples }: ChannelClip): void {
   must(allFinite(range) && range[0] <= range[1], `the range of ${name} is one`);
   channels.forEach((channel, c) => {
     const where = `channel ${c} of ${name}`;
-    const { extrapolateIn, extrapolateOut } = channel;
-    const { times, values, tangentsIn, tangentsOut } = keysOf(channel);
     const hasColumn = columnOf(samples, c) >= 0;
-    must(channel.kind !== 'keys' || times.length > 0, `${where} has keys`);
     must(channel.kind !== 'samples' || hasColumn, `${where} has a column to follow`);
-    must(channel.kind !== 'rest' || (!hasColumn && Number.isFinite(channel.value)), `${where} is at rest`);
-    const columns = [values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
-    must(
-      columns.every((column) => column.length === times.length),
-      `${where} has columns of one length`,
-    );
-    must(
-      times.every((time, k) => k === 0 || time >= times[k - 1]),
-      `${where} is sorted by time`,
-    );
-    must(allFinite(times) && allFinite(values), `${where} is finite`);
-    must(EXTRAPOLATIONS.includes(extrapolateIn) && EXTRAPOLATIONS.includes(extrapolateOut), `${where} extrapolates`);
-    for (const { kinds, slopes } of [tangentsIn, tangentsOut]) {
-      must(
-        kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED || slopes[k] === 0)),
-        `${where} has slopes where they are fixed`,
-      );
-      must(allFinite(slopes), `${where} has finite slopes`);
-    }
+    must(channel.kind !== 'rest' || !hasColumn, `${where} is at rest`);
+    checkChannel(channel, where);
   });
   if (samples) checkSamples(name, samples, channels.length);
+}
+
+/** By itself, apart from its clip's samples. */
+export function checkChannel(channel: Channel, where = 'the channel'): void {
+  const { extrapolateIn, extrapolateOut } = channel;
+  const { times, values, tangentsIn, tangentsOut } = keysOf(channel);
+  must(channel.kind !== 'keys' || times.length > 0, `${where} has keys`);
+  must(channel.kind !== 'rest' || Number.isFinite(channel.value), `${where} rests at a finite value`);
+  const columns = [values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
+  must(
+    columns.every((column) => column.length === times.length),
+    `${where} has columns of one length`,
+  );
+  must(
+    times.every((time, k) => k === 0 || time >= times[k - 1]),
+    `${where} is sorted by time`,
+  );
+  must(allFinite(times) && allFinite(values), `${where} is finite`);
+  must(EXTRAPOLATIONS.includes(extrapolateIn) && EXTRAPOLATIONS.includes(extrapolateOut), `${where} extrapolates`);
+  for (const { kinds, slopes } of [tangentsIn, tangentsOut]) {
+    must(
+      kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED || slopes[k] === 0)),
+      `${where} has slopes where they are fixed`,
+    );
+    must(allFinite(slopes), `${where} has finite slopes`);
+  }
 }
 
 function checkSamples(name: string, samples: Samples, channels: number): void {

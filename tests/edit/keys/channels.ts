@@ -69,20 +69,6 @@ export function slopesAt(channel: KeyedChannel, key: number): [number, number] {
   return [keySlope(channel, key, 'in'), keySlope(channel, key, 'out')];
 }
 
-/** What holds for every channel, whatever was done to it. */
-export function expectSound(channel: Channel): void {
-  if (channel.kind !== 'keys') return;
-  const { times, values, tangentsIn, tangentsOut } = channel;
-  expect(times.length).toBeGreaterThan(0);
-  const lengths = [values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
-  expect(lengths.map((column) => column.length)).toEqual(lengths.map(() => times.length));
-  expect([...times]).toEqual([...times].sort((a, b) => a - b));
-  expect([...times, ...values].every(Number.isFinite)).toBe(true);
-  for (const { kinds, slopes } of [tangentsIn, tangentsOut]) {
-    expect([...slopes].filter((slope, k) => slope !== 0 && kinds[k] !== FIXED)).toEqual([]);
-  }
-}
-
 /** At most two keys at one time. */
 export function expectNoCrowd(channel: Channel): void {
   const { times } = keysOf(channel);
