@@ -52,7 +52,7 @@ describe('the frame of the page', () => {
         );
         expect(shift).toBeLessThan(MAX_SHIFT);
       },
-      { size, early: true, expected: /\.js/ },
+      { size, early: true, expected: /\.js/, walking: true },
     ),
   );
 

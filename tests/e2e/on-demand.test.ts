@@ -37,7 +37,7 @@ describe('the page', () => {
   it('keeps what is opened before its panels and its autosave have come', () =>
     withPage(
       async ({ page }) => {
-        await shown(page, 'walker');
+        await shown(page, 'post');
         await dropFiles(page, [{ name: 'arm.skel', bytes: 'balljoint shoulder { }' }]);
         await shown(page, 'arm');
         await page.waitForFunction(() => document.documentElement.dataset.autosave === 'kept');
@@ -70,7 +70,7 @@ describe('the page', () => {
         await page.getByRole('menu', { name: 'View' }).waitFor();
         await page.getByRole('button', { name: 'Play', exact: true }).waitFor();
       },
-      { early: true },
+      { early: true, walking: true },
     ));
 
   it('says so where menus and panels do not come', () =>
@@ -86,7 +86,7 @@ describe('the page', () => {
   it('says so where a dialog does not come, and goes on', () =>
     withPage(
       async ({ page }) => {
-        await shown(page, 'walker');
+        await shown(page, 'post');
         await page.route('**/about-*.js', (route) => route.abort('connectionrefused'));
         await page.evaluate(() => window.marrow.run('help.about'));
         await page.getByText('The dialog could not be loaded').filter({ visible: true }).first().waitFor();

@@ -145,7 +145,7 @@ describe('the look', () => {
         const isLight = data[0] > 128;
         expect(isLight).toBe(colorScheme === 'light');
       },
-      { colorScheme, size: { width, height } },
+      { colorScheme, size: { width, height }, walking: true },
     ),
   );
 
@@ -168,6 +168,6 @@ describe('the look', () => {
         await page.waitForFunction(() => window.marrow.stats().triangles > 1000);
       },
       // three.js tells the console that the context was lost.
-      { expected: /Context Lost|context lost/i },
+      { expected: /Context Lost|context lost/i, walking: true },
     ));
 });

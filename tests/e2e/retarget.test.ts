@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { expectClose } from '../helpers/close.ts';
-import { dropFiles, withPage } from '../helpers/page.ts';
+import { dropFiles, type OpenPage, withPage } from '../helpers/page.ts';
 
 const MARROW = fileURLToPath(new URL('../../build/marrow.js', import.meta.url));
 
@@ -132,10 +132,13 @@ const matrices = (page: Page, seconds: number) =>
     return window.marrow.worldMatrices('walker');
   }, seconds);
 
+/** The page as it opens, with its walker. */
+const withWalker = (body: (open: OpenPage) => Promise<void>) => withPage(body, { walking: true });
+
 const clips = (page: Page) => page.evaluate(() => window.marrow.characters().find((c) => c.name === 'walker')?.clips);
 
 it('moves the walker as the take moves, is changed by keyboard, baked, saved and undone', () =>
-  withPage(async ({ page }) => {
+  withWalker(async ({ page }) => {
     await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'walker'));
     await page.evaluate(() => window.marrow.run('sample.walker'));
     const take = bvh();
@@ -266,7 +269,7 @@ it('moves the walker as the take moves, is changed by keyboard, baked, saved and
   }));
 
 it('follows the take as it is cropped or read again, and keeps moving when it is removed', () =>
-  withPage(async ({ page }) => {
+  withWalker(async ({ page }) => {
     await page.waitForFunction(() => window.marrow?.characters().some(({ name }) => name === 'walker'));
     await page.evaluate(() => window.marrow.run('sample.walker'));
     const take = bvh();

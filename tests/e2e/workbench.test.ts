@@ -29,21 +29,24 @@ const names = (page: Page) => page.evaluate(() => window.marrow.characters().map
 
 describe('the page', () => {
   it('opens with a character that walks', () =>
-    withPage(async ({ page }) => {
-      await opened(page);
-      const heads = () => page.evaluate(() => window.marrow.worldMatrices().flat());
-      const before = await heads();
-      await page.waitForFunction(
-        (then) =>
-          window.marrow
-            .worldMatrices()
-            .flat()
-            .some((v, i) => v !== then[i]),
-        before,
-      );
-      expect(before.every(Number.isFinite)).toBe(true);
-      await page.evaluate(() => window.marrow.pause());
-    }));
+    withPage(
+      async ({ page }) => {
+        await opened(page);
+        const heads = () => page.evaluate(() => window.marrow.worldMatrices().flat());
+        const before = await heads();
+        await page.waitForFunction(
+          (then) =>
+            window.marrow
+              .worldMatrices()
+              .flat()
+              .some((v, i) => v !== then[i]),
+          before,
+        );
+        expect(before.every(Number.isFinite)).toBe(true);
+        await page.evaluate(() => window.marrow.pause());
+      },
+      { walking: true },
+    ));
 
   it('undoes and redoes what a slider does', () =>
     withPage(async ({ page }) => {

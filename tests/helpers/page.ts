@@ -27,7 +27,8 @@ export interface PageOptions {
   /** CSS pixels; 1280 × 800 unless told. */
   readonly size?: { readonly width: number; readonly height: number };
   readonly colorScheme?: 'light' | 'dark';
-  readonly reducedMotion?: boolean;
+  /** Opens with the character that the page opens with, which walks, instead of a post that stands still. */
+  readonly walking?: boolean;
   readonly touch?: boolean;
   /** Goes on as soon as the page is there, and does not wait for menus and panels. */
   readonly early?: boolean;
@@ -49,6 +50,15 @@ export interface OpenPage {
   openAnother(query?: string): Promise<Page>;
 }
 
+/**
+ * A page that draws only when something happens: one that plays costs a second of the processor's time a second, and
+ * the first pictures of a skinned character four more.
+ */
+const STILL: ExtraFiles = {
+  'samples/samples.json': JSON.stringify([{ id: 'post', label: 'Post', description: '', files: ['post.skel'] }]),
+  'samples/post.skel': 'balljoint post { boxmin -0.1 0 -0.1 boxmax 0.1 1 0.1 }',
+};
+
 let browser: Promise<Browser> | undefined;
 const servers = new Map<string, Promise<StaticServer>>();
 
@@ -67,12 +77,13 @@ export async function withPage(body: (open: OpenPage) => Promise<void>, options:
   const serving = servers.get(folder) ?? serveFolder(folder, SUB_PATH);
   servers.set(folder, serving);
   const server = await serving;
-  server.serve(options.files ?? {});
+  server.serve(options.files ?? {}, options.walking ? {} : STILL);
 
   const context = await (await browser).newContext({
     viewport: options.size ?? { width: 1280, height: 800 },
     colorScheme: options.colorScheme ?? 'light',
-    reducedMotion: options.reducedMotion ? 'reduce' : 'no-preference',
+    // The camera is at once where it goes.
+    reducedMotion: 'reduce',
     hasTouch: options.touch ?? false,
   });
   try {

@@ -12,8 +12,8 @@ export type ExtraFiles = Readonly<Record<string, Uint8Array | string>>;
 export interface StaticServer {
   /** With the sub-path, ending in `/`. */
   readonly url: string;
-  /** Replaces the extra files: what a test's `?files=` names. */
-  serve(extra: ExtraFiles): void;
+  /** Replaces the extra files: what a test's `?files=` names. Of two with one path, the first is served. */
+  serve(...extra: readonly ExtraFiles[]): void;
   close(): Promise<void>;
 }
 
@@ -33,14 +33,14 @@ const TYPES: Readonly<Record<string, string>> = {
 
 /** @param subPath begins and ends with `/` */
 export async function serveFolder(folder: string, subPath: string): Promise<StaticServer> {
-  let extra: ExtraFiles = {};
+  let extra: readonly ExtraFiles[] = [];
   const server = createServer((request, response) => {
     const { pathname } = new URL(request.url ?? '/', 'http://localhost');
     if (!pathname.startsWith(subPath)) return void response.writeHead(404).end();
     const path = decodeURIComponent(pathname.slice(subPath.length)) || 'index.html';
     const headers = { 'content-type': TYPES[extname(path).toLowerCase()] ?? 'application/octet-stream' };
 
-    const given = Object.hasOwn(extra, path) ? extra[path] : undefined;
+    const given = extra.find((files) => Object.hasOwn(files, path))?.[path];
     if (given !== undefined) return void response.writeHead(200, headers).end(given);
 
     const file = join(folder, normalize(path));
@@ -54,7 +54,7 @@ export async function serveFolder(folder: string, subPath: string): Promise<Stat
   if (address === null || typeof address === 'string') throw new Error('The test server has no port.');
   return {
     url: `http://127.0.0.1:${address.port}${subPath}`,
-    serve(files) {
+    serve(...files) {
       extra = files;
     },
     close: () =>
