@@ -195,7 +195,7 @@ describe('work', () => {
 });
 
 describeShared('a character with skin and walk', () => {
-  it('a character with skin and walk is back with every vertex where it was, edited channels and files alike', () =>
+  it('a character with skin and walk comes back with every vertex where it was', () =>
     withSmallPage(async ({ page }) => {
       await ready(page);
       const files = ['wasp.skel', 'wasp.skin', 'wasp_walk.anim'];
@@ -219,7 +219,7 @@ describeShared('a character with skin and walk', () => {
 });
 
 describe('a file that can’t be copied', () => {
-  it('a file that can’t be copied is kept as what was read of it, and comes back with every vertex where it was', () =>
+  it('autosave keeps what was read of a file that can’t be copied, every vertex where it was', () =>
     withSmallPage(
       async ({ page }) => {
         await ready(page);

@@ -42,7 +42,7 @@ describe('pins and stiff joints, where a skeleton is read again', () => {
     expect(diagnostics).toEqual([['info', 'ik-lost']]);
   });
 
-  it('pins and stiff joints, where a skeleton is read again are at their joints where those have other numbers', () => {
+  it('pins and stiff joints follow their joints to other numbers when a skeleton is read again', () => {
     const ik = pinned(2, { stiff: [{ joint: 0 }, { joint: 1 }] });
     const after = skeletonOf(hinge(-1, 'pelvis'), hinge(0, 'foot'), hinge(0, 'hip'), hinge(2, 'knee'));
     const { character: now, diagnostics } = reloaded({ skeleton: LEG, ik }, after);

@@ -103,7 +103,7 @@ describe('what is set by hand where a channel has no keys', () => {
   );
   const channelsOf = (document: typeof playing) => document.characters[0].clips[0].channels;
 
-  it('what is set by hand where a channel has no keys is where the channel stands from then on, at every time', () => {
+  it('a value set by hand on a channel without keys holds at every time', () => {
     const once = set(playing, 4, 0.75, 1.5);
     expect(once.characters[0].unkeyed).toBeUndefined();
     expect(channelsOf(once)[4]).toMatchObject({ kind: 'rest', value: 0.75 });

@@ -159,7 +159,7 @@ describe('putting a take onto another character', () => {
     expect(s.document).toBe(document);
   });
 
-  it('putting a take onto another character has its morphs keyed meanwhile: its own take has the say over them', () => {
+  it('morphs of a retargeted character are keyed in its own take', () => {
     const s = store();
     s.apply(setRetarget, ONTO);
     const smile = dofCountOf(of(s, 't')) - 1;

@@ -105,7 +105,7 @@ describe('the distance of two takes', () => {
 });
 
 describeShared('the distance of a real take and itself', () => {
-  it('the distance of a real take and itself is 0 at the same offset, and that of the motion at another', () => {
+  it('a real take is at distance 0 from itself at the same offset, and at that of its motion at another', () => {
     const { value } = readBvh(sharedBytes('data/bvh/cmu-daz-pirouette.bvh'), 'pirouette.bvh');
     const figure = value?.[0];
     if (!figure?.clip) throw new Error('the file has no motion');

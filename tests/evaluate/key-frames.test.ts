@@ -40,7 +40,7 @@ describe('the rate of a clip of keys', () => {
     );
   });
 
-  it('the rate of a clip of keys is that of the channel with the most keys, where all others are at its frames', () => {
+  it('the frame rate of keys is that of the channel with the most, where all others are at its frames', () => {
     const times = every(0.01, 101, 1);
     const some = keysAt([1.25, 1.5, 1.51]);
     expect(keyFrames(clipOf([1, 2], some, keysAt(times)))?.frameCount).toBe(101);

@@ -50,7 +50,7 @@ describe('the unit of a figure that does not say', () => {
     );
   });
 
-  it('the unit of a figure that does not say is that of the figure standing, though it sits most of the time', () => {
+  it('the unit of a figure is that of its standing height, though it sits most of the time', () => {
     const skeleton = figure({ height: 170 });
     // Folded: the head's channels are rotations, so the hips and head come down together.
     const clip = take(

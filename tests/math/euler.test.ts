@@ -64,7 +64,7 @@ it('two quaternions at once are those of each set of angles, near each other or 
 });
 
 describe('the Euler angles of a quaternion', () => {
-  it('the Euler angles of a quaternion are angles of it, in gimbal lock too, wherever they are looked for', () => {
+  it('Euler angles of a quaternion give it back, in gimbal lock too', () => {
     fc.assert(
       fc.property(fc.oneof(anyAngles, lockedAngles), fc.oneof(anyAngles, lockedAngles), (angles, from) => {
         const q = quaternion(angles);

@@ -20,7 +20,7 @@ function expectTrue(angles: readonly number[]): void {
 }
 
 describe('sines and cosines of a row of angles', () => {
-  it('sines and cosines of a row of angles are true to the last digits, however often the angle goes round', () => {
+  it('sines and cosines are true to the last digits, however often the angle goes round', () => {
     const angle = fc.oneof(
       fc.double({ min: -7, max: 7, noNaN: true }),
       fc.double({ min: -1e5, max: 1e5, noNaN: true }),

@@ -80,7 +80,7 @@ describe('the joints of two skeletons', () => {
     expect(haveSameJoints(undefined, undefined)).toBe(true);
   });
 
-  it('the joints of two skeletons are others where one is more, fewer, called otherwise or hung up elsewhere', () => {
+  it('two skeletons have different joints when number, names or parents differ', () => {
     const [second, third] = others;
     for (const joints of [
       [root, second],

@@ -57,7 +57,7 @@ describe('balls and bones out of a buffer of nodes', () => {
     }
   });
 
-  it('balls and bones out of a buffer of nodes are drawn from the new buffer where the old one was too small', () => {
+  it('balls and bones are drawn from the new buffer when the old one was too small', () => {
     const buffer = new NodeBuffer();
     const balls = meshOf('ball', buffer, 2);
     buffer.resize(5, [balls.geometry]);

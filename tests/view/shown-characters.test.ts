@@ -30,7 +30,7 @@ describe('the characters in the picture', () => {
     expect(content.max.x).toBeCloseTo(10.102, 6);
   });
 
-  it('the characters in the picture are neither drawn nor framed while they are hidden, and posed all the same', () => {
+  it('hidden characters are neither drawn nor framed, and posed all the same', () => {
     const all = shown(near, { ...far, isHidden: true });
     expect(all.posedSkeletons(new Map()).map((p) => p.characterId)).toEqual(['near']);
     expect(all.content.max.x).toBeLessThan(1);

@@ -167,13 +167,13 @@ describe('a skeleton whose boxes nobody made', () => {
   };
   const boxed: Skeleton = { ...cubes, joints: cubes.joints.map((j, i) => (i > 0 ? { ...j, box } : j)) };
 
-  it('a skeleton whose boxes nobody made is drawn as bones too, as long as most of them are as they came', () => {
+  it('a skeleton is drawn as bones too while most of its boxes are the default ones', () => {
     const asBoxes = kindsOf(boxed);
     expect(kindsOf(cubes)).toBe(asBoxes + 2);
     expect(kindsOf({ ...cubes, joints: cubes.joints.map((j, i) => (i > 1 ? { ...j, box } : j)) })).toBe(asBoxes + 2);
   });
 
-  it('a skeleton whose boxes nobody made is left alone under a skin, and where no boxes are asked for', () => {
+  it('a skeleton with default boxes gets no bones under a skin, or where boxes are hidden', () => {
     expect(kindsOf(cubes, { hasSkin: true }, { boxes: 'wire' })).toBe(
       kindsOf(boxed, { hasSkin: true }, { boxes: 'wire' }),
     );

@@ -50,7 +50,7 @@ describe('a character that another one’s take moves', () => {
   const pairsOf = (store: Store) =>
     store.document.characters[0].driver?.pairs.map(({ target, source }) => [target, source]);
 
-  it('a character that another one’s take moves is moved at the same joints where those have other numbers', () => {
+  it('a retargeted character keeps its joints when they get other numbers', () => {
     const store = driven();
     expect(pairsOf(store)).toEqual([0, 1, 2, 3].map((j) => [j, j]));
     store.apply(addJoint, { characterId: 'c1', parent: 1, name: 'patch' });

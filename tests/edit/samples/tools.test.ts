@@ -188,7 +188,7 @@ describe('samples of a character that another one moves', () => {
     expect(() => steps(document).next()).toThrow('retargeted from');
   });
 
-  it('samples of a character that another one moves are worked with as they are, not as the other one moves', () => {
+  it('tools take the samples of a retargeted character as they are, not as retargeting moves it', () => {
     const [character] = driven(swing).characters;
     expect(takeAlone(character, swing)).not.toHaveProperty('driver');
     const resampled = runToEnd(resampling(character, swing, 30));

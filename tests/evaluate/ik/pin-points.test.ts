@@ -11,7 +11,7 @@ const LEG = { min: [-0.05, -0.5, -0.05], max: [0.05, 0, 0.05] } as const;
 const BVH = { motion: { kind: 'bvh', channels: ['rz', 'rx', 'ry'], positions: 'replace' } } as const;
 
 describe('the points of a joint that a pin may hold', () => {
-  it('the points of a joint that a pin may hold are its origin and the middles of its box, none of them twice', () => {
+  it('a pin may hold the origin of a joint and the middles of its box, none of them twice', () => {
     const points = pinPoints(alone({ box: LEG }), 0);
     expect(points.map(({ name }) => name)).toEqual([
       'origin',
@@ -32,7 +32,7 @@ describe('the points of a joint that a pin may hold', () => {
     expect(pinPoints(alone({ length: 0 }), 0).map(({ kind }) => kind)).toEqual(['origin']);
   });
 
-  it('the points of a joint that a pin may hold are End Sites, numbered where there are several', () => {
+  it('a pin may hold End Sites, numbered where there are several', () => {
     const sites = [
       [0, 1, 0],
       [0, 0, 0],
@@ -65,7 +65,7 @@ describe('the point that is pinned where only a joint was picked', () => {
     expect(defaultPinPoint(alone({ length: 0, endSites: [[1, 0, 0]] }), 0).kind).toBe('origin');
   });
 
-  it('the point that is pinned where only a joint was picked is the origin of a joint that others hang on', () => {
+  it('a pin on a joint with children is at its origin', () => {
     expect(defaultPinPoint(withChild({ box: LEG, endSites: [[1, 0, 0]] }), 0).kind).toBe('origin');
   });
 

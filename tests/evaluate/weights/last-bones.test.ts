@@ -299,7 +299,7 @@ describe('a body with two arms and two wings that mirror each other', () => {
   );
   const { attachments } = finish(heatWeights(mesh, bones, 16));
 
-  it('a body with two arms and two wings that mirror each other has weights that do', () => {
+  it('a mirrored body has mirrored weights', () => {
     for (let v = 0; v < count; v++) {
       for (let joint = 0; joint < 11; joint++) {
         const other = joint === 0 ? 0 : joint > 5 ? joint - 5 : joint + 5;
@@ -309,7 +309,7 @@ describe('a body with two arms and two wings that mirror each other', () => {
     }
   });
 
-  it('a body with two arms and two wings that mirror each other has limbs at all four last joints', () => {
+  it('a mirrored body has limbs at the last joints of both arms and both wings', () => {
     const main = dominated(attachments, 11);
     for (const joint of [4, 5, 9, 10]) expect(main[joint]).toBeGreaterThan(20);
   });

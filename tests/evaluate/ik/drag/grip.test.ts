@@ -29,7 +29,7 @@ describe('the point of a joint that is seen', () => {
   it('the point of a joint that is seen is where the line enters its box, off the bone', () => {
     close(seenPoint(BONE, 0, WORLD, ahead(10.3, 0.2), 0.1, true), [0.3, 0.2, 0.5]);
   });
-  it('the point of a joint that is seen is a point of the bone again where no box is drawn, or it is missed', () => {
+  it('a drag grips the bone when no box is drawn, or the box is missed', () => {
     close(seenPoint(BONE, 0, WORLD, ahead(10.3, 0.2), 0.1, false), [0, 0.2, 0]);
     close(seenPoint(BONE, 0, WORLD, ahead(11, 0.7), 0.1, true), [0, 0.7, 0]);
   });

@@ -22,11 +22,11 @@ function take(channels: Readonly<Record<number, Channel>>) {
 }
 
 describe('what is asked for first when pins are held', () => {
-  it('what is asked for first when pins are held is all that is played where that is short', () => {
+  it('holding pins begins with the whole playback range where that is short', () => {
     expect(firstRange([1, 2.5], 2)).toEqual([1, 2.5]);
   });
 
-  it('what is asked for first when pins are held is a step from now on, within what is played', () => {
+  it('holding pins begins with half a second from the current time, within what is played', () => {
     expect(firstRange([0, 6], 2)).toEqual([2, 2.5]);
     expect(firstRange([0, 6], 5.9)).toEqual([5.5, 6]);
     expect(firstRange([0, 6], -3)).toEqual([0, 0.5]);

@@ -39,13 +39,13 @@ describe('a joint of a copy that has no handles', () => {
     expect(found({ joint: 0 }, 126)).toEqual({ joint: 1, placement: 1 });
   });
 
-  it('a joint of a copy that has no handles is none between joints, on ground, and under a skin', () => {
+  it('picking another copy finds no joint between joints, on the ground, or under a skin', () => {
     expect(found({ joint: 0 }, 115)).toBeUndefined();
     expect(found(undefined, 100)).toBeUndefined();
     expect(found({ joint: 0, vertex: 3 }, 100)).toBeUndefined();
   });
 
-  it('a joint of a copy that has no handles is none of the copy that has the handles, nor of another character', () => {
+  it('picking another copy finds no joint of the copy with the handles, nor of another character', () => {
     expect(found({ joint: 0 }, 100, 1)).toBeUndefined();
     expect(found({ joint: 0, characterId: 'c2' }, 100)).toBeUndefined();
     expect(found({ joint: 0 }, 100, 0, { ...twice, placements: [DEFAULT_PLACEMENT] })).toBeUndefined();

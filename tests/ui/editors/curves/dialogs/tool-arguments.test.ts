@@ -39,7 +39,7 @@ const walker = character({ skeleton: skeleton(['hips', -1]), clips: [waves(8)], 
 const alone = character({ clips: [waves(6)] });
 
 describe('what simplifying is asked for', () => {
-  it('what simplifying is asked for is the units that occur; a channel that drives no DOF is a plain number', () => {
+  it('the tolerances of simplifying are in the units that occur; a channel that drives no DOF is a plain number', () => {
     expect(unitsOf(walker, [3, 4])).toEqual(['angle']);
     expect(unitsOf(walker, [7, 0, 3])).toEqual(['angle', 'length', 'weight']);
     expect(unitsOf(alone, [0, 5])).toEqual(['length', 'weight']);
