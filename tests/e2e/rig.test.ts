@@ -267,7 +267,7 @@ describeShared('a skin and its joints', () => {
       };
       const handle = await findHandle(page);
       await drag(page, handle, 40, -30);
-      expect(await page.evaluate(() => window.marrow.steps().undo)).toMatch(/^Place /);
+      expect(await page.evaluate(() => window.marrow.steps().undo)).toMatch(/^Move /);
       expect(await moved()).toBeLessThan(STILL);
       const bound = await files();
       expect(bound[0]).not.toBe(saved[0]);
