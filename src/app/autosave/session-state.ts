@@ -6,11 +6,11 @@ import type { Playback } from '../../edit/playback.ts';
 import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
 import type { Document } from '../../model/document.ts';
 import type { Selection } from '../../model/session.ts';
+import type { SavedCharacter } from '../../project/save/saved-parts.ts';
 import type { TimelineView } from '../../ui/state/timeline.ts';
 import type { CameraView } from '../../view/camera.ts';
 import type { KnownSkin } from '../../worker/protocol.ts';
 import type { KeptDiskFile } from '../disk-handles.ts';
-import type { SavedCharacter } from '../unsaved.ts';
 
 export interface SessionState {
   readonly document: Document;

@@ -7,7 +7,7 @@ import { type Character, isBvh } from '../../model/document.ts';
 import { type SourceFile, stemOf } from '../../model/files.ts';
 import type { Part, PartKind, PartMark } from '../../model/part.ts';
 import { UNMARKED } from '../../model/part.ts';
-import type { SavedCharacter } from '../unsaved.ts';
+import type { SavedCharacter } from '../../project/save/saved-parts.ts';
 import type { KeptMarks, KeptState } from './session-state.ts';
 
 /** What version 1 kept of saving. */

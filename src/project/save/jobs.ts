@@ -1,22 +1,13 @@
 /** What there is to be written when someone saves: files, each with the parts that it holds, and how it is made. */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
-import { fileNameOf, type Part, type PartKind } from '../../model/part.ts';
+import { fileNameOf, type Part } from '../../model/part.ts';
 import type { FormatKind } from '../kinds.ts';
 import { distinctNames } from './distinct-names.ts';
 import type { Output } from './output.ts';
 import { jointPose } from './own-formats.ts';
+import type { UnsavedPart } from './saved-parts.ts';
 import { copiesOf, isCopy, type Owned, partsOfKind, type SavingOptions, writeParts } from './saving.ts';
-
-/** A part of a character that is not as it was opened, or last saved. */
-export interface UnsavedPart {
-  readonly characterId: string;
-  readonly kind: PartKind;
-  /** Into the character's skins, morphs or clips; 0 for its skeleton and its library of poses. */
-  readonly index: number;
-  /** Of its file: `wasp_walk.anim`. */
-  readonly name: string;
-}
 
 /** One file to be written. */
 export interface Job {

@@ -5,7 +5,7 @@
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { FormatKind } from '../../project/kinds.ts';
-import type { UnsavedPart } from '../../project/save/jobs.ts';
+import type { UnsavedPart } from '../../project/save/saved-parts.ts';
 import type { Viewport } from '../../view/viewport.ts';
 import type { IconName } from '../kit/icons.ts';
 import type { Observable } from '../kit/observable.ts';

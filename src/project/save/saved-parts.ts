@@ -1,0 +1,158 @@
+/**
+ * What of a document is saved: each part whose revision is the one that was last read from, or written to, its file.
+ * Undoing back to what was saved brings that revision back.
+ *
+ * A skeleton's file holds the pose of its joints too, which the document keeps beside the skeleton; see `poseToSave`.
+ */
+import { addPoses } from '../../edit/pose/library.ts';
+import { partsOf } from '../../model/character-parts.ts';
+import type { Character, Document } from '../../model/document.ts';
+import { filePose, rootDofCount } from '../../model/dofs.ts';
+import type { ParsedFile, SourceFile } from '../../model/files.ts';
+import { fileNameOf, type Part, type PartFile, type PartKind } from '../../model/part.ts';
+import { poseToSave } from './own-formats.ts';
+
+/** A part of a character that is not as it was opened, or last saved. */
+export interface UnsavedPart {
+  readonly characterId: string;
+  readonly kind: PartKind;
+  /** Into the character's skins, morphs or clips; 0 for its skeleton and its library of poses. */
+  readonly index: number;
+  /** Of its file: `wasp_walk.anim`. */
+  readonly name: string;
+}
+
+/** What of a character is in files: plain data, to be kept with a session and given back with it. */
+export interface SavedCharacter {
+  readonly characterId: string;
+  /** Whether each of its parts is saved, in the order of `partsOf`. */
+  readonly parts: readonly boolean[];
+  /** In the skeleton's file: one value for each DOF of its joints. */
+  readonly pose: readonly number[];
+}
+
+/** What of a part is on disk. */
+interface SavedPart {
+  readonly revision: number;
+  /** Of the joints, where it is a skeleton. */
+  readonly pose: readonly number[];
+  /** That a part which was made here was saved as. */
+  readonly file?: PartFile;
+}
+
+/** By a part's id; of those that are gone too: undo brings them back. */
+export class SavedParts {
+  private readonly saved = new Map<number, SavedPart>();
+  private lists = new WeakMap<Character, readonly UnsavedPart[]>();
+  /** Files that an earlier opening had no use for: a later one may. */
+  private waiting: readonly ParsedFile[] = [];
+
+  /** These files were read into the document just now: what they hold is saved. */
+  opened(document: Document, files: readonly ParsedFile[]): void {
+    const given = [...files, ...this.waiting];
+    const sources = new Set<SourceFile | undefined>(given.map(({ source }) => source));
+    for (const character of document.characters) {
+      for (const part of partsOf(character)) {
+        const isRead = part.kind === 'pose' ? isLibraryOf(character, given) : part.file && sources.has(part.file);
+        if (isRead) this.mark(part, filePoseOfJoints(character));
+      }
+    }
+    this.wait(document);
+  }
+
+  /**
+   * A part was read or written as it is.
+   * @param pose of the joints, as in the file; only for a skeleton
+   */
+  mark({ id, revision, kind }: Part, pose: readonly number[] = []): void {
+    const file = this.saved.get(id)?.file;
+    this.saved.set(id, { revision, pose: kind === 'skel' ? pose : [], ...(file && { file }) });
+    this.lists = new WeakMap();
+  }
+
+  /** The file of a part that was made here, where it was saved. */
+  fileOf(id: number): PartFile | undefined {
+    return this.saved.get(id)?.file;
+  }
+
+  setFile(id: number, file: PartFile): void {
+    this.saved.set(id, { revision: 0, pose: [], ...this.saved.get(id), file });
+  }
+
+  /** The pose that the file of a character's skeleton has. */
+  poseInFile(character: Character): readonly number[] {
+    const pose = this.saved.get(character.parts?.skeleton?.id ?? 0)?.pose;
+    const own = filePoseOfJoints(character);
+    return pose?.length === own.length ? pose : own;
+  }
+
+  /** What is not saved, characters and their parts in the document's order. */
+  unsavedIn(document: Document): readonly UnsavedPart[] {
+    return document.characters.flatMap((character) => this.listOf(character));
+  }
+
+  snapshot(document: Document): readonly SavedCharacter[] {
+    return document.characters.map((character) => ({
+      characterId: character.id,
+      parts: partsOf(character).map((part) => this.isSaved(part)),
+      pose: this.poseInFile(character),
+    }));
+  }
+
+  /** The marks of a document that was taken over from another page. */
+  restore(document: Document, characters: readonly SavedCharacter[]): void {
+    for (const character of document.characters) {
+      const kept = characters.find(({ characterId }) => characterId === character.id);
+      partsOf(character).forEach((part, i) => {
+        if (kept?.parts[i]) this.mark(part, kept.pose);
+        else if (kept && part.kind === 'skel') this.saved.set(part.id, { revision: 0, pose: kept.pose });
+      });
+    }
+    this.lists = new WeakMap();
+    this.wait(document);
+  }
+
+  private wait({ unused }: Document): void {
+    this.waiting = unused.map(({ file }) => file);
+  }
+
+  private isSaved({ id, revision }: Part): boolean {
+    return this.saved.get(id)?.revision === revision;
+  }
+
+  private listOf(character: Character): readonly UnsavedPart[] {
+    const known = this.lists.get(character);
+    if (known) return known;
+    const counts = new Map<PartKind, number>();
+    const list: UnsavedPart[] = [];
+    for (const part of partsOf(character)) {
+      const index = counts.get(part.kind) ?? 0;
+      counts.set(part.kind, index + 1);
+      if (this.isSaved(part) && (part.kind !== 'skel' || this.isPoseSaved(character))) continue;
+      list.push({ characterId: character.id, kind: part.kind, index, name: fileNameOf(part) });
+    }
+    this.lists.set(character, list);
+    return list;
+  }
+
+  private isPoseSaved(character: Character): boolean {
+    const inFile = this.poseInFile(character);
+    return poseToSave(character, inFile) === inFile;
+  }
+}
+
+/** Whether a character's poses are those of one of these files that it has, and no others. */
+function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolean {
+  const { poses: library, ...without } = character;
+  return files.some(
+    (file) =>
+      file.kind === 'pose' &&
+      character.parts?.poses?.file?.source === file.source &&
+      addPoses(without, file.poses).poses?.length === library?.length,
+  );
+}
+
+/** One value for each DOF of the joints. */
+function filePoseOfJoints({ skeleton }: Character): readonly number[] {
+  return filePose(skeleton, 0).slice(rootDofCount(skeleton));
+}
