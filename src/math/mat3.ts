@@ -126,18 +126,35 @@ export function writeRotationPart(
   out[q + 2] = x * v - y * u;
 }
 
-/** A turn about a unit axis (Rodrigues), by the cosine and sine of its angle. */
-export function turnAbout(x: number, y: number, z: number, cos: number, sin: number, out: Float64Array, o: number) {
+/**
+ * A turn about a unit axis (Rodrigues), by the cosine and sine of its angle:
+ *
+ *     R = cos · I + sin · [a]× + (1 − cos) · a·aᵀ
+ *
+ * @param stride from one column to the next, as of `writeRotationPart`
+ */
+export function turnAbout(
+  x: number,
+  y: number,
+  z: number,
+  cos: number,
+  sin: number,
+  out: Float64Array,
+  o: number,
+  stride: 3 | 4 = 3,
+): void {
   const t = 1 - cos;
+  const p = o + stride;
+  const q = p + stride;
   out[o] = cos + t * x * x;
   out[o + 1] = t * x * y + sin * z;
   out[o + 2] = t * x * z - sin * y;
-  out[o + 3] = t * x * y - sin * z;
-  out[o + 4] = cos + t * y * y;
-  out[o + 5] = t * y * z + sin * x;
-  out[o + 6] = t * x * z + sin * y;
-  out[o + 7] = t * y * z - sin * x;
-  out[o + 8] = cos + t * z * z;
+  out[p] = t * x * y - sin * z;
+  out[p + 1] = cos + t * y * y;
+  out[p + 2] = t * y * z + sin * x;
+  out[q] = t * x * z + sin * y;
+  out[q + 1] = t * y * z - sin * x;
+  out[q + 2] = cos + t * z * z;
 }
 
 /**

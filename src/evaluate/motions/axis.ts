@@ -1,12 +1,11 @@
 /** Turning about an axis and sliding along it: hinge, prismatic and screw joints. */
+import { turnAbout } from '../../math/mat3.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { crossColumns } from './ball.ts';
 import type { JointMotion } from './motion.ts';
 
 /**
- * T(axis · perTurn · r / 2π) · R(axis, r): a hinge where a turn advances nothing, else a screw.
- *
- *     R = cos r · I + sin r · [a]× + (1 − cos r) · a·aᵀ        (Rodrigues)        R′ = [a]× · R
+ * T(axis · perTurn · r / 2π) · R(axis, r): a hinge where a turn advances nothing, else a screw. R′ = [a]× · R.
  */
 export function screwMotion(axis: Vec3, perTurn: number): JointMotion {
   const [x, y, z] = direction(axis);
@@ -14,18 +13,7 @@ export function screwMotion(axis: Vec3, perTurn: number): JointMotion {
   const screw: JointMotion = {
     write(dofs, first, out, o) {
       const r = dofs[first];
-      const s = Math.sin(r);
-      const c = Math.cos(r);
-      const v = 1 - c;
-      out[o] = c + v * x * x;
-      out[o + 1] = v * x * y + s * z;
-      out[o + 2] = v * x * z - s * y;
-      out[o + 4] = v * x * y - s * z;
-      out[o + 5] = c + v * y * y;
-      out[o + 6] = v * y * z + s * x;
-      out[o + 8] = v * x * z + s * y;
-      out[o + 9] = v * y * z - s * x;
-      out[o + 10] = c + v * z * z;
+      turnAbout(x, y, z, Math.cos(r), Math.sin(r), out, o, 4);
       const t = advance * r;
       out[o + 12] = t * x;
       out[o + 13] = t * y;

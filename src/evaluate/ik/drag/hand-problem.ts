@@ -49,11 +49,11 @@ export class HandProblem {
 
   /** As of `Pull`. */
   constructor(
-    character: Character,
-    skeleton: Skeleton,
+    readonly character: Character,
+    readonly skeleton: Skeleton,
     start: ArrayLike<number>,
-    targets: ReadonlyMap<number, PinTarget>,
-    dragged: Dragged,
+    readonly targets: ReadonlyMap<number, PinTarget>,
+    readonly dragged: Dragged,
   ) {
     const setup = ikOf(character);
     this.dofs = Float64Array.from(start);

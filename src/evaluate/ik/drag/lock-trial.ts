@@ -3,10 +3,8 @@
  * unknown of it; so the pose is tried from where it is without any lock, and the locks that are in the way are those of
  * the joints that bend then, if the point comes nearer by that.
  */
-import type { Character } from '../../../model/document.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
-import { type Dragged, ikOf, type PinTarget } from '../set-up.ts';
+import { ikOf } from '../set-up.ts';
 import { HandProblem } from './hand-problem.ts';
 
 /** How much nearer the point has to come: part of the reach. */
@@ -24,15 +22,9 @@ export class LockTrial {
   private readonly hand = new Float64Array(3).fill(Number.NaN);
   private found: readonly number[] = [];
 
-  /** As of `HandProblem`, whose problem with the locks is `of`. */
-  constructor(
-    private readonly of: HandProblem,
-    private readonly character: Character,
-    private readonly skeleton: Skeleton,
-    private readonly targets: ReadonlyMap<number, PinTarget>,
-    private readonly dragged: Dragged,
-  ) {
-    const { stiff } = ikOf(character);
+  /** @param of the problem with the locks */
+  constructor(private readonly of: HandProblem) {
+    const { stiff } = ikOf(of.character);
     this.locked = stiff.flatMap(({ joint, stiffness }) => (stiffness === undefined ? [joint] : []));
     this.pose = new Float64Array(of.dofs.length);
   }
@@ -50,7 +42,7 @@ export class LockTrial {
   }
 
   private tryWithout(): readonly number[] {
-    const { of, skeleton, locked, pose, hand } = this;
+    const { of, locked, pose, hand } = this;
     this.free ??= this.withoutLocks();
     const { free } = this;
     free.dofs.set(pose);
@@ -59,7 +51,7 @@ export class LockTrial {
     free.solve('drag');
     free.comeToRest(0);
     if (of.missing - free.missing < NEARER * of.reach) return [];
-    const { firstDof } = compileSkeleton(skeleton);
+    const { firstDof } = compileSkeleton(of.skeleton);
     const bent = new Map(locked.map((j) => [j, free.furthest(pose, firstDof[j], firstDof[j + 1])] as const));
     const bends = (joint: number) => bent.get(joint) ?? 0;
     const most = Math.max(...bent.values());
@@ -67,9 +59,9 @@ export class LockTrial {
   }
 
   private withoutLocks(): HandProblem {
-    const { character, skeleton, targets, dragged, pose } = this;
+    const { character, skeleton, targets, dragged } = this.of;
     const setup = ikOf(character);
     const ik = { ...setup, stiff: setup.stiff.filter(({ stiffness }) => stiffness !== undefined) };
-    return new HandProblem({ ...character, ik }, skeleton, pose, targets, dragged);
+    return new HandProblem({ ...character, ik }, skeleton, this.pose, targets, dragged);
   }
 }

@@ -77,7 +77,7 @@ export class Pull {
     this.of = new HandProblem(character, skeleton, start, targets, dragged);
     this.shaking = new Shaking(this.of);
     this.homing = new Homing(this.of);
-    this.locks = new LockTrial(this.of, character, skeleton, targets, dragged);
+    this.locks = new LockTrial(this.of);
     this.goal = this.of.hand.slice();
     this.before = this.of.dofs.slice();
   }
@@ -148,11 +148,6 @@ export class Pull {
     const { of, rootStays } = this;
     if (!rootStays || of.missing <= SEEN_GAP * of.reach) return false;
     return gapCause(this.hindrance) === 'root';
-  }
-
-  /** How far the dragged point is from the hand. */
-  get missing(): number {
-    return this.of.missing;
   }
 
   /** Every pin that is not where it should be. */

@@ -3,13 +3,12 @@ import { setDofs } from '../../../edit/commands/pose.ts';
 import { HandProblem } from '../../../evaluate/ik/drag/hand-problem.ts';
 import { LockTrial } from '../../../evaluate/ik/drag/lock-trial.ts';
 import { ikProblem } from '../../../evaluate/ik/problem.ts';
-import { ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../../../evaluate/ik/set-up.ts';
+import { ikOf, ikPinsOf, stiffnessOf } from '../../../evaluate/ik/set-up.ts';
 import { solve } from '../../../evaluate/ik/solve.ts';
 import { coupleOf } from '../../../model/couples.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
-import type { Skeleton } from '../../../model/skeleton.ts';
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Workbench } from '../../state/workbench.ts';
@@ -39,7 +38,10 @@ export function solvePins(wb: Workbench, character: Character): void {
   const bound = Array.from(binding.subarray(0, bindingCount));
   const worst = residuals.indexOf(Math.max(...residuals));
   const missed = residuals[worst] > 1e-3 * problem.reach;
-  const locks = missed ? locksOf(character, skeleton, dofs, held, setup.pins[worst].id) : [];
+  // Those that keep the pin from its place, in the pose that was found.
+  const locks = missed
+    ? new LockTrial(new HandProblem(character, skeleton, dofs, held, { pin: setup.pins[worst].id })).inTheWay()
+    : [];
   const hindrance = { binding: bound, holders: [], locks, canMove: true, rootStays: !setup.rootIsFree };
   const { timeSeconds } = wb.transport.get();
   if (changed.length) {
@@ -57,16 +59,4 @@ export function solvePins(wb: Workbench, character: Character): void {
     );
   } else if (!changed.length) wb.messages.note('All pins are reached.');
   wb.viewport.requestRender();
-}
-
-/** The locks that keep a pin from its place, in the pose that was found. */
-function locksOf(
-  character: Character,
-  skeleton: Skeleton,
-  dofs: Float64Array,
-  held: ReadonlyMap<number, PinTarget>,
-  pin: number,
-): readonly number[] {
-  const of = new HandProblem(character, skeleton, dofs, held, { pin });
-  return new LockTrial(of, character, skeleton, held, { pin }).inTheWay();
 }
