@@ -1,6 +1,6 @@
 /**
- * The types of joints: one record a type, and the questions that the rest of the program asks about a motion. A new type
- * is a motion in `skeleton.ts`, a record here and a rule in `evaluate/motions.ts`; nothing else asks which type a joint is.
+ * The types of joints: one record a type, and the questions that the rest of the program asks about a motion. Which type a
+ * joint is, is asked only here, in the records and in `evaluate/motions.ts`; CONTRIBUTING.md tells how a type is added.
  */
 import type { Vec3 } from '../math/vec3.ts';
 import { HINGE, PRISMATIC, SCREW } from './joint-types/axis.ts';

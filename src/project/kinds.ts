@@ -1,7 +1,7 @@
 /**
- * The one list of the kinds of text files, and all that page and command say of each. What reads them is in
- * `open/readers.ts`, what writes them in `save/writers.ts`, each with an entry for every kind: the page's first script
- * carries neither, for it reads in its worker and fetches what writes when something is saved.
+ * The one list of the kinds of text files. A record says what page and command call a kind, and who has something of it.
+ * What reads them is in `open/readers.ts`, what writes them in `save/writers.ts`, each with an entry for every kind: the
+ * page's first script carries neither, for it reads in its worker and fetches what writes when something is saved.
  */
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/axis-angle.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';

@@ -1,6 +1,6 @@
 /**
- * THE one list of what the page can do. Menus, shortcuts, the `?` page and the command search are all built from it, so
- * none of them can forget or contradict another; adding to the page begins by adding here.
+ * THE one list of what the page can do, made of the lists of its editors. Menus, shortcuts, the `?` page and the command
+ * search are all built from it, so none of them can forget or contradict another.
  */
 import { DOPE_ACTIONS } from '../editors/dope/actions.ts';
 import { IK_ACTIONS } from '../editors/ik/actions.ts';

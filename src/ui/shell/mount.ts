@@ -16,21 +16,8 @@ import { layout } from './layout.ts';
 import { menuBar } from './menu-bar.ts';
 import { leaveRefusalsBehind } from './stale-messages.ts';
 import { timelinePanel } from './timeline-panel.ts';
+import { TABS } from './timeline-tabs.ts';
 import { viewportPane } from './viewport-pane.ts';
-
-/** Each is a script of its own. */
-async function buildTab(wb: Workbench, name: TimelineTabName): Promise<TimelineTab> {
-  switch (name) {
-    case 'curves':
-      return (await import('../editors/curves/panel.ts')).curvePanel(wb);
-    case 'dope':
-      return (await import('../editors/dope/panel.ts')).dopePanel(wb);
-    case 'takes':
-      return (await import('../editors/takes/panel.ts')).takesPanel(wb);
-    case 'poses':
-      return (await import('../editors/poses/panel.ts')).posesPanel(wb);
-  }
-}
 
 export interface Beginnings {
   /** The theme that is shown. */
@@ -54,7 +41,7 @@ export function mountWorkbench(
   const scrubber = new Scrubber(wb);
   const tabs: TimelineTab[] = [];
   const loadTab = async (name: TimelineTabName) => {
-    const tab = await buildTab(wb, name);
+    const tab = await TABS[name].load(wb);
     tabs.push(tab);
     return tab;
   };

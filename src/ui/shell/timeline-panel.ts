@@ -11,13 +11,7 @@ import { isPanelOpen, NARROW } from '../state/panels.ts';
 import { splitter } from '../state/splitter.ts';
 import { TIMELINE_TABS, type TimelineTab, type TimelineTabName } from '../state/timeline.ts';
 import type { Uses } from '../state/workbench.ts';
-
-const LABELS: Readonly<Record<TimelineTabName, string>> = {
-  curves: 'Curves',
-  dope: 'Dope sheet',
-  takes: 'Takes',
-  poses: 'Poses',
-};
+import { TABS } from './timeline-tabs.ts';
 
 /**
  * @param load fetches and builds a tab; called once, when it is looked at first; for the tab that the page begins with not
@@ -30,8 +24,9 @@ export function timelinePanel(
 ): HTMLElement {
   const { timeline } = wb;
   const places = TIMELINE_TABS.map((name) => {
+    const { label } = TABS[name];
     const title = keepsFocusElsewhere(
-      button(LABELS[name], { role: 'tab', class: 'timeline-tab', id: `timeline-tab-${name}` }, LABELS[name], () =>
+      button(label, { role: 'tab', class: 'timeline-tab', id: `timeline-tab-${name}` }, label, () =>
         timeline.change({ tab: name }),
       ),
     );
@@ -43,7 +38,7 @@ export function timelinePanel(
     });
     const tools = element('div', { class: 'timeline-tools' });
     // Until it is here.
-    const waiting = element('p', { class: 'empty' }, `${LABELS[name]} …`);
+    const waiting = element('p', { class: 'empty' }, `${label} …`);
     const body = element('div', { class: 'timeline-body', role: 'tabpanel', 'aria-labelledby': title.id }, waiting);
     return { name, title, tools, body, waiting };
   });
@@ -51,7 +46,7 @@ export function timelinePanel(
   const built = new Map<TimelineTabName, TimelineTab>();
   const build = async (name: TimelineTabName) => {
     const place = places.find((p) => p.name === name);
-    const what = `The ${LABELS[name].toLowerCase()}`;
+    const what = `The ${TABS[name].label.toLowerCase()}`;
     const tab = await onDemand(wb.messages, what, () => load(name));
     if (!tab && place) setText(place.waiting, `${what} could not be loaded.`);
     if (!tab || signal.aborted) return;

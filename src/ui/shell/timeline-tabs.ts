@@ -1,0 +1,27 @@
+/** The tabs below the viewport: what each is called, and its script, fetched when it is looked at first. */
+import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
+import type { Workbench } from '../state/workbench.ts';
+
+export interface TabRecord {
+  readonly label: string;
+  load(wb: Workbench): Promise<TimelineTab>;
+}
+
+export const TABS: Readonly<Record<TimelineTabName, TabRecord>> = {
+  curves: {
+    label: 'Curves',
+    load: async (wb) => (await import('../editors/curves/panel.ts')).curvePanel(wb),
+  },
+  dope: {
+    label: 'Dope sheet',
+    load: async (wb) => (await import('../editors/dope/panel.ts')).dopePanel(wb),
+  },
+  takes: {
+    label: 'Takes',
+    load: async (wb) => (await import('../editors/takes/panel.ts')).takesPanel(wb),
+  },
+  poses: {
+    label: 'Poses',
+    load: async (wb) => (await import('../editors/poses/panel.ts')).posesPanel(wb),
+  },
+};
