@@ -136,6 +136,8 @@ describe('the look', () => {
     withPage(
       async ({ page }) => {
         await ready(page);
+        // A screenshot waits for a picture between two frames.
+        await page.evaluate(() => window.marrow.pause());
         const overflow = await page.evaluate(() => {
           const { scrollWidth, clientWidth, scrollHeight, clientHeight } = document.documentElement;
           return [scrollWidth - clientWidth, scrollHeight - clientHeight];
