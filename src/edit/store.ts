@@ -298,10 +298,18 @@ function selectionKept(
   const was = clipOf(before, characterId);
   const now = clipOf(document, characterId);
   const isOther = document !== before && was === now;
-  if (keys && !isOther) return withKeys(selection, keys);
+  // Where nothing changed, they may be of another character than the one that is selected.
+  if (keys && !isOther && hasKeys(now, keys)) return withKeys(selection, keys);
   if (!selection.keys || was === now) return selection;
   const kept = selection.keys.filter(({ channel }) => hasSameKeys(was?.channels[channel], now?.channels[channel]));
   return kept.length === selection.keys.length ? selection : withKeys(selection, kept);
+}
+
+function hasKeys(clip: ChannelClip | undefined, keys: readonly ChannelKeys[]): boolean {
+  return keys.every(({ channel, indices }) => {
+    const { length } = keysOf(clip?.channels[channel]).times;
+    return indices.every((index) => index < length);
+  });
 }
 
 /** Keys are known by index: they are the same where the column of times is, or where the channel was read again. */

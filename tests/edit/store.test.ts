@@ -287,4 +287,20 @@ describe('Store', () => {
     for (let step = 0; step < 4; step++) store.undo();
     expect(store.selection).toBe(selected);
   });
+
+  it('selects no keys that the selected character does not have, where a command about another changes nothing', () => {
+    const walker = character({ id: 'w', clips: [clip('walk', [1, 2])], shownClip: 0 });
+    const store = new Store(documentOf(walker, character({ id: 'bare' })));
+    const selecting: Command<undefined, Edit> = {
+      id: 'test.select',
+      label: () => 'Select',
+      run: (document) => ({ document, keys: [{ channel: 1, indices: [0] }] }),
+    };
+    store.select({ characterId: 'bare' });
+    store.apply(selecting, undefined);
+    expect(store.selection).toEqual({ characterId: 'bare' });
+    store.select({ characterId: 'w' });
+    store.apply(selecting, undefined);
+    expect(store.selection.keys).toEqual([{ channel: 1, indices: [0] }]);
+  });
 });

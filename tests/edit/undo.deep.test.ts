@@ -8,7 +8,7 @@ import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import type { State } from '../../src/edit/history.ts';
 import { CommandError, Store, withKeys } from '../../src/edit/store.ts';
 import { type Channel, followingSamples, restChannel } from '../../src/model/clip.ts';
-import { type Document, shownClip } from '../../src/model/document.ts';
+import { type Document, findCharacter, shownClip } from '../../src/model/document.ts';
 import { RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
 import { character, clip, documentOf, joint, morph, skin } from '../helpers/builders.ts';
 import { expectSame, expectStep } from '../helpers/expect-edit.ts';
@@ -177,7 +177,9 @@ function drag({ store }: Watched, id: string, dice: Dice): void {
 
 /** What is no step: selecting. */
 function between({ store }: Watched, dice: Dice): void {
-  const clip = shownClip(store.document.characters[0]);
+  // Keys are of the character that is selected, which may be one that was just made.
+  const selected = findCharacter(store.document, store.selection.characterId);
+  const clip = selected && shownClip(selected);
   if (clip && dice.is(0.6)) store.select(withKeys(store.selection, someKeys(clip, dice)));
 }
 
