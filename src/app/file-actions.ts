@@ -7,13 +7,13 @@ import type { DiskHandles } from './disk-handles.ts';
 import type { Opener } from './opening.ts';
 import { canReload, type ReloadParts, reload } from './reload.ts';
 import type { SampleSwitches } from './sample-display.ts';
-import { fetchSample, type Sample } from './samples.ts';
+import { type BundledExample, fetchSample } from './samples.ts';
 import type { Disk, Saver } from './saver.ts';
 import type { Unsaved } from './unsaved.ts';
 
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly opener: Opener;
-  readonly samples: Promise<readonly Sample[]>;
+  readonly samples: Promise<readonly BundledExample[]>;
   /** As a sample opens, with what it asks to be drawn. */
   readonly showSample: (shows: SampleSwitches | undefined) => void;
   readonly unsaved: Unsaved;

@@ -12,7 +12,7 @@ import type { ParsedFile } from '../model/files.ts';
 import { openFiles } from '../project/open/open-files.ts';
 import type { Observable } from '../ui/kit/observable.ts';
 import type { Messages } from '../ui/state/messages.ts';
-import type { Loading, Stage } from '../ui/state/workbench.ts';
+import type { Loading, WorkbenchStage } from '../ui/state/workbench.ts';
 import { type WorkerClient, WorkerError } from '../worker/client.ts';
 
 export interface OpeningParts {
@@ -20,7 +20,7 @@ export interface OpeningParts {
   readonly transport: Observable<Playback>;
   readonly messages: Messages;
   readonly loading: Observable<Loading | undefined>;
-  readonly viewport: Pick<Stage, 'frameAll'>;
+  readonly viewport: Pick<WorkbenchStage, 'frameAll'>;
   readonly worker: WorkerClient;
 }
 

@@ -13,7 +13,7 @@ import { findCharacter } from '../model/document.ts';
 import { type SourceFile, stemOf } from '../model/files.ts';
 import { fileNameOf, type Part } from '../model/part.ts';
 import { type FormatKind, formatKindOf, KINDS } from '../project/kinds.ts';
-import { changedFiles, distinctJobs, filesOf, type Job } from '../project/save/jobs.ts';
+import { changedFiles, distinctJobs, type Job, savedFilesOf } from '../project/save/jobs.ts';
 import type { FilePiece } from '../project/save/output.ts';
 import { jointPose, poseToSave } from '../project/save/own-formats.ts';
 import type { Messages } from '../ui/state/messages.ts';
@@ -71,7 +71,7 @@ export class Saver {
       const { store, messages, framesPerSecond } = this.parts;
       const character = findCharacter(store.document, characterId);
       const options = framesPerSecond && { framesPerSecond: framesPerSecond() };
-      const jobs = character ? filesOf(store.document, character, kind, options) : [];
+      const jobs = character ? savedFilesOf(store.document, character, kind, options) : [];
       if (jobs.length === 0) {
         const who = character?.name ?? 'The character';
         messages.note(`${who} has nothing to save as .${kind}.`, 'warning');

@@ -35,7 +35,7 @@ export interface WrittenFile {
   readonly from: readonly string[];
 }
 
-export interface Progress {
+export interface ConversionProgress {
   written(file: WrittenFile): void | Promise<void>;
   told(diagnostics: readonly Diagnostic[]): void;
 }
@@ -48,7 +48,7 @@ export async function convertMany(
   args: readonly string[],
   folder: string,
   options: ManyOptions,
-  progress: Progress,
+  progress: ConversionProgress,
 ): Promise<boolean> {
   const { files, missing } = findGiven(args, folder);
   const many = new Many(args, folder, options, progress);
@@ -77,7 +77,7 @@ class Many {
     args: readonly string[],
     private readonly folder: string,
     private readonly options: ManyOptions,
-    private readonly progress: Progress,
+    private readonly progress: ConversionProgress,
   ) {
     this.folders = args
       .map((arg) => resolve(folder, arg))

@@ -12,7 +12,7 @@ export interface CommandIo {
 export type ExitCode = 0 | 1 | 2;
 
 /** One of the words after `marrow`. */
-export interface Command {
+export interface CliCommand {
   readonly name: string;
   /** Its arguments, as the usage line shows them. */
   readonly usage: string;

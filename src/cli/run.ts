@@ -5,9 +5,9 @@ import { convert } from './commands/convert.ts';
 import { ik } from './commands/ik.ts';
 import { info } from './commands/info.ts';
 import { pose } from './commands/pose.ts';
-import type { Command, CommandIo, ExitCode } from './io.ts';
+import type { CliCommand, CommandIo, ExitCode } from './io.ts';
 
-const COMMANDS: readonly Command[] = [info, pose, ik, channels, convert];
+const COMMANDS: readonly CliCommand[] = [info, pose, ik, channels, convert];
 
 export async function run(args: readonly string[], io: CommandIo): Promise<ExitCode> {
   const [name, ...rest] = args;
@@ -38,7 +38,7 @@ function beforeDashes(args: readonly string[]): readonly string[] {
   return end < 0 ? args : args.slice(0, end);
 }
 
-function usageLine(command: Command): string {
+function usageLine(command: CliCommand): string {
   return `usage: marrow ${command.name} ${command.usage}`;
 }
 

@@ -9,7 +9,7 @@ import { type Document, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { indexIn, listOf } from './arguments.ts';
 import { changeCharacter, requireCharacter } from './characters.ts';
-import type { Moved } from './keys/arrange.ts';
+import type { EditedChannel } from './keys/arrange.ts';
 import { countKeys } from './keys/selection.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { CommandError, type Edit } from './store.ts';
@@ -53,7 +53,7 @@ export function withClipChannels(document: Document, characterId: string, channe
 export function changeKeys(
   document: Document,
   { characterId, keys }: OfKeys,
-  change: (channel: KeyedChannel, indices: readonly number[], entry: number) => Moved,
+  change: (channel: KeyedChannel, indices: readonly number[], entry: number) => EditedChannel,
 ): Edit {
   const clip = clipOf(document, characterId);
   const channels = [...clip.channels];
@@ -146,7 +146,7 @@ function followsSamples(count: number): string {
 }
 
 /** "key", "3 keys": for labels. */
-export function keyCount(keys: readonly ChannelKeys[]): string {
+export function keyCountText(keys: readonly ChannelKeys[]): string {
   const count = countKeys(keys);
   return count === 1 ? 'key' : `${count} keys`;
 }

@@ -299,10 +299,10 @@ function selectionKept(
   const now = clipOf(document, characterId);
   const isOther = document !== before && was === now;
   // Where nothing changed, they may be of another character than the one that is selected.
-  if (keys && !isOther && hasKeys(now, keys)) return withKeys(selection, keys);
+  if (keys && !isOther && hasKeys(now, keys)) return withSelectedKeys(selection, keys);
   if (!selection.keys || was === now) return selection;
   const kept = selection.keys.filter(({ channel }) => hasSameKeys(was?.channels[channel], now?.channels[channel]));
-  return kept.length === selection.keys.length ? selection : withKeys(selection, kept);
+  return kept.length === selection.keys.length ? selection : withSelectedKeys(selection, kept);
 }
 
 function hasKeys(clip: ChannelClip | undefined, keys: readonly ChannelKeys[]): boolean {
@@ -323,7 +323,7 @@ function clipOf(document: Document, characterId: string): ChannelClip | undefine
 }
 
 /** The selection with these keys instead of its own; the same object where they are the same keys. */
-export function withKeys(selection: Selection, keys: readonly ChannelKeys[]): Selection {
+export function withSelectedKeys(selection: Selection, keys: readonly ChannelKeys[]): Selection {
   if (sameKeys(selection.keys ?? [], keys)) return selection;
   const { keys: _before, ...rest } = selection;
   return keys.length ? { ...rest, keys } : rest;

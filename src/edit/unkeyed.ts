@@ -37,7 +37,7 @@ export function countUnkeyed({ characters }: Document, exceptSeconds: number | n
 }
 
 /** The document without those values; the same object where there is none. */
-export function dropUnkeyed(document: Document, exceptSeconds: number | null): Document {
+export function documentWithoutUnkeyed(document: Document, exceptSeconds: number | null): Document {
   const gone = (character: Character) => isOfAnother(character, exceptSeconds);
   if (!document.characters.some(gone)) return document;
   return { ...document, characters: document.characters.map((c) => (gone(c) ? withoutUnkeyed(c) : c)) };

@@ -16,7 +16,7 @@ import { type ChannelClip, restChannel, SAMPLED } from '../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import { type Character, isBvh, shownClip } from '../model/document.ts';
 import { firstDofs, rootDofCount } from '../model/dofs.ts';
-import type { Figure } from '../model/files.ts';
+import type { CapturedFigure } from '../model/files.ts';
 import { bvhChannelsOf, dofsOf, isOfBvh, stretches } from '../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../model/skeleton.ts';
@@ -27,7 +27,7 @@ import { keyFrames } from './key-frames.ts';
 import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
 
 export interface BvhFigure {
-  readonly figure: Figure;
+  readonly figure: CapturedFigure;
   /** What BVH can't hold. */
   readonly diagnostics: readonly Diagnostic[];
 }

@@ -12,7 +12,7 @@ import type { JointMotion } from './motions/motion.ts';
 import { bvhMotion, freeMotion } from './motions/moving.ts';
 import { factorOf, productOf, universalMotion } from './motions/product.ts';
 import { QUATERNION } from './motions/quaternion.ts';
-import { SHEAR, scaleMotion } from './motions/scale.ts';
+import { SHEAR_MOTION, scaleMotion } from './motions/scale.ts';
 
 type Rules = { readonly [K in Motion['kind']]: (motion: Extract<Motion, { kind: K }>) => JointMotion };
 
@@ -26,7 +26,7 @@ const MOTION_RULES: Rules = {
   free: ({ order }) => freeMotion(order),
   screw: ({ axis, pitch }) => screwMotion(axis, pitch),
   scale: ({ mode, axis }) => scaleMotion(mode, axis),
-  shear: () => SHEAR,
+  shear: () => SHEAR_MOTION,
   fixed: () => FIXED,
   compound: ({ dofs }) => productOf(dofs.map(factorOf)),
   bvh: bvhMotion,

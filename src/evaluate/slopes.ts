@@ -1,5 +1,5 @@
 /** What tangents come to: a slope on each side of a key, whatever kind of tangent says so. */
-import { FIXED, FLAT, type Keys, LINEAR, SMOOTH, type Tangents } from '../model/clip.ts';
+import { FIXED_TANGENT, FLAT, type Keys, LINEAR, SMOOTH, type Tangents } from '../model/clip.ts';
 
 /** The slopes that a channel's tangents come to, in value per second, one a key. */
 export interface Slopes {
@@ -27,7 +27,7 @@ export function slope(keys: Keys, k: number, side: Tangents): number {
   const last = keys.times.length - 1;
   const kind = side.kinds[k];
   if (kind === FLAT) return 0;
-  if (kind === FIXED) return side.slopes[k];
+  if (kind === FIXED_TANGENT) return side.slopes[k];
   // The ends have one neighbour, so there both kinds and both sides mean the same segment.
   if (k === 0) return secant(keys, 0, Math.min(1, last));
   if (k === last) return secant(keys, last - 1, last);

@@ -9,7 +9,7 @@
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from '../model/clip.ts';
 import { DEFAULT_SPACE, type Space } from '../model/document.ts';
-import type { Figure } from '../model/files.ts';
+import type { CapturedFigure } from '../model/files.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { forFrames } from './figure-frames.ts';
 import { compileSkeleton, worldMatrices } from './kinematics.ts';
@@ -69,7 +69,7 @@ export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): S
 }
 
 /** Of figures that are in one file together, and so in one space: that of the tallest. */
-export function guessSharedSpace(figures: readonly Figure[]): Space {
+export function guessSharedSpace(figures: readonly CapturedFigure[]): Space {
   const heights = figures.map(({ skeleton, clip }) => {
     const frames = framesOf(skeleton, clip);
     return heightOf(frames, clip !== undefined, upOf(skeleton, frames) === 'z' ? 2 : 1);

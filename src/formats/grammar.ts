@@ -3,10 +3,10 @@ import type { Place } from './places.ts';
 import type { Keywords, NumberSink, Tokens } from './tokens.ts';
 
 /** A part of a grammar: suspends when the bytes run out. */
-export type Part<T> = Generator<void, T, void>;
+export type GrammarPart<T> = Generator<void, T, void>;
 
 /** `wasp.skin` → `wasp`: what a model is named after. */
-export function stemOf(fileName: string): string {
+export function stemOfName(fileName: string): string {
   const base = fileName.slice(Math.max(fileName.lastIndexOf('/'), fileName.lastIndexOf('\\')) + 1);
   const dot = base.lastIndexOf('.');
   return dot > 0 ? base.slice(0, dot) : base;
@@ -26,7 +26,7 @@ export function looksNumeric(t: Tokens): boolean {
  * One number. What is no number counts as 0 and is an error; where nothing stands that was meant to be one, the result
  * is undefined and the token is left for what comes next.
  */
-export function* number(t: Tokens, what: string, keywords: Keywords): Part<number | undefined> {
+export function* number(t: Tokens, what: string, keywords: Keywords): GrammarPart<number | undefined> {
   yield* t.next();
   const value = t.value();
   if (value - value === 0) return value;
@@ -40,7 +40,12 @@ export function* number(t: Tokens, what: string, keywords: Keywords): Part<numbe
 }
 
 /** So many numbers in a row, 0 for those that are missing. */
-export function* numbers(t: Tokens, count: number, what: (i: number) => string, keywords: Keywords): Part<number[]> {
+export function* numbers(
+  t: Tokens,
+  count: number,
+  what: (i: number) => string,
+  keywords: Keywords,
+): GrammarPart<number[]> {
   const all = new Array<number>(count).fill(0);
   for (let i = 0; i < count; i++) {
     const value = yield* number(t, what(i), keywords);
@@ -56,7 +61,7 @@ export function* numberRun(
   kept: number,
   what: string,
   keywords: Keywords,
-): Part<{ all: number[]; found: number }> {
+): GrammarPart<{ all: number[]; found: number }> {
   const all: number[] = [];
   let found = 0;
   for (;;) {
@@ -75,7 +80,7 @@ export function* numberRun(
 }
 
 /** `N {`. A count is a hint only: whatever it is, what is there is used. Undefined when there is no usable count. */
-export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): Part<number | undefined> {
+export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): GrammarPart<number | undefined> {
   let count = yield* number(t, `the number of ${what}`, keywords);
   if (count !== undefined && count % 1 !== 0) {
     t.error('count-fractional', `Expected a whole number of ${what}, found ${t.found()}.`);
@@ -86,7 +91,7 @@ export function* countAndBrace(t: Tokens, what: string, keywords: Keywords): Par
 }
 
 /** A `{`; without one, goes on as if it were there. */
-export function* openBrace(t: Tokens, after: string): Part<void> {
+export function* openBrace(t: Tokens, after: string): GrammarPart<void> {
   if ((yield* t.next()) === '{') return;
   t.error('brace-missing', `Expected "{" after ${after}, found ${t.found()}.`);
   t.again();
@@ -99,7 +104,7 @@ export function checkCount(t: Tokens, what: string, declared: number | undefined
 }
 
 /** The token at hand is nothing that belongs into `where`: one warning for equal ones, and on behind it. */
-export function* skipStrange(t: Tokens, where: string, expected: string): Part<void> {
+export function* skipStrange(t: Tokens, where: string, expected: string): GrammarPart<void> {
   const message = () => `Expected ${expected} in ${where}, found ${t.found()}.`;
   if (t.kind === '{') {
     t.warn('brace-unexpected', message(), 'skipped to its "}"');
@@ -135,7 +140,7 @@ export function nextLength(length: number, needed: number, expected: number): nu
 const LARGE = 1 << 20;
 
 /** A growing list of numbers, read straight into place: `positions` and its kin. */
-export class Numbers implements NumberSink {
+export class NumberList implements NumberSink {
   values: Float64Array;
   count = 0;
   readonly usesUp = false;
@@ -162,9 +167,9 @@ export class Numbers implements NumberSink {
 }
 
 /** `N { x y z … }`: rows of so many numbers. The keyword is at hand. */
-export function* rows(t: Tokens, what: string, width: number, keywords: Keywords): Part<Float64Array> {
+export function* rows(t: Tokens, what: string, width: number, keywords: Keywords): GrammarPart<Float64Array> {
   const declared = yield* countAndBrace(t, what, keywords);
-  const sink = new Numbers(t, declared === undefined ? undefined : declared * width);
+  const sink = new NumberList(t, declared === undefined ? undefined : declared * width);
   yield* t.numbers(sink, what, keywords);
   checkRows(t, what, width, declared, sink.count);
   return sink.all();

@@ -15,7 +15,7 @@ import { LF, tokenEnd } from './scan.ts';
  */
 export type TakePiece = (bytes: Uint8Array, from: number, to: number) => number;
 
-export class Pieces {
+export class BytePieces {
   private carry = new Uint8Array(0);
   private carried = 0;
   /** The next piece has to end with a line. */

@@ -43,7 +43,7 @@ export interface Place {
 /** What concerns a file as a whole, such as that it is empty. */
 export const WHOLE_FILE: Place = { line: 1, column: 1 };
 /** What has no place in a file. */
-export const NOWHERE: Place = { line: 0, column: 0 };
+export const NO_PLACE: Place = { line: 0, column: 0 };
 
 interface Unfinished {
   readonly place: Place;

@@ -9,8 +9,8 @@
  */
 import type { Severity } from '../model/diagnostic.ts';
 import { parseDecimal } from './decimal.ts';
-import { lineEnd, Pieces } from './pieces.ts';
-import { NOWHERE, type Place, Places } from './places.ts';
+import { BytePieces, lineEnd } from './pieces.ts';
+import { NO_PLACE, type Place, Places } from './places.ts';
 import { ParseError, Report } from './report.ts';
 import { AT_END, type BlockWords, CLOSED, CR, FULL, LF, type Scan, scanNumbers, tokenEnd } from './scan.ts';
 import { LONGEST_KEYWORD, textOf, whyNoNumber } from './words.ts';
@@ -75,7 +75,7 @@ export class Tokens {
   /** The offset in the file of the next piece's first byte. */
   private base = 0;
   private isFirstPiece = true;
-  private readonly pieces = new Pieces();
+  private readonly pieces = new BytePieces();
   /** From where the grammar wants the rest of a line in one piece; -1: it does not. */
   private lineFrom = -1;
   private marks: Mark[] = [];
@@ -214,7 +214,7 @@ export class Tokens {
 
   /** For a diagnostic of that severity: without a search where it would only be counted. */
   placeOf(mark: Mark, severity?: Severity): Place {
-    if (severity && !mark.place && !this.report.hasRoom(severity)) return NOWHERE;
+    if (severity && !mark.place && !this.report.hasRoom(severity)) return NO_PLACE;
     mark.place ??= this.places.place(mark.offset, mark.keepsLine);
     return mark.place;
   }
@@ -478,18 +478,18 @@ export class Tokens {
   /** An error at the token at hand. */
   error(code: string, message: string): void {
     // Beyond what is kept, a place is not worth finding.
-    this.report.error(code, message, this.report.hasRoom('error') ? this.place() : NOWHERE);
+    this.report.error(code, message, this.report.hasRoom('error') ? this.place() : NO_PLACE);
   }
 
   /** A warning there. */
   warn(code: string, message: string, assumed?: string): void {
-    this.report.warn(code, message, this.report.hasRoom('warning') ? this.place() : NOWHERE, assumed);
+    this.report.warn(code, message, this.report.hasRoom('warning') ? this.place() : NO_PLACE, assumed);
   }
 
   /** A warning there that may come often: `key` tells which ones are equal, and `message` is asked for the first. */
   warnOnce(code: string, key: string, message: () => string, assumed: string): void {
     if (this.report.foldsInto(code, key)) return;
-    const place = this.report.hasRoom('warning') ? this.place() : NOWHERE;
+    const place = this.report.hasRoom('warning') ? this.place() : NO_PLACE;
     this.report.warnFolded(code, key, message(), place, assumed);
   }
 

@@ -7,7 +7,7 @@
  */
 import type { Diagnostic } from '../model/diagnostic.ts';
 import { oneToken, restOfLine, wellFormed } from '../model/written-names.ts';
-import { NOWHERE } from './places.ts';
+import { NO_PLACE } from './places.ts';
 import type { WriteResult } from './reader.ts';
 import { Report } from './report.ts';
 
@@ -55,7 +55,7 @@ export class Text {
     this.report.warn(
       'number-not-finite',
       `Found the value ${value}, which the format can't store.`,
-      NOWHERE,
+      NO_PLACE,
       'wrote 0',
     );
     return '0';
@@ -81,18 +81,18 @@ export class Text {
 
   /** What the model has and the format has no place for, as an info. */
   left(code: string, message: string): void {
-    this.report.info(code, message, NOWHERE, 'left out');
+    this.report.info(code, message, NO_PLACE, 'left out');
   }
 
   /** What could not be written in the form that it came from, as an info. */
   changedForm(message: string): void {
-    this.report.info('form-changed', message, NOWHERE, 'wrote the hierarchy form');
+    this.report.info('form-changed', message, NO_PLACE, 'wrote the hierarchy form');
   }
 
   private changed(name: string, fit: string, what: string): string {
     if (fit !== name) {
       const message = `The ${what} ${JSON.stringify(name)} can't be written as it is.`;
-      this.report.info('name-changed', message, NOWHERE, `wrote ${JSON.stringify(fit)}`);
+      this.report.info('name-changed', message, NO_PLACE, `wrote ${JSON.stringify(fit)}`);
     }
     return fit;
   }

@@ -71,7 +71,7 @@ export const FLAT = 0;
 export const LINEAR = 1;
 export const SMOOTH = 2;
 /** A number in the file: the slope itself. */
-export const FIXED = 3;
+export const FIXED_TANGENT = 3;
 
 export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
 export type Extrapolation = (typeof EXTRAPOLATIONS)[number];

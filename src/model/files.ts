@@ -28,12 +28,12 @@ export type FileContent =
   | { readonly kind: 'morph'; readonly morph: Morph }
   | { readonly kind: 'anim'; readonly clip: ChannelClip }
   | { readonly kind: 'rig'; readonly rig: Rig }
-  | { readonly kind: 'bvh'; readonly figures: readonly Figure[] }
+  | { readonly kind: 'bvh'; readonly figures: readonly CapturedFigure[] }
   | { readonly kind: 'pose'; readonly poses: readonly PoseByNames[] }
   | { readonly kind: 'texture'; readonly texture: Texture };
 
 /** One `ROOT` of a motion capture file: a skeleton, and how it moves; no clip where the file has no frames. */
-export interface Figure {
+export interface CapturedFigure {
   readonly skeleton: Skeleton;
   readonly clip?: ChannelClip;
 }

@@ -8,7 +8,7 @@
  */
 import { savesAsAxisAngle } from './axis-angle.ts';
 import type { ChannelClip } from './clip.ts';
-import { type Figure, type SourceFile, sameName } from './files.ts';
+import { type CapturedFigure, type SourceFile, sameName } from './files.ts';
 import type { Morph } from './morph.ts';
 import type { NamedPose } from './poses.ts';
 import type { Skeleton } from './skeleton.ts';
@@ -20,7 +20,7 @@ export interface PartContents {
   readonly skin: Skin;
   readonly morph: Morph;
   readonly anim: ChannelClip;
-  readonly bvh: Figure;
+  readonly bvh: CapturedFigure;
   readonly pose: PoseLibrary;
 }
 

@@ -12,7 +12,7 @@ import type { Sample } from './sample.ts';
 import { walkerSample } from './walker/walker.ts';
 
 /** One entry of `samples.json`, which the page's menu reads. */
-export interface SampleEntry {
+export interface SampleListing {
   readonly id: string;
   readonly label: string;
   readonly description: string;
@@ -27,7 +27,7 @@ export function makeSamples(): readonly Sample[] {
 }
 
 /** A sample's files by name, the rig first. */
-export function filesOf(sample: Sample): Map<string, string | Uint8Array> {
+export function sampleFiles(sample: Sample): Map<string, string | Uint8Array> {
   const { id, skeleton, skin, morphs, clip, rig, textures } = sample;
   const files = new Map<string, string | Uint8Array>([[`${id}.rig`, writeRig(rig).text]]);
   files.set(`${skeleton.name}.skel`, writeSkel([skeleton]).text);
@@ -40,10 +40,10 @@ export function filesOf(sample: Sample): Map<string, string | Uint8Array> {
 
 /** All files of the samples' folder by name, its `samples.json` first. */
 export function sampleFolder(): Map<string, string | Uint8Array> {
-  const entries: SampleEntry[] = [];
+  const entries: SampleListing[] = [];
   const files = new Map<string, string | Uint8Array>();
   for (const sample of makeSamples()) {
-    const own = filesOf(sample);
+    const own = sampleFiles(sample);
     const { id, label, description, shows } = sample;
     entries.push({ id, label, description, files: [...own.keys()], ...(shows && { shows }) });
     for (const [name, content] of own) files.set(name, content);

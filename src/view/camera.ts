@@ -21,13 +21,13 @@ import type { Vec3 } from '../math/vec3.ts';
 import { CameraTravel, newView, PressWatch, type View } from './camera-travel.ts';
 import { Grid } from './grid.ts';
 
-export type Side = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
+export type ViewDirection = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
 
 /**
  * Azimuth and polar angle (from +y) that look from each side. A character's left is at +x when it faces +z. From above,
  * x is to the right and −z up; from below, x to the right and z up.
  */
-export const SIDES: Readonly<Record<Side, readonly [azimuth: number, polar: number]>> = {
+export const VIEW_DIRECTIONS: Readonly<Record<ViewDirection, readonly [azimuth: number, polar: number]>> = {
   front: [0, Math.PI / 2],
   back: [Math.PI, Math.PI / 2],
   left: [Math.PI / 2, Math.PI / 2],
@@ -190,9 +190,9 @@ export class CameraRig {
     this.go(to, smoothly);
   }
 
-  lookFrom(side: Side): void {
+  lookFrom(side: ViewDirection): void {
     const to = this.goal();
-    [to.azimuth, to.polar] = SIDES[side];
+    [to.azimuth, to.polar] = VIEW_DIRECTIONS[side];
     this.go(to, true);
   }
 

@@ -78,7 +78,7 @@ export const sizesFor = perObject((skeleton: Skeleton) => jointSizes(skeleton));
 export const nodesFor = perObject(nodesOf);
 
 /** Gives each skeleton its instances, one after the other. */
-export function layOut(skeletons: readonly PosedSkeleton[]): DrawnSkeleton[] {
+export function assignInstances(skeletons: readonly PosedSkeleton[]): DrawnSkeleton[] {
   let next = 0;
   return skeletons.map((posed) => {
     const [sizes, nodes] = [sizesFor(posed.skeleton), nodesFor(posed.skeleton)];

@@ -8,7 +8,7 @@ import type { Selection } from '../model/session.ts';
 import type { CameraRig } from './camera.ts';
 import { sizesFor } from './drawn-skeletons.ts';
 import type { PickedCopy } from './picked-copy.ts';
-import { type Shown, type ShownCharacters, vertexPosition } from './shown-characters.ts';
+import { type ShownCharacter, type ShownCharacters, vertexPosition } from './shown-characters.ts';
 import type { SkeletonDrawing } from './skeleton-drawing.ts';
 import { isWellSeen } from './well-seen.ts';
 
@@ -96,7 +96,7 @@ export class Framer {
 }
 
 /** Of a sphere around a joint that shows it with its neighbours, in the world. */
-function jointRadius({ character, placements }: Shown, copy: number, joint: number): number {
+function jointRadius({ character, placements }: ShownCharacter, copy: number, joint: number): number {
   const { skeleton } = character;
   if (!skeleton) return 1;
   let reach = 0.06 * sizesFor(skeleton).extent;

@@ -25,7 +25,7 @@ import { carrierOf, groundTravel } from '../evaluate/travel.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { Display } from '../model/session.ts';
 import { nodesFor, sizesFor } from './drawn-skeletons.ts';
-import { fillBones, placePoints, scaleOf } from './node-matrices.ts';
+import { fillBones, placementScale, placePoints } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 
@@ -124,7 +124,7 @@ export class Ghosts {
       for (const place of placements) {
         placementMatrix(place, character.space, display.inPlace ? travel : NO_TRAVEL, placement);
         placePoints(nodes, placement, 0, world, placed);
-        const scale = scaleOf(placement, 0);
+        const scale = placementScale(placement, 0);
         fillBones(nodes, compiled.parent, sizes, scale, placed, matricesOf(balls), matricesOf(bones), first);
         for (let n = first; n < first + nodes.count; n++) tint.setXYZW(n, color.r, color.g, color.b, opacity);
         first += nodes.count;

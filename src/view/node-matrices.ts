@@ -114,7 +114,7 @@ function placePoint(m: Float64Array, p: number, x: number, y: number, z: number,
 }
 
 /** A placement's scale, which balls and thicknesses take part in: the length of its x column. */
-export function scaleOf(placements: Float64Array, p: number): number {
+export function placementScale(placements: Float64Array, p: number): number {
   const x = placements[p];
   const y = placements[p + 1];
   const z = placements[p + 2];

@@ -5,7 +5,7 @@
  *     x right side … a button's place is the axis in the camera's space:  (m · e).xy,  behind where z is smaller
  */
 import type { Camera } from 'three';
-import type { Side } from './camera.ts';
+import type { ViewDirection } from './camera.ts';
 import type { StageTheme } from './theme.ts';
 
 const SIZE = 76;
@@ -14,7 +14,7 @@ const ARM = 27;
 const SVG = 'http://www.w3.org/2000/svg';
 
 interface Arm {
-  readonly side: Side;
+  readonly side: ViewDirection;
   readonly axis: 0 | 1 | 2;
   readonly sign: 1 | -1;
   readonly label: string;
@@ -36,7 +36,7 @@ export class Orientation {
   private readonly last = new Float64Array(9).fill(Number.NaN);
   private colors: readonly string[] = ['', '', ''];
 
-  constructor(lookFrom: (side: Side) => void) {
+  constructor(lookFrom: (side: ViewDirection) => void) {
     const { element } = this;
     element.setAttribute('role', 'group');
     element.setAttribute('aria-label', 'Look along an axis');

@@ -12,7 +12,7 @@ import type { PosedSkeleton } from './drawn-skeletons.ts';
 import type { Tints } from './theme.ts';
 
 /** A character's view, with what is drawn of it elsewhere. */
-export interface Shown {
+export interface ShownCharacter {
   readonly view: CharacterView;
   character: Character;
   /** 16 a placement: see `placements.ts`. */
@@ -27,11 +27,11 @@ const FRAMED_MOMENTS = 16;
 const MAX_ROOM = 3;
 
 export class ShownCharacters {
-  private readonly byId = new Map<string, Shown>();
+  private readonly byId = new Map<string, ShownCharacter>();
   /** The same, as a list: walking it allocates nothing. */
-  all: readonly Shown[] = [];
+  all: readonly ShownCharacter[] = [];
   /** Those that are not hidden. */
-  visible: readonly Shown[] = [];
+  visible: readonly ShownCharacter[] = [];
   /** Around all that is visible, as of the last `place`. */
   readonly content = new Box3();
   private readonly room = new Box3();
@@ -48,15 +48,15 @@ export class ShownCharacters {
   constructor(
     private readonly parent: Group,
     private readonly create: (id: string) => CharacterView,
-    private readonly prepare: (entry: Shown) => void,
+    private readonly prepare: (entry: ShownCharacter) => void,
   ) {}
 
-  get(id: string | undefined): Shown | undefined {
+  get(id: string | undefined): ShownCharacter | undefined {
     return id === undefined ? undefined : this.byId.get(id);
   }
 
   /** One that can be seen. */
-  seen(id: string | undefined): Shown | undefined {
+  seen(id: string | undefined): ShownCharacter | undefined {
     const entry = this.get(id);
     return entry?.character.isHidden ? undefined : entry;
   }
@@ -159,7 +159,7 @@ export class ShownCharacters {
 
 /** Where a skin's vertex is drawn, in the world; false where there is none. */
 export function vertexPosition(
-  { view, character, placements }: Shown,
+  { view, character, placements }: ShownCharacter,
   vertex: number,
   placement: number,
   out: Vector3,

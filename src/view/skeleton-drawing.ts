@@ -20,20 +20,20 @@ import { axesMatrix, boxMatrix } from '../evaluate/shapes/joint-shapes.ts';
 import { areBoxesPlain, hasAllBoxes, hasBox, hasBoxes } from '../model/boxes.ts';
 import { DEFAULT_DISPLAY, type Display, type Selection, type SkinStyle } from '../model/session.ts';
 import {
+  assignInstances,
   boneOwner,
   type DrawnSkeleton,
   instanceOf,
   instancesOf,
   type JointRef,
   jointAt,
-  layOut,
   ownerOf,
   type PosedSkeleton,
 } from './drawn-skeletons.ts';
 import { InstancedKind, meshIdMaterial } from './instanced-kind.ts';
 import { JointMarkers, paintAxes } from './joint-markers.ts';
 import { drawnByNodes, NODE_STRIDE, NodeBuffer, type NodeShape } from './node-buffer.ts';
-import { fillNodes, placeNodes, placePositions, scaleOf } from './node-matrices.ts';
+import { fillNodes, placementScale, placeNodes, placePositions } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
 import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
@@ -124,7 +124,7 @@ export class SkeletonDrawing {
 
   /** After an edit: which skeletons there are, what of them is drawn, and what is selected. */
   show(skeletons: readonly PosedSkeleton[], display: Display, selection: Selection, theme: StageTheme): void {
-    this.drawn = layOut(skeletons);
+    this.drawn = assignInstances(skeletons);
     this.instanceCount = instancesOf(this.drawn);
     const most = this.drawn.reduce((nodes, d) => Math.max(nodes, d.nodes.count), 0);
     if (this.positions.length < 3 * this.instanceCount) this.positions = new Float64Array(3 * this.instanceCount);
@@ -189,7 +189,7 @@ export class SkeletonDrawing {
     const { joints } = skeleton;
     const { count, jointCount } = nodes;
     const first = firstInstance + p * count;
-    const scale = scaleOf(placements, 16 * p);
+    const scale = placementScale(placements, 16 * p);
     const { joint } = selection;
     const isMarked = joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId;
     // Balls and bones say where joints are, everything else how they are turned too.

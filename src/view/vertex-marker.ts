@@ -1,7 +1,7 @@
 /** The circle around the picked vertex of a skin, in each placement of its character. */
 import { InstancedBufferAttribute, Vector3 } from 'three';
 import { dots } from './dots.ts';
-import { type Shown, vertexPosition } from './shown-characters.ts';
+import { type ShownCharacter, vertexPosition } from './shown-characters.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 
@@ -20,7 +20,7 @@ export class VertexMarker {
   }
 
   /** Marks a vertex where it is drawn now; nothing where there is none. */
-  mark(entry: Shown | undefined, vertex: number | undefined): void {
+  mark(entry: ShownCharacter | undefined, vertex: number | undefined): void {
     const { object, point } = this;
     const count = entry && vertex !== undefined ? entry.character.placements.length : 0;
     object.visible = false;

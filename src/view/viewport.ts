@@ -12,7 +12,7 @@ import type { Character, Document } from '../model/document.ts';
 import { characterIdOf } from '../model/drawn-id.ts';
 import type { Texture } from '../model/files.ts';
 import { DEFAULT_DISPLAY, type Display, NOTHING_SELECTED, type Selection } from '../model/session.ts';
-import { CameraRig, type CameraView, type Side } from './camera.ts';
+import { CameraRig, type CameraView, type ViewDirection } from './camera.ts';
 import { CharacterView } from './character-view.ts';
 import { haveSameJoints, type JointRef, type PosedSkeleton } from './drawn-skeletons.ts';
 import { Eye } from './eye.ts';
@@ -25,7 +25,7 @@ import { Orientation } from './orientation.ts';
 import { type Overlay, Overlays } from './overlay.ts';
 import { PickedCopy } from './picked-copy.ts';
 import { type DrawnSkin, type Hit, Picker, type PickScene } from './picking.ts';
-import { type Shown, ShownCharacters, vertexPosition } from './shown-characters.ts';
+import { type ShownCharacter, ShownCharacters, vertexPosition } from './shown-characters.ts';
 import { isOpaque, SkeletonDrawing } from './skeleton-drawing.ts';
 import { Stage } from './stage.ts';
 import { NO_TINTS, STAGE_THEMES, type ThemeName, type Tints } from './theme.ts';
@@ -237,7 +237,7 @@ export class Viewport {
     this.requestRender();
   }
 
-  lookFrom(side: Side): void {
+  lookFrom(side: ViewDirection): void {
     this.rig.lookFrom(side);
   }
 
@@ -385,7 +385,7 @@ export class Viewport {
     return view;
   }
 
-  private prepare(entry: Shown): void {
+  private prepare(entry: ShownCharacter): void {
     entry.view.prepare().then(
       () => {
         this.posesChanged = true;

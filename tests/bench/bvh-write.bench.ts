@@ -5,13 +5,13 @@
  */
 import { bench, describe } from 'vitest';
 import { writeBvhPieces } from '../../src/formats/bvh/write.ts';
-import type { Figure } from '../../src/model/files.ts';
+import type { CapturedFigure } from '../../src/model/files.ts';
 import { bvhFigure, bvhJoint } from '../helpers/bvh.ts';
 
 const FRAMES = 5000;
 const JOINTS = 60;
 
-function figure(print: (value: number) => number): Figure {
+function figure(print: (value: number) => number): CapturedFigure {
   const joints = Array.from({ length: JOINTS }, (_, j) => bvhJoint(j - 1, ['rz', 'rx', 'ry'], { name: `j${j}` }));
   const rows = Array.from({ length: FRAMES }, (_, f) =>
     Array.from({ length: 3 * JOINTS }, (_, k) => print(90 * Math.sin((f * (k + 1)) / 500 + k))),
@@ -19,13 +19,13 @@ function figure(print: (value: number) => number): Figure {
   return bvhFigure({ name: 'take', joints }, rows);
 }
 
-function ours(written: Figure): number {
+function ours(written: CapturedFigure): number {
   let bytes = 0;
   for (const piece of writeBvhPieces([written]).pieces) bytes += piece.length;
   return bytes;
 }
 
-function bare({ clip }: Figure): number {
+function bare({ clip }: CapturedFigure): number {
   const values = clip?.samples?.values ?? new Float64Array(0);
   const row: string[] = new Array(3 * JOINTS);
   let length = 0;

@@ -12,7 +12,7 @@ import {
 import { pasteKeys } from '../../src/edit/commands/paste.ts';
 import { setSlopes, setTangents, unifyTangents } from '../../src/edit/commands/tangents.ts';
 import { copyKeys } from '../../src/edit/keys/clipboard.ts';
-import { Store, withKeys } from '../../src/edit/store.ts';
+import { Store, withSelectedKeys } from '../../src/edit/store.ts';
 import { keysOf, restChannel } from '../../src/model/clip.ts';
 import { shownClip } from '../../src/model/document.ts';
 import { character, documentOf } from '../helpers/builders.ts';
@@ -53,7 +53,7 @@ describe('commands on keys', () => {
   it('leave the selection with the keys they were about, wherever these are', () => {
     const store = opened();
     const keys = [{ channel: 0, indices: [0] }];
-    store.select(withKeys(store.selection, keys));
+    store.select(withSelectedKeys(store.selection, keys));
     store.apply(moveKeys, { characterId, keys, seconds: 1.5 });
     expect(store.selection.keys).toEqual([{ channel: 0, indices: [1] }]);
     store.undo();
@@ -129,7 +129,7 @@ describe('commands on keys', () => {
   it('keep keys selected whose channel is extrapolated otherwise', () => {
     const store = opened();
     const keys = [{ channel: 0, indices: [1] }];
-    store.select(withKeys(store.selection, keys));
+    store.select(withSelectedKeys(store.selection, keys));
     store.apply(setExtrapolation, { characterId, channels: [0], side: 'out', extrapolation: 'cycle_offset' });
     expect(channelIn(store, 0)).toMatchObject({ extrapolateIn: 'constant', extrapolateOut: 'cycle_offset' });
     expect(store.selection.keys).toBe(keys);

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { resetPose, setClamping, setDofs } from '../../src/edit/commands/pose.ts';
 import { documentIn } from '../../src/edit/store.ts';
-import { dropUnkeyed } from '../../src/edit/unkeyed.ts';
+import { documentWithoutUnkeyed } from '../../src/edit/unkeyed.ts';
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
 import { keysOf, restChannel } from '../../src/model/clip.ts';
 import { character, clip, documentOf, joint, morph } from '../helpers/builders.ts';
@@ -80,13 +80,13 @@ describe('what is set by hand over a clip', () => {
   it('what is set by hand over a clip is no part of the pose, and leaves no trace when it goes', () => {
     const once = set(playing, 3, 0.25, 1.5);
     expect(poseOf(once)).toEqual(poseOf(playing));
-    expect(dropUnkeyed(once, 2).characters[0]).toEqual(playing.characters[0]);
+    expect(documentWithoutUnkeyed(once, 2).characters[0]).toEqual(playing.characters[0]);
   });
 
   it('what is set by hand over a clip goes when time moves on', () => {
     const once = set(playing, 3, 0.25, 1.5);
-    expect(dropUnkeyed(once, 1.5)).toBe(once);
-    expect(dropUnkeyed(once, 1.6).characters[0].unkeyed).toBeUndefined();
+    expect(documentWithoutUnkeyed(once, 1.5)).toBe(once);
+    expect(documentWithoutUnkeyed(once, 1.6).characters[0].unkeyed).toBeUndefined();
   });
 });
 

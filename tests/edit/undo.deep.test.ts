@@ -6,7 +6,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { COMMANDS_BY_ID } from '../../src/edit/commands/all.ts';
 import type { State } from '../../src/edit/history.ts';
-import { CommandError, Store, withKeys } from '../../src/edit/store.ts';
+import { CommandError, Store, withSelectedKeys } from '../../src/edit/store.ts';
 import { type Channel, followingSamples, restChannel } from '../../src/model/clip.ts';
 import { type Document, findCharacter, shownClip } from '../../src/model/document.ts';
 import { RADIANS_PER_DEGREE, type Samples } from '../../src/model/samples.ts';
@@ -180,7 +180,7 @@ function between({ store }: Watched, dice: Dice): void {
   // Keys are of the character that is selected, which may be one that was just made.
   const selected = findCharacter(store.document, store.selection.characterId);
   const clip = selected && shownClip(selected);
-  if (clip && dice.is(0.6)) store.select(withKeys(store.selection, someKeys(clip, dice)));
+  if (clip && dice.is(0.6)) store.select(withSelectedKeys(store.selection, someKeys(clip, dice)));
 }
 
 const start = fc.option(fc.array(channelsOrRest({ steps: true, maxLength: 5 }), { maxLength: 6 }), { nil: undefined });

@@ -7,7 +7,7 @@ import {
   type Channel,
   EXTRAPOLATIONS,
   type Extrapolation,
-  FIXED,
+  FIXED_TANGENT,
   type KeyedChannel,
   keysOf,
   restChannel,
@@ -28,7 +28,7 @@ function channel(
   const tangents = (side: 2 | 3) => ({
     kinds: Uint8Array.from(keys, (k) => {
       const tangent = k[side] ?? 'smooth';
-      return typeof tangent === 'number' ? FIXED : TANGENT_KINDS.indexOf(tangent);
+      return typeof tangent === 'number' ? FIXED_TANGENT : TANGENT_KINDS.indexOf(tangent);
     }),
     slopes: Float64Array.from(keys, (k) => (typeof k[side] === 'number' ? k[side] : 0)),
   });

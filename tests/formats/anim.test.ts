@@ -3,7 +3,7 @@ import { compileClip } from '../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../src/evaluate/curves.ts';
 import { readAnim } from '../../src/formats/anim/read.ts';
 import { writeAnim } from '../../src/formats/anim/write.ts';
-import { FIXED, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/clip.ts';
+import { FIXED_TANGENT, FLAT, keysOf, LINEAR, restChannel, SMOOTH } from '../../src/model/clip.ts';
 import { told } from './read-in-pieces.ts';
 
 const anim = (text: string) => readAnim(text, 'walk.anim');
@@ -25,8 +25,8 @@ describe('reading .anim', () => {
           extrapolateOut: 'bounce',
           times: Float64Array.of(0, 0.5, 1),
           values: Float64Array.of(1, -1, 3),
-          tangentsIn: { kinds: Uint8Array.of(FLAT, SMOOTH, FIXED), slopes: Float64Array.of(0, 0, -1e-3) },
-          tangentsOut: { kinds: Uint8Array.of(LINEAR, FIXED, FLAT), slopes: Float64Array.of(0, 2.5, 0) },
+          tangentsIn: { kinds: Uint8Array.of(FLAT, SMOOTH, FIXED_TANGENT), slopes: Float64Array.of(0, 0, -1e-3) },
+          tangentsOut: { kinds: Uint8Array.of(LINEAR, FIXED_TANGENT, FLAT), slopes: Float64Array.of(0, 2.5, 0) },
         },
       ],
     });

@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import { radiansOf } from '../../src/formats/skel/degrees.ts';
 import type { Vec3 } from '../../src/math/vec3.ts';
-import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED, type Tangents } from '../../src/model/clip.ts';
+import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED_TANGENT, type Tangents } from '../../src/model/clip.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
 import type { Morph, MorphRows } from '../../src/model/morph.ts';
 import type { Rig } from '../../src/model/rig.ts';
@@ -216,7 +216,7 @@ export const morph: fc.Arbitrary<Morph> = fc.record({
 const tangents = (length: number): fc.Arbitrary<Tangents> =>
   fc.array(fc.tuple(fc.nat(3), finite), { minLength: length, maxLength: length }).map((all) => ({
     kinds: Uint8Array.from(all.map(([k]) => k)),
-    slopes: Float64Array.from(all.map(([k, s]) => (k === FIXED ? s : 0))),
+    slopes: Float64Array.from(all.map(([k, s]) => (k === FIXED_TANGENT ? s : 0))),
   }));
 
 const extrapolations = {

@@ -1,7 +1,7 @@
 /** The real files of motion capture, read as the page reads them. */
 import { readdirSync } from 'node:fs';
 import { readWhole } from '../../src/formats/reader.ts';
-import type { Figure } from '../../src/model/files.ts';
+import type { CapturedFigure } from '../../src/model/files.ts';
 import { formatOf } from '../../src/project/open/readers.ts';
 import { hasShared, sharedBytes, sharedPath } from './shared.ts';
 
@@ -10,7 +10,7 @@ export const BVH_FILES: readonly string[] = hasShared
   ? readdirSync(sharedPath('data/bvh')).filter((name) => name.endsWith('.bvh'))
   : [];
 
-export function readFigures(name: string, bytes: Uint8Array | string): readonly Figure[] {
+export function readFigures(name: string, bytes: Uint8Array | string): readonly CapturedFigure[] {
   const format = formatOf(name);
   if (!format) throw new Error(`${name} has no reader.`);
   const { value, diagnostics } = readWhole(format.reader(name), bytes);
@@ -18,6 +18,6 @@ export function readFigures(name: string, bytes: Uint8Array | string): readonly 
   return value.figures;
 }
 
-export function sharedFigures(name: string): readonly Figure[] {
+export function sharedFigures(name: string): readonly CapturedFigure[] {
   return readFigures(name, sharedBytes(`data/bvh/${name}`));
 }

@@ -1,7 +1,7 @@
 /** Figures of BVH made by hand: a skeleton whose joints have channels, and rows of values in degrees. */
 import { restChannel, SAMPLED } from '../../src/model/clip.ts';
 import { rootDofCount } from '../../src/model/dofs.ts';
-import type { Figure } from '../../src/model/files.ts';
+import type { CapturedFigure } from '../../src/model/files.ts';
 import { dofsOf } from '../../src/model/joint-types.ts';
 import { RADIANS_PER_DEGREE } from '../../src/model/samples.ts';
 import { type BvhChannel, type Joint, type Skeleton, UNLIMITED } from '../../src/model/skeleton.ts';
@@ -18,7 +18,11 @@ export function bvhJoint(parent: number, channels: readonly BvhChannel[], more: 
 }
 
 /** @param rows a value a channel, in the file's units */
-export function bvhFigure(skeleton: Skeleton, rows: readonly (readonly number[])[], frameSeconds = 0.04): Figure {
+export function bvhFigure(
+  skeleton: Skeleton,
+  rows: readonly (readonly number[])[],
+  frameSeconds = 0.04,
+): CapturedFigure {
   const scales = skeleton.joints.flatMap(({ motion }) =>
     dofsOf(motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1)),
   );

@@ -1,6 +1,13 @@
 /** What holds for every document, whatever was done to it. */
 import { dofCountOf, poseAt } from '../../src/evaluate/pose.ts';
-import { type Channel, type ChannelClip, EXTRAPOLATIONS, FIXED, keysOf, TANGENT_KINDS } from '../../src/model/clip.ts';
+import {
+  type Channel,
+  type ChannelClip,
+  EXTRAPOLATIONS,
+  FIXED_TANGENT,
+  keysOf,
+  TANGENT_KINDS,
+} from '../../src/model/clip.ts';
 import { couplesOf } from '../../src/model/couples.ts';
 import { type Character, type Document, shownClip } from '../../src/model/document.ts';
 import { characterDofs } from '../../src/model/dofs.ts';
@@ -167,7 +174,7 @@ export function checkChannel(channel: Channel, where = 'the channel'): void {
   must(EXTRAPOLATIONS.includes(extrapolateIn) && EXTRAPOLATIONS.includes(extrapolateOut), `${where} extrapolates`);
   for (const { kinds, slopes } of [tangentsIn, tangentsOut]) {
     must(
-      kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED || slopes[k] === 0)),
+      kinds.every((kind, k) => kind < TANGENT_KINDS.length && (kind === FIXED_TANGENT || slopes[k] === 0)),
       `${where} has slopes where they are fixed`,
     );
     must(allFinite(slopes), `${where} has finite slopes`);

@@ -14,7 +14,7 @@ import { firstDofs, jointDofCount } from '../../src/model/dofs.ts';
 import { jointTypeOf } from '../../src/model/joint-types.ts';
 import { SCALE_MODES } from '../../src/model/skeleton.ts';
 import type { Sample } from '../../src/samples/sample.ts';
-import { filesOf, makeSamples, type SampleEntry, sampleFolder } from '../../src/samples/samples.ts';
+import { makeSamples, type SampleListing, sampleFiles, sampleFolder } from '../../src/samples/samples.ts';
 
 const FOLDER = fileURLToPath(new URL('../../public/samples/', import.meta.url));
 const samples = makeSamples();
@@ -47,7 +47,7 @@ describe('the folder of samples', () => {
 
   it('lists every file of every sample, the walker first', () => {
     // The list is JSON that the code itself wrote.
-    const entries = JSON.parse(String(folder.get('samples.json'))) as SampleEntry[];
+    const entries = JSON.parse(String(folder.get('samples.json'))) as SampleListing[];
     expect(entries.map((e) => e.id)).toEqual(['walker', 'crawler', 'joints', 'tangents', 'cube']);
     const listed = entries.flatMap((e) => e.files);
     expect(listed.toSorted()).toEqual([...folder.keys()].filter((n) => n !== 'samples.json').toSorted());
@@ -55,7 +55,7 @@ describe('the folder of samples', () => {
 });
 
 describe.each(samples.map((s) => [s.id, s] as const))('%s', (_id, sample) => {
-  const files = filesOf(sample);
+  const files = sampleFiles(sample);
 
   it('is read without a single diagnostic', () => {
     for (const [name, content] of files) expect(readAny(name, content)).toEqual([]);
@@ -184,7 +184,7 @@ describe('joint types', () => {
   });
 
   it('ask for their names to be shown', () => {
-    const entries: SampleEntry[] = JSON.parse(String(folder.get('samples.json')));
+    const entries: SampleListing[] = JSON.parse(String(folder.get('samples.json')));
     expect(entries.find(({ id }) => id === 'joints')?.shows).toEqual({ names: true });
     expect(new Set(skeleton.joints.map(({ name }) => name)).size).toBe(skeleton.joints.length);
   });

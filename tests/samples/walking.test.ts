@@ -6,13 +6,13 @@ import { clampDofs, compileSkeleton, worldMatrices } from '../../src/evaluate/ki
 import type { Vec3 } from '../../src/math/vec3.ts';
 import { firstDofs } from '../../src/model/dofs.ts';
 import type { Skin } from '../../src/model/skin.ts';
-import { CIRCLE as CRAWL_CIRCLE, LIFTS } from '../../src/samples/crawler/gait.ts';
+import { CRAWL_CIRCLE, LIFTS } from '../../src/samples/crawler/gait.ts';
 import { LEGS, TIBIA } from '../../src/samples/crawler/skeleton.ts';
 import { roundSeconds } from '../../src/samples/motion/circle.ts';
 import type { Sample } from '../../src/samples/sample.ts';
 import { makeSamples } from '../../src/samples/samples.ts';
 import { jointIndex, posedFrames } from '../../src/samples/shape/skeletons.ts';
-import { CIRCLE, FLAT_FROM, HEEL_LIFTS, TOE_LEAVES } from '../../src/samples/walker/gait.ts';
+import { FLAT_FROM, HEEL_LIFTS, TOE_LEAVES, WALK_CIRCLE } from '../../src/samples/walker/gait.ts';
 import { ANKLE_HEIGHT, HEEL_CONTACT, TOE_OFFSET } from '../../src/samples/walker/skeleton.ts';
 
 const samples = makeSamples();
@@ -67,7 +67,7 @@ const between = (from: number, to: number) => Array.from({ length: 60 }, (_, i) 
 describe('the walker', () => {
   const play = player(walker);
   const height = heightOf(walker);
-  const stride = CIRCLE.strideSeconds;
+  const stride = WALK_CIRCLE.strideSeconds;
   const feet = [
     ['_l', 0],
     ['_r', 0.5],
@@ -91,7 +91,7 @@ describe('the walker', () => {
   it('drives every morph through most of its range', () => {
     const first = walker.clip.channels.length - walker.morphs.length;
     const extremes = walker.morphs.map(() => [1, 0]);
-    for (const t of between(0, roundSeconds(CIRCLE)).flatMap((t) => between(t, t + 0.1))) {
+    for (const t of between(0, roundSeconds(WALK_CIRCLE)).flatMap((t) => between(t, t + 0.1))) {
       play.seek(t);
       extremes.forEach((e, m) => {
         e[0] = Math.min(e[0], play.dofs[first + m]);
@@ -113,7 +113,7 @@ describe('the walker', () => {
       play.seek(t);
       return play.point(`toe${suffix}`, [0, -ANKLE_HEIGHT - TOE_OFFSET[1], 0]);
     };
-    for (let k = 0; k < CIRCLE.strides; k++) {
+    for (let k = 0; k < WALK_CIRCLE.strides; k++) {
       const at = (phase: number) => (k + lag + phase) * stride;
       expect(slip(between(at(0), at(HEEL_LIFTS)), heel)).toBeLessThan(0.0025 * height);
       expect(slip(between(at(FLAT_FROM), at(TOE_LEAVES)), ball)).toBeLessThan(0.0025 * height);
@@ -173,7 +173,7 @@ describe('the walker', () => {
     const turns: Record<'head' | 'chest', number[]> = { head: [], chest: [] };
     for (const t of between(0, stride)) {
       play.seek(t);
-      const heading = (2 * Math.PI * t) / roundSeconds(CIRCLE);
+      const heading = (2 * Math.PI * t) / roundSeconds(WALK_CIRCLE);
       const ahead = (joint: string) => {
         const p = play.point(joint, [0, 0, 0]);
         return p[0] * Math.sin(heading) + p[2] * Math.cos(heading);

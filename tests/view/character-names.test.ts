@@ -1,7 +1,7 @@
 import { Matrix4, OrthographicCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import { placeName } from '../../src/view/character-names.ts';
-import { layOut } from '../../src/view/drawn-skeletons.ts';
+import { assignInstances } from '../../src/view/drawn-skeletons.ts';
 import { joint } from '../helpers/builders.ts';
 
 /** Ten units of the world are a picture of 1000 × 1000 pixels, the origin in its middle. */
@@ -10,7 +10,7 @@ const toClip = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.ma
 
 function place(points: readonly (readonly [number, number])[]): number[] | undefined {
   const joints = points.map((_, j) => joint(j - 1, { offset: [0, 1, 0] }));
-  const [drawn] = layOut([
+  const [drawn] = assignInstances([
     {
       characterId: 'c1',
       name: 'dancer',

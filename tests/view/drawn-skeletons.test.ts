@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import {
+  assignInstances,
   boneOwner,
   haveSameJoints,
   instanceOf,
   instancesOf,
   jointAt,
-  layOut,
   nodesFor,
   type PosedSkeleton,
 } from '../../src/view/drawn-skeletons.ts';
@@ -37,7 +37,7 @@ describe('the nodes of a skeleton', () => {
 });
 
 describe('instances of skeletons', () => {
-  const drawn = layOut([posed('a', figure(), 2), posed('b', skeleton(3))]);
+  const drawn = assignInstances([posed('a', figure(), 2), posed('b', skeleton(3))]);
 
   it('instances of skeletons are one for each node of each placement', () => {
     expect(instancesOf(drawn)).toBe(2 * 9 + 3);

@@ -15,7 +15,7 @@ import type { Observable } from '../../ui/kit/observable.ts';
 import type { KeptOffer } from '../../ui/state/kept-offer.ts';
 import type { Messages } from '../../ui/state/messages.ts';
 import type { Timeline } from '../../ui/state/timeline.ts';
-import type { Loading, Stage } from '../../ui/state/workbench.ts';
+import type { Loading, WorkbenchStage } from '../../ui/state/workbench.ts';
 import type { WorkerClient } from '../../worker/client.ts';
 import type { OpenedFiles, Opener } from '../opening.ts';
 import { isFull, Keeper } from './keeper.ts';
@@ -30,7 +30,7 @@ export interface AutosaveParts {
   readonly store: Store;
   readonly transport: Observable<Playback>;
   readonly timeline: Timeline;
-  readonly viewport: Pick<Stage, 'cameraView'>;
+  readonly viewport: Pick<WorkbenchStage, 'cameraView'>;
   readonly messages: Messages;
   readonly loading: Observable<Loading | undefined>;
   readonly kept: Observable<KeptOffer | undefined>;

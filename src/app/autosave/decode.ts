@@ -1,6 +1,6 @@
 /** The way back from what was kept to a session: the inverse of `encode.ts`. */
 import type { ParsedFile } from '../../model/files.ts';
-import { type Encoded, isNumbers, NUMBERS_TYPES, type Numbers, type StoredNumbers } from './encode.ts';
+import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encode.ts';
 import { formerColumn, inPresentForm } from './former-channels.ts';
 
 /** A session that can't be had back, in a sentence. */
@@ -24,7 +24,7 @@ export function storedNumbers(tree: Encoded): readonly StoredNumbers[] {
 }
 
 /** An array to be filled with what the pieces hold. */
-export function emptyNumbers({ type, bytes }: StoredNumbers): Numbers {
+export function emptyNumbers({ type, bytes }: StoredNumbers): StorableNumbers {
   const Type = NUMBERS_TYPES[type];
   return new Type(bytes / Type.BYTES_PER_ELEMENT);
 }
@@ -38,7 +38,7 @@ export function emptyNumbers({ type, bytes }: StoredNumbers): Numbers {
 export function decode(
   tree: Encoded,
   files: readonly ParsedFile[],
-  arrays: ReadonlyMap<StoredNumbers, Numbers>,
+  arrays: ReadonlyMap<StoredNumbers, StorableNumbers>,
 ): unknown {
   const values = new Map<object, unknown>();
   const valueAt = (node: Encoded): unknown => {
@@ -48,7 +48,7 @@ export function decode(
     values.set(node, value);
     return value;
   };
-  const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | Numbers>): unknown => {
+  const make = (node: Exclude<Encoded, undefined | null | boolean | number | string | StorableNumbers>): unknown => {
     switch (node.is) {
       case 'object':
         return inPresentForm(Object.fromEntries(Object.entries(node.of).map(([key, inner]) => [key, valueAt(inner)])));

@@ -16,7 +16,7 @@ export type Encoded =
   | boolean
   | number
   | string
-  | Numbers
+  | StorableNumbers
   | { readonly is: 'object'; readonly of: Readonly<Record<string, Encoded>> }
   | { readonly is: 'list'; readonly of: readonly Encoded[] }
   /** A list of nothing but numbers, texts and the like: as it is. */
@@ -37,7 +37,7 @@ export interface StoredNumbers {
   readonly bytes: number;
 }
 
-export type Numbers =
+export type StorableNumbers =
   | Float64Array<ArrayBuffer>
   | Float32Array<ArrayBuffer>
   | Uint32Array<ArrayBuffer>
@@ -55,7 +55,7 @@ export interface EncodedSession {
   /** What `part`s refer to by index. */
   readonly files: readonly OriginFile[];
   /** Arrays to be kept in pieces, each once, with the node that stands for it; its place is yet to be filled in. */
-  readonly arrays: ReadonlyMap<Numbers, StoredNumbers>;
+  readonly arrays: ReadonlyMap<StorableNumbers, StoredNumbers>;
 }
 
 export function encode(session: unknown, origins: Origins): EncodedSession {
@@ -65,7 +65,7 @@ export function encode(session: unknown, origins: Origins): EncodedSession {
 
 class Encoder {
   readonly files: OriginFile[] = [];
-  readonly arrays = new Map<Numbers, StoredNumbers>();
+  readonly arrays = new Map<StorableNumbers, StoredNumbers>();
   private readonly nodes = new Map<object, Encoded>();
   private readonly indices = new Map<OriginFile, number>();
 
@@ -107,7 +107,7 @@ class Encoder {
     return { is: 'object', of };
   }
 
-  private numbers(array: Numbers): Encoded {
+  private numbers(array: StorableNumbers): Encoded {
     if (array.byteLength < SMALL_BYTES) {
       // Cloning a window of a buffer would clone all of the buffer.
       return array.byteLength === array.buffer.byteLength ? array : array.slice();
@@ -129,6 +129,6 @@ class Encoder {
   }
 }
 
-export function isNumbers(value: unknown): value is Numbers {
+export function isNumbers(value: unknown): value is StorableNumbers {
   return Object.values(NUMBERS_TYPES).some((Type) => value instanceof Type);
 }

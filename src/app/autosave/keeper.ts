@@ -8,7 +8,7 @@ import { type Encoded, encode } from './encode.ts';
 import { KeptFiles } from './kept-files.ts';
 import { knownSkins } from './known-skins.ts';
 import type { Given, Origins } from './origins.ts';
-import { Pieces } from './pieces.ts';
+import { StoredPieces } from './pieces.ts';
 import { cardOf, type KeptState, SESSION_VERSION, type SessionState } from './session-state.ts';
 
 /** The session's own record. */
@@ -31,7 +31,7 @@ export interface HeadFile {
 const MAX_AT_ONCE_BYTES = 8 << 20;
 
 export class Keeper {
-  readonly pieces = new Pieces();
+  readonly pieces = new StoredPieces();
   readonly files = new KeptFiles();
   /** Whether the store has anything of the session. */
   isStored = false;

@@ -10,7 +10,7 @@
  * would be thousands for a clip of a hundred channels, each with its cost.)
  */
 import type { PiecePut } from '../../io/session-store.ts';
-import type { Numbers, StoredNumbers } from './encode.ts';
+import type { StorableNumbers, StoredNumbers } from './encode.ts';
 
 /** Copied in about a millisecond. */
 export const PIECE_BYTES = 1 << 20;
@@ -41,8 +41,8 @@ export interface PiecePlan {
   failed(): void;
 }
 
-export class Pieces {
-  private readonly places = new WeakMap<Numbers, Place>();
+export class StoredPieces {
+  private readonly places = new WeakMap<StorableNumbers, Place>();
   private readonly pieces = new Map<number, Piece>();
   private nextId = 1;
 
@@ -52,9 +52,9 @@ export class Pieces {
    * May be called while an earlier save is still under way: nothing is built on what is not stored for certain, and
    * nothing that the earlier one deletes is needed.
    */
-  plan(arrays: ReadonlyMap<Numbers, StoredNumbers>): PiecePlan {
+  plan(arrays: ReadonlyMap<StorableNumbers, StoredNumbers>): PiecePlan {
     const needed = new Set<number>();
-    const loose: Numbers[] = [];
+    const loose: StorableNumbers[] = [];
     const worn = this.wornPieces(arrays.keys());
     for (const [array, node] of arrays) {
       const place = this.storedPlace(array);
@@ -92,7 +92,7 @@ export class Pieces {
   }
 
   /** An array that was read back from its place. */
-  adopt(array: Numbers, place: Place): void {
+  adopt(array: StorableNumbers, place: Place): void {
     this.places.set(array, place);
     for (const id of piecesOf(place)) {
       const isLarge = place.bytes >= LARGE_BYTES;
@@ -116,7 +116,7 @@ export class Pieces {
     this.nextId = Math.max(this.nextId, id + 1);
   }
 
-  private storedPlace(array: Numbers): Place | undefined {
+  private storedPlace(array: StorableNumbers): Place | undefined {
     const place = this.places.get(array);
     if (!place) return undefined;
     for (const id of piecesOf(place)) if (this.pieces.get(id)?.state !== 'stored') return undefined;
@@ -124,7 +124,7 @@ export class Pieces {
   }
 
   /** Pieces of small arrays that are more air than arrays. */
-  private wornPieces(arrays: Iterable<Numbers>): ReadonlySet<number> {
+  private wornPieces(arrays: Iterable<StorableNumbers>): ReadonlySet<number> {
     const used = new Map<number, number>();
     for (const array of arrays) {
       const place = this.storedPlace(array);
@@ -141,7 +141,7 @@ export class Pieces {
     return worn;
   }
 
-  private placeAll(loose: readonly Numbers[], arrays: ReadonlyMap<Numbers, StoredNumbers>): PiecePut[] {
+  private placeAll(loose: readonly StorableNumbers[], arrays: ReadonlyMap<StorableNumbers, StoredNumbers>): PiecePut[] {
     const puts: PiecePut[] = [];
     const put = (isLarge: boolean, bytes: number, make: () => Uint8Array<ArrayBuffer>) => {
       const id = this.nextId;
@@ -149,14 +149,14 @@ export class Pieces {
       puts.push({ id, size: bytes, bytes: make });
       return id;
     };
-    const settle = (array: Numbers, piece: number, offset: number) => {
+    const settle = (array: StorableNumbers, piece: number, offset: number) => {
       this.places.set(array, { piece, offset, bytes: array.byteLength });
       const node = arrays.get(array);
       if (!node) return;
       node.piece = piece;
       node.offset = offset;
     };
-    let pool: Numbers[] = [];
+    let pool: StorableNumbers[] = [];
     let poolBytes = 0;
     const closePool = () => {
       if (!pool.length) return;
@@ -196,17 +196,17 @@ export function piecesOf({ piece, offset, bytes }: Place): readonly number[] {
 }
 
 /** Copies what one of its pieces holds into an array that lies at this place. */
-export function fill(array: Numbers, place: Place, piece: number, bytes: Uint8Array): void {
+export function fill(array: StorableNumbers, place: Place, piece: number, bytes: Uint8Array): void {
   const target = bytesOf(array);
   if (piece === place.piece) target.set(bytes.subarray(place.offset, place.offset + place.bytes), 0);
   else target.set(bytes, (piece - place.piece) * PIECE_BYTES - place.offset);
 }
 
-function bytesOf(array: Numbers): Uint8Array<ArrayBuffer> {
+function bytesOf(array: StorableNumbers): Uint8Array<ArrayBuffer> {
   return new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 }
 
-function joined(arrays: readonly Numbers[], bytes: number): Uint8Array<ArrayBuffer> {
+function joined(arrays: readonly StorableNumbers[], bytes: number): Uint8Array<ArrayBuffer> {
   const all = new Uint8Array(bytes);
   let offset = 0;
   for (const array of arrays) {

@@ -3,14 +3,14 @@ import { DEFAULT_PLAYBACK, type Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { Observable } from '../../ui/kit/observable.ts';
 import { DEFAULT_TIMELINE_VIEW, type Timeline } from '../../ui/state/timeline.ts';
-import type { Stage } from '../../ui/state/workbench.ts';
+import type { WorkbenchStage } from '../../ui/state/workbench.ts';
 import type { SessionState } from './session-state.ts';
 
 interface PutBackParts {
   readonly store: Store;
   readonly transport: Observable<Playback>;
   readonly timeline: Timeline;
-  readonly viewport: Pick<Stage, 'cameraView'>;
+  readonly viewport: Pick<WorkbenchStage, 'cameraView'>;
   readonly saving: { restore(kept: unknown): void };
 }
 

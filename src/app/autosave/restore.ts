@@ -8,7 +8,7 @@ import type { ParsedFile } from '../../model/files.ts';
 import type { WorkerClient } from '../../worker/client.ts';
 import type { Progress } from '../../worker/protocol.ts';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from './decode.ts';
-import type { Numbers, StoredNumbers } from './encode.ts';
+import type { StorableNumbers, StoredNumbers } from './encode.ts';
 import { Keeper, type SessionHead } from './keeper.ts';
 import { givenOf, type Origins } from './origins.ts';
 import { fill, piecesOf } from './pieces.ts';
@@ -96,7 +96,7 @@ async function readArrays(
   id: string,
   store: SessionStore,
   head: SessionHead,
-): Promise<ReadonlyMap<StoredNumbers, Numbers>> {
+): Promise<ReadonlyMap<StoredNumbers, StorableNumbers>> {
   const arrays = new Map(storedNumbers(head.tree).map((place) => [place, emptyNumbers(place)]));
   const wanted = new Map<number, StoredNumbers[]>();
   for (const place of arrays.keys()) {

@@ -3,11 +3,11 @@ import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import type { Command } from '../io.ts';
+import type { CliCommand } from '../io.ts';
 import { loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
-export const channels: Command = {
+export const channels: CliCommand = {
   name: 'channels',
   usage: 'FILE.anim --times t,t,… [--json]',
   summary: 'the value of each channel at each time',

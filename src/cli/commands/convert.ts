@@ -21,12 +21,12 @@ import { type ConversionOptions, outputsOf, refusal, TARGETS, type Target } from
 import { bvhOutput, type Output, textOutput } from '../../project/save/output.ts';
 import { type Arguments, numberOf, parseArguments, UsageError } from '../arguments.ts';
 import { convertMany, type WrittenFile } from '../convert-many.ts';
-import type { Command, CommandIo, ExitCode } from '../io.ts';
+import type { CliCommand, CommandIo, ExitCode } from '../io.ts';
 import { loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
 import { writeOutput } from '../write-output.ts';
 
-export const convert: Command = {
+export const convert: CliCommand = {
   name: 'convert',
   usage: 'IN… OUT [--fps N] [--tolerance T] [--json]  |  IN… --to skel|anim|bvh [--out FOLDER] [--force] …',
   summary: 'writes OUT in the format of its extension, or all of IN as files of one kind (skel: with its animations)',

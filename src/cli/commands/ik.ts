@@ -17,11 +17,11 @@ import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import type { Command } from '../io.ts';
+import type { CliCommand } from '../io.ts';
 import { loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
-export const ik: Command = {
+export const ik: CliCommand = {
   name: 'ik',
   usage: 'FILE.skel --pin JOINT[@x,y,z]=x,y,z[,weight] … [--dofs v,v,…] [--free-root] [--json]',
   summary: 'the pose that moves points on joints (a name or #index; by default tip or origin) to their targets',

@@ -9,11 +9,11 @@ import { bindingCount, type Skin, vertexCount } from '../../model/skin.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { refusal } from '../../project/save/conversion.ts';
 import { parseArguments } from '../arguments.ts';
-import type { Command } from '../io.ts';
+import type { CliCommand } from '../io.ts';
 import { type LoadedFile, loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
-export const info: Command = {
+export const info: CliCommand = {
   name: 'info',
   usage: 'FILE… [--json]',
   summary: 'what files hold, and what is wrong with them, alone and together',

@@ -15,11 +15,11 @@ import { jointDofCount, rootDofCount } from '../../model/dofs.ts';
 import { jointTypeOf } from '../../model/joint-types.ts';
 import { openFiles } from '../../project/open/open-files.ts';
 import { type Arguments, numberOf, numbersOf, parseArguments, UsageError } from '../arguments.ts';
-import type { Command } from '../io.ts';
+import type { CliCommand } from '../io.ts';
 import { loadFiles } from '../load.ts';
 import { printJson, report } from '../report.ts';
 
-export const pose: Command = {
+export const pose: CliCommand = {
   name: 'pose',
   usage: 'FILE… [--time T | --frame N] [--root x,y,z] [--dofs v,v,…] [--morphs w,w,…] [--vertices] [--json]',
   summary: 'joints and vertices at a pose or a time of the animation',

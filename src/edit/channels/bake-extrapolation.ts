@@ -16,7 +16,7 @@
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
-import { type Extrapolation, FIXED, FLAT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
+import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { CommandError } from '../store.ts';
 import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
@@ -39,7 +39,7 @@ const MAX_KEYS = 1_000_000;
  * A baked side goes on as it can: `linear` is linear still, but what repeated is `constant` from there on, because a
  * repetition of all the keys would be another one. Throws a `CommandError` where it would take a million keys.
  */
-export function bakeExtrapolation(channel: KeyedChannel, from: number, to: number): Baked {
+export function withExtrapolationBaked(channel: KeyedChannel, from: number, to: number): Baked {
   const baked = extended(channel, from, to, false);
   const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
   return {
@@ -99,7 +99,7 @@ function tail(channel: KeyedChannel, to: number, holds: boolean): Tail | undefin
     const slope = slopes.out[last];
     const value = channel.values[last] + slope * (to - end);
     if (!Number.isFinite(value)) return undefined;
-    const straight = tangent(FIXED, slope);
+    const straight = tangent(FIXED_TANGENT, slope);
     const key = { ...frozen(slopedKey(channel, slopes, last)), out: straight };
     return { index: last, keys: [key, { time: to, value, in: straight, out: straight }] };
   }
@@ -202,7 +202,7 @@ function keyBetween(before: Sloped, after: Sloped, time: number): Sloped {
   const t = time - before.time;
   const value = ((cubic[3] * t + cubic[2]) * t + cubic[1]) * t + cubic[0];
   const slope = (3 * cubic[3] * t + 2 * cubic[2]) * t + cubic[1];
-  const side = tangent(FIXED, slope);
+  const side = tangent(FIXED_TANGENT, slope);
   return { time, value, in: side, out: side, slopeIn: slope, slopeOut: slope };
 }
 

@@ -15,7 +15,7 @@
  * A key never leaves its joint's limits, for what is played is clamped to them; one that lies outside stays as it is.
  * A triple at φj = ±π/2 (gimbal lock) has still more forms; they are not looked for.
  */
-import { type Channel, FIXED, type KeyedChannel, type Tangents } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 import type { EulerOrder, Limit } from '../../model/skeleton.ts';
 
 const TURN = 2 * Math.PI;
@@ -115,7 +115,7 @@ function withAngles(channel: KeyedChannel, values: Float64Array, isMirrored?: Ui
   if (!isMirrored || !mirrors) return { ...channel, values };
   const mirrored = (side: Tangents): Tangents => ({
     kinds: side.kinds,
-    slopes: side.slopes.map((slope, k) => (isMirrored[k] && side.kinds[k] === FIXED ? 0 - slope : slope)),
+    slopes: side.slopes.map((slope, k) => (isMirrored[k] && side.kinds[k] === FIXED_TANGENT ? 0 - slope : slope)),
   });
   return { ...channel, values, tangentsIn: mirrored(channel.tangentsIn), tangentsOut: mirrored(channel.tangentsOut) };
 }

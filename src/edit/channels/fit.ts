@@ -38,7 +38,7 @@ export interface Knots {
 }
 
 /** A slope that may be chosen freely. */
-export const FREE = Number.NaN;
+export const FREE_SLOPE = Number.NaN;
 
 /**
  * Adds the knots after key `lo` up to key `hi` to `knots`, whose last knot is `lo`; sets that one's slope out.
@@ -53,7 +53,7 @@ export function fitStretch(curve: Curve, lo: number, hi: number, slopeOut: numbe
     key = walk.end;
     knots.indices.push(key);
     knots.slopesIn.push(walk.slopeIn);
-    out = walk.isBroken ? FREE : walk.slopeIn;
+    out = walk.isBroken ? FREE_SLOPE : walk.slopeIn;
     knots.slopesOut.push(walk.slopeIn);
   }
 }
@@ -67,7 +67,7 @@ class Walk {
   isBroken = false;
 
   private start = 0;
-  private given = FREE;
+  private given = FREE_SLOPE;
   private length = 1;
 
   constructor(

@@ -12,7 +12,7 @@
  * slopes, whatever their kind, would be right for even keys only.)
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED, FLAT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 
 export interface Looped {
   readonly channel: KeyedChannel;
@@ -27,7 +27,7 @@ export interface Looped {
  * from there (`cycle_offset`): for a root that travels. The very same channel where it is that
  * loop already, or where there is no time between its keys.
  */
-export function makeLoop(channel: KeyedChannel, keepsOffset = false): Looped {
+export function withLoop(channel: KeyedChannel, keepsOffset = false): Looped {
   const { times } = channel;
   const last = times.length - 1;
   if (!(times[last] > times[0])) return { channel, moved: 0, slope: 0 };
@@ -44,7 +44,7 @@ export function makeLoop(channel: KeyedChannel, keepsOffset = false): Looped {
     const made = { kinds: side.kinds.slice(), slopes: side.slopes.slice() };
     for (let k = 0; k <= last; k++) {
       if (k > first && k < end) continue;
-      made.kinds[k] = slope === 0 ? FLAT : FIXED;
+      made.kinds[k] = slope === 0 ? FLAT : FIXED_TANGENT;
       made.slopes[k] = slope;
     }
     return made;
@@ -82,7 +82,7 @@ function seamSlope(channel: KeyedChannel, first: number, end: number): number {
   const { times, values, tangentsIn, tangentsOut } = channel;
   const slopes = resolvedSlopes(channel);
   const byHand: number[] = [];
-  const isByHand = (kind: number) => kind === FLAT || kind === FIXED;
+  const isByHand = (kind: number) => kind === FLAT || kind === FIXED_TANGENT;
   if (isByHand(tangentsOut.kinds[first])) byHand.push(slopes.out[first]);
   if (isByHand(tangentsIn.kinds[end])) byHand.push(slopes.in[end]);
   if (byHand.length > 0) return byHand.reduce((sum, s) => sum + s, 0) / byHand.length;

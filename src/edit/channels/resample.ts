@@ -11,7 +11,7 @@
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { FIXED, type KeyedChannel, LINEAR } from '../../model/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
 import { type Key, keyAt, tangent, withKeyList } from '../keys/columns.ts';
 import { CommandError } from '../store.ts';
 import { unrolled } from './bake-extrapolation.ts';
@@ -91,8 +91,10 @@ function framesOf(
   for (let frame = firstFrame; frame <= lastFrame; frame++) {
     const time = timeOf(frame);
     // Outwards the slope is a number: what lies there stays.
-    const sideIn = (slope: number) => (isLinear && frame > firstFrame ? tangent(LINEAR) : tangent(FIXED, slope));
-    const sideOut = (slope: number) => (isLinear && frame < lastFrame ? tangent(LINEAR) : tangent(FIXED, slope));
+    const sideIn = (slope: number) =>
+      isLinear && frame > firstFrame ? tangent(LINEAR) : tangent(FIXED_TANGENT, slope);
+    const sideOut = (slope: number) =>
+      isLinear && frame < lastFrame ? tangent(LINEAR) : tangent(FIXED_TANGENT, slope);
     while (k <= last && times[k] < time - ON_FRAME) k++;
     let end = k;
     while (end <= last && times[end] <= time + ON_FRAME) end++;

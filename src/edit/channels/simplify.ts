@@ -15,10 +15,10 @@
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
-import { FIXED, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH, type Tangents } from '../../model/clip.ts';
 import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';
-import { agrees, type Curve, FREE, fitStretch, type Knots, reaches } from './fit.ts';
+import { agrees, type Curve, FREE_SLOPE, fitStretch, type Knots, reaches } from './fit.ts';
 
 /** What simplifying came to; `largestError` is measured, and never above the tolerance. */
 export interface Simplified extends Difference {
@@ -67,7 +67,7 @@ function fitAll(channel: KeyedChannel, curve: Curve, range: readonly [number, nu
   const { slopesIn, slopesOut } = curve;
   const last = channel.times.length - 1;
   const [atFirst, atLast] = endSlopes(channel, curve);
-  const border = (k: number) => (agrees(slopesIn[k], slopesOut[k]) && !isStep(curve, k) ? slopesIn[k] : FREE);
+  const border = (k: number) => (agrees(slopesIn[k], slopesOut[k]) && !isStep(curve, k) ? slopesIn[k] : FREE_SLOPE);
   const knots: Knots = { indices: [0], slopesIn: [slopesIn[0]], slopesOut: [slopesOut[0]] };
   let lo = 0;
   for (let hi = 1; hi <= last; hi++) {
@@ -122,7 +122,7 @@ function endSlopes(channel: KeyedChannel, { slopesIn, slopesOut }: Curve): reado
   }
   // Set by hand.
   const own = ({ kinds }: Tangents, k: number, slope: number) =>
-    kinds[k] === FLAT || kinds[k] === FIXED ? slope : FREE;
+    kinds[k] === FLAT || kinds[k] === FIXED_TANGENT ? slope : FREE_SLOPE;
   return [own(channel.tangentsOut, 0, slopesOut[0]), own(channel.tangentsIn, last, slopesIn[last])];
 }
 
@@ -168,7 +168,7 @@ function tangentsOf(
     if (slopes[i] === before[k] && (kind === FLAT || ((kind === SMOOTH || kind === LINEAR) && sameNeighbours))) {
       made.kinds[i] = kind;
     } else {
-      made.kinds[i] = FIXED;
+      made.kinds[i] = FIXED_TANGENT;
       made.slopes[i] = slopes[i];
     }
   }

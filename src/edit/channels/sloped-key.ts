@@ -3,7 +3,7 @@
  * a key keeps its shape only as numbers.
  */
 import type { Slopes } from '../../evaluate/slopes.ts';
-import { FIXED, FLAT, type KeyedChannel } from '../../model/clip.ts';
+import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent } from '../keys/columns.ts';
 
 export interface Sloped extends Key {
@@ -23,7 +23,7 @@ export function frozen(key: Sloped): Sloped {
 
 /** As a number, unless it is flat: that is one already. */
 export function frozenTangent({ kind }: Tangent, slope: number): Tangent {
-  return kind === FLAT ? tangent(FLAT) : tangent(FIXED, slope);
+  return kind === FLAT ? tangent(FLAT) : tangent(FIXED_TANGENT, slope);
 }
 
 /** Values that differ by no more than rounding: no step. */

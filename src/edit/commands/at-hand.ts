@@ -21,7 +21,7 @@ import { keyPose } from './keying.ts';
 import { addKey, insertKeys, moveKeys, removeKeys, rippleKeys, scaleKeys, setKeys, snapKeys } from './keys.ts';
 import { clearLimit, setLimit } from './limits.ts';
 import { pasteKeys } from './paste.ts';
-import { dropUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
+import { discardUnkeyed, resetPose, setClamping, setDofs } from './pose.ts';
 import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
 import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
@@ -31,7 +31,7 @@ const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setDofs,
   resetPose,
   setClamping,
-  dropUnkeyed,
+  discardUnkeyed,
   keyPose,
   createClip,
   renameClip,

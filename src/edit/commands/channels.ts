@@ -11,8 +11,8 @@ import { characterDofs, unitOfChannel } from '../../model/dofs.ts';
 import type { DofUnit } from '../../model/skeleton.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, type OfChannels, withClipChannels } from '../channel-edits.ts';
-import { type Baked, bakeExtrapolation as bake } from '../channels/bake-extrapolation.ts';
-import { makeLoop as loop } from '../channels/make-loop.ts';
+import { type Baked, withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
+import { withLoop } from '../channels/make-loop.ts';
 import { type Reduction, reductionOf } from '../channels/report.ts';
 import { type Resampling, resampleChannel } from '../channels/resample.ts';
 import { type Simplified, simplifyChannel } from '../channels/simplify.ts';
@@ -142,7 +142,7 @@ export const makeLoop: Command<MakeLoop, Edit> = {
     return edited(
       document,
       args,
-      results(document, args, (channel, index) => loop(channel, keeps ? keeps.has(index) : keepOffset === true)),
+      results(document, args, (channel, index) => withLoop(channel, keeps ? keeps.has(index) : keepOffset === true)),
     );
   },
 };
@@ -219,7 +219,7 @@ function resampled(document: Document, args: Resample) {
 
 function baked(document: Document, args: BakeExtrapolation): Map<number, Baked> {
   const [from, to] = interval(args.from, args.to);
-  return results(document, args, (channel) => bake(channel, from, to));
+  return results(document, args, (channel) => withExtrapolationBaked(channel, from, to));
 }
 
 function reduction(

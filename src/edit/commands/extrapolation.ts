@@ -2,7 +2,7 @@
 import { EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
 import { oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, keyable, type OfChannels, withClipChannels } from '../channel-edits.ts';
-import { SIDES, type Side } from '../keys/tangents.ts';
+import { TANGENT_SIDES, type TangentSide } from '../keys/tangents.ts';
 import type { Command } from '../store.ts';
 
 /** As labels have them. */
@@ -13,10 +13,10 @@ export const EXTRAPOLATION_NAMES: Readonly<Record<Extrapolation, string>> = {
   cycle_offset: 'Cycle with offset',
   bounce: 'Bounce',
 };
-const WHERE: Readonly<Record<Side, string>> = { in: 'before', out: 'after', both: 'before and after' };
+const WHERE: Readonly<Record<TangentSide, string>> = { in: 'before', out: 'after', both: 'before and after' };
 
 export interface SetExtrapolation extends OfChannels {
-  readonly side: Side;
+  readonly side: TangentSide;
   readonly extrapolation: Extrapolation;
 }
 
@@ -25,7 +25,7 @@ export const setExtrapolation: Command<SetExtrapolation> = {
   id: 'channels.setExtrapolation',
   label: (_document, { side, extrapolation }) => `${EXTRAPOLATION_NAMES[extrapolation]} ${WHERE[side]}`,
   run(document, { characterId, channels, side, extrapolation }) {
-    oneOf(side, SIDES, '"side"');
+    oneOf(side, TANGENT_SIDES, '"side"');
     oneOf(extrapolation, EXTRAPOLATIONS, '"extrapolation"');
     const clip = clipOf(document, characterId);
     const changed = [...clip.channels];

@@ -11,19 +11,19 @@ import {
   checkedKeys,
   clipOf,
   keyable,
-  keyCount,
+  keyCountText,
   type OfChannels,
   type OfKeys,
   withClipChannels,
 } from '../channel-edits.ts';
 import { COLLISIONS, type Collision } from '../keys/arrange.ts';
 import { insertKey } from '../keys/insert.ts';
-import { moveKeys as move } from '../keys/move.ts';
+import { withKeysMoved } from '../keys/move.ts';
 import { putKey } from '../keys/put-key.ts';
-import { removeKeys as remove } from '../keys/remove.ts';
-import { rippleKeys as ripple, rippleRoom } from '../keys/ripple.ts';
-import { scaleKeys as scale } from '../keys/scale.ts';
-import { setKeys as set, snapKeys as snap, type TypedKey } from '../keys/set.ts';
+import { withKeysRemoved } from '../keys/remove.ts';
+import { rippleRoom, withKeysRippled } from '../keys/ripple.ts';
+import { withKeysScaled } from '../keys/scale.ts';
+import { type TypedKey, withKeysSet, withKeysSnapped } from '../keys/set.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export interface AtTime {
@@ -81,7 +81,7 @@ export const addKey: Command<AddKey, Edit> = {
   },
 };
 
-export interface MoveKeys extends OfKeys {
+export interface MoveKeysArgs extends OfKeys {
   /** Added to their times. */
   readonly seconds: number;
   /** Added to the values, one number for each entry of `keys`; none where absent. */
@@ -90,20 +90,20 @@ export interface MoveKeys extends OfKeys {
   readonly onCollision?: Collision;
 }
 
-export const moveKeys: Command<MoveKeys, Edit> = {
+export const moveKeys: Command<MoveKeysArgs, Edit> = {
   id: 'keys.move',
-  label: (_document, { keys }) => `Move ${keyCount(keys)}`,
+  label: (_document, { keys }) => `Move ${keyCountText(keys)}`,
   run(document, { characterId, keys, seconds, values, onCollision = 'replace' }) {
     finiteNumber(seconds, '"seconds"');
     oneOf(onCollision, COLLISIONS, '"onCollision"');
     const by = values && numberForEach(values, keys, '"values"');
     return changeKeys(document, { characterId, keys }, (channel, indices, entry) =>
-      move(channel, indices, seconds, by?.[entry] ?? 0, onCollision),
+      withKeysMoved(channel, indices, seconds, by?.[entry] ?? 0, onCollision),
     );
   },
 };
 
-export interface ScaleKeys extends OfKeys {
+export interface ScaleKeysArgs extends OfKeys {
   /** Of the clip: the moment that stays. */
   readonly pivotSeconds: number;
   /** Below 0 mirrors. */
@@ -114,9 +114,9 @@ export interface ScaleKeys extends OfKeys {
   readonly onCollision?: Collision;
 }
 
-export const scaleKeys: Command<ScaleKeys, Edit> = {
+export const scaleKeys: Command<ScaleKeysArgs, Edit> = {
   id: 'keys.scale',
-  label: (_document, { keys }) => `Scale ${keyCount(keys)}`,
+  label: (_document, { keys }) => `Scale ${keyCountText(keys)}`,
   run(document, args) {
     const { characterId, keys, pivotValues, onCollision = 'replace' } = args;
     const pivotSeconds = finiteNumber(args.pivotSeconds, '"pivotSeconds"');
@@ -126,7 +126,7 @@ export const scaleKeys: Command<ScaleKeys, Edit> = {
     const pivots = pivotValues && numberForEach(pivotValues, keys, '"pivotValues"');
     return changeKeys(document, { characterId, keys }, (channel, indices, entry) => {
       const pivotValue = pivots?.[entry] ?? 0;
-      return scale(channel, indices, { pivotSeconds, timeFactor, pivotValue, valueFactor }, onCollision);
+      return withKeysScaled(channel, indices, { pivotSeconds, timeFactor, pivotValue, valueFactor }, onCollision);
     });
   },
 };
@@ -138,7 +138,7 @@ export const setKeys: Command<OfKeys & TypedKey, Edit> = {
   id: 'keys.set',
   label(_document, { keys, timeSeconds, value }) {
     const what = timeSeconds !== undefined ? 'time' : value !== undefined ? 'value' : 'slope';
-    return `Set ${what} of ${keyCount(keys)}`;
+    return `Set ${what} of ${keyCountText(keys)}`;
   },
   run(document, { characterId, keys, timeSeconds, value, slopeIn, slopeOut }) {
     const typed = { timeSeconds, value, slopeIn, slopeOut };
@@ -151,7 +151,7 @@ export const setKeys: Command<OfKeys & TypedKey, Edit> = {
       if (timeSeconds !== undefined && indices.length > 1) {
         throw new CommandError('Only one key per channel can be set to a time; several are selected in one channel.');
       }
-      return set(channel, indices, typed);
+      return withKeysSet(channel, indices, typed);
     });
   },
 };
@@ -168,14 +168,14 @@ export interface SnapKeys extends OfKeys {
 /** To the nearest frame. */
 export const snapKeys: Command<SnapKeys, Edit> = {
   id: 'keys.snap',
-  label: (_document, { keys }) => `Snap ${keyCount(keys)} to frames`,
+  label: (_document, { keys }) => `Snap ${keyCountText(keys)} to frames`,
   run(document, { characterId, keys, framesPerSecond, offsetSeconds = 0 }) {
     if (finiteNumber(framesPerSecond, '"framesPerSecond"') <= 0) {
       throw new CommandError(`The frame rate must be greater than 0, found ${framesPerSecond}.`);
     }
     finiteNumber(offsetSeconds, '"offsetSeconds"');
     return changeKeys(document, { characterId, keys }, (channel, indices) =>
-      snap(channel, indices, framesPerSecond, offsetSeconds),
+      withKeysSnapped(channel, indices, framesPerSecond, offsetSeconds),
     );
   },
 };
@@ -186,14 +186,14 @@ export const snapKeys: Command<SnapKeys, Edit> = {
  */
 export const removeKeys: Command<OfKeys & AtTime, Edit> = {
   id: 'keys.remove',
-  label: (_document, { keys }) => `Delete ${keyCount(keys)}`,
+  label: (_document, { keys }) => `Delete ${keyCountText(keys)}`,
   run(document, { characterId, keys, timeSeconds }) {
     const time = finiteNumber(timeSeconds, '"timeSeconds"');
     const clip = clipOf(document, characterId);
     const curves = compileClip(clip);
     const channels = [...clip.channels];
     for (const { channel, index, indices } of checkedKeys(clip, keys)) {
-      channels[index] = remove(channel, indices, evaluateChannel(curves, index, time));
+      channels[index] = withKeysRemoved(channel, indices, evaluateChannel(curves, index, time));
     }
     const after = withClipChannels(document, characterId, followingSamples(channels, clip.samples));
     return { document: after, keys: [] };
@@ -206,13 +206,13 @@ export const removeKeys: Command<OfKeys & AtTime, Edit> = {
  */
 export const rippleKeys: Command<OfKeys & { readonly seconds: number }, Edit> = {
   id: 'keys.ripple',
-  label: (_document, { keys }) => `Ripple ${keyCount(keys)}`,
+  label: (_document, { keys }) => `Ripple ${keyCountText(keys)}`,
   run(document, { characterId, keys, seconds }) {
     finiteNumber(seconds, '"seconds"');
     const clip = clipOf(document, characterId);
     let by = seconds;
     for (const { channel, indices } of checkedKeys(clip, keys)) by = Math.max(by, rippleRoom(channel, indices[0]));
-    return changeKeys(document, { characterId, keys }, (channel, indices) => ripple(channel, indices, by));
+    return changeKeys(document, { characterId, keys }, (channel, indices) => withKeysRippled(channel, indices, by));
   },
 };
 

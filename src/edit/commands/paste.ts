@@ -1,7 +1,7 @@
 /** Pasting copied keys (`keys/clipboard.ts`). Selects them. Refused where one would go into samples. */
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { allKeyable, clipOf, withClipChannels } from '../channel-edits.ts';
-import { type CopiedKeys, PASTE_MODES, type Paste, pasteKeys as paste } from '../keys/clipboard.ts';
+import { type CopiedKeys, PASTE_MODES, type Paste, withKeysPasted } from '../keys/clipboard.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export interface PasteKeys extends Paste {
@@ -21,7 +21,7 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
     finiteNumber(timeSeconds, '"timeSeconds"');
     oneOf(mode, PASTE_MODES, '"mode"');
     if (into !== undefined) listOf(into, '"into"');
-    const { channels, keys } = paste(clip, copied, { timeSeconds, into, mode });
+    const { channels, keys } = withKeysPasted(clip, copied, { timeSeconds, into, mode });
     allKeyable(
       clip,
       keys.map((k) => k.channel),

@@ -22,7 +22,7 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
-import { countUnkeyed, dropUnkeyed as drop, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
+import { countUnkeyed, documentWithoutUnkeyed, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
 export interface DofValue {
   /** Into the character's DOFs (`model/dofs.ts`). */
@@ -96,7 +96,7 @@ export interface DropUnkeyed {
 }
 
 /** Of all characters, values that were set by hand over keys and not keyed: each DOF is again where its keys have it. */
-export const dropUnkeyed: Command<DropUnkeyed> = {
+export const discardUnkeyed: Command<DropUnkeyed> = {
   id: 'pose.dropUnkeyed',
   label(document, { exceptSeconds }) {
     const count = countUnkeyed(document, exceptSeconds);
@@ -104,7 +104,7 @@ export const dropUnkeyed: Command<DropUnkeyed> = {
   },
   run(document, { exceptSeconds }) {
     if (exceptSeconds !== null) finiteNumber(exceptSeconds, '"exceptSeconds"');
-    return drop(document, exceptSeconds);
+    return documentWithoutUnkeyed(document, exceptSeconds);
   },
 };
 

@@ -9,13 +9,13 @@ import type { Joint, Motion, Skeleton } from '../../model/skeleton.ts';
 import { finiteNumber, indexIn, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
 import { calledIn, findJoint, rigged, secondsOf, withJoint } from '../rig/apply.ts';
-import { checkedMotion, jointName, vector } from '../rig/checks.ts';
+import { checkedMotion, checkedName, vector } from '../rig/checks.ts';
 import { changedJoints, type JointMap } from '../rig/joint-map.ts';
 import { lostKeys } from '../rig/lost-keys.ts';
-import { intoSpace, pivotOf, turnedAs, withPivots } from '../rig/places.ts';
+import { intoSpace, localPivot, turnedAs, withPivots } from '../rig/places.ts';
 import { restAtOffsets } from '../rig/remap-skin.ts';
 import type { RenameJoint, SetBox, SetFilePose, SetLength, SetMotion, SetOffset } from '../rig/rigging.ts';
-import { requireSkeleton, type Shown, shownAt } from '../rig/shown.ts';
+import { requireSkeleton, type ShownPose, shownAt } from '../rig/shown.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
 export const renameJoint: Command<RenameJoint, Document | Edit> = {
@@ -25,7 +25,7 @@ export const renameJoint: Command<RenameJoint, Document | Edit> = {
     return name ? `Rename ${before} to ${name}` : `Clear name of ${before}`;
   },
   run(document, args) {
-    const name = jointName(args.name);
+    const name = checkedName(args.name);
     return withJoint(document, args, (joint) => (joint.name === name ? joint : { ...joint, name }));
   },
 };
@@ -50,7 +50,7 @@ export const setOffset: Command<SetOffset, Document | Edit> = {
     const ends = joint.endSites && endsStaying(shown, joint, index, by);
     const pivots = new Map<number, Vec3>();
     skeleton.joints.forEach(({ parent }, j) => {
-      if (parent === index) pivots.set(j, pivotOf(shown, j));
+      if (parent === index) pivots.set(j, localPivot(shown, j));
     });
     return withJoint(
       document,
@@ -62,7 +62,7 @@ export const setOffset: Command<SetOffset, Document | Edit> = {
 };
 
 /** End Sites moved against their joint, so that they stay where they are while it moves by so much in its parent's space. */
-function endsStaying(shown: Shown, joint: Joint, index: number, by: Vec3): readonly Vec3[] {
+function endsStaying(shown: ShownPose, joint: Joint, index: number, by: Vec3): readonly Vec3[] {
   const { world } = shown;
   const o = 16 * joint.parent;
   const along = (r: number) =>
@@ -95,7 +95,7 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
         : next;
       // A position that replaced its offset is one, and no way from it.
       if (index === 0 || positionsOf(joint.motion) !== 'replace' || positionsOf(motion) === 'replace') return turned;
-      const pivot = pivotOf(shownAt(character, seconds), index);
+      const pivot = localPivot(shownAt(character, seconds), index);
       return withPivots(turned, characterId, new Map([[index, pivot]]), seconds);
     });
   },

@@ -10,7 +10,7 @@ import { newCharacter, withSkeleton } from '../new-character.ts';
 import { placeBeside } from '../place-beside.ts';
 import { called, calledIn, findJoint, rigged, secondsOf } from '../rig/apply.ts';
 import { withTakenUp } from '../rig/bind.ts';
-import { jointName, vector } from '../rig/checks.ts';
+import { checkedName, vector } from '../rig/checks.ts';
 import { changedTree } from '../rig/joint-map.ts';
 import { mirrored } from '../rig/mirror.ts';
 import { childName, freeName } from '../rig/names.ts';
@@ -18,7 +18,7 @@ import { continued, endedAt, newChild, newRoot } from '../rig/new-joint.ts';
 import { type Kept, keepPlaces } from '../rig/places.ts';
 import {
   type AddJoint,
-  AXES,
+  AXIS_LETTERS,
   type CreateRig,
   type MirrorJoint,
   type RemoveJoint,
@@ -76,7 +76,7 @@ export const addJoint: Command<AddJoint, Document | Edit> = {
     const { characterId, parent } = args;
     const { character, skeleton } = findJoint(document, characterId, parent);
     const isNameless = skeleton.form === 'axis-angle';
-    const name = args.name === undefined ? (isNameless ? '' : childName(skeleton, parent)) : jointName(args.name);
+    const name = args.name === undefined ? (isNameless ? '' : childName(skeleton, parent)) : checkedName(args.name);
     const offset = args.offset === undefined ? undefined : vector(args.offset, 'The offset');
     const joint = newChild(character, skeleton, parent, name, offset);
     const branches = branchesOf(skeleton);
@@ -179,7 +179,7 @@ export const mirrorJoint: Command<MirrorJoint, Document | Edit> = {
   run(document, args) {
     const { characterId, joint } = args;
     const { skeleton } = findJoint(document, characterId, joint);
-    const across = AXES.indexOf(oneOf(args.across, AXES, '"across"'));
+    const across = AXIS_LETTERS.indexOf(oneOf(args.across, AXIS_LETTERS, '"across"'));
     const { map, other, couple } = mirrored(skeleton, joint, across);
     const edit = rigged(document, args, map, other, (next) => couple(next, characterId));
     const now = requireCharacter(edit.document, characterId).skeleton;

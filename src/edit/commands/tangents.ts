@@ -1,27 +1,27 @@
 /** Tangents of keys: by name, as a number, together or apart. */
 import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
-import { changeTangents, keyCount, type OfKeys } from '../channel-edits.ts';
+import { changeTangents, keyCountText, type OfKeys } from '../channel-edits.ts';
 import {
-  breakTangents as breakApart,
-  SIDES,
-  type Side,
   setSlope,
   setTangentKind,
-  unifyTangents as unify,
+  TANGENT_SIDES,
+  type TangentSide,
+  withTangentsBroken,
+  withTangentsUnified,
 } from '../keys/tangents.ts';
 import type { Command, Edit } from '../store.ts';
 
 interface OfSide extends OfKeys {
-  readonly side: Side;
+  readonly side: TangentSide;
 }
 
 /** `fixed` keeps the slope there is, as a number. */
 export const setTangents: Command<OfSide & { readonly kind: TangentKind }, Edit> = {
   id: 'keys.setTangents',
-  label: (_document, { keys, side, kind }) => `Set ${keyCount(keys)} to ${kind}${where(side)}`,
+  label: (_document, { keys, side, kind }) => `Set ${keyCountText(keys)} to ${kind}${where(side)}`,
   run(document, { characterId, keys, side, kind }) {
-    oneOf(side, SIDES, '"side"');
+    oneOf(side, TANGENT_SIDES, '"side"');
     const code = TANGENT_KINDS.indexOf(oneOf(kind, TANGENT_KINDS, '"kind"'));
     return changeTangents(document, { characterId, keys }, (c, indices) => setTangentKind(c, indices, side, code));
   },
@@ -30,9 +30,9 @@ export const setTangents: Command<OfSide & { readonly kind: TangentKind }, Edit>
 /** Value per second. */
 export const setSlopes: Command<OfSide & { readonly slope: number }, Edit> = {
   id: 'keys.setSlopes',
-  label: (_document, { keys, side }) => `Set slope of ${keyCount(keys)}${where(side)}`,
+  label: (_document, { keys, side }) => `Set slope of ${keyCountText(keys)}${where(side)}`,
   run(document, { characterId, keys, side, slope }) {
-    oneOf(side, SIDES, '"side"');
+    oneOf(side, TANGENT_SIDES, '"side"');
     finiteNumber(slope, '"slope"');
     return changeTangents(document, { characterId, keys }, (c, indices) => setSlope(c, indices, side, slope));
   },
@@ -40,16 +40,16 @@ export const setSlopes: Command<OfSide & { readonly slope: number }, Edit> = {
 
 export const unifyTangents: Command<OfKeys, Edit> = {
   id: 'keys.unify',
-  label: (_document, { keys }) => `Unify tangents of ${keyCount(keys)}`,
-  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, unify),
+  label: (_document, { keys }) => `Unify tangents of ${keyCountText(keys)}`,
+  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsUnified),
 };
 
 export const breakTangents: Command<OfKeys, Edit> = {
   id: 'keys.break',
-  label: (_document, { keys }) => `Break tangents of ${keyCount(keys)}`,
-  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, breakApart),
+  label: (_document, { keys }) => `Break tangents of ${keyCountText(keys)}`,
+  run: (document, { characterId, keys }) => changeTangents(document, { characterId, keys }, withTangentsBroken),
 };
 
-function where(side: Side): string {
+function where(side: TangentSide): string {
   return side === 'both' ? '' : side === 'in' ? ' before' : ' after';
 }

@@ -14,7 +14,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
-export interface KeyOptions {
+export interface SampleKeyOptions {
   /** Keys that are not needed to stay within this much of every curve go; radians, or units of length. 0: none go. */
   readonly tolerance?: number;
 }
@@ -24,7 +24,11 @@ export interface KeyOptions {
  * there is nothing to do.
  * @param skeleton whose DOFs the channels drive: tells which of them are angles
  */
-export function keyedClip(clip: ChannelClip, skeleton: Skeleton | undefined, options: KeyOptions = {}): ChannelClip {
+export function keyedClip(
+  clip: ChannelClip,
+  skeleton: Skeleton | undefined,
+  options: SampleKeyOptions = {},
+): ChannelClip {
   const { samples, ...rest } = clip;
   if (!samples) return clip;
   const shared = sharedColumns(samples);

@@ -20,7 +20,7 @@ import { dofsOf, isOfBvh, offsetBesideDofs } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
 import { skelMotionOf } from '../../model/skel-motion.ts';
 import { type Box, isUnlimited, type Joint, type Limit, type Skeleton, UNLIMITED } from '../../model/skeleton.ts';
-import { type KeyOptions, keyedClip } from './keys-of-samples.ts';
+import { keyedClip, type SampleKeyOptions } from './keys-of-samples.ts';
 
 export interface SkelFigure {
   readonly skeleton: Skeleton;
@@ -38,7 +38,7 @@ const END_SITE = 'End_Site';
 export const skelFigure = perObject(make);
 
 /** What `.anim` can hold of a clip: keys, for the DOFs of `skelFigure(skeleton)`. */
-export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: KeyOptions = {}): ChannelClip {
+export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: SampleKeyOptions = {}): ChannelClip {
   const { channelMap } = skelFigure(skeleton);
   const keyed = keyedClip(clip, skeleton, options);
   if (channelMap.every((c, i) => c === i)) return keyed;

@@ -4,7 +4,7 @@
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import type { ChannelClip } from '../../model/clip.ts';
-import { bakeExtrapolation } from '../channels/bake-extrapolation.ts';
+import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 
 /** Slopes that differ by less than that part of them, or change so little in a second, are one. */
 const SAME_SLOPE = 1e-3;
@@ -22,7 +22,7 @@ export function cornerTimes(
   for (const channel of channels) {
     const own = clip.channels[channel];
     if (own.kind !== 'keys' || own.times.length < 2) continue;
-    const curve = bakeExtrapolation(own, from, to).channel;
+    const curve = withExtrapolationBaked(own, from, to).channel;
     const slopes = resolvedSlopes(curve);
     for (let k = 1; k + 1 < curve.times.length; k++) {
       const time = curve.times[k];

@@ -8,8 +8,8 @@
  * What repeats is written out over all that is played first, or every repetition would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, type Extrapolation, FIXED, FLAT, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
-import { bakeExtrapolation } from '../channels/bake-extrapolation.ts';
+import { type Channel, type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
+import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { insertKey } from '../keys/insert.ts';
 import { findKey, sameTime } from '../keys/same-time.ts';
@@ -34,7 +34,7 @@ export function replaceStretch(channel: Channel, stretch: Stretch, played: reado
   const last = times.length - 1;
   const written =
     channel.kind === 'keys'
-      ? withoutPeriods(bakeExtrapolation(channel, played[0], played[1]).channel, played)
+      ? withoutPeriods(withExtrapolationBaked(channel, played[0], played[1]).channel, played)
       : channel;
   const made = insertKey(insertKey(written, times[0]).channel, times[last]).channel;
   const slopes = resolvedSlopes(made);
@@ -82,7 +82,7 @@ function withoutPeriods(channel: KeyedChannel, [from, to]: readonly [number, num
 
 /** A slope that asks no neighbour. */
 function number(slope: number): Tangent {
-  return slope === 0 ? tangent(FLAT) : tangent(FIXED, slope);
+  return slope === 0 ? tangent(FLAT) : tangent(FIXED_TANGENT, slope);
 }
 
 /** Of the parabola through a value and the next two on one side; of the line where there is one. */

@@ -27,14 +27,14 @@ export type Collision = 'replace' | 'step';
 export const COLLISIONS: readonly Collision[] = ['replace', 'step'];
 
 /** A channel after an edit. */
-export interface Moved {
+export interface EditedChannel {
   readonly channel: KeyedChannel;
   /** Where the keys that the edit was about are now, ascending; those that were replaced are missing. */
   readonly indices: readonly number[];
 }
 
 /** A channel with keys at other times. */
-export interface Arranged extends Moved {
+export interface Arranged extends EditedChannel {
   /** The index that each of `indices` had before. */
   readonly from: readonly number[];
 }
@@ -45,7 +45,7 @@ export interface Arranged extends Moved {
  * @param newTimes one for each of `indices`: ascending as they are, or descending where time is mirrored
  * @param arriving the keys come from elsewhere: they land on others even where their times are the ones they have
  */
-export function arrange(
+export function arrangeKeys(
   channel: KeyedChannel,
   indices: readonly number[],
   newTimes: Float64Array,

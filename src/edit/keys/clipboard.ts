@@ -6,10 +6,10 @@ import type { Channel, ChannelClip, KeyedChannel, Tangents } from '../../model/c
 import type { ChannelKeys } from '../../model/session.ts';
 import { sameValue } from '../delta.ts';
 import { CommandError } from '../store.ts';
-import { arrange, type Moved } from './arrange.ts';
+import { arrangeKeys, type EditedChannel } from './arrange.ts';
 import { takeKeys, withKeyList } from './columns.ts';
-import { moveKeys } from './move.ts';
-import { removeKeys } from './remove.ts';
+import { withKeysMoved } from './move.ts';
+import { withKeysRemoved } from './remove.ts';
 import { sameTime } from './same-time.ts';
 
 /** Keys without their clip: plain data, which outlives it. */
@@ -78,7 +78,7 @@ export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): Copie
 }
 
 /** Throws a `CommandError` where the channels don't fit. */
-export function pasteKeys(clip: ChannelClip, copied: CopiedKeys, { timeSeconds, into, mode }: Paste): Pasted {
+export function withKeysPasted(clip: ChannelClip, copied: CopiedKeys, { timeSeconds, into, mode }: Paste): Pasted {
   const channels = [...clip.channels];
   const keys: ChannelKeys[] = [];
   for (const { to, from } of destinations(clip, copied, into)) {
@@ -113,16 +113,16 @@ function makeRoom(channel: Channel, time: number, seconds: number, mode: PasteMo
   const isAfterStart = (k: number) => times[k] >= time || sameTime(times[k], time);
   const later: number[] = [];
   for (let k = 0; k < times.length; k++) if (isAfterStart(k)) later.push(k);
-  if (mode === 'insert') return moveKeys(channel, later, seconds, 0).channel;
+  if (mode === 'insert') return withKeysMoved(channel, later, seconds, 0).channel;
   const end = time + seconds;
-  return removeKeys(
+  return withKeysRemoved(
     channel,
     later.filter((k) => times[k] <= end || sameTime(times[k], end)),
   );
 }
 
 /** A channel with copied keys among its own: put behind them, then brought into order. */
-function joined(channel: Channel, copied: CopiedChannel, time: number): Moved {
+function joined(channel: Channel, copied: CopiedChannel, time: number): EditedChannel {
   const own = channel.kind === 'keys' ? channel : withKeyList(channel, []);
   const both: KeyedChannel = {
     ...own,
@@ -133,7 +133,7 @@ function joined(channel: Channel, copied: CopiedChannel, time: number): Moved {
   };
   const indices = Array.from({ length: copied.times.length }, (_, k) => own.times.length + k);
   const times = copied.times.map((t) => time + t);
-  return arrange(both, indices, times, 'replace', true);
+  return arrangeKeys(both, indices, times, 'replace', true);
 }
 
 function concatenatedTangents(a: Tangents, b: Tangents): Tangents {

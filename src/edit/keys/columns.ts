@@ -2,7 +2,7 @@
  * Channels are columns; edits are easier to say key by key. Everything that makes a channel out of keys goes through
  * here, so that columns always have one length and only fixed tangents have a slope.
  */
-import { type Channel, FIXED, type KeyedChannel, type Tangents } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 
 /** One side's tangent. */
 export interface Tangent {
@@ -21,7 +21,7 @@ export interface Key {
 }
 
 export function tangent(kind: number, slope = 0): Tangent {
-  return { kind, slope: kind === FIXED ? slope : 0 };
+  return { kind, slope: kind === FIXED_TANGENT ? slope : 0 };
 }
 
 export function keyAt(channel: KeyedChannel, index: number): Key {
@@ -76,6 +76,6 @@ function takeTangents({ kinds, slopes }: Tangents, indices: ArrayLike<number>): 
 function tangentColumns(tangents: readonly Tangent[]): Tangents {
   return {
     kinds: Uint8Array.from(tangents, (t) => t.kind),
-    slopes: Float64Array.from(tangents, (t) => (t.kind === FIXED ? t.slope : 0)),
+    slopes: Float64Array.from(tangents, (t) => (t.kind === FIXED_TANGENT ? t.slope : 0)),
   };
 }

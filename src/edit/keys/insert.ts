@@ -18,7 +18,7 @@
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED, FLAT, type KeyedChannel, LINEAR, SMOOTH } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH } from '../../model/clip.ts';
 import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
@@ -46,7 +46,7 @@ export function insertKey(channel: Channel, time: number): Inserted {
   const slopes = { in: evaluateSlope(curve, 0, time, 'in'), out: evaluateSlope(curve, 0, time, 'out') };
   const index = countNotAbove(channel.times, time);
   const last = channel.times.length;
-  const key = { time, value, in: tangent(FIXED, slopes.in), out: tangent(FIXED, slopes.out) };
+  const key = { time, value, in: tangent(FIXED_TANGENT, slopes.in), out: tangent(FIXED_TANGENT, slopes.out) };
   const next = withKeyAt(channel, index, key);
 
   if (index > 0) {
@@ -82,7 +82,7 @@ function lengthOf({ times }: KeyedChannel): number {
 /** Makes one side of a key a number if its kind would come to another slope than this. In place: columns are new. */
 function keepSlope(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number, asFlat = false): void {
   if (comesTo(next, key, side, keySlope(next, key, side), slope)) return;
-  setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED, slope));
+  setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED_TANGENT, slope));
 }
 
 function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number): Tangent {
@@ -99,7 +99,7 @@ function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slop
   const neighbourKind = hasSegment && (side === 'in' ? next.tangentsOut : next.tangentsIn).kinds[neighbour];
   if (isStraight && neighbourKind === LINEAR) return tangent(LINEAR);
   if (comesTo(next, key, side, 0, slope)) return tangent(FLAT);
-  return isStraight ? tangent(LINEAR) : tangent(FIXED, slope);
+  return isStraight ? tangent(LINEAR) : tangent(FIXED_TANGENT, slope);
 }
 
 /**

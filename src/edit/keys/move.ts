@@ -4,7 +4,7 @@
  */
 import type { KeyedChannel } from '../../model/clip.ts';
 import { CommandError } from '../store.ts';
-import { arrange, type Collision, type Moved, timesFor } from './arrange.ts';
+import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 
 /**
  * Keys cross others freely; what happens where they land on one is said in `arrange.ts`. The very same channel where
@@ -13,17 +13,17 @@ import { arrange, type Collision, type Moved, timesFor } from './arrange.ts';
  * @param seconds added to their times
  * @param value added to their values
  */
-export function moveKeys(
+export function withKeysMoved(
   channel: KeyedChannel,
   indices: readonly number[],
   seconds: number,
   value: number,
   collision: Collision = 'replace',
-): Moved {
+): EditedChannel {
   const raised = value === 0 ? channel : withValues(channel, indices, (v) => v + value);
   if (seconds === 0) return { channel: raised, indices };
   const times = timesFor(indices, (k) => channel.times[k] + seconds);
-  return arrange(raised, indices, times, collision);
+  return arrangeKeys(raised, indices, times, collision);
 }
 
 /** The channel with some values changed; the very same where none is. */

@@ -6,7 +6,7 @@ import { takeKeys } from './columns.ts';
  * @param indices ascending
  * @param rest where the channel stands if no key is left
  */
-export function removeKeys(channel: KeyedChannel, indices: readonly number[], rest = 0): Channel {
+export function withKeysRemoved(channel: KeyedChannel, indices: readonly number[], rest = 0): Channel {
   const count = channel.times.length;
   if (indices.length === 0) return channel;
   const { extrapolateIn, extrapolateOut } = channel;

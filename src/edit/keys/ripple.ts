@@ -6,7 +6,7 @@
  * motion that ripples apart, or eat what lies before it.)
  */
 import type { KeyedChannel } from '../../model/clip.ts';
-import { arrange, type Moved, timesFor } from './arrange.ts';
+import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 
 /** How far back the keys from `first` on can ripple, in seconds: 0 or less. */
 export function rippleRoom({ times }: KeyedChannel, first: number): number {
@@ -18,7 +18,7 @@ export function rippleRoom({ times }: KeyedChannel, first: number): number {
  * @param indices ascending; where they are now is returned
  * @param seconds held to `rippleRoom`
  */
-export function rippleKeys(channel: KeyedChannel, indices: readonly number[], seconds: number): Moved {
+export function withKeysRippled(channel: KeyedChannel, indices: readonly number[], seconds: number): EditedChannel {
   const { times } = channel;
   const first = indices[0];
   if (first === undefined || seconds === 0) return { channel, indices };
@@ -26,7 +26,7 @@ export function rippleKeys(channel: KeyedChannel, indices: readonly number[], se
   const all = Array.from({ length: times.length - first }, (_, i) => first + i);
   // Rounding must not carry the first one past the key it comes up to.
   const floor = times[first - 1] ?? Number.NEGATIVE_INFINITY;
-  const moved = arrange(
+  const moved = arrangeKeys(
     channel,
     all,
     timesFor(all, (k) => Math.max(floor, times[k] + by)),

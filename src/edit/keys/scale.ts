@@ -8,9 +8,9 @@
  * key change places. (Slopes then change sign by the formula.)
  */
 import type { KeyedChannel, Tangents } from '../../model/clip.ts';
-import { FIXED } from '../../model/clip.ts';
+import { FIXED_TANGENT } from '../../model/clip.ts';
 import { CommandError } from '../store.ts';
-import { arrange, type Collision, type Moved, timesFor } from './arrange.ts';
+import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 import { withValues } from './move.ts';
 
 export interface Scaling {
@@ -27,12 +27,12 @@ export interface Scaling {
  * The very same channel where nothing changes, the very same columns where they don't.
  * @param indices ascending, each once
  */
-export function scaleKeys(
+export function withKeysScaled(
   channel: KeyedChannel,
   indices: readonly number[],
   { pivotSeconds, timeFactor, pivotValue, valueFactor }: Scaling,
   collision: Collision = 'replace',
-): Moved {
+): EditedChannel {
   // A factor of 1 leaves numbers alone: through a pivot far away they would come back rounded.
   const valued =
     valueFactor === 1 ? channel : withValues(channel, indices, (v) => pivotValue + (v - pivotValue) * valueFactor);
@@ -40,7 +40,7 @@ export function scaleKeys(
   const scaled = withScaledTangents(valued, indices, valueFactor / (timeFactor === 0 ? 1 : timeFactor), timeFactor < 0);
   if (timeFactor === 1) return { channel: scaled, indices };
   const times = timesFor(indices, (k) => pivotSeconds + (channel.times[k] - pivotSeconds) * timeFactor);
-  return arrange(scaled, indices, times, collision);
+  return arrangeKeys(scaled, indices, times, collision);
 }
 
 /** The channel with some keys' slopes multiplied, and their two sides exchanged if `mirrored`. */
@@ -61,7 +61,7 @@ function scaledTangents(own: Tangents, from: Tangents, indices: readonly number[
   let { kinds, slopes } = own;
   for (const k of indices) {
     const kind = from.kinds[k];
-    const slope = kind === FIXED ? from.slopes[k] * factor : 0;
+    const slope = kind === FIXED_TANGENT ? from.slopes[k] * factor : 0;
     if (!Number.isFinite(slope)) throw new CommandError('That makes a slope too steep.');
     if (kind !== own.kinds[k]) {
       if (kinds === own.kinds) kinds = kinds.slice();

@@ -8,7 +8,7 @@ import { type ChannelClip, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { sameTime } from './same-time.ts';
 
-export const NO_KEYS: readonly ChannelKeys[] = [];
+export const NO_KEY_SELECTION: readonly ChannelKeys[] = [];
 
 /** Every key of these channels (indices into the clip's), of all channels if none are given. */
 export function allKeys(clip: ChannelClip, channels?: readonly number[]): readonly ChannelKeys[] {

@@ -1,6 +1,6 @@
 /** Keys with exact, typed numbers. */
-import { FIXED, type KeyedChannel } from '../../model/clip.ts';
-import { arrange, type Moved, timesFor } from './arrange.ts';
+import { FIXED_TANGENT, type KeyedChannel } from '../../model/clip.ts';
+import { arrangeKeys, type EditedChannel, timesFor } from './arrange.ts';
 import { tangent } from './columns.ts';
 import { withValues } from './move.ts';
 import { withTangents } from './tangents.ts';
@@ -20,34 +20,34 @@ export interface TypedKey {
  * another's time replaces it; of several given keys that are put at one time the last stays.
  * @param indices ascending, each once
  */
-export function setKeys(
+export function withKeysSet(
   channel: KeyedChannel,
   indices: readonly number[],
   { timeSeconds, value, slopeIn, slopeOut }: TypedKey,
-): Moved {
+): EditedChannel {
   const valued = value === undefined ? channel : withValues(channel, indices, () => value);
   const sloped = withTangents(valued, indices, (_k, side) => {
     const slope = side === 'in' ? slopeIn : slopeOut;
-    return slope === undefined ? undefined : tangent(FIXED, slope);
+    return slope === undefined ? undefined : tangent(FIXED_TANGENT, slope);
   });
   if (timeSeconds === undefined) return { channel: sloped, indices };
-  return arrange(sloped, indices, new Float64Array(indices.length).fill(timeSeconds), 'replace');
+  return arrangeKeys(sloped, indices, new Float64Array(indices.length).fill(timeSeconds), 'replace');
 }
 
 /**
  * The channel with keys moved to the nearest frame; of those that come to one frame the last stays.
  * @param offsetSeconds where frame 0 is, in seconds of the clip
  */
-export function snapKeys(
+export function withKeysSnapped(
   channel: KeyedChannel,
   indices: readonly number[],
   framesPerSecond: number,
   offsetSeconds = 0,
-): Moved {
+): EditedChannel {
   // Plus 0: frame −0 is frame 0.
   const toFrame = (time: number) =>
     Math.round((time - offsetSeconds) * framesPerSecond) / framesPerSecond + offsetSeconds + 0;
-  return arrange(
+  return arrangeKeys(
     channel,
     indices,
     timesFor(indices, (k) => toFrame(channel.times[k])),

@@ -3,12 +3,12 @@
  * neighbours from then on.
  */
 import { keySlope } from '../../evaluate/slopes.ts';
-import { FIXED, type KeyedChannel, type Tangents } from '../../model/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 import { type Tangent, tangent } from './columns.ts';
 
 /** The side a curve comes in on, or leaves on. */
-export const SIDES = ['in', 'out', 'both'] as const;
-export type Side = (typeof SIDES)[number];
+export const TANGENT_SIDES = ['in', 'out', 'both'] as const;
+export type TangentSide = (typeof TANGENT_SIDES)[number];
 
 /** Slopes that differ by less, relative to the larger, are one slope. */
 const SAME_SLOPE = 1e-12;
@@ -20,35 +20,40 @@ const SAME_SLOPE = 1e-12;
 export function setTangentKind(
   channel: KeyedChannel,
   indices: readonly number[],
-  side: Side,
+  side: TangentSide,
   kind: number,
 ): KeyedChannel {
   return withTangents(channel, indices, (k, at) => {
-    if (kind !== FIXED) return side === 'both' || side === at ? tangent(kind) : undefined;
-    return side === 'both' || side === at ? tangent(FIXED, keySlope(channel, k, at)) : undefined;
+    if (kind !== FIXED_TANGENT) return side === 'both' || side === at ? tangent(kind) : undefined;
+    return side === 'both' || side === at ? tangent(FIXED_TANGENT, keySlope(channel, k, at)) : undefined;
   });
 }
 
 /** Makes one side of keys, or both, a number: value per second. */
-export function setSlope(channel: KeyedChannel, indices: readonly number[], side: Side, slope: number): KeyedChannel {
+export function setSlope(
+  channel: KeyedChannel,
+  indices: readonly number[],
+  side: TangentSide,
+  slope: number,
+): KeyedChannel {
   return withTangents(channel, indices, (_k, at) =>
-    side === 'both' || side === at ? tangent(FIXED, slope) : undefined,
+    side === 'both' || side === at ? tangent(FIXED_TANGENT, slope) : undefined,
   );
 }
 
 /** Gives both sides of each key one slope, the mean of the two. Keys whose slopes are equal stay as they are. */
-export function unifyTangents(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
+export function withTangentsUnified(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
   return withTangents(channel, indices, (k) => {
     const into = keySlope(channel, k, 'in');
     const out = keySlope(channel, k, 'out');
     if (Math.abs(into - out) <= SAME_SLOPE * Math.max(Math.abs(into), Math.abs(out))) return undefined;
-    return tangent(FIXED, into / 2 + out / 2);
+    return tangent(FIXED_TANGENT, into / 2 + out / 2);
   });
 }
 
 /** Makes both sides of each key numbers, the slopes they have: from then on each can be turned without the other. */
-export function breakTangents(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
-  return withTangents(channel, indices, (k, at) => tangent(FIXED, keySlope(channel, k, at)));
+export function withTangentsBroken(channel: KeyedChannel, indices: readonly number[]): KeyedChannel {
+  return withTangents(channel, indices, (k, at) => tangent(FIXED_TANGENT, keySlope(channel, k, at)));
 }
 
 /**

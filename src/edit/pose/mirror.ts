@@ -32,7 +32,7 @@ export interface MirrorScope {
   readonly stays?: boolean;
 }
 
-export interface Mirrored {
+export interface MirroredPose {
   /** The character's DOFs, without morphs. */
   readonly dofs: Float64Array;
   /** Joints that were given a pose, ascending. */
@@ -56,7 +56,7 @@ export function mirroredPose(
   dofs: ArrayLike<number>,
   clamps: boolean,
   scope: MirrorScope,
-): Mirrored {
+): MirroredPose {
   const compiled = compileSkeleton(skeleton);
   const count = compiled.firstDof[compiled.jointCount];
   const from = Float64Array.from({ length: count }, (_, d) => dofs[d] ?? 0);

@@ -41,7 +41,7 @@ export function partnersAcross(skeleton: Skeleton, points: Float64Array, normal:
 }
 
 /** Half as wide as the farthest joint is from the root; 1 where all are at one place. */
-export function sizeOf(points: Float64Array): number {
+export function halfWidth(points: Float64Array): number {
   let size = 0;
   for (let o = 3; o < points.length; o += 3) {
     size = Math.max(size, Math.hypot(points[o] - points[0], points[o + 1] - points[1], points[o + 2] - points[2]));
@@ -83,7 +83,7 @@ class Shape {
     }
     for (let k = 0; k < 3; k++) this.middles[k] /= this.counts[0];
     for (const list of this.children) list.reverse();
-    this.size = sizeOf(points);
+    this.size = halfWidth(points);
   }
 
   partners(): Partners {

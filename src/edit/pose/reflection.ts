@@ -22,7 +22,7 @@ import { filePose, restPose } from '../../model/dofs.ts';
 import { dofsOf, replacesOffset } from '../../model/joint-types.ts';
 import { perObject } from '../../model/per-object.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Partners, partnersAcross, sizeOf } from './partners.ts';
+import { halfWidth, type Partners, partnersAcross } from './partners.ts';
 import { fittingMap, type JointMaps, mapsOf, reflectionMatrix } from './reflection-maps.ts';
 import { signsOf } from './reflection-signs.ts';
 import { partnersByName, sideOf } from './sides.ts';
@@ -115,7 +115,7 @@ function bestPlane(skeleton: Skeleton, compiled: CompiledSkeleton, dofs: Float64
   for (let j = 0; j < compiled.jointCount; j++) for (let k = 0; k < 3; k++) points[3 * j + k] = world[16 * j + 12 + k];
   const candidate = (normal: Vec3): Candidate => ({
     ...partnersAcross(skeleton, points, normal),
-    ...{ normal, dofs, size: sizeOf(points) },
+    ...{ normal, dofs, size: halfWidth(points) },
   });
   const named = normalByNames(skeleton, points);
   if (named) return candidate(named);
@@ -139,12 +139,12 @@ function normalByNames({ joints }: Skeleton, points: Float64Array): Vec3 | undef
     if (other < 0 || joints[other].parent !== parent || partner[parent] >= 0) return;
     if (sideOf(name) !== 'left' || (first >= 0 && first !== parent)) return;
     const d = [0, 1, 2].map((k) => points[3 * j + k] - points[3 * other + k]);
-    if (Math.hypot(...d) < APART * sizeOf(points)) return;
+    if (Math.hypot(...d) < APART * halfWidth(points)) return;
     first = parent;
     for (let k = 0; k < 3; k++) sum[k] += d[k];
   });
   const length = Math.hypot(...sum);
-  if (!(length > APART * sizeOf(points))) return undefined;
+  if (!(length > APART * halfWidth(points))) return undefined;
   const [x, y, z] = sum.map((v) => v / length);
   return [X, Y, Z].find((axis) => Math.abs(axis[0] * x + axis[1] * y + axis[2] * z) > NEARLY) ?? [x, y, z];
 }

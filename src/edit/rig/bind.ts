@@ -11,7 +11,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { bindingCount, type Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
 import { bindNew } from './remap-skin.ts';
-import { requireSkeleton, type Shown, shownAt, sizeOf } from './shown.ts';
+import { requireSkeleton, type ShownPose, shownAt, skeletonSize } from './shown.ts';
 import { VertexPlaces } from './vertex-places.ts';
 
 /** Parts of the size that a matrix may differ by and still be the same. */
@@ -81,8 +81,8 @@ function firstTakenUp({ heirs, origins }: JointMap): number {
 }
 
 /** By joint after, whether it was there before and stands elsewhere now. */
-function movedJoints(was: Shown, is: Shown, { origins }: JointMap): Uint8Array {
-  const near = SAME * sizeOf(was.world);
+function movedJoints(was: ShownPose, is: ShownPose, { origins }: JointMap): Uint8Array {
+  const near = SAME * skeletonSize(was.world);
   return Uint8Array.from(origins, (origin, j) => {
     if (origin < 0) return 0;
     for (let k = 0; k < 16; k++) {
@@ -96,8 +96,8 @@ function movedJoints(was: Shown, is: Shown, { origins }: JointMap): Uint8Array {
 /** @param grown the skeleton after, where it has new joints: their bindings follow their parents' */
 function boundAgain(
   skin: Skin,
-  is: Shown,
-  was: Shown,
+  is: ShownPose,
+  was: ShownPose,
   { origins }: JointMap,
   moved: Uint8Array,
   grown: Skeleton | undefined,
@@ -115,7 +115,7 @@ function boundAgain(
 }
 
 /** All of it hangs on the root, whichever joint that is by now. */
-function rootBoundAgain(before: Skin, skin: Skin, is: Shown, was: Shown): Skin {
+function rootBoundAgain(before: Skin, skin: Skin, is: ShownPose, was: ShownPose): Skin {
   const bindings = skin.bindings.length ? skin.bindings.slice() : new Float64Array(16);
   if (before.bindings.length) bindings.set(before.bindings.subarray(0, 16));
   else setIdentity(bindings);

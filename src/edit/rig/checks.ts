@@ -17,7 +17,7 @@ export function vector(value: unknown, what: string): Vec3 {
 }
 
 /** A text that may be empty. */
-export function jointName(value: unknown): string {
+export function checkedName(value: unknown): string {
   if (typeof value === 'string') return value;
   throw new CommandError('The name of a joint must be text.');
 }

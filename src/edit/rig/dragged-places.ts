@@ -83,7 +83,7 @@ function dustOf(unitsPerPixel: number): number {
   return 10 ** Math.floor(Math.log10(Math.max(unitsPerPixel, 1e-12) / 10));
 }
 
-export type Side = 'min' | 'max';
+export type BoxSide = 'min' | 'max';
 
 /**
  * A box with one of its faces elsewhere. A face stops at the one across; in files min may lie above max, and such a
@@ -96,7 +96,7 @@ export type Side = 'min' | 'max';
 export function boxWithFace(
   { min, max }: Box,
   axis: 0 | 1 | 2,
-  side: Side,
+  side: BoxSide,
   by: number,
   {
     both = false,

@@ -28,7 +28,7 @@ const IN_PLANE = 1e-6;
 const IN_MIDDLE = 0.05;
 const NEAR = 0.05;
 
-export interface Mirrored {
+export interface MirroredHierarchy {
   readonly map: JointMap;
   /** Index after of the joint on the other side. */
   readonly other: number;
@@ -37,7 +37,7 @@ export interface Mirrored {
 }
 
 /** Throws a `CommandError` where there is no other side. @param across 0, 1 or 2 for x, y or z */
-export function mirrored(skeleton: Skeleton, index: number, across: number): Mirrored {
+export function mirrored(skeleton: Skeleton, index: number, across: number): MirroredHierarchy {
   return new Mirroring(skeleton, across).mirror(index);
 }
 
@@ -71,7 +71,7 @@ class Mirroring {
     this.names = new Set(joints.map(({ name }) => name));
   }
 
-  mirror(index: number): Mirrored {
+  mirror(index: number): MirroredHierarchy {
     const { skeleton, branches } = this;
     const name = called(skeleton, index);
     if (index === 0) throw new CommandError(`${name} is the root, which has no other side.`);

@@ -10,7 +10,7 @@ import type { Couple, Joint, Skeleton } from '../../model/skeleton.ts';
 import { mirroredMotion } from './mirrored-motion.ts';
 
 /** A joint's other side: its index after, and the signs of its DOFs there. */
-export interface Side {
+export interface MirroredJoint {
   readonly joint: number;
   readonly signs: readonly number[];
 }
@@ -24,7 +24,7 @@ export function mirroredCouples(
   before: Skeleton,
   after: Skeleton,
   across: number,
-  sides: ReadonlyMap<number, Side>,
+  sides: ReadonlyMap<number, MirroredJoint>,
   elsewhere: (joint: number) => number,
 ): readonly Joint[] {
   let joints = after.joints;

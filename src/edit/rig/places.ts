@@ -14,7 +14,7 @@ import { setDofs } from '../commands/pose.ts';
 import { CommandError, documentIn } from '../store.ts';
 import { changedJoints } from './joint-map.ts';
 import { withSkeletonChanged } from './remap.ts';
-import { requireSkeleton, type Shown, shownAt, sizeOf } from './shown.ts';
+import { requireSkeleton, type ShownPose, shownAt, skeletonSize } from './shown.ts';
 
 /** Parts of the size: nearer than that a joint is where it should be. */
 const THERE = 1e-13;
@@ -30,7 +30,7 @@ export interface Kept {
 }
 
 /** Position x y z of a joint's pivot. */
-export function pivotOf({ world }: Shown, joint: number): Vec3 {
+export function localPivot({ world }: ShownPose, joint: number): Vec3 {
   const o = 16 * joint + 12;
   return [world[o], world[o + 1], world[o + 2]];
 }
@@ -50,7 +50,7 @@ export function keepPlaces(
   const { id } = before;
   let next = document;
   for (const { joint, origin } of kept) next = turnedAs(next, before, was, joint, origin, timeSeconds);
-  const pivots = new Map(kept.map(({ joint, origin }) => [joint, pivotOf(was, origin)]));
+  const pivots = new Map(kept.map(({ joint, origin }) => [joint, localPivot(was, origin)]));
   return withPivots(next, id, pivots, timeSeconds);
 }
 
@@ -72,10 +72,10 @@ export function withPivots(
   return withSkeletonChanged(document, characterId, changedJoints(skeleton, joints));
 }
 
-function withPivot(joint: Joint, j: number, pivot: Vec3, shown: Shown): Joint {
+function withPivot(joint: Joint, j: number, pivot: Vec3, shown: ShownPose): Joint {
   const { world } = shown;
-  const size = sizeOf(world);
-  const now = pivotOf(shown, j);
+  const size = skeletonSize(world);
+  const now = localPivot(shown, j);
   if (now.every((v, k) => Math.abs(v - pivot[k]) <= THERE * size)) return joint;
   const by = intoSpace(joint.parent, shown, [pivot[0] - now[0], pivot[1] - now[1], pivot[2] - now[2]]);
   const { offset } = joint;
@@ -84,7 +84,7 @@ function withPivot(joint: Joint, j: number, pivot: Vec3, shown: Shown): Joint {
 }
 
 /** A vector of the character's space in that of a joint; -1 for none. Throws where the joint's space is flat. */
-export function intoSpace(joint: number, { world }: Shown, [x, y, z]: Vec3): Vec3 {
+export function intoSpace(joint: number, { world }: ShownPose, [x, y, z]: Vec3): Vec3 {
   if (joint < 0) return [x, y, z];
   if (isSingular(world, 16 * joint)) {
     throw new CommandError('A joint is scaled to zero in the current pose, so nothing can be placed below it.');
@@ -108,7 +108,7 @@ export function tidy(value: number, size: number): number {
 export function turnedAs(
   document: Document,
   before: Character,
-  was: Shown,
+  was: ShownPose,
   joint: number,
   origin: number,
   timeSeconds: number,
@@ -154,7 +154,7 @@ function turnedInFile(
   return withSkeletonChanged(document, before.id, changedJoints(skeleton, joints));
 }
 
-function inFilePose(character: Character): Shown {
+function inFilePose(character: Character): ShownPose {
   const shown = shownAt(character, 0);
   const dofs = Float64Array.from(filePose(character.skeleton, character.morphs.length));
   applyConstraints(shown.compiled, dofs, false);

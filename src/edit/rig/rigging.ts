@@ -54,12 +54,12 @@ export interface RemoveJoint extends OfJoint {
   readonly children: 'too' | 'stay';
 }
 
-export type Axis = 'x' | 'y' | 'z';
-export const AXES: readonly Axis[] = ['x', 'y', 'z'];
+export type NamedAxis = 'x' | 'y' | 'z';
+export const AXIS_LETTERS: readonly NamedAxis[] = ['x', 'y', 'z'];
 
 export interface MirrorJoint extends OfJoint {
   /** The axis of the root's space across which it is mirrored. */
-  readonly across: Axis;
+  readonly across: NamedAxis;
 }
 
 export interface SetOffset extends OfJoint {

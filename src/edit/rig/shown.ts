@@ -5,7 +5,7 @@ import type { Character } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { CommandError } from '../store.ts';
 
-export interface Shown {
+export interface ShownPose {
   readonly compiled: CompiledSkeleton;
   /** Of all DOFs of the character, after limits and couples. */
   readonly dofs: Float64Array;
@@ -14,7 +14,7 @@ export interface Shown {
 }
 
 /** Throws a `CommandError` for a character without a skeleton. */
-export function shownAt(character: Character, timeSeconds: number): Shown {
+export function shownAt(character: Character, timeSeconds: number): ShownPose {
   const compiled = compileSkeleton(requireSkeleton(character));
   const dofs = new Float64Array(dofCountOf(character));
   poseAt(character, timeSeconds, dofs);
@@ -29,7 +29,7 @@ export function requireSkeleton({ name, skeleton }: Character): Skeleton {
 }
 
 /** How far the joints are spread: the larger side of their box, and what a character of one joint is taken for. */
-export function sizeOf(world: Float64Array): number {
+export function skeletonSize(world: Float64Array): number {
   let size = 0;
   for (let k = 12; k < 15; k++) {
     let low = Infinity;

@@ -10,7 +10,7 @@ import { inverseTranspose3, invertAffine, isSingular } from '../../math/mat4.ts'
 import type { Morph, MorphRows } from '../../model/morph.ts';
 import type { Skin } from '../../model/skin.ts';
 import type { JointMap } from './joint-map.ts';
-import type { Shown } from './shown.ts';
+import type { ShownPose } from './shown.ts';
 
 /** Matrices that differ by less do the same: nobody's vertices change by the noise of numbers. */
 const SAME = 1e-12;
@@ -23,8 +23,8 @@ export class VertexPlaces {
   constructor(
     before: Skin,
     private readonly after: Skin,
-    was: Shown,
-    is: Shown,
+    was: ShownPose,
+    is: ShownPose,
     { to }: JointMap,
   ) {
     const { attachments } = before;
@@ -87,7 +87,7 @@ class Blend {
 
   constructor(
     private readonly skin: Skin,
-    { world }: Shown,
+    { world }: ShownPose,
   ) {
     const compiled = compileSkin(skin);
     this.matrices = new Float64Array(16 * compiled.matrixCount);

@@ -5,7 +5,7 @@
  * Long takes are fitted piece by piece, with a key where two pieces meet and the frames' own slope on both of its sides,
  * so that the curve is smooth there too: a key in two thousand frames more, and somebody may look up between pieces.
  */
-import { FIXED, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
+import { FIXED_TANGENT, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
 const PIECE_FRAMES = 2048;
@@ -48,7 +48,7 @@ function stillAt(times: Float64Array, values: Float64Array, tolerance: number): 
 function piece(times: Float64Array, values: Float64Array, from: number, to: number): KeyedChannel {
   const channel = smoothChannel(times.slice(from, to + 1), values.slice(from, to + 1));
   const fix = (side: KeyedChannel['tangentsIn'], key: number, frame: number) => {
-    side.kinds[key] = FIXED;
+    side.kinds[key] = FIXED_TANGENT;
     side.slopes[key] = (values[frame + 1] - values[frame - 1]) / (times[frame + 1] - times[frame - 1]);
   };
   if (from > 0) fix(channel.tangentsOut, 0, from);

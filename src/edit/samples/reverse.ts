@@ -8,7 +8,7 @@ import { STEP_VALUES, type Steps } from '../../evaluate/steps.ts';
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { rangeOfSamples } from '../../model/samples.ts';
 import { sameValue } from '../delta.ts';
-import { scaleKeys } from '../keys/scale.ts';
+import { withKeysScaled } from '../keys/scale.ts';
 import { requireSamples } from './frames.ts';
 
 export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
@@ -39,6 +39,6 @@ export function* reversing(clip: ChannelClip): Steps<ChannelClip> {
 function reversedKeys(channel: Channel, pivotSeconds: number): Channel {
   if (channel.kind !== 'keys') return channel;
   const scaling = { pivotSeconds, timeFactor: -1, pivotValue: 0, valueFactor: 1 };
-  const { channel: turned } = scaleKeys(channel, [...channel.times.keys()], scaling, 'step');
+  const { channel: turned } = withKeysScaled(channel, [...channel.times.keys()], scaling, 'step');
   return { ...turned, extrapolateIn: channel.extrapolateOut, extrapolateOut: channel.extrapolateIn };
 }

@@ -10,7 +10,7 @@
  * there is to calculate. One long loop, since a call a joint costs as much as the joint.
  */
 import { writeSinesAndCosines } from '../../math/sines-cosines.ts';
-import { NOWHERE, OTHER, PLAN, RULES, SLANTED, STANDS } from './screws.ts';
+import { OTHER, PLAN, RULES, SLANTED, STANDS, WORLD } from './screws.ts';
 import type { IkProblem } from './state.ts';
 
 /**
@@ -62,7 +62,7 @@ export function writeMatrices(
       ox = worlds[g + 12];
       oy = worlds[g + 13];
       oz = worlds[g + 14];
-    } else if (from === NOWHERE) {
+    } else if (from === WORLD) {
       const { hasRootTranslation } = problem.skeleton;
       x0 = y1 = z2 = 1;
       x1 = x2 = y0 = y2 = z0 = z1 = 0;

@@ -11,7 +11,7 @@ import { evaluatePose } from './forward.ts';
 import { systemSize } from './normal.ts';
 import { FRAME_SIZE, writeTurnFrame } from './orientation.ts';
 import { checkPins, HOLDING_WEIGHT, type IkOptions, type IkPin, ikStiffness } from './pins.ts';
-import { ballsOf, reachOf } from './reach.ts';
+import { ballsOf, pathReach } from './reach.ts';
 import { linksOf, screwColumnsOf } from './screws.ts';
 import type { IkProblem, JacobianShape, PinArrays, Scratch, Slots } from './state.ts';
 import { type IkVariables, ikVariables } from './variables.ts';
@@ -36,7 +36,7 @@ export function ikProblem(
   applyConstraints(compiled, dofs, clamps);
   const world = new Float64Array(16 * compiled.jointCount);
   worldMatrices(compiled, dofs, world);
-  const reach = reachOf(skeleton, compiled, pins, world);
+  const reach = pathReach(skeleton, compiled, pins, world);
   const onPath = Array.from({ length: compiled.jointCount }, () => false);
   for (const { joint } of pins) for (let j = joint; j >= 0; j = compiled.parent[j]) onPath[j] = true;
   const variables = ikVariables(skeleton, compiled, onPath, stiffness, reach, clamps);

@@ -15,7 +15,7 @@ import { writeTwists } from './twists.ts';
 const NOTHING = 1e-100;
 
 /** The longest way along the bones from the root's pivot to any end of a joint or to a pin; 1 where there is none. */
-export function reachOf(
+export function pathReach(
   { joints }: Skeleton,
   { parent }: CompiledSkeleton,
   pins: readonly IkPin[],

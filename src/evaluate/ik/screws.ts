@@ -17,7 +17,7 @@ export const OTHER = 6;
 export const PLAN = 4;
 /** In the place of a slot to go on from: the link before this one, the space that everything is in. */
 export const BEFORE = -1;
-export const NOWHERE = -2;
+export const WORLD = -2;
 /** Numbers of a link in `Links.rules`: its way from where it goes on from, its axis, how far it slides along that. */
 export const RULES = 7;
 
@@ -36,7 +36,7 @@ export function linksOf(
     const links = own.length > 0 ? own : [STILL];
     first[s + 1] = first[s] + links.length;
     const above = parent[s];
-    const follows = above < 0 ? NOWHERE : above === s - 1 && takesScrews[above] ? BEFORE : above;
+    const follows = above < 0 ? WORLD : above === s - 1 && takesScrews[above] ? BEFORE : above;
     return links.map((link, k) => ({
       ...link,
       does: takesScrews[s] ? whatItDoes(link) : OTHER,

@@ -23,7 +23,7 @@ export interface PinTarget {
 }
 
 /** What the hand has: a pin, by its id, or a point of a joint that nothing holds otherwise. */
-export type Dragged =
+export type DragTarget =
   | { readonly pin: number }
   | {
       readonly joint: number;
@@ -64,7 +64,7 @@ export function pointAt(world: Float64Array, joint: number, point: Vec3): Vec3 {
 export function ikPinsOf(
   { pins }: Pick<IkSetup, 'pins'>,
   targets: ReadonlyMap<number, PinTarget>,
-  dragged?: Dragged,
+  dragged?: DragTarget,
 ): IkPin[] {
   const draggedPin = dragged && 'pin' in dragged ? dragged.pin : undefined;
   if (draggedPin !== undefined && !pins.some(({ id }) => id === draggedPin))
@@ -82,7 +82,7 @@ export function ikPinsOf(
 }
 
 /** Which of the solver's pins is the one that is dragged, for `movePin`; -1 where its pin isn't there. */
-export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: Dragged): number {
+export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: DragTarget): number {
   return 'pin' in dragged ? pins.findIndex(({ id }) => id === dragged.pin) : pins.length;
 }
 

@@ -1,7 +1,7 @@
 /** Three angles about x, y and z, multiplied in any order: balljoints, and the rotation of what has one within it. */
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { renamedAxes } from '../euler-dofs.ts';
-import { type JointMotion, turnAbout } from './motion.ts';
+import { type JointMotion, turnScrew } from './motion.ts';
 
 type BallMotion = JointMotion & Required<Pick<JointMotion, 'screws'>>;
 
@@ -38,7 +38,7 @@ const PLAIN_BALL: BallMotion = {
     PLAIN_BALL.write(dofs, first, out, o);
     turnAsOrdered(out, o, dof, 0, 1, 2, 1, dofs[first + 2]);
   },
-  screws: [turnAbout(2, 2), turnAbout(1, 1), turnAbout(0, 0)],
+  screws: [turnScrew(2, 2), turnScrew(1, 1), turnScrew(0, 0)],
 };
 
 /**
@@ -103,7 +103,7 @@ export function spreadBall(order: EulerOrder, x: number, y: number, z: number): 
       ball.write(dofs, first, out, o);
       turnAsOrdered(out, o, dof === x ? 0 : dof === y ? 1 : 2, i, j, k, sign, dofs[first + atK]);
     },
-    screws: [turnAbout(k, atK), turnAbout(j, atJ), turnAbout(i, atI)],
+    screws: [turnScrew(k, atK), turnScrew(j, atJ), turnScrew(i, atI)],
   };
   return ball;
 }

@@ -36,7 +36,7 @@ const AXES: readonly Vec3[] = [
 ];
 
 /** About x, y or z: `axis` 0, 1 or 2. */
-export function turnAbout(axis: number, dof: number): Screw {
+export function turnScrew(axis: number, dof: number): Screw {
   return { axis: AXES[axis], turn: 1, slide: 0, dof };
 }
 

@@ -5,7 +5,7 @@
  */
 import type { BvhMotion, EulerOrder } from '../../model/skeleton.ts';
 import { BALLS, spreadBall } from './ball.ts';
-import { type JointMotion, type Screw, slideAlong, turnAbout } from './motion.ts';
+import { type JointMotion, type Screw, slideAlong, turnScrew } from './motion.ts';
 import { factorOf, productOf } from './product.ts';
 
 const SLIDES = [slideAlong(0, 0), slideAlong(1, 1), slideAlong(2, 2)];
@@ -56,7 +56,7 @@ export function bvhMotion({ channels }: BvhMotion): JointMotion {
 
 /** The rotations, in the order in which they are multiplied. */
 function turnsOf(channels: readonly string[]): Screw[] {
-  return channels.flatMap((name, dof) => (name.startsWith('r') ? [turnAbout('xyz'.indexOf(name[1]), dof)] : []));
+  return channels.flatMap((name, dof) => (name.startsWith('r') ? [turnScrew('xyz'.indexOf(name[1]), dof)] : []));
 }
 
 /** A ball whose three angles stand anywhere among the channels. */

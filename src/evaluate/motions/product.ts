@@ -9,7 +9,7 @@
  */
 import { setIdentity } from '../../math/mat4.ts';
 import type { AxisPair } from '../../model/skeleton.ts';
-import { type JointMotion, slideAlong, turnAbout } from './motion.ts';
+import { type JointMotion, slideAlong, turnScrew } from './motion.ts';
 
 export interface Factor {
   readonly kind: 'translation' | 'rotation' | 'scale';
@@ -29,7 +29,7 @@ export function factorOf(name: string, dof: number): Factor {
 export function productOf(factors: readonly Factor[]): JointMotion {
   const stretches = factors.some(({ kind }) => kind === 'scale');
   const screws = factors.map(({ kind, axis, dof }) =>
-    kind === 'rotation' ? turnAbout(axis, dof) : slideAlong(axis, dof),
+    kind === 'rotation' ? turnScrew(axis, dof) : slideAlong(axis, dof),
   );
   return {
     stretches,

@@ -78,7 +78,7 @@ function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
 }
 
 /** x′ = x + hxy·y + hxz·z, y′ = y + hyz·z, z′ = z. */
-export const SHEAR: JointMotion = {
+export const SHEAR_MOTION: JointMotion = {
   stretches: true,
   write(dofs, first, out, o) {
     setIdentity(out, o);

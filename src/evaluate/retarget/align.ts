@@ -22,8 +22,8 @@ import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from
 import type { Space } from '../../model/document.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Figure, figureOf } from './figure.ts';
-import { type BodySide, type Role, type Roles, rolesOf, SIDES } from './roles.ts';
+import { figureOf, type RetargetFigure } from './figure.ts';
+import { type BodySide, LIMB_SIDES, type Role, type Roles, rolesOf } from './roles.ts';
 
 /** What of the two skeletons doesn't depend on the reference pose. */
 export interface Bodies {
@@ -35,7 +35,7 @@ export interface Bodies {
   readonly sourceOf: Int32Array;
   readonly roles: Roles;
   /** The target in its file pose. */
-  readonly rest: Figure;
+  readonly rest: RetargetFigure;
 }
 
 export function bodiesOf(
@@ -64,14 +64,14 @@ const UP: readonly number[] = [0, 1, 0];
 const UPRIGHT = Math.cos(Math.PI / 9);
 
 /** Nine numbers: x from right to left, y from the hips up, z to the front; of joints given by `at`. */
-export function bodyFrame({ points }: Figure, bodies: Bodies, at: (target: number) => number): Float64Array {
+export function bodyFrame({ points }: RetargetFigure, bodies: Bodies, at: (target: number) => number): Float64Array {
   const sideways = new Float64Array(3);
   const upward = new Float64Array(3);
   const between = (a: number, b: number, out: Float64Array) => {
     for (let k = 0; k < 3; k++) out[k] += points[3 * at(a) + k] - points[3 * at(b) + k];
   };
   const both = (part: 'thigh' | 'arm' | 'collar' | 'foot') => {
-    const pair = SIDES.map((side) => driven(bodies, `${side} ${part}`));
+    const pair = LIMB_SIDES.map((side) => driven(bodies, `${side} ${part}`));
     return pair.every((j) => j >= 0) ? pair : undefined;
   };
   const across = both('thigh') ?? both('arm');
@@ -105,7 +105,7 @@ function normalize(v: Float64Array): boolean {
 }
 
 /** B: from the target's front and up to the source's. */
-export function bodyTurn(bodies: Bodies, reference: Figure): Float64Array {
+export function bodyTurn(bodies: Bodies, reference: RetargetFigure): Float64Array {
   const own = bodyFrame(bodies.rest, bodies, (t) => t);
   const other = bodyFrame(reference, bodies, (t) => bodies.sourceOf[t]);
   const back = new Float64Array(9);
@@ -121,7 +121,7 @@ const ABOVE: Partial<Record<Aiming, Aiming>> = { forearm: 'arm', shin: 'thigh' }
 
 /** Joint and the one that its bone points to, in the target; those of arms and legs. */
 export function aims(bodies: Bodies): readonly { readonly joint: number; readonly to: number; readonly role: Role }[] {
-  return SIDES.flatMap((side) =>
+  return LIMB_SIDES.flatMap((side) =>
     (['arm', 'forearm', 'thigh', 'shin'] as const).flatMap((part) => {
       const joint = driven(bodies, `${side} ${part}`);
       const to = driven(bodies, `${side} ${NEXT[part]}`);
@@ -131,7 +131,7 @@ export function aims(bodies: Bodies): readonly { readonly joint: number; readonl
 }
 
 /** K of every pair, nine numbers a joint of the target; the identity where it follows none. */
-export function alignment(bodies: Bodies, reference: Figure): Float64Array {
+export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Array {
   const { target, sourceOf, roles, rest } = bodies;
   const count = target.joints.length;
   const body = bodyTurn(bodies, reference);
@@ -146,7 +146,7 @@ export function alignment(bodies: Bodies, reference: Figure): Float64Array {
     if (j >= 0) put(j, body, 0);
   }
   for (const j of [...roles.spine, ...roles.neck]) if (sourceOf[j] >= 0) put(j, body, 0);
-  for (const side of SIDES) {
+  for (const side of LIMB_SIDES) {
     for (const part of ['arm', 'forearm', 'thigh', 'shin'] as const) {
       const j = driven(bodies, `${side} ${part}`);
       if (j < 0) continue;
@@ -180,7 +180,13 @@ export function alignment(bodies: Bodies, reference: Figure): Float64Array {
 }
 
 /** Turns D of a joint on, so that its bone to another one points as the source's. */
-function swingTo({ rest, sourceOf }: Bodies, reference: Figure, j: number, to: number, turns: Float64Array): void {
+function swingTo(
+  { rest, sourceOf }: Bodies,
+  reference: RetargetFigure,
+  j: number,
+  to: number,
+  turns: Float64Array,
+): void {
   const own = new Float64Array(3);
   const other = new Float64Array(3);
   for (let k = 0; k < 3; k++) {
@@ -203,7 +209,7 @@ const HEADS = 0.4;
 
 function alignFoot(
   bodies: Bodies,
-  reference: Figure,
+  reference: RetargetFigure,
   side: BodySide,
   body: Float64Array,
   put: (j: number, from: Float64Array, o: number) => void,
@@ -224,7 +230,7 @@ function alignFoot(
 }
 
 /** Where a foot points, over the ground: to its toe, or to what is below it; undefined where that is mostly down. */
-function heading(skeleton: Skeleton, figure: Figure, foot: number, toe: number): Float64Array | undefined {
+function heading(skeleton: Skeleton, figure: RetargetFigure, foot: number, toe: number): Float64Array | undefined {
   const tip = toe >= 0 ? toe : skeleton.joints.findIndex((joint) => joint.parent === foot);
   const out = new Float64Array(3);
   if (tip >= 0) for (let k = 0; k < 3; k++) out[k] = figure.points[3 * tip + k] - figure.points[3 * foot + k];
@@ -255,6 +261,6 @@ function onlyFollowers({ target, source, sourceOf }: Bodies): Int32Array {
   return out;
 }
 
-export function sourceFigure({ source, sourceSpace }: Bodies, dofs?: Float64Array): Figure {
+export function sourceFigure({ source, sourceSpace }: Bodies, dofs?: Float64Array): RetargetFigure {
   return figureOf(source, sourceSpace, dofs);
 }

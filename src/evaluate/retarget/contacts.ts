@@ -16,7 +16,7 @@
  */
 import { worldMatrices } from '../kinematics.ts';
 import { type Bodies, driven } from './align.ts';
-import type { Figure } from './figure.ts';
+import type { RetargetFigure } from './figure.ts';
 import { legLength } from './leg-length.ts';
 import { smooth } from './limbs.ts';
 import type { FootTrack, RetargetPlan } from './plan.ts';
@@ -40,7 +40,7 @@ const STANDING = 0.12;
 const MEASURED = 5;
 
 /** The plan with the heights of ankles, and when which foot stands. */
-export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Figure): RetargetPlan {
+export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: RetargetFigure): RetargetPlan {
   const legs = plain.limbs.filter(({ part }) => part === 'leg');
   const length = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
   if (!legs.length || !(length > 0)) return { ...plain, ground: groundOfHips(plain, bodies, reference) };
@@ -230,7 +230,7 @@ function standingHeight({ rest, target }: Bodies, joints: readonly number[]): nu
 }
 
 /** Without legs: the hips, from where they are in the reference to where they are at rest. */
-function groundOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: Figure) {
+function groundOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: RetargetFigure) {
   const [joint] = plan.ground.carried;
   if (joint === undefined) return plan.ground;
   return {

@@ -9,7 +9,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
 
-export interface Figure {
+export interface RetargetFigure {
   /** 9 numbers a joint. */
   readonly rotations: Float64Array;
   /** x y z a joint; metres, y up. */
@@ -26,7 +26,7 @@ export function upRotation(space: Space | undefined): Float64Array {
 }
 
 /** @param dofs all of the character's, or the file's pose where absent */
-export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Float64Array): Figure {
+export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Float64Array): RetargetFigure {
   const compiled = compileSkeleton(skeleton);
   const { jointCount } = compiled;
   const world = new Float64Array(16 * jointCount);
@@ -47,7 +47,7 @@ export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Fl
   return { rotations, points };
 }
 
-export function distance({ points }: Figure, a: number, b: number): number {
+export function distance({ points }: RetargetFigure, a: number, b: number): number {
   return Math.hypot(
     points[3 * a] - points[3 * b],
     points[3 * a + 1] - points[3 * b + 1],

@@ -1,11 +1,11 @@
 /** How long legs are, which is what ways are scaled by. */
 import { type Bodies, driven } from './align.ts';
-import { distance, type Figure } from './figure.ts';
-import { SIDES } from './roles.ts';
+import { distance, type RetargetFigure } from './figure.ts';
+import { LIMB_SIDES } from './roles.ts';
 
 /** Length of the legs, hip joint to ankle, or of hips to head where there are none; metres. 0 where neither is known. */
-export function legLength(bodies: Bodies, figure: Figure, at: (target: number) => number): number {
-  const lengths = SIDES.flatMap((side) => {
+export function legLength(bodies: Bodies, figure: RetargetFigure, at: (target: number) => number): number {
+  const lengths = LIMB_SIDES.flatMap((side) => {
     const chain = (['thigh', 'shin', 'foot'] as const).map((part) => driven(bodies, `${side} ${part}`));
     if (chain.some((j) => j < 0)) return [];
     const [thigh, shin, foot] = chain.map(at);
@@ -17,7 +17,7 @@ export function legLength(bodies: Bodies, figure: Figure, at: (target: number) =
 }
 
 /** What a way is multiplied by where nobody says: target's legs to source's. Both in metres. */
-export function automaticScale(bodies: Bodies, reference: Figure): number {
+export function automaticScale(bodies: Bodies, reference: RetargetFigure): number {
   const own = legLength(bodies, bodies.rest, (t) => t);
   const other = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
   return own > 0 && other > 0 ? own / other : 1;

@@ -9,7 +9,7 @@
 import { multiply3, turnAbout, turnVector } from '../../math/mat3.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import { aims, type Bodies, driven } from './align.ts';
-import { type BodySide, SIDES } from './roles.ts';
+import { type BodySide, LIMB_SIDES } from './roles.ts';
 
 export interface Limb {
   readonly side: BodySide;
@@ -31,7 +31,7 @@ const ALONG = 0.8;
 
 export function limbsOf(bodies: Bodies, target: CompiledSkeleton, rest: Float64Array, clamps: boolean): Limb[] {
   const aimed = aims(bodies);
-  return SIDES.flatMap((side) =>
+  return LIMB_SIDES.flatMap((side) =>
     (
       [
         ['arm', 'arm', 'forearm', 'hand'],

@@ -14,7 +14,7 @@ import { automaticScale } from './leg-length.ts';
 import { type Limb, limbsOf } from './limbs.ts';
 import type { RetargetPlan, SpaceRule } from './plan.ts';
 import { referenceFigure } from './reference.ts';
-import { SIDES } from './roles.ts';
+import { LIMB_SIDES } from './roles.ts';
 import { playedSource } from './source-pose.ts';
 
 /** By the driver's pairs, which stay what they are when the source changes (`edit/drivers.ts`). */
@@ -115,7 +115,7 @@ export function automaticScaleOf(driver: Driver, skeleton: Skeleton, space: Spac
 }
 
 function carriedJoints(bodies: Bodies): number[] {
-  const thighs = SIDES.map((side) => driven(bodies, `${side} thigh`)).filter((j) => j >= 0);
+  const thighs = LIMB_SIDES.map((side) => driven(bodies, `${side} thigh`)).filter((j) => j >= 0);
   if (thighs.length === 2) return thighs;
   const hips = driven(bodies, 'hips');
   if (hips >= 0) return [hips];

@@ -8,7 +8,7 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import type { NameParts } from './names.ts';
 import { type Roles, rolesOf } from './roles.ts';
 
-export interface JointMatch extends JointPair {
+export interface MatchedPair extends JointPair {
   /** 1 for joints called the same, down to 0.5 where only the shape speaks for it. */
   readonly confidence: number;
   /** `left thigh, by name` */
@@ -28,10 +28,10 @@ export function automaticPairs(
   target: Skeleton,
   sourceSpace?: Space,
   targetSpace?: Space,
-): readonly JointMatch[] {
+): readonly MatchedPair[] {
   const from = rolesOf(source, sourceSpace);
   const onto = rolesOf(target, targetSpace);
-  const matches = new Map<number, JointMatch>();
+  const matches = new Map<number, MatchedPair>();
   const add = (t: number, s: number, confidence: number, reason: string) => {
     if (!matches.has(t)) matches.set(t, { target: t, source: s, confidence, reason });
   };

@@ -9,7 +9,7 @@
  * lower one where there is a thigh. `roles.ts` decides those, from what else there is.
  */
 
-export type Side = 'left' | 'right' | 'middle';
+export type NameSide = 'left' | 'right' | 'middle';
 
 /** What one word means. `shoulder`, `sidedHip` and `leg` mean one thing or another. */
 export type Word =
@@ -35,7 +35,7 @@ export type Word =
   | 'pinky';
 
 export interface NameParts {
-  readonly side: Side;
+  readonly side: NameSide;
   readonly word: Word | undefined;
   /** 0 where there is none. */
   readonly number: number;
@@ -87,7 +87,7 @@ const FINGER = /thumb|index|mid(?:dle)?|ring|pinky|little/;
 export function readName(name: string): NameParts {
   const own = name.slice(name.lastIndexOf(':') + 1).replace(/#.*$/, '');
   const tokens = tokensOf(own);
-  let side: Side = 'middle';
+  let side: NameSide = 'middle';
   let number = 0;
   const words: string[] = [];
   tokens.forEach((token) => {
@@ -109,7 +109,7 @@ export function readName(name: string): NameParts {
   return { side, word: wordOf(key, side), number, plain };
 }
 
-function wordOf(key: string, side: Side): Word | undefined {
+function wordOf(key: string, side: NameSide): Word | undefined {
   if (NOT_A_PART.test(key)) return undefined;
   // `RightHandIndex2`, `LeftInHandRing`
   const finger = side === 'middle' ? undefined : FINGER.exec(key);

@@ -8,8 +8,8 @@
 import { turnVector } from '../../math/mat3.ts';
 import type { RetargetOptions } from '../../model/retarget.ts';
 import { aims, type Bodies, bodyTurn, driven, sourceFigure } from './align.ts';
-import type { Figure } from './figure.ts';
-import { SIDES } from './roles.ts';
+import type { RetargetFigure } from './figure.ts';
+import { LIMB_SIDES } from './roles.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
 
 /** Moments that are looked at, evenly over the clip. */
@@ -22,7 +22,7 @@ export function referenceFigure(
   played: PlayedSource,
   range: readonly [number, number],
   reference: RetargetOptions['reference'],
-): Figure {
+): RetargetFigure {
   const dofs = new Float64Array(played.dofCount);
   const at = (seconds: number) => {
     sourcePose(played, seconds, dofs);
@@ -46,7 +46,7 @@ export function referenceFigure(
 }
 
 /** Whether legs go down and the trunk up, with a side to either side. Bodies without legs are taken as they are. */
-export function stands(bodies: Bodies, figure: Figure): boolean {
+export function stands(bodies: Bodies, figure: RetargetFigure): boolean {
   const at = (role: Parameters<typeof driven>[1]) => {
     const joint = driven(bodies, role);
     return joint < 0 ? undefined : bodies.sourceOf[joint];
@@ -56,7 +56,7 @@ export function stands(bodies: Bodies, figure: Figure): boolean {
     const d = [0, 1, 2].map((k) => points[3 * high + k] - points[3 * low + k]);
     return d[1] > STANDS * Math.hypot(...d);
   };
-  const legs = SIDES.map((side) => [at(`${side} foot`), at(`${side} thigh`)] as const);
+  const legs = LIMB_SIDES.map((side) => [at(`${side} foot`), at(`${side} thigh`)] as const);
   for (const [foot, thigh] of legs) {
     if (foot !== undefined && thigh !== undefined && !isSteep(foot, thigh)) return false;
   }
@@ -76,7 +76,7 @@ export function stands(bodies: Bodies, figure: Figure): boolean {
 }
 
 /** Sum of the angles between the target's bones at rest, turned to face as the figure does, and the figure's. */
-function unlikeness(bodies: Bodies, figure: Figure): number {
+function unlikeness(bodies: Bodies, figure: RetargetFigure): number {
   const turn = bodyTurn(bodies, figure);
   const own = new Float64Array(3);
   let sum = 0;

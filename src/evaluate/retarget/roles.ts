@@ -7,15 +7,15 @@
  */
 import type { Space } from '../../model/document.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Figure, figureOf } from './figure.ts';
+import { figureOf, type RetargetFigure } from './figure.ts';
 import { type NameParts, readName, type Word } from './names.ts';
 import { rolesByShape } from './shape.ts';
 
 /** Of which there is one, or one a side. */
 export const LIMB_PARTS = ['collar', 'arm', 'forearm', 'hand', 'thigh', 'shin', 'foot', 'toe'] as const;
 export type LimbPart = (typeof LIMB_PARTS)[number];
-export const SIDES = ['left', 'right'] as const;
-export type BodySide = (typeof SIDES)[number];
+export const LIMB_SIDES = ['left', 'right'] as const;
+export type BodySide = (typeof LIMB_SIDES)[number];
 
 /** `left thigh`, or `hips`. */
 export type Role = `${BodySide} ${LimbPart}` | 'hips' | 'head';
@@ -28,7 +28,7 @@ export interface Roles {
   /** Joints that were told by their shape. */
   readonly byShape: ReadonlySet<number>;
   readonly names: readonly NameParts[];
-  readonly rest: Figure;
+  readonly rest: RetargetFigure;
 }
 
 export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
@@ -47,7 +47,7 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
     const found = candidates.find((j) => j >= 0);
     if (found !== undefined && !single.has(role)) single.set(role, found);
   };
-  for (const side of SIDES) {
+  for (const side of LIMB_SIDES) {
     const [shoulder, arm] = [first('shoulder', side), first('arm', side)];
     take(`${side} collar`, first('collar', side), arm >= 0 ? shoulder : -1);
     take(`${side} arm`, arm, shoulder);
@@ -61,7 +61,7 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
     take(`${side} toe`, first('toe', side));
   }
   // The hips carry both legs, whatever they are called.
-  const thighs = SIDES.map((side) => single.get(`${side} thigh`));
+  const thighs = LIMB_SIDES.map((side) => single.get(`${side} thigh`));
   const named = names.findIndex((n) => n.word === 'hips' && n.side === 'middle' && /hip|pelvis/i.test(n.plain));
   if (thighs[0] !== undefined && thighs[1] !== undefined) {
     const [left, right] = [chainTo(thighs[0]), chainTo(thighs[1])];
@@ -79,7 +79,7 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
       single.set(role, joint);
       byShape.add(joint);
     };
-    for (const side of SIDES) {
+    for (const side of LIMB_SIDES) {
       const leg = shape.legs?.[side] ?? [];
       (['thigh', 'shin', 'foot', 'toe'] as const).forEach((part, i) => {
         guess(`${side} ${part}`, leg[i]);
@@ -121,7 +121,7 @@ function last(names: readonly NameParts[], word: Word): number | undefined {
 }
 
 function hasLimbs(single: ReadonlyMap<Role, number>): boolean {
-  return SIDES.every((side) =>
+  return LIMB_SIDES.every((side) =>
     (['arm', 'forearm', 'thigh', 'shin', 'foot'] as const).every((part) => single.has(`${side} ${part}`)),
   );
 }

@@ -8,7 +8,7 @@
  * Left is +x, for figures face +z as they stand in files, or −y where z is up.
  */
 import type { Skeleton } from '../../model/skeleton.ts';
-import { distance, type Figure } from './figure.ts';
+import { distance, type RetargetFigure } from './figure.ts';
 
 /** Joints, from the body outwards. */
 export interface ShapeRoles {
@@ -43,7 +43,7 @@ interface Pair {
   readonly right: Branch;
 }
 
-export function rolesByShape({ joints }: Skeleton, rest: Figure): ShapeRoles | undefined {
+export function rolesByShape({ joints }: Skeleton, rest: RetargetFigure): ShapeRoles | undefined {
   const children: number[][] = joints.map(() => []);
   joints.forEach(({ parent }, j) => {
     if (parent >= 0) children[parent].push(j);
@@ -111,7 +111,7 @@ export function rolesByShape({ joints }: Skeleton, rest: Figure): ShapeRoles | u
 }
 
 /** The ankle is the first joint in the lowest quarter of the leg; the knee that nearest to half way. */
-function legOf(chain: readonly number[], rest: Figure): readonly number[] {
+function legOf(chain: readonly number[], rest: RetargetFigure): readonly number[] {
   const y = (j: number) => rest.points[3 * j + 1];
   const [top] = chain;
   const bottom = Math.min(...chain.map(y));
@@ -124,7 +124,7 @@ function legOf(chain: readonly number[], rest: Figure): readonly number[] {
 }
 
 /** A collar is a first joint near the middle, where three more follow. */
-function armOf(chain: readonly number[], at: number, rest: Figure) {
+function armOf(chain: readonly number[], at: number, rest: RetargetFigure) {
   const out = (j: number) => Math.abs(rest.points[3 * j] - rest.points[3 * at]);
   const hasCollar = chain.length >= 4 && out(chain[0]) < 0.6 * out(chain[1]);
   return { collar: hasCollar ? chain[0] : -1, chain: chain.slice(hasCollar ? 1 : 0).slice(0, 3) };

@@ -4,7 +4,16 @@
  * The words flat, linear and smooth come out of the number loop as values that no number has (see `scan.ts`), so that a
  * hundred thousand keys are one loop over bytes like any other block.
  */
-import { FIXED, FLAT, type Keys, LINEAR, NO_KEYS, SMOOTH, TANGENT_KINDS, type Tangents } from '../../model/clip.ts';
+import {
+  FIXED_TANGENT,
+  FLAT,
+  type Keys,
+  LINEAR,
+  NO_KEYS,
+  SMOOTH,
+  TANGENT_KINDS,
+  type Tangents,
+} from '../../model/clip.ts';
 import type { Place } from '../places.ts';
 import type { BlockWords } from '../scan.ts';
 import type { NumberSink, Tokens } from '../tokens.ts';
@@ -44,7 +53,7 @@ export class KeySink implements NumberSink {
       const value = values[i];
       if (column >= 2) {
         const isWord = value - value !== 0;
-        kinds[column - 2][row] = isWord ? kindOf(value) : FIXED;
+        kinds[column - 2][row] = isWord ? kindOf(value) : FIXED_TANGENT;
         slopes[column - 2][row] = isWord ? 0 : value;
         if (++column === 4) {
           column = 0;

@@ -17,14 +17,14 @@ import {
   checkCount,
   checkRows,
   countAndBrace,
+  type GrammarPart,
   number,
   openBrace,
-  type Part,
   skipStrange,
-  stemOf,
+  stemOfName,
   warnRepeated,
 } from '../grammar.ts';
-import { NOWHERE, WHOLE_FILE } from '../places.ts';
+import { NO_PLACE, WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { KeySink } from './keys.ts';
@@ -46,7 +46,7 @@ interface Parts {
   readonly channels: Channel[];
 }
 
-function* animFile(t: Tokens): Part<ChannelClip> {
+function* animFile(t: Tokens): GrammarPart<ChannelClip> {
   let parts: Parts | undefined;
   let place: Mark | undefined;
   for (;;) {
@@ -68,7 +68,7 @@ function* animFile(t: Tokens): Part<ChannelClip> {
     );
   }
   const channels = parts?.channels ?? [];
-  return { name: stemOf(t.fileName), range: parts?.range ?? rangeOfKeys(t, channels), channels };
+  return { name: stemOfName(t.fileName), range: parts?.range ?? rangeOfKeys(t, channels), channels };
 }
 
 /** Where no range is given: first to last key. */
@@ -83,12 +83,12 @@ function rangeOfKeys(t: Tokens, channels: readonly Channel[]): readonly [number,
   }
   const range: readonly [number, number] = first <= last ? [first, last] : [0, 0];
   if (channels.length > 0) {
-    t.report.warn('range-missing', 'Expected range t0 t1, found none.', NOWHERE, `used ${range[0]} to ${range[1]}`);
+    t.report.warn('range-missing', 'Expected range t0 t1, found none.', NO_PLACE, `used ${range[0]} to ${range[1]}`);
   }
   return range;
 }
 
-function* body(t: Tokens, opened: Mark): Part<Parts> {
+function* body(t: Tokens, opened: Mark): GrammarPart<Parts> {
   const parts: Parts = { channels: [] };
   const sink = new KeySink();
   let declared: number | undefined;
@@ -116,7 +116,7 @@ function* body(t: Tokens, opened: Mark): Part<Parts> {
   return parts;
 }
 
-function* range(t: Tokens): Part<readonly [number, number]> {
+function* range(t: Tokens): GrammarPart<readonly [number, number]> {
   const place = t.mark();
   const first = yield* number(t, 'the start time of the range', KEYWORDS);
   const last = first === undefined ? undefined : yield* number(t, 'the end time of the range', KEYWORDS);
@@ -127,7 +127,7 @@ function* range(t: Tokens): Part<readonly [number, number]> {
   return [last, first];
 }
 
-function* channelCount(t: Tokens): Part<number | undefined> {
+function* channelCount(t: Tokens): GrammarPart<number | undefined> {
   const count = yield* number(t, 'the number of channels', KEYWORDS);
   if (count === undefined || count % 1 === 0) return count;
   t.error('count-fractional', `Expected a whole number of channels, found ${t.found()}.`);
@@ -135,7 +135,7 @@ function* channelCount(t: Tokens): Part<number | undefined> {
 }
 
 /** `{ extrapolate IN OUT keys k { … } }` */
-function* channel(t: Tokens, sink: KeySink, index: number): Part<Channel> {
+function* channel(t: Tokens, sink: KeySink, index: number): GrammarPart<Channel> {
   yield* openBrace(t, 'channel');
   let extrapolation: readonly [Extrapolation, Extrapolation] | undefined;
   let keys: Keys | undefined;
@@ -170,7 +170,7 @@ function* channel(t: Tokens, sink: KeySink, index: number): Part<Channel> {
 }
 
 /** One extrapolation; undefined where the word is missing, which is reported. */
-function* extrapolate(t: Tokens, side: string): Part<Extrapolation | undefined> {
+function* extrapolate(t: Tokens, side: string): GrammarPart<Extrapolation | undefined> {
   yield* t.next();
   const word = t.keyword();
   const known = EXTRAPOLATIONS.find((e) => e === word);
@@ -185,7 +185,7 @@ function* extrapolate(t: Tokens, side: string): Part<Extrapolation | undefined> 
 }
 
 /** `k { time value tan_in tan_out … }` */
-function* keyRows(t: Tokens, sink: KeySink): Part<Keys> {
+function* keyRows(t: Tokens, sink: KeySink): GrammarPart<Keys> {
   const declared = yield* countAndBrace(t, 'keys', KEYWORDS);
   sink.begin();
   yield* t.numbers(sink, 'keys', KEYWORDS);

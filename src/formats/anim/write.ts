@@ -5,7 +5,7 @@
  */
 import {
   type ChannelClip,
-  FIXED,
+  FIXED_TANGENT,
   type KeyedChannel,
   type RestChannel,
   TANGENT_KINDS,
@@ -57,5 +57,5 @@ function writeSampled(text: Text, { frameCount, frameSeconds, startSeconds, scal
 }
 
 function tangent(text: Text, { kinds, slopes }: Tangents, key: number): string {
-  return kinds[key] === FIXED ? text.number(slopes[key]) : (TANGENT_KINDS[kinds[key]] ?? 'flat');
+  return kinds[key] === FIXED_TANGENT ? text.number(slopes[key]) : (TANGENT_KINDS[kinds[key]] ?? 'flat');
 }

@@ -1,15 +1,15 @@
 /** Figures out of what a `.bvh` holds: for each root its skeleton, and the columns of the rows that are its own. */
 import { type ChannelClip, restChannel, SAMPLED } from '../../model/clip.ts';
 import { rootDofCount } from '../../model/dofs.ts';
-import type { Figure } from '../../model/files.ts';
+import type { CapturedFigure } from '../../model/files.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import { RADIANS_PER_DEGREE, rangeOfSamples, type Samples } from '../../model/samples.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { Root } from './hierarchy.ts';
-import type { Motion } from './motion.ts';
+import type { MotionRows } from './motion.ts';
 
 /** Named after the file; several ones each after their root as well. */
-export function figuresOf(stem: string, roots: readonly Root[], motion: Motion): readonly Figure[] {
+export function figuresOf(stem: string, roots: readonly Root[], motion: MotionRows): readonly CapturedFigure[] {
   const names = roots.length === 1 ? [stem] : namesOf(stem, roots);
   const scales = roots.map(scalesOf);
   const width = scales.reduce((sum, own) => sum + own.length, 0);
@@ -44,7 +44,7 @@ function scalesOf({ joints }: Root): Float64Array {
 }
 
 /** Columns [first, first + count) of every row. */
-function columns({ values, frameCount }: Motion, width: number, first: number, count: number): Float64Array {
+function columns({ values, frameCount }: MotionRows, width: number, first: number, count: number): Float64Array {
   const own = new Float64Array(frameCount * count);
   for (let frame = 0; frame < frameCount; frame++) {
     const at = frame * width + first;
@@ -53,7 +53,7 @@ function columns({ values, frameCount }: Motion, width: number, first: number, c
   return own;
 }
 
-function samplesOf(skeleton: Skeleton, motion: Motion, values: Float64Array, scales: Float64Array): Samples {
+function samplesOf(skeleton: Skeleton, motion: MotionRows, values: Float64Array, scales: Float64Array): Samples {
   const { frameCount, frameSeconds } = motion;
   const firstChannel = rootDofCount(skeleton);
   return { frameCount, frameSeconds, startSeconds: 0, firstChannel, values, scales, interpolation: 'linear' };

@@ -12,7 +12,7 @@
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { type BvhChannel, DEFAULT_BOX, type Joint, type Limit, UNLIMITED } from '../../model/skeleton.ts';
-import { braceTooMany, number, numbers, openBrace, type Part, skipStrange } from '../grammar.ts';
+import { braceTooMany, type GrammarPart, number, numbers, openBrace, skipStrange } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { shortName } from '../words.ts';
@@ -42,7 +42,7 @@ interface OpenJoint {
 }
 
 /** All up to `MOTION`, which is then the token at hand. */
-export function* hierarchy(t: Tokens): Part<readonly Root[]> {
+export function* hierarchy(t: Tokens): GrammarPart<readonly Root[]> {
   const roots: Root[] = [];
   yield* t.next();
   if (t.keyword() !== 'hierarchy') {
@@ -67,7 +67,7 @@ export function* hierarchy(t: Tokens): Part<readonly Root[]> {
 }
 
 /** A root and all below it. `ROOT` is at hand. */
-function* tree(t: Tokens): Part<Root> {
+function* tree(t: Tokens): GrammarPart<Root> {
   const joints: Joint[] = [];
   const root = yield* head(t, 'ROOT', 0, -1);
   const stack = [root];
@@ -109,7 +109,7 @@ function* tree(t: Tokens): Part<Root> {
 }
 
 /** `[NAME] "{"` */
-function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: number): Part<OpenJoint> {
+function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: number): GrammarPart<OpenJoint> {
   const place = t.mark();
   const name = yield* t.restOfLine();
   yield* openBrace(t, name ? `the name ${shortName(name)}` : keyword);
@@ -117,7 +117,7 @@ function* head(t: Tokens, keyword: 'ROOT' | 'JOINT', index: number, parent: numb
 }
 
 /** What follows `End`: the point, 0 0 0 where there is none. */
-function* endSite(t: Tokens): Part<Vec3> {
+function* endSite(t: Tokens): GrammarPart<Vec3> {
   const opened = t.mark();
   yield* t.restOfLine();
   yield* openBrace(t, 'End Site');
@@ -142,14 +142,14 @@ function* endSite(t: Tokens): Part<Vec3> {
   return offset ?? [0, 0, 0];
 }
 
-function* vector(t: Tokens): Part<Vec3> {
+function* vector(t: Tokens): GrammarPart<Vec3> {
   const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of OFFSET`, KEYWORDS);
   failIfCut(t);
   return [x, y, z];
 }
 
 /** `n CHANNEL …`: all there are, also on the lines that follow. */
-function* channels(t: Tokens): Part<readonly BvhChannel[]> {
+function* channels(t: Tokens): GrammarPart<readonly BvhChannel[]> {
   const place = t.mark();
   const declared = yield* number(t, 'the number of channels', KEYWORDS);
   failIfCut(t);

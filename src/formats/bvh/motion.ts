@@ -7,13 +7,13 @@
  * error. A frame time that nothing can be
  * played at is a warning too, and 1/30 s is used: poses of one frame are written with 0.
  */
-import { number, type Part } from '../grammar.ts';
+import { type GrammarPart, number } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { Rows } from './rows.ts';
 
 /** Rows of all roots' channels. */
-export interface Motion {
+export interface MotionRows {
   /** 0 where there is no complete row. */
   readonly frameCount: number;
   readonly frameSeconds: number;
@@ -40,7 +40,7 @@ interface Header {
  * @param width channels, of all roots together
  * @param byteLength the whole file's
  */
-export function* motion(t: Tokens, width: number, byteLength: number | undefined): Part<Motion> {
+export function* motion(t: Tokens, width: number, byteLength: number | undefined): GrammarPart<MotionRows> {
   const { frames, framesAt, frameSeconds = ASSUMED.frameSeconds } = yield* header(t);
   const rows = new Rows(t, width, frames, byteLength);
   yield* rows.read();
@@ -51,7 +51,7 @@ export function* motion(t: Tokens, width: number, byteLength: number | undefined
 }
 
 /** Up to where both were found; what comes then may be the first row. */
-function* header(t: Tokens): Part<Header> {
+function* header(t: Tokens): GrammarPart<Header> {
   const found: Header = {};
   while (!found.framesAt || found.frameSeconds === undefined) {
     const label = yield* labelOf(t);
@@ -74,7 +74,7 @@ function* header(t: Tokens): Part<Header> {
 }
 
 /** `Frames:`, `Frame Time:`, with blanks wherever, and numbers glued on: in lower case without blanks and colon. */
-function* labelOf(t: Tokens): Part<string> {
+function* labelOf(t: Tokens): GrammarPart<string> {
   let label = '';
   do {
     yield* t.next();
@@ -89,7 +89,7 @@ function* labelOf(t: Tokens): Part<string> {
   return label;
 }
 
-function* frameTime(t: Tokens): Part<number> {
+function* frameTime(t: Tokens): GrammarPart<number> {
   const value = yield* number(t, 'the frame time in seconds', KEYWORDS);
   // Missing is an error, and told already.
   if (value === undefined) return ASSUMED.frameSeconds;

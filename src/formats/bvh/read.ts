@@ -6,8 +6,8 @@
  * Several roots are several figures, whose channels stand one after the other in each row. Keywords are read in any
  * case. In a hierarchy with errors it is not known how many numbers a row has, so that the rows are not looked at then.
  */
-import type { Figure } from '../../model/files.ts';
-import { type Part, stemOf } from '../grammar.ts';
+import type { CapturedFigure } from '../../model/files.ts';
+import { type GrammarPart, stemOfName } from '../grammar.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Tokens } from '../tokens.ts';
 import { figuresOf } from './figures.ts';
@@ -18,21 +18,21 @@ import { motion } from './motion.ts';
  * A reader for a `.bvh`: a figure for each root.
  * @param byteLength the file's, where it is known: the samples are then allocated once
  */
-export function bvhReader(fileName: string, byteLength?: number): Reader<readonly Figure[]> {
+export function bvhReader(fileName: string, byteLength?: number): Reader<readonly CapturedFigure[]> {
   return grammarReader(fileName, (t) => figures(t, byteLength));
 }
 
 /** Reads a whole `.bvh`. */
-export function readBvh(bytes: Uint8Array | string, fileName: string): ReadResult<readonly Figure[]> {
+export function readBvh(bytes: Uint8Array | string, fileName: string): ReadResult<readonly CapturedFigure[]> {
   // Close enough for a text: its numbers are one byte a character.
   return readWhole(bvhReader(fileName, bytes.length), bytes);
 }
 
-function* figures(t: Tokens, byteLength: number | undefined): Part<readonly Figure[] | undefined> {
+function* figures(t: Tokens, byteLength: number | undefined): GrammarPart<readonly CapturedFigure[] | undefined> {
   const roots = yield* hierarchy(t);
   if (t.report.hasErrors) return undefined;
   let width = 0;
   for (const { joints } of roots) for (const joint of joints) width += joint.pose.length;
   const samples = yield* motion(t, width, byteLength);
-  return figuresOf(stemOf(t.fileName), roots, samples);
+  return figuresOf(stemOfName(t.fileName), roots, samples);
 }

@@ -13,8 +13,8 @@
  *
  * Memory: a declared count is believed only as far as the bytes at hand, or what a number took so far, bear it out.
  */
-import { looksNumeric, type Part } from '../grammar.ts';
-import { NOWHERE, type Place } from '../places.ts';
+import { type GrammarPart, looksNumeric } from '../grammar.ts';
+import { NO_PLACE, type Place } from '../places.ts';
 import { ParseError } from '../report.ts';
 import { AT_END, CR, FULL, LF, type Scan, scanNumbers } from '../scan.ts';
 import type { Tokens } from '../tokens.ts';
@@ -69,7 +69,7 @@ export class Rows {
   }
 
   /** All up to the end of the file. */
-  *read(): Part<void> {
+  *read(): GrammarPart<void> {
     const { t, width } = this;
     for (;;) {
       if ((yield* t.next()) === 'end') break;
@@ -90,7 +90,7 @@ export class Rows {
         continue;
       }
       // From here on the row's bytes may go any time.
-      this.rowPlace ??= t.report.hasRoom('error') ? t.placeAt(this.rowAt) : NOWHERE;
+      this.rowPlace ??= t.report.hasRoom('error') ? t.placeAt(this.rowAt) : NO_PLACE;
       if (width === 0 || (t.startsLine && !looksNumeric(t))) {
         yield* this.skipTrailing();
         break;
@@ -194,7 +194,7 @@ export class Rows {
   }
 
   /** What is no row is at hand, at the start of a line: warns, and skips to the end, where no row may come. */
-  private *skipTrailing(): Part<void> {
+  private *skipTrailing(): GrammarPart<void> {
     const { t, width } = this;
     const found = t.found();
     const place = t.place();

@@ -12,7 +12,7 @@
  */
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import { firstDofs } from '../../model/dofs.ts';
-import type { Figure } from '../../model/files.ts';
+import type { CapturedFigure } from '../../model/files.ts';
 import { bvhChannelsOf, dofsOf, jointTypeOf, positionsOf } from '../../model/joint-types.ts';
 import { columnOf, RADIANS_PER_DEGREE } from '../../model/samples.ts';
 import type { BvhChannel, Joint, Skeleton } from '../../model/skeleton.ts';
@@ -38,7 +38,7 @@ const NO_FRAME_SECONDS = 1 / 30;
 /**
  * Whether figures can be the roots of one file: those that move have as many frames, of the same time, each.
  */
-export function fitOneBvh(figures: readonly Figure[]): boolean {
+export function fitOneBvh(figures: readonly CapturedFigure[]): boolean {
   const moving = figures.flatMap(({ clip }) => clip?.samples ?? []);
   return moving.every((s) => s.frameCount === moving[0].frameCount && s.frameSeconds === moving[0].frameSeconds);
 }
@@ -48,7 +48,7 @@ export function fitOneBvh(figures: readonly Figure[]): boolean {
  * @param fileName what diagnostics name
  * @throws Error for figures of several frame rates or counts (see `fitOneBvh`), other motions, and channels with keys
  */
-export function writeBvh(figures: readonly Figure[], fileName = ''): WriteResult {
+export function writeBvh(figures: readonly CapturedFigure[], fileName = ''): WriteResult {
   const { pieces, diagnostics } = writeBvhPieces(figures, fileName);
   const decoder = new TextDecoder();
   let text = '';
@@ -57,7 +57,7 @@ export function writeBvh(figures: readonly Figure[], fileName = ''): WriteResult
 }
 
 /** As `writeBvh`, in pieces. */
-export function writeBvhPieces(figures: readonly Figure[], fileName = ''): WrittenPieces {
+export function writeBvhPieces(figures: readonly CapturedFigure[], fileName = ''): WrittenPieces {
   if (!fitOneBvh(figures)) throw new Error('Figures in one .bvh file need the same frames: write one file per figure.');
   const text = new Text(fileName);
   text.line(0, 'HIERARCHY');
@@ -121,7 +121,7 @@ interface Column {
   readonly plus: number;
 }
 
-function columnsOf({ skeleton, clip }: Figure): readonly Column[] {
+function columnsOf({ skeleton, clip }: CapturedFigure): readonly Column[] {
   const starts = firstDofs(skeleton);
   return skeleton.joints.flatMap((joint, j) =>
     dofsOf(joint.motion).map(({ name, unit }, d): Column => {

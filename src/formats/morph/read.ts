@@ -10,10 +10,10 @@ import {
   braceTooMany,
   checkRows,
   countAndBrace,
+  type GrammarPart,
   MAX_COUNT,
-  type Part,
   skipStrange,
-  stemOf,
+  stemOfName,
   WrongIndices,
   warnRepeated,
 } from '../grammar.ts';
@@ -34,7 +34,7 @@ export function readMorph(bytes: Uint8Array | string, fileName: string): ReadRes
 const KEYWORDS = new Set(['positions', 'normals']);
 const NO_ROWS: MorphRows = { indices: new Uint32Array(0), values: new Float64Array(0) };
 
-function* morphFile(t: Tokens): Part<Morph> {
+function* morphFile(t: Tokens): GrammarPart<Morph> {
   let positions: MorphRows | undefined;
   let normals: MorphRows | undefined;
   for (;;) {
@@ -53,10 +53,10 @@ function* morphFile(t: Tokens): Part<Morph> {
   if (!positions?.indices.length && !normals?.indices.length) {
     t.report.error('vertex-missing', 'Expected at least one replaced vertex, found none.', WHOLE_FILE);
   }
-  return { name: stemOf(t.fileName), positions: positions ?? NO_ROWS, normals: normals ?? NO_ROWS };
+  return { name: stemOfName(t.fileName), positions: positions ?? NO_ROWS, normals: normals ?? NO_ROWS };
 }
 
-function* rowsOf(t: Tokens, what: string): Part<MorphRows> {
+function* rowsOf(t: Tokens, what: string): GrammarPart<MorphRows> {
   const declared = yield* countAndBrace(t, what, KEYWORDS);
   const sink = new MorphSink();
   yield* t.numbers(sink, what, KEYWORDS);

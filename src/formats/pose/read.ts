@@ -11,7 +11,16 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import { DOF_NAMES } from '../../model/joint-types/dof.ts';
 import type { NamedValue, PoseByNames, PosedJoint } from '../../model/pose-by-names.ts';
-import { braceTooMany, number, numbers, openBrace, type Part, skipStrange, stemOf, warnRepeated } from '../grammar.ts';
+import {
+  braceTooMany,
+  type GrammarPart,
+  number,
+  numbers,
+  openBrace,
+  skipStrange,
+  stemOfName,
+  warnRepeated,
+} from '../grammar.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Tokens } from '../tokens.ts';
@@ -29,7 +38,7 @@ export function readPoses(bytes: Uint8Array | string, fileName: string): ReadRes
 const DOFS: ReadonlySet<string> = new Set(DOF_NAMES);
 const KEYWORDS = new Set(['pose', 'root', 'joint', 'weight', ...DOF_NAMES]);
 
-function* poseFile(t: Tokens): Part<readonly PoseByNames[]> {
+function* poseFile(t: Tokens): GrammarPart<readonly PoseByNames[]> {
   const poses: PoseByNames[] = [];
   for (;;) {
     const kind = yield* t.next();
@@ -42,9 +51,9 @@ function* poseFile(t: Tokens): Part<readonly PoseByNames[]> {
   return poses;
 }
 
-function* pose(t: Tokens, index: number): Part<PoseByNames> {
+function* pose(t: Tokens, index: number): GrammarPart<PoseByNames> {
   const opened = t.mark();
-  const stem = stemOf(t.fileName);
+  const stem = stemOfName(t.fileName);
   const name = (yield* t.restOfLine()) || (index === 0 ? stem : `${stem} ${index + 1}`);
   yield* openBrace(t, 'the name of the pose');
   let root: Vec3 | undefined;
@@ -68,7 +77,7 @@ function* pose(t: Tokens, index: number): Part<PoseByNames> {
   return { name, ...(root && { root }), joints, weights };
 }
 
-function* joint(t: Tokens): Part<PosedJoint> {
+function* joint(t: Tokens): GrammarPart<PosedJoint> {
   const opened = t.mark();
   const name = yield* t.restOfLine();
   yield* openBrace(t, 'the name of the joint');

@@ -9,10 +9,10 @@ import {
   braceTooMany,
   checkCount,
   countAndBrace,
+  type GrammarPart,
   openBrace,
-  type Part,
   skipStrange,
-  stemOf,
+  stemOfName,
   warnRepeated,
 } from '../grammar.ts';
 import { WHOLE_FILE } from '../places.ts';
@@ -46,7 +46,7 @@ interface Parts {
   animation?: string;
 }
 
-function* rigFile(t: Tokens): Part<Rig | undefined> {
+function* rigFile(t: Tokens): GrammarPart<Rig | undefined> {
   let rig: Rig | undefined;
   for (;;) {
     const kind = yield* t.next();
@@ -61,9 +61,9 @@ function* rigFile(t: Tokens): Part<Rig | undefined> {
   return rig;
 }
 
-function* body(t: Tokens): Part<Rig> {
+function* body(t: Tokens): GrammarPart<Rig> {
   const opened = t.mark();
-  let name = stemOf(t.fileName);
+  let name = stemOfName(t.fileName);
   if ((yield* t.next()) === 'word') name = t.text();
   else t.again();
   yield* openBrace(t, 'the name of the rig');
@@ -85,7 +85,7 @@ function* body(t: Tokens): Part<Rig> {
   return { name, morphs: [], ...parts };
 }
 
-function* fileOf(t: Tokens, part: 'skeleton' | 'skin' | 'animation'): Part<string | undefined> {
+function* fileOf(t: Tokens, part: 'skeleton' | 'skin' | 'animation'): GrammarPart<string | undefined> {
   const kind = yield* t.next();
   if (kind === 'word' && !(t.startsLine && KEYWORDS.has(t.keyword()))) {
     return yield* t.file(RIG_EXTENSIONS[part], KEYWORDS);
@@ -96,7 +96,7 @@ function* fileOf(t: Tokens, part: 'skeleton' | 'skin' | 'animation'): Part<strin
 }
 
 /** `N { FILE … }` */
-function* morphs(t: Tokens): Part<string[]> {
+function* morphs(t: Tokens): GrammarPart<string[]> {
   const opened = t.mark();
   const declared = yield* countAndBrace(t, 'morphs', KEYWORDS);
   const files: string[] = [];

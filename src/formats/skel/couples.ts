@@ -7,7 +7,7 @@ import { firstDofs } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Couple, Joint } from '../../model/skeleton.ts';
 import { oneToken } from '../../model/written-names.ts';
-import { number, type Part } from '../grammar.ts';
+import { type GrammarPart, number } from '../grammar.ts';
 import type { Keywords, Mark, Tokens } from '../tokens.ts';
 
 /** A couple as it is written. */
@@ -25,7 +25,7 @@ export interface OpenCouple {
 }
 
 /** The keyword is at hand. Undefined where something is missing, which is an error. */
-export function* couple(t: Tokens, owner: number, keywords: Keywords): Part<OpenCouple | undefined> {
+export function* couple(t: Tokens, owner: number, keywords: Keywords): GrammarPart<OpenCouple | undefined> {
   const dof = yield* name(t, 'the name of a DOF after couple', keywords);
   if (dof === undefined) return undefined;
   const dofPlace = t.mark();
@@ -43,7 +43,7 @@ export function* couple(t: Tokens, owner: number, keywords: Keywords): Part<Open
 }
 
 /** A word that is no number. */
-function* name(t: Tokens, what: string, keywords: Keywords): Part<string | undefined> {
+function* name(t: Tokens, what: string, keywords: Keywords): GrammarPart<string | undefined> {
   yield* t.next();
   if (t.kind === 'word' && Number.isNaN(t.value()) && !keywords.has(t.keyword())) return t.text();
   t.error('name-expected', `Expected ${what}, found ${t.found()}.`);

@@ -14,7 +14,7 @@ import {
   withParameter,
 } from '../../model/joint-types.ts';
 import type { Motion } from '../../model/skeleton.ts';
-import type { Part } from '../grammar.ts';
+import type { GrammarPart } from '../grammar.ts';
 import type { Keywords, Tokens } from '../tokens.ts';
 import { listOfWords, numberToken, oneOfWords, vectorToken } from './own-tokens.ts';
 
@@ -50,7 +50,7 @@ export function* readOwn(
   parameter: Parameter,
   motion: Motion,
   keywords: Keywords,
-): Part<Motion> {
+): GrammarPart<Motion> {
   const value = yield* readValue(t, token, parameter, keywords);
   return value === undefined ? motion : withParameter(motion, token, value);
 }
@@ -60,7 +60,7 @@ function* readValue(
   token: string,
   parameter: Parameter,
   keywords: Keywords,
-): Part<ParameterValues[Parameter['type']] | undefined> {
+): GrammarPart<ParameterValues[Parameter['type']] | undefined> {
   switch (parameter.type) {
     case 'choice':
       return yield* oneOfWords(t, token, parameter.choices, keywords);

@@ -1,6 +1,6 @@
 /** Values of tokens in a joint: words out of a few, lists of them, numbers and vectors. */
 import type { Vec3 } from '../../math/vec3.ts';
-import { number, numbers, type Part } from '../grammar.ts';
+import { type GrammarPart, number, numbers } from '../grammar.ts';
 import type { Keywords, Tokens } from '../tokens.ts';
 
 /** One word out of a few; undefined where there is an error, and what stands there is left if it means something else. */
@@ -9,7 +9,7 @@ export function* oneOfWords<W extends string>(
   token: string,
   words: readonly W[],
   keywords: Keywords,
-): Part<W | undefined> {
+): GrammarPart<W | undefined> {
   yield* t.next();
   const found = t.keyword();
   const word = words.find((one) => one === found);
@@ -25,7 +25,7 @@ export function* listOfWords<W extends string>(
   token: string,
   words: readonly W[],
   keywords: Keywords,
-): Part<readonly W[]> {
+): GrammarPart<readonly W[]> {
   const list: W[] = [];
   for (;;) {
     yield* t.next();
@@ -49,12 +49,12 @@ function isOther(t: Tokens, keywords: Keywords): boolean {
 }
 
 /** The one number of a token; undefined where it is missing. */
-export function numberToken(t: Tokens, token: string, keywords: Keywords): Part<number | undefined> {
+export function numberToken(t: Tokens, token: string, keywords: Keywords): GrammarPart<number | undefined> {
   return number(t, `a number after ${token}`, keywords);
 }
 
 /** The x y z of a token; undefined where not all of them are there, which is an error. */
-export function* vectorToken(t: Tokens, token: string, keywords: Keywords): Part<Vec3 | undefined> {
+export function* vectorToken(t: Tokens, token: string, keywords: Keywords): GrammarPart<Vec3 | undefined> {
   const errors = t.report.errorCount;
   const [x, y, z] = yield* numbers(t, 3, (i) => `${'xyz'[i]} of ${token}`, keywords);
   return t.report.errorCount === errors ? [x, y, z] : undefined;

@@ -13,7 +13,7 @@
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { DEFAULT_BOX, type Joint, UNLIMITED } from '../../model/skeleton.ts';
-import { looksNumeric, type Part } from '../grammar.ts';
+import { type GrammarPart, looksNumeric } from '../grammar.ts';
 import { ParseError } from '../report.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { radiansOf } from './degrees.ts';
@@ -39,7 +39,7 @@ interface Open {
 }
 
 /** The whole file, whose first token is at hand. */
-export function* axisAngleTree(t: Tokens): Part<readonly Joint[]> {
+export function* axisAngleTree(t: Tokens): GrammarPart<readonly Joint[]> {
   const joints: Joint[] = [];
   const open: Open[] = [];
   /** The last token of the joint before. */
@@ -76,7 +76,7 @@ export function* axisAngleTree(t: Tokens): Part<readonly Joint[]> {
 }
 
 /** Nothing more in the file: said of the joint that is the last, for behind it there is no line to show. */
-function* expectChild(t: Tokens, { index, children, missing, place }: Open, last: Mark): Part<void> {
+function* expectChild(t: Tokens, { index, children, missing, place }: Open, last: Mark): GrammarPart<void> {
   yield* t.next();
   if (t.kind !== 'end') {
     t.again();
@@ -89,13 +89,13 @@ function* expectChild(t: Tokens, { index, children, missing, place }: Open, last
   throw new ParseError('joint-missing');
 }
 
-function* boneLength(t: Tokens, index: number): Part<number> {
+function* boneLength(t: Tokens, index: number): GrammarPart<number> {
   const length = yield* number(t, `the length of joint #${index}`);
   if (length < 0) t.error('length-negative', `Expected a length of 0 or more for joint #${index}, found ${t.found()}.`);
   return length;
 }
 
-function* axisOf(t: Tokens, index: number): Part<Vec3> {
+function* axisOf(t: Tokens, index: number): GrammarPart<Vec3> {
   const { errorCount } = t.report;
   const x = yield* number(t, `x of the axis of joint #${index}`);
   const place = x === 0 ? t.mark() : undefined;
@@ -108,7 +108,7 @@ function* axisOf(t: Tokens, index: number): Part<Vec3> {
   return [x, y, z];
 }
 
-function* childCount(t: Tokens, index: number): Part<number> {
+function* childCount(t: Tokens, index: number): GrammarPart<number> {
   const { errorCount } = t.report;
   const count = yield* number(t, `the number of children of joint #${index}`);
   const what = `a whole number of children for joint #${index}`;
@@ -125,7 +125,7 @@ function* childCount(t: Tokens, index: number): Part<number> {
 }
 
 /** One number. A word that is none is told, and counts as 0; where none can come any more, nothing is read on. */
-function* number(t: Tokens, what: string): Part<number> {
+function* number(t: Tokens, what: string): GrammarPart<number> {
   yield* t.next();
   const value = t.value();
   if (value - value === 0) return value;

@@ -20,7 +20,7 @@ import {
   type Skeleton,
   UNLIMITED,
 } from '../../model/skeleton.ts';
-import { braceTooMany, number, numberRun, openBrace, type Part, skipStrange, stemOf } from '../grammar.ts';
+import { braceTooMany, type GrammarPart, number, numberRun, openBrace, skipStrange, stemOfName } from '../grammar.ts';
 import { WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
@@ -67,7 +67,7 @@ interface OpenJoint {
   length?: number;
 }
 
-function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
+function* skeletons(t: Tokens): GrammarPart<readonly Skeleton[]> {
   const roots: (readonly Joint[])[] = [];
   for (let isFirst = true; ; isFirst = false) {
     const kind = yield* t.next();
@@ -84,21 +84,21 @@ function* skeletons(t: Tokens): Part<readonly Skeleton[]> {
       }
       roots.push(yield* tree(t, type));
     } else if (isFirst && beginsAxisAngle(t)) {
-      return [{ name: stemOf(t.fileName), joints: yield* axisAngleTree(t), form: 'axis-angle' }];
+      return [{ name: stemOfName(t.fileName), joints: yield* axisAngleTree(t), form: 'axis-angle' }];
     } else yield* skipStrange(t, 'a .skel file', 'a joint such as balljoint');
   }
   if (roots.length === 0) t.report.error('joint-missing', 'Expected at least one joint, found none.', WHOLE_FILE);
-  const stem = stemOf(t.fileName);
+  const stem = stemOfName(t.fileName);
   return roots.map((joints, i) => ({ name: i === 0 ? stem : `${stem}_${i + 1}`, joints }));
 }
 
 /** A root and all below it. Its joint type is at hand. */
-function* tree(t: Tokens, rootType: SkelType): Part<readonly Joint[]> {
+function* tree(t: Tokens, rootType: SkelType): GrammarPart<readonly Joint[]> {
   const joints: Joint[] = [];
   let count = 0;
   const stack: OpenJoint[] = [];
   const couples: OpenCouple[] = [];
-  const open = function* (type: SkelType): Part<void> {
+  const open = function* (type: SkelType): GrammarPart<void> {
     stack.push(yield* head(t, type, count++, stack.at(-1)?.index ?? -1));
   };
   yield* open(rootType);
@@ -120,7 +120,7 @@ function* tree(t: Tokens, rootType: SkelType): Part<readonly Joint[]> {
 }
 
 /** `[NAME] "{"` */
-function* head(t: Tokens, type: SkelType, index: number, parent: number): Part<OpenJoint> {
+function* head(t: Tokens, type: SkelType, index: number, parent: number): GrammarPart<OpenJoint> {
   const place = t.mark();
   let name = '';
   if ((yield* t.next()) === 'word') name = t.text();
@@ -134,7 +134,7 @@ function* head(t: Tokens, type: SkelType, index: number, parent: number): Part<O
 }
 
 /** One token of a joint and its values; whether it is one. */
-function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]): Part<boolean> {
+function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]): GrammarPart<boolean> {
   switch (word) {
     case 'offset':
       joint.offset = yield* vector(t, word);
@@ -181,7 +181,7 @@ function* token(t: Tokens, joint: OpenJoint, word: string, couples: OpenCouple[]
 }
 
 /** `l`, of the bone along +y. */
-function* boneLength(t: Tokens, joint: OpenJoint): Part<void> {
+function* boneLength(t: Tokens, joint: OpenJoint): GrammarPart<void> {
   const place = t.mark();
   const length = yield* numberToken(t, 'length', KEYWORDS);
   if (length === undefined) return;
@@ -191,12 +191,12 @@ function* boneLength(t: Tokens, joint: OpenJoint): Part<void> {
   } else joint.length = length;
 }
 
-function* vector(t: Tokens, token: string): Part<Vec3> {
+function* vector(t: Tokens, token: string): GrammarPart<Vec3> {
   return (yield* vectorToken(t, token, KEYWORDS)) ?? [0, 0, 0];
 }
 
 /** `min max` */
-function* limit(t: Tokens, joint: OpenJoint, dof: string): Part<void> {
+function* limit(t: Tokens, joint: OpenJoint, dof: string): GrammarPart<void> {
   const place = t.mark();
   const min = yield* number(t, `the lower limit of ${dof}`, KEYWORDS);
   if (min === undefined) return;

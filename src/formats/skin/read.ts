@@ -14,15 +14,15 @@ import {
   checkCount,
   checkRows,
   countAndBrace,
-  Numbers,
+  type GrammarPart,
+  NumberList,
   openBrace,
-  type Part,
   rows,
   skipStrange,
-  stemOf,
+  stemOfName,
   warnRepeated,
 } from '../grammar.ts';
-import { NOWHERE, WHOLE_FILE } from '../places.ts';
+import { NO_PLACE, WHOLE_FILE } from '../places.ts';
 import { grammarReader, type Reader, type ReadResult, readWhole } from '../reader.ts';
 import type { Mark, Tokens } from '../tokens.ts';
 import { AttachmentSink, TriangleSink } from './sinks.ts';
@@ -61,7 +61,7 @@ interface Parts {
   material?: Material;
 }
 
-function* skinFile(t: Tokens): Part<Skin> {
+function* skinFile(t: Tokens): GrammarPart<Skin> {
   const parts: Parts = {};
   for (;;) {
     const kind = yield* t.next();
@@ -72,7 +72,7 @@ function* skinFile(t: Tokens): Part<Skin> {
   return skinOf(t, parts);
 }
 
-function* block(t: Tokens, parts: Parts): Part<void> {
+function* block(t: Tokens, parts: Parts): GrammarPart<void> {
   const word = t.keyword();
   switch (word) {
     case 'positions':
@@ -105,7 +105,7 @@ function* block(t: Tokens, parts: Parts): Part<void> {
   }
 }
 
-function* skinweights(t: Tokens): Part<AttachmentSink> {
+function* skinweights(t: Tokens): GrammarPart<AttachmentSink> {
   const declared = yield* countAndBrace(t, 'skinweights', KEYWORDS);
   const sink = new AttachmentSink(t, declared ?? 0);
   yield* t.numbers(sink, 'skinweights', KEYWORDS);
@@ -118,7 +118,7 @@ function* skinweights(t: Tokens): Part<AttachmentSink> {
   return sink;
 }
 
-function* triangles(t: Tokens, positions: Block | undefined): Part<TriangleSink> {
+function* triangles(t: Tokens, positions: Block | undefined): GrammarPart<TriangleSink> {
   const declared = yield* countAndBrace(t, 'triangles', KEYWORDS);
   const sink = new TriangleSink(t, 3 * (declared ?? 0), positions && Math.floor(positions.values.length / 3));
   yield* t.numbers(sink, 'triangles', KEYWORDS);
@@ -128,7 +128,7 @@ function* triangles(t: Tokens, positions: Block | undefined): Part<TriangleSink>
 }
 
 /** `J { matrix { a b c d } … }` */
-function* bindings(t: Tokens): Part<Float64Array> {
+function* bindings(t: Tokens): GrammarPart<Float64Array> {
   const opened = t.mark();
   const declared = yield* countAndBrace(t, 'bindings', KEYWORDS);
   const all: Float64Array[] = [];
@@ -151,11 +151,11 @@ function* bindings(t: Tokens): Part<Float64Array> {
 }
 
 /** `{ a b c d }`, the columns, three numbers each. The identity where it is wrong. */
-function* matrix(t: Tokens, joint: number): Part<Float64Array> {
+function* matrix(t: Tokens, joint: number): GrammarPart<Float64Array> {
   const what = `the binding of joint ${joint}`;
   const place = t.mark();
   yield* openBrace(t, 'matrix');
-  const sink = new Numbers(t, 12);
+  const sink = new NumberList(t, 12);
   yield* t.numbers(sink, what, KEYWORDS);
   const m = Float64Array.of(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
   if (sink.count !== 12) {
@@ -175,7 +175,7 @@ function* matrix(t: Tokens, joint: number): Part<Float64Array> {
 }
 
 /** `[NAME] { texture FILE }` */
-function* material(t: Tokens): Part<Material> {
+function* material(t: Tokens): GrammarPart<Material> {
   const opened = t.mark();
   let name = '';
   if ((yield* t.next()) === 'word') name = t.text();
@@ -219,7 +219,7 @@ function skinOf(t: Tokens, parts: Parts): Skin {
     report.info(
       'normals-computed',
       'Found no normals; they are computed from the triangles.',
-      NOWHERE,
+      NO_PLACE,
       'area-weighted',
     );
   }
@@ -234,7 +234,7 @@ function skinOf(t: Tokens, parts: Parts): Skin {
     report.warn('skinweights-count', message, t.placeOf(parts.attachmentsAt), assumed);
   }
   return {
-    name: stemOf(t.fileName),
+    name: stemOfName(t.fileName),
     positions,
     ...(normals && { normals }),
     ...(texcoords && { texcoords }),

@@ -8,7 +8,14 @@ import type { ChannelClip } from '../../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../../model/document.ts';
 import { jointDofCount } from '../../model/dofs.ts';
-import { baseName, type Figure, folderOf, type ParsedFile, type SourceFile, sameName } from '../../model/files.ts';
+import {
+  baseName,
+  type CapturedFigure,
+  folderOf,
+  type ParsedFile,
+  type SourceFile,
+  sameName,
+} from '../../model/files.ts';
 import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKED } from '../../model/part.ts';
 import { positionsMeant, positionsTaken, withPositions } from '../../model/position-channels.ts';
 
@@ -103,10 +110,10 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
  */
 export function withFigure(
   character: Character,
-  figure: Figure,
+  figure: CapturedFigure,
   file: Omit<PartFile, 'holds'>,
   before: Character | undefined,
-  together: readonly Figure[] = [figure],
+  together: readonly CapturedFigure[] = [figure],
 ): Character {
   const { skeleton, clip } = figure;
   const { parts = NO_MARKS } = character;
@@ -119,7 +126,7 @@ export function withFigure(
 }
 
 /** As its file's writer saw it: of a figure that falls in on itself no size can be told. */
-function asMeant({ skeleton, clip }: Figure): Figure {
+function asMeant({ skeleton, clip }: CapturedFigure): CapturedFigure {
   const meant = withPositions(skeleton, positionsMeant(skeleton, clip));
   return clip ? { skeleton: meant, clip } : { skeleton: meant };
 }

@@ -21,43 +21,43 @@ import {
 import { type FormatKind, KINDS, type TextKind } from '../kinds.ts';
 
 /** A file that was given, read or not. */
-export type GivenFile = ParsedFile | (BrokenFile & { readonly broken: true });
+export type ReadFile = ParsedFile | (BrokenFile & { readonly broken: true });
 
 /** What belongs to one skeleton. */
 export interface FileGroup {
   /** The `.rig`'s name, where one binds the group. */
   readonly name?: string;
   /** A `.skel` or `.bvh`; absent where a `.rig` names a skin without a skeleton. */
-  readonly skeleton?: GivenFile;
+  readonly skeleton?: ReadFile;
   /** Skins, morphs, anims: a `.rig`'s own first, in its order, then the others as given. */
-  readonly parts: GivenFile[];
+  readonly parts: ReadFile[];
   /** The `.rig` files themselves. */
-  readonly rigs: GivenFile[];
+  readonly rigs: ReadFile[];
 }
 
 export interface Grouping {
   readonly groups: readonly FileGroup[];
   /** Skins, morphs and anims without a skeleton among the files, and all poses. */
-  readonly loose: readonly GivenFile[];
-  readonly textures: readonly GivenFile[];
+  readonly loose: readonly ReadFile[];
+  readonly textures: readonly ReadFile[];
   /** Rigs of which nothing was given, or that have errors. */
-  readonly idleRigs: readonly GivenFile[];
+  readonly idleRigs: readonly ReadFile[];
   readonly diagnostics: readonly Diagnostic[];
 }
 
-export function isBroken(file: GivenFile): file is BrokenFile & { readonly broken: true } {
+export function isBroken(file: ReadFile): file is BrokenFile & { readonly broken: true } {
   return 'broken' in file;
 }
 
-export function isRead(file: GivenFile): file is ParsedFile {
+export function isRead(file: ReadFile): file is ParsedFile {
   return !isBroken(file);
 }
 
-export function groupFiles(files: readonly GivenFile[]): Grouping {
+export function groupFiles(files: readonly ReadFile[]): Grouping {
   const diagnostics: Diagnostic[] = [];
   const groups: { -readonly [K in keyof FileGroup]: FileGroup[K] }[] = [];
-  const idleRigs: GivenFile[] = [];
-  const taken = new Set<GivenFile>();
+  const idleRigs: ReadFile[] = [];
+  const taken = new Set<ReadFile>();
 
   for (const file of files) {
     if (file.kind !== 'rig') continue;
@@ -96,7 +96,7 @@ export function groupFiles(files: readonly GivenFile[]): Grouping {
     if (isSkeleton(file) && !taken.has(file)) groups.push({ skeleton: file, parts: [], rigs: [] });
   }
 
-  const loose: GivenFile[] = [];
+  const loose: ReadFile[] = [];
   for (const file of files) {
     if (taken.has(file) || isSkeleton(file) || file.kind === 'rig' || file.kind === 'texture') continue;
     // Poses say themselves by their joints whose they are.
@@ -122,11 +122,11 @@ export function prefixFit(skeletonStem: string, partStem: string): number {
 }
 
 /** Whether a file brings skeletons of its own. */
-function isSkeleton({ kind }: GivenFile): boolean {
+function isSkeleton({ kind }: ReadFile): boolean {
   return kind === 'skel' || kind === 'bvh';
 }
 
-function skeletonFor(part: GivenFile, groups: readonly FileGroup[]): FileGroup | undefined {
+function skeletonFor(part: ReadFile, groups: readonly FileGroup[]): FileGroup | undefined {
   const folder = folderOf(part.source);
   // Motion capture is complete in itself, and no skin was made for it.
   const skeletons = groups.filter((g) => g.skeleton?.kind === 'skel');
@@ -148,7 +148,7 @@ function skeletonFor(part: GivenFile, groups: readonly FileGroup[]): FileGroup |
 }
 
 /** By base name, whatever folders the `.rig` writes before it; its own folder's file before another's. */
-function lookUp(files: readonly GivenFile[], rig: GivenFile, kind: GivenFile['kind'], name: string) {
+function lookUp(files: readonly ReadFile[], rig: ReadFile, kind: ReadFile['kind'], name: string) {
   const base = baseName(name);
   const fits = files.filter((f) => f.kind === kind && sameName(f.source.name, base));
   return fits.find((f) => folderOf(f.source) === folderOf(rig.source)) ?? fits[0];

@@ -13,7 +13,7 @@ import { type Diagnostic, hasErrors, withoutPlace } from '../../model/diagnostic
 import { type Character, type Document, EMPTY_DOCUMENT, findCharacter, type UnusedFile } from '../../model/document.ts';
 import {
   type BrokenFile,
-  type Figure,
+  type CapturedFigure,
   type FileKind,
   folderOf,
   type ParsedFile,
@@ -279,7 +279,7 @@ function isOfPosesAlone(files: readonly { readonly kind: FileKind }[]): boolean 
 }
 
 /** What a file brings that has skeletons; no clips where it is a skeleton alone. */
-function figuresOf(file: ParsedFile): readonly Figure[] {
+function figuresOf(file: ParsedFile): readonly CapturedFigure[] {
   switch (file.kind) {
     case 'skel':
       return file.skeletons.map((skeleton) => ({ skeleton }));

@@ -2,7 +2,7 @@
  * A character in formats that it did not come from: BVH as `.skel` and `.anim`, anything as `.bvh`. What page and
  * command write, as models: the text is the writers' business.
  */
-import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
 import { CommandError } from '../../edit/store.ts';
 import { framesOf, MAX_FRAMES, ownFrames, playedClip } from '../../evaluate/bake.ts';
@@ -27,7 +27,7 @@ export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>)
 export function animOf(
   { skeleton }: Pick<Character, 'skeleton'>,
   clip: ChannelClip,
-  options?: KeyOptions,
+  options?: SampleKeyOptions,
 ): ChannelClip {
   return skeleton ? skelClip(clip, skeleton, options) : clip;
 }

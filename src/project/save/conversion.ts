@@ -4,7 +4,7 @@
  * roots of the same frames.
  */
 
-import type { KeyOptions } from '../../edit/convert/keys-of-samples.ts';
+import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { fitOneBvh } from '../../formats/bvh/write.ts';
 import { axisAngleObstacle, inAxisAngleForm, inHierarchyForm } from '../../model/axis-angle.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
@@ -19,7 +19,7 @@ import { bvhOutput, type Output, textOutput } from './output.ts';
 export const TARGETS = ['skel', 'anim', 'bvh'] as const;
 export type Target = (typeof TARGETS)[number];
 
-export interface ConversionOptions extends KeyOptions {
+export interface ConversionOptions extends SampleKeyOptions {
   /** Of `.bvh`; absent: as each clip has it, or 30. */
   readonly framesPerSecond?: number;
 }

@@ -34,7 +34,7 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
 }
 
 /** The files that a character can be saved as in one format. */
-export function filesOf(
+export function savedFilesOf(
   document: Document,
   character: Character,
   kind: FormatKind,

@@ -2,7 +2,16 @@
 
 import { add, cross, dot, scaled, subtract, type Vec3 } from '../../math/vec3.ts';
 import { Atlas, blend, type Colour, colour } from '../paint/atlas.ts';
-import { along, around, loft, MeshBuilder, type Part, type Rect, type Section, type Weights } from '../shape/mesh.ts';
+import {
+  along,
+  around,
+  loft,
+  MeshBuilder,
+  type MeshPart,
+  type Rect,
+  type Section,
+  type Weights,
+} from '../shape/mesh.ts';
 import { jointIndex, posedFrames } from '../shape/skeletons.ts';
 import { apply, normalise, smoothstep } from '../shape/vectors.ts';
 import { chainWeights } from '../shape/weights.ts';
@@ -31,7 +40,7 @@ const frames = posedFrames(CRAWLER_SKELETON);
 const only = (name: string): Weights => new Map([[joint(name), 1]]);
 const rowsOf = (sections: readonly Section[]) => along(sections.length - 1);
 
-type Shape = Omit<Part, 'rect'> & { readonly name: Exclude<keyof typeof RECTS, 'eye'> };
+type Shape = Omit<MeshPart, 'rect'> & { readonly name: Exclude<keyof typeof RECTS, 'eye'> };
 
 /** Half width, height of the back and depth of the belly along z. */
 const shellSections = [

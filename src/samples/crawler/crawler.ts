@@ -1,11 +1,11 @@
 /** The crawler, whole. */
 import { roundSeconds } from '../motion/circle.ts';
-import { walkChannels } from '../motion/walk.ts';
+import { gaitChannels } from '../motion/walk.ts';
 import { encodePng } from '../paint/png.ts';
 import type { Sample } from '../sample.ts';
 import { bindingMatrices, posedFrames } from '../shape/skeletons.ts';
 import { buildCrawlerMesh, paintCrawler } from './body.ts';
-import { CIRCLE, cornersOf, crawlPose } from './gait.ts';
+import { CRAWL_CIRCLE, cornersOf, crawlPose } from './gait.ts';
 import { CRAWLER_SKELETON, LEGS } from './skeleton.ts';
 
 export function crawlerSample(): Sample {
@@ -22,10 +22,10 @@ export function crawlerSample(): Sample {
     morphs: [],
     clip: {
       name: 'crawler_walk',
-      range: [0, roundSeconds(CIRCLE)],
-      channels: walkChannels({
+      range: [0, roundSeconds(CRAWL_CIRCLE)],
+      channels: gaitChannels({
         skeleton: CRAWLER_SKELETON,
-        circle: CIRCLE,
+        circle: CRAWL_CIRCLE,
         poseAt: crawlPose,
         frame: 0.012,
         care: (joint) => {

@@ -6,7 +6,7 @@
  *                  └─ coxa ─ femur ─ tibia (×6)
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { boxAbout, buildSkeleton, type JointPlan } from '../shape/skeletons.ts';
+import { type BallJointPlan, boxAbout, buildSkeleton } from '../shape/skeletons.ts';
 
 export const BODY_HEIGHT = 0.36;
 export const COXA = 0.09;
@@ -36,7 +36,7 @@ export const LEGS: readonly LegPlan[] = ([1, -1] as const).flatMap((side) =>
   ),
 );
 
-const legs = LEGS.flatMap(({ name, side, hip, azimuth }): JointPlan[] => [
+const legs = LEGS.flatMap(({ name, side, hip, azimuth }): BallJointPlan[] => [
   {
     name: `coxa_${name}`,
     parent: 'body',
@@ -71,7 +71,7 @@ const legs = LEGS.flatMap(({ name, side, hip, azimuth }): JointPlan[] => [
   },
 ]);
 
-const feelers = ([1, -1] as const).flatMap((side): JointPlan[] => {
+const feelers = ([1, -1] as const).flatMap((side): BallJointPlan[] => {
   const suffix = side > 0 ? '_l' : '_r';
   return [
     {

@@ -21,11 +21,12 @@ export interface Circle {
 export const roundSeconds = (circle: Circle): number => circle.strides * circle.strideSeconds;
 
 /** Heading in radians about y. */
-export const heading = (circle: Circle, seconds: number): number => (2 * Math.PI * seconds) / roundSeconds(circle);
+export const circleHeading = (circle: Circle, seconds: number): number =>
+  (2 * Math.PI * seconds) / roundSeconds(circle);
 
 /** Where a point of path space is in the world at a time. */
 export function toWorld(circle: Circle, seconds: number, path: Vec3): Vec3 {
-  return apply(rotationY(heading(circle, seconds)), path);
+  return apply(rotationY(circleHeading(circle, seconds)), path);
 }
 
 /** A point that stays in the world, seen from path space so many strides after it lay at `path`. */

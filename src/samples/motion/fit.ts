@@ -5,7 +5,7 @@
  * Slopes are written as numbers. `smooth` would be shorter to read, but at the ends of a channel it takes one segment's
  * slope, and a cycle would show a corner there once a period.
  */
-import { type Channel, type Extrapolation, FIXED, type Tangents } from '../../model/clip.ts';
+import { type Channel, type Extrapolation, FIXED_TANGENT, type Tangents } from '../../model/clip.ts';
 import { round } from '../shape/vectors.ts';
 
 export interface FitOptions {
@@ -94,7 +94,7 @@ function worstError(motion: (seconds: number) => number, a: Key, b: Key): number
 
 function channelOf(keys: readonly Key[], extrapolation: Extrapolation): Channel {
   const tangents = (slopes: number[]): Tangents => ({
-    kinds: new Uint8Array(slopes.length).fill(FIXED),
+    kinds: new Uint8Array(slopes.length).fill(FIXED_TANGENT),
     slopes: Float64Array.from(slopes),
   });
   return {

@@ -2,21 +2,21 @@
 import {
   type Channel,
   type Extrapolation,
-  FIXED,
+  FIXED_TANGENT,
   TANGENT_KINDS,
   type TangentKind,
   type Tangents,
 } from '../../model/clip.ts';
 
 /** A kind of tangent, or the slope itself in value per second. */
-export type Tangent = Exclude<TangentKind, 'fixed'> | number;
+export type SampleTangent = Exclude<TangentKind, 'fixed'> | number;
 /** Time in seconds, value, tangent in, tangent out. */
-export type KeyRow = readonly [time: number, value: number, tangentIn: Tangent, tangentOut: Tangent];
+export type KeyRow = readonly [time: number, value: number, tangentIn: SampleTangent, tangentOut: SampleTangent];
 
 /** The same extrapolation to both sides. */
 export function keyed(extrapolation: Extrapolation, rows: readonly KeyRow[]): Channel {
   const column = (side: 2 | 3): Tangents => {
-    const kindOf = (t: Tangent) => (typeof t === 'number' ? FIXED : TANGENT_KINDS.indexOf(t));
+    const kindOf = (t: SampleTangent) => (typeof t === 'number' ? FIXED_TANGENT : TANGENT_KINDS.indexOf(t));
     return {
       kinds: Uint8Array.from(rows, (row) => kindOf(row[side])),
       slopes: Float64Array.from(rows, (row) => (typeof row[side] === 'number' ? row[side] : 0)),

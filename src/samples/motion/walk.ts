@@ -5,7 +5,7 @@
 import type { Vec3 } from '../../math/vec3.ts';
 import type { Channel } from '../../model/clip.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
-import { type Circle, heading, roundSeconds, toWorld } from './circle.ts';
+import { type Circle, circleHeading, roundSeconds, toWorld } from './circle.ts';
 import { fitChannel } from './fit.ts';
 
 export interface WalkPose {
@@ -29,7 +29,7 @@ export interface Walk {
 const ROOT_TOLERANCE = 0.001;
 
 /** Channels of the root's translation and all joints, in the order of a clip. Joint 0 turns with the circle. */
-export function walkChannels({ skeleton, circle, poseAt, frame, care }: Walk): Channel[] {
+export function gaitChannels({ skeleton, circle, poseAt, frame, care }: Walk): Channel[] {
   const stride = circle.strideSeconds;
   const round = roundSeconds(circle);
   const translation = [0, 1, 2].map((axis) =>
@@ -42,7 +42,7 @@ export function walkChannels({ skeleton, circle, poseAt, frame, care }: Walk): C
     }),
   );
   const turning = [0, 1, 2].map((axis) =>
-    fitChannel((t) => (axis === 1 ? heading(circle, t) : 0), {
+    fitChannel((t) => (axis === 1 ? circleHeading(circle, t) : 0), {
       from: 0,
       to: round,
       frame: round,

@@ -21,7 +21,7 @@ export type Weights = ReadonlyMap<number, number>;
 /** Texels of a part in the atlas: left, top, width, height. */
 export type Rect = readonly [number, number, number, number];
 
-export interface Part {
+export interface MeshPart {
   readonly point: (angle: number, v: number) => Vec3;
   /** Radians, ascending, symmetric; the part's vertices stand at these. */
   readonly angles: readonly number[];
@@ -58,7 +58,7 @@ export class MeshBuilder {
   /** `atlasSize`: texels along an edge of the square texture. */
   constructor(private readonly atlasSize: number) {}
 
-  addPart(part: Part): Span {
+  addPart(part: MeshPart): Span {
     const from = this.positions.length;
     const columns = part.angles.length;
     const rows: number[][] = part.rows.map((v, r) => {
@@ -97,7 +97,7 @@ export class MeshBuilder {
     return { from, to: this.positions.length };
   }
 
-  private addVertex(part: Part, p: Vec3, angle: number, v: number): number {
+  private addVertex(part: MeshPart, p: Vec3, angle: number, v: number): number {
     const [x, y, w, h] = part.rect;
     return this.push(p, x + (Math.abs(angle) / Math.PI) * w, y + (1 - v) * h, part.weights(p, v));
   }

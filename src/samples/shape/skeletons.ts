@@ -5,7 +5,7 @@ import { type Box, DEFAULT_MOTION, type Limit, type Skeleton, UNLIMITED } from '
 import { apply, ballRotation, type Mat3, rotate } from './vectors.ts';
 
 /** A ball joint as a sample describes it. */
-export interface JointPlan {
+export interface BallJointPlan {
   readonly name: string;
   /** Name of the parent; absent for the root, which comes first. */
   readonly parent?: string;
@@ -17,9 +17,9 @@ export interface JointPlan {
 }
 
 /** Children come in the order of the list. Throws when a parent is not in it. */
-export function buildSkeleton(name: string, plans: readonly JointPlan[]): Skeleton {
-  const ordered: JointPlan[] = [];
-  const visit = (plan: JointPlan) => {
+export function buildSkeleton(name: string, plans: readonly BallJointPlan[]): Skeleton {
+  const ordered: BallJointPlan[] = [];
+  const visit = (plan: BallJointPlan) => {
     ordered.push(plan);
     for (const child of plans) if (child.parent === plan.name) visit(child);
   };

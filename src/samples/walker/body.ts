@@ -6,7 +6,7 @@ import {
   around,
   loft,
   MeshBuilder,
-  type Part,
+  type MeshPart,
   type Rect,
   type Section,
   type Span,
@@ -59,7 +59,7 @@ const level = (y: number, side: number, front: number, z = 0, squareness = 2): S
 /** Rows at which a loft has its sections, each halved `finer` times over. */
 const rowsOf = (sections: readonly Section[], finer = 1) => along((sections.length - 1) * finer);
 
-type Shape = Omit<Part, 'rect'> & { readonly name: PartName };
+type Shape = Omit<MeshPart, 'rect'> & { readonly name: PartName };
 
 const head: Shape = {
   name: 'head',

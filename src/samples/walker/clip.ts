@@ -2,20 +2,20 @@
 import type { Channel, ChannelClip } from '../../model/clip.ts';
 import { roundSeconds } from '../motion/circle.ts';
 import { fitChannel } from '../motion/fit.ts';
-import { walkChannels } from '../motion/walk.ts';
+import { gaitChannels } from '../motion/walk.ts';
 import { round, smoothstep } from '../shape/vectors.ts';
-import { CIRCLE, TOE_LEAVES, walkPose } from './gait.ts';
+import { TOE_LEAVES, WALK_CIRCLE, walkPose } from './gait.ts';
 import { WALKER_SKELETON } from './skeleton.ts';
 
-const ROUND = roundSeconds(CIRCLE);
+const ROUND = roundSeconds(WALK_CIRCLE);
 /** Fiftieths of a second: the gait's corners, at tenths of a stride, fall on keys. */
 const FRAME = 0.02;
 const CARRIES = /^(hips|thigh|shin|foot|toe)/;
 
 export function walkerClip(): ChannelClip {
-  const walk = walkChannels({
+  const walk = gaitChannels({
     skeleton: WALKER_SKELETON,
-    circle: CIRCLE,
+    circle: WALK_CIRCLE,
     poseAt: walkPose,
     frame: FRAME,
     care: (joint) => {

@@ -28,7 +28,7 @@ import {
 } from '../shape/vectors.ts';
 import { ANKLE_HEIGHT, HEEL_CONTACT, HIP_HEIGHT, SHIN, THIGH, THIGH_OFFSET, TOE_OFFSET } from './skeleton.ts';
 
-export const CIRCLE: Circle = { radius: 1.12, strides: 8, strideSeconds: 0.8 };
+export const WALK_CIRCLE: Circle = { radius: 1.12, strides: 8, strideSeconds: 0.8 };
 
 /** Phases of a foot's own stride; the gait's tests measure slip between them. */
 export const FLAT_FROM = 0.1;
@@ -56,11 +56,11 @@ interface Foot {
 /** A foot at its own phase x, in path space. side: 1 left, −1 right. */
 function footAt(x: number, side: number): Foot {
   const yaw = TOE_OUT * side;
-  const ankleFlat: Vec3 = [-CIRCLE.radius + STANCE_WIDTH * side, ANKLE_HEIGHT, -0.02];
+  const ankleFlat: Vec3 = [-WALK_CIRCLE.radius + STANCE_WIDTH * side, ANKLE_HEIGHT, -0.02];
   const planted = (local: Vec3, strides: number) =>
-    carriedBack(CIRCLE, x - MID_STANCE - strides, add(ankleFlat, apply(rotationY(yaw), local)));
+    carriedBack(WALK_CIRCLE, x - MID_STANCE - strides, add(ankleFlat, apply(rotationY(yaw), local)));
   const turnFor = (strides: number, pitch: number) =>
-    rotate(rotationY((-TAU * (x - MID_STANCE - strides)) / CIRCLE.strides + yaw), rotationX(pitch));
+    rotate(rotationY((-TAU * (x - MID_STANCE - strides)) / WALK_CIRCLE.strides + yaw), rotationX(pitch));
 
   if (x < FLAT_FROM) {
     const pitch = STRIKE_PITCH * (1 - x / FLAT_FROM) ** 2;
@@ -131,7 +131,7 @@ function hipsAt(phase: number): { at: Vec3; turn: Mat3; angles: Vec3 } {
     -0.16 * Math.cos(TAU * (phase - 0.02)),
     -0.03 + 0.075 * wave(phase, 0.02),
   ];
-  return { at: [-CIRCLE.radius + sway, HIP_HEIGHT - 0.032 + bob, surge], turn: ballRotation(angles), angles };
+  return { at: [-WALK_CIRCLE.radius + sway, HIP_HEIGHT - 0.032 + bob, surge], turn: ballRotation(angles), angles };
 }
 
 const SIDES = [

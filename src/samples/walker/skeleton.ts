@@ -9,7 +9,7 @@
  * creature has gone round. Joints are straight at 0: arms out to the sides (file pose: half lowered), legs down.
  */
 import type { Vec3 } from '../../math/vec3.ts';
-import { boxAbout, buildSkeleton, type JointPlan } from '../shape/skeletons.ts';
+import { type BallJointPlan, boxAbout, buildSkeleton } from '../shape/skeletons.ts';
 
 /** Lengths that the gait needs too. */
 export const HIP_HEIGHT = 0.66;
@@ -28,7 +28,7 @@ export const ARM_DROOP = 0.8;
 
 const STIFF: readonly [number, number] = [0, 0];
 
-function sides(plan: (side: 1 | -1, suffix: '_l' | '_r') => readonly JointPlan[]): readonly JointPlan[] {
+function sides(plan: (side: 1 | -1, suffix: '_l' | '_r') => readonly BallJointPlan[]): readonly BallJointPlan[] {
   return [...plan(1, '_l'), ...plan(-1, '_r')];
 }
 
@@ -106,7 +106,7 @@ const TAIL: readonly Vec3[] = [
   [0, 0.15, -0.13],
 ];
 
-const tail = TAIL.map((offset, i): JointPlan => {
+const tail = TAIL.map((offset, i): BallJointPlan => {
   const next = TAIL[i + 1] ?? [0, 0.2, -0.04];
   return {
     name: `tail_${i + 1}`,

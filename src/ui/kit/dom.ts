@@ -1,7 +1,7 @@
 /**
  * Making elements, in one expression and never from markup: text that comes out of files stays text.
  */
-import { isTextField, letGo } from './focus.ts';
+import { isTextField, leaveField } from './focus.ts';
 
 type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
 type Child = Node | string | undefined | false;
@@ -36,7 +36,7 @@ export function keepsFocusElsewhere<T extends HTMLElement>(target: T): T {
   target.addEventListener('mousedown', (event) => {
     event.preventDefault();
     const { activeElement } = document;
-    if (isTextField(activeElement) && !target.contains(activeElement)) letGo(activeElement, target);
+    if (isTextField(activeElement) && !target.contains(activeElement)) leaveField(activeElement, target);
   });
   return target;
 }

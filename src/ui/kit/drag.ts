@@ -1,6 +1,6 @@
 /** A pointer that is followed from the press on an element to its release, wherever it goes in between. */
 
-export interface Dragged {
+export interface PointerDrag {
   move?(at: PointerEvent): void;
   /** Keys while it lasts, before anyone else has them (see `waitOutDrag`). */
   key?(event: KeyboardEvent): void;
@@ -12,7 +12,7 @@ export interface Dragged {
  * Captures the pointer that has just been pressed.
  * @returns gives it up before the release: `over` is not called any more
  */
-export function followPointer(target: HTMLElement, press: PointerEvent, drag: Dragged): () => void {
+export function followPointer(target: HTMLElement, press: PointerEvent, drag: PointerDrag): () => void {
   const listening = new AbortController();
   const { signal } = listening;
   let release: PointerEvent | undefined;

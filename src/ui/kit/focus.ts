@@ -17,7 +17,7 @@ export function isTextField(target: Element | null): target is HTMLElement {
 const NO_TEXT = /^(checkbox|radio|button|submit|reset|color|file|range|image)$/;
 
 /** Takes the focus from a field, which takes what was typed in it, for the panel that `near` is in. */
-export function letGo(field: HTMLElement, near: Element = field): void {
+export function leaveField(field: HTMLElement, near: Element = field): void {
   field.blur();
   focusPanel(near);
 }
@@ -59,7 +59,7 @@ export function letGoOfClicked(signal: AbortSignal): void {
       if (detail === 0 || !(activeElement instanceof HTMLElement) || !(target instanceof Element)) return;
       if (!activeElement.matches(CLICKED) || activeElement.closest('dialog,[role=menu]')) return;
       // A label's click is its box's.
-      if (activeElement.contains(target) || target.closest('label')?.contains(activeElement)) letGo(activeElement);
+      if (activeElement.contains(target) || target.closest('label')?.contains(activeElement)) leaveField(activeElement);
     },
     { signal },
   );

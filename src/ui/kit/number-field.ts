@@ -4,7 +4,7 @@
  */
 import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
-import { letGo } from './focus.ts';
+import { leaveField } from './focus.ts';
 import { exact, notANumber, parseNumber } from './number-text.ts';
 
 export interface NumberFieldOptions {
@@ -114,10 +114,10 @@ export class NumberField {
     const { step } = this.options;
     if (event.key === 'Enter') {
       this.finish();
-      letGo(this.element);
+      leaveField(this.element);
     } else if (event.key === 'Escape') {
       this.write(this.exactText);
-      letGo(this.element);
+      leaveField(this.element);
     } else if (step && (event.key === 'ArrowUp' || event.key === 'ArrowDown')) {
       const sign = event.key === 'ArrowUp' ? 1 : -1;
       const typed = this.parse(this.element.value) ?? this.value;

@@ -9,7 +9,7 @@ import type { GUI } from 'lil-gui';
 import { NumberController } from 'lil-gui';
 import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
-import { isTypedIn, letGo } from './focus.ts';
+import { isTypedIn, leaveField } from './focus.ts';
 import { exact, notANumber, parseNumber, shown } from './number-text.ts';
 
 export interface SliderOptions {
@@ -97,7 +97,7 @@ export class Slider extends NumberController {
     this.$input.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       this.$input.value = exact(this.object.value);
-      letGo(this.$input);
+      leaveField(this.$input);
       event.preventDefault();
     });
     if (options.span) this.drawScale(options.span, options.limits);

@@ -8,7 +8,7 @@ import { icon } from '../kit/icons.ts';
 import { isMac } from '../kit/keyboard.ts';
 import { actionLabel, actionsOf } from '../state/action.ts';
 import { GROUPS } from '../state/menus.ts';
-import { isSingleKey, shortcutsOf, shortcutText, withKeys } from '../state/shortcuts.ts';
+import { isSingleKey, shortcutsOf, shortcutText, withShortcut } from '../state/shortcuts.ts';
 import type { Action, Uses } from '../state/workbench.ts';
 import { MOUSE_GESTURES, macText } from './mouse-gestures.ts';
 
@@ -132,7 +132,7 @@ function changeable(
 
 /** Gives an action keys; whoever had them has to say so. */
 function give(wb: Uses<'actions' | 'settings'>, action: Action, own: readonly string[]): string {
-  const { keys, losers } = withKeys(actionsOf(wb), wb.settings.get().keys, action, own);
+  const { keys, losers } = withShortcut(actionsOf(wb), wb.settings.get().keys, action, own);
   wb.settings.update((s) => ({ ...s, keys }));
   const name = (a: Action) => `“${a.name ?? actionLabel(wb, a)}”`;
   const lost = losers.map((loser) => {

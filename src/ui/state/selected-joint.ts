@@ -4,14 +4,14 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import type { Uses } from './workbench.ts';
 
 /** A joint that is selected, of a character that has it. */
-export interface SelectedJoint {
+export interface ResolvedJoint {
   readonly character: Character;
   readonly skeleton: Skeleton;
   /** Index. */
   readonly joint: number;
 }
 
-export function selectedJoint({ store }: Uses<'store'>): SelectedJoint | undefined {
+export function selectedJoint({ store }: Uses<'store'>): ResolvedJoint | undefined {
   const { document, selection } = store;
   const character = findCharacter(document, selection.characterId);
   const skeleton = character?.skeleton;

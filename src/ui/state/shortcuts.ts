@@ -124,7 +124,7 @@ export function actionFor<A extends Bindable>(
  *
  * @returns all changed keys, and who lost one
  */
-export function withKeys<A extends Bindable>(
+export function withShortcut<A extends Bindable>(
   actions: readonly A[],
   keys: Settings['keys'],
   action: A,

@@ -35,7 +35,7 @@ export interface Comparison {
 }
 
 /** What a comparison has changed, and what is needed to put it back. */
-export interface Overlay {
+export interface ComparisonOverlay {
   readonly comparison: Comparison;
   readonly before: Document;
   readonly after: Document;
@@ -59,7 +59,7 @@ export class Takes {
   readonly view: Observable<TakesView> = observable<TakesView>({ filter: '', chosen: new Set() });
   readonly comparison: Observable<Comparison | undefined> = observable<Comparison | undefined>(undefined);
   /** Of the last comparison, under way or over: undo leads back into it. */
-  overlay: Overlay | undefined;
+  overlay: ComparisonOverlay | undefined;
   readonly distances: Observable<DistanceView> = observable<DistanceView>({
     alignment: 'world',
     picked: [],

@@ -15,7 +15,7 @@ export type TimelineTabName = (typeof TIMELINE_TABS)[number];
 
 /** Which channels are listed: the selected joint's (its root translation with the root), all, or those pinned. */
 export const CHANNEL_LISTS = ['selected', 'all', 'pinned'] as const;
-export type ChannelList = (typeof CHANNEL_LISTS)[number];
+export type ChannelListKind = (typeof CHANNEL_LISTS)[number];
 
 /** What dragging one handle does to the other side: follows where both slopes are equal; never; always. */
 export const HANDLE_MODES = ['auto', 'alone', 'together'] as const;
@@ -45,7 +45,7 @@ export interface TimelineView extends ChannelView {
   readonly others: Readonly<Record<string, ChannelView>>;
   /** Seconds of the transport. */
   readonly window: TimeWindow;
-  readonly list: ChannelList;
+  readonly list: ChannelListKind;
   /** Part of a channel's name. */
   readonly filter: string;
   /** Every curve between −1 and 1, by its own smallest and largest key. */

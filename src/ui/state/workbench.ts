@@ -18,7 +18,7 @@ import type { Bindable } from './shortcuts.ts';
 import type { Timeline } from './timeline.ts';
 
 /** What the page asks of the viewport, so that a test can stand in for it. */
-export type Stage = Pick<
+export type WorkbenchStage = Pick<
   Viewport,
   | 'show'
   | 'seek'
@@ -49,7 +49,7 @@ export type Stage = Pick<
 export interface Workbench {
   readonly store: Store;
   readonly actions: ActionList;
-  readonly viewport: Stage;
+  readonly viewport: WorkbenchStage;
   /** The element that the viewport was built in; the page gives it its place. */
   readonly viewportElement: HTMLElement;
   readonly transport: Observable<Playback>;

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decode, emptyNumbers, RestoreError, storedNumbers } from '../../../src/app/autosave/decode.ts';
-import { type Encoded, encode, type Numbers, SMALL_BYTES } from '../../../src/app/autosave/encode.ts';
+import { type Encoded, encode, SMALL_BYTES, type StorableNumbers } from '../../../src/app/autosave/encode.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
-import { fill, Pieces, piecesOf } from '../../../src/app/autosave/pieces.ts';
+import { fill, piecesOf, StoredPieces } from '../../../src/app/autosave/pieces.ts';
 import { keysOf, NO_KEYS, restChannel } from '../../../src/model/clip.ts';
 import type { ParsedFile } from '../../../src/model/files.ts';
 import {
@@ -23,7 +23,7 @@ const blob = (path: string) => ({ path, blob: new Blob([path]) });
 /** Through the form in which it is stored, and back; `files` are read again, so they are other objects. */
 function thereAndBack(session: unknown, origins = new Origins(), files: readonly ParsedFile[] = []): unknown {
   const encoded = encode(session, origins);
-  const { puts } = new Pieces().plan(encoded.arrays);
+  const { puts } = new StoredPieces().plan(encoded.arrays);
   const stored = structuredClone({
     tree: encoded.tree,
     pieces: new Map(puts.map((put) => [put.id, put.bytes()])),
@@ -180,7 +180,7 @@ describe('encoding a session', () => {
   });
 
   it('keeps the picture of a texture by its file', () => {
-    const bytes = new Uint8Array(100_000) as Numbers & Uint8Array<ArrayBuffer>;
+    const bytes = new Uint8Array(100_000) as StorableNumbers & Uint8Array<ArrayBuffer>;
     const picture = file('hero.png', { kind: 'texture', texture: { name: 'hero.png', mime: 'image/png', bytes } });
     const origins = new Origins();
     origins.learn([blob('hero.png')], [picture]);

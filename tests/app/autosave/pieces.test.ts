@@ -1,17 +1,17 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { encode, type Numbers } from '../../../src/app/autosave/encode.ts';
+import { encode, type StorableNumbers } from '../../../src/app/autosave/encode.ts';
 import { Origins } from '../../../src/app/autosave/origins.ts';
-import { LARGE_BYTES, PIECE_BYTES, type PiecePlan, Pieces } from '../../../src/app/autosave/pieces.ts';
+import { LARGE_BYTES, PIECE_BYTES, type PiecePlan, StoredPieces } from '../../../src/app/autosave/pieces.ts';
 
 const LARGE = LARGE_BYTES / 8;
 
 /** A store that only pieces are in. */
 class Shelf {
-  readonly pieces = new Pieces();
+  readonly pieces = new StoredPieces();
   readonly stored = new Map<number, Uint8Array>();
 
-  plan(arrays: readonly Numbers[]): PiecePlan {
+  plan(arrays: readonly StorableNumbers[]): PiecePlan {
     return this.pieces.plan(encode(arrays, new Origins()).arrays);
   }
 
@@ -21,7 +21,7 @@ class Shelf {
     plan.done();
   }
 
-  save(arrays: readonly Numbers[]): PiecePlan {
+  save(arrays: readonly StorableNumbers[]): PiecePlan {
     const plan = this.plan(arrays);
     this.put(plan);
     return plan;

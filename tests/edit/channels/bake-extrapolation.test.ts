@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { bakeExtrapolation, unrolled } from '../../../src/edit/channels/bake-extrapolation.ts';
+import { unrolled, withExtrapolationBaked } from '../../../src/edit/channels/bake-extrapolation.ts';
 import { CommandError } from '../../../src/edit/store.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
@@ -57,7 +57,7 @@ describe('baking the extrapolation', () => {
         const from = first(channel) - Math.min(early, reach);
         const to = last(channel) + Math.min(late, reach);
         for (const bake of [
-          (c: KeyedChannel) => bakeExtrapolation(c, from, to).channel,
+          (c: KeyedChannel) => withExtrapolationBaked(c, from, to).channel,
           (c: KeyedChannel) => unrolled(c, from, to),
         ]) {
           const after = bake(channel);
@@ -102,7 +102,7 @@ describe('baking the extrapolation', () => {
     );
 
   it('copies the keys of a cycle whose ends meet, one key at each seam', () => {
-    const { channel, keysBefore, keysAfter, periodChanged } = bakeExtrapolation(wave('cycle'), -2, 6);
+    const { channel, keysBefore, keysAfter, periodChanged } = withExtrapolationBaked(wave('cycle'), -2, 6);
     expect(pointsOf(channel)).toEqual([
       [-2, 0],
       [-1, 2],
@@ -121,7 +121,7 @@ describe('baking the extrapolation', () => {
   });
 
   it('makes a step of a cycle that jumps, except where it ends', () => {
-    expect(pointsOf(bakeExtrapolation(wave('cycle', 5), 0, 4).channel)).toEqual([
+    expect(pointsOf(withExtrapolationBaked(wave('cycle', 5), 0, 4).channel)).toEqual([
       [0, 0],
       [1, 2],
       [2, 5],
@@ -132,7 +132,7 @@ describe('baking the extrapolation', () => {
   });
 
   it('baking the extrapolation climbs with cycle_offset', () => {
-    expect(pointsOf(bakeExtrapolation(wave('cycle_offset', 5), -2, 4).channel)).toEqual([
+    expect(pointsOf(withExtrapolationBaked(wave('cycle_offset', 5), -2, 4).channel)).toEqual([
       [-2, -5],
       [-1, -3],
       [0, 0],
@@ -144,7 +144,7 @@ describe('baking the extrapolation', () => {
   });
 
   it('mirrors every other copy with bounce, tangents and all', () => {
-    const { channel } = bakeExtrapolation(wave('bounce', 5), 0, 6);
+    const { channel } = withExtrapolationBaked(wave('bounce', 5), 0, 6);
     expect(rowsOf(channel)).toEqual([
       [0, 0, 1, 1],
       [1, 2, 'smooth', 'smooth'],
@@ -158,7 +158,7 @@ describe('baking the extrapolation', () => {
 
   it('cuts the last copy with a key on the curve', () => {
     const channel = wave('cycle', 5);
-    const { channel: after } = bakeExtrapolation(channel, 0, 2.5);
+    const { channel: after } = withExtrapolationBaked(channel, 0, 2.5);
     expect(pointsOf(after).slice(3)).toEqual([
       [2, 0],
       [2.5, valueAt(channel, 2.5)],
@@ -167,7 +167,7 @@ describe('baking the extrapolation', () => {
   });
 
   it('needs one key for linear, which goes on', () => {
-    const { channel } = bakeExtrapolation(wave('linear', 5), -3, 4);
+    const { channel } = withExtrapolationBaked(wave('linear', 5), -3, 4);
     expect(pointsOf(channel)).toEqual([
       [-3, -3],
       [0, 0],
@@ -181,22 +181,22 @@ describe('baking the extrapolation', () => {
 
   it('needs none for constant, and leaves a channel that it has nothing to do with', () => {
     const constant = wave('constant');
-    expect(bakeExtrapolation(constant, -5, 5).channel).toBe(constant);
+    expect(withExtrapolationBaked(constant, -5, 5).channel).toBe(constant);
     const inside = wave('cycle');
-    expect(bakeExtrapolation(inside, 0, 2).channel).toBe(inside);
+    expect(withExtrapolationBaked(inside, 0, 2).channel).toBe(inside);
     const lone = channelOf([[0, 3]], 'cycle');
-    expect(bakeExtrapolation(lone, -5, 5).channel).toBe(lone);
+    expect(withExtrapolationBaked(lone, -5, 5).channel).toBe(lone);
     const none = channelOf([], 'cycle');
-    expect(bakeExtrapolation(none, -5, 5).channel).toBe(none);
+    expect(withExtrapolationBaked(none, -5, 5).channel).toBe(none);
   });
 
   it('holds what repeated, and says so where the other side goes on with another period', () => {
-    const { channel, periodChanged } = bakeExtrapolation(wave('cycle'), 0, 5);
+    const { channel, periodChanged } = withExtrapolationBaked(wave('cycle'), 0, 5);
     expect([channel.extrapolateIn, channel.extrapolateOut]).toEqual(['cycle', 'constant']);
     expect(periodChanged).toBe(true);
   });
 
   it('baking the extrapolation refuses a million keys', () => {
-    expect(() => bakeExtrapolation(wave('cycle'), 0, 1e7)).toThrow(CommandError);
+    expect(() => withExtrapolationBaked(wave('cycle'), 0, 1e7)).toThrow(CommandError);
   });
 });

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { makeLoop } from '../../../src/edit/channels/make-loop.ts';
+import { withLoop } from '../../../src/edit/channels/make-loop.ts';
 import { FLAT } from '../../../src/model/clip.ts';
 import { expectClose, WITHIN } from '../../helpers/close.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
@@ -12,7 +12,7 @@ describe('making a loop', () => {
   it('brings the last key to the first one, and gives both sides of the seam one slope', () => {
     fc.assert(
       fc.property(channels(2, { steps: true }), fc.boolean(), (channel, keepsOffset) => {
-        const { channel: loop, slope } = makeLoop(channel, keepsOffset);
+        const { channel: loop, slope } = withLoop(channel, keepsOffset);
         checkChannel(loop);
         const end = step(-1, loop.times.length);
         expect(slopesAt(loop, 0)).toEqual([slope, slope]);
@@ -27,7 +27,7 @@ describe('making a loop', () => {
   it('making a loop has no seam to be seen, in value or in slope', () => {
     fc.assert(
       fc.property(channels(2), fc.boolean(), (channel, keepsOffset) => {
-        const { channel: loop, slope } = makeLoop(channel, keepsOffset);
+        const { channel: loop, slope } = withLoop(channel, keepsOffset);
         const h = 2 ** -24;
         const end = loop.times[loop.times.length - 1];
         for (const seam of [end, loop.times[0]]) {
@@ -41,14 +41,14 @@ describe('making a loop', () => {
   it('making a loop changes nothing the second time', () => {
     fc.assert(
       fc.property(channels(1, { steps: true }), fc.boolean(), (channel, keepsOffset) => {
-        const once = makeLoop(channel, keepsOffset).channel;
-        expect(makeLoop(once, keepsOffset).channel).toBe(once);
+        const once = withLoop(channel, keepsOffset).channel;
+        expect(withLoop(once, keepsOffset).channel).toBe(once);
       }),
     );
   });
 
   it('takes the slope that smooth would have if the keys went on', () => {
-    const { channel, slope, moved } = makeLoop(
+    const { channel, slope, moved } = withLoop(
       channelOf([
         [0, 1],
         [1, 3],
@@ -71,7 +71,7 @@ describe('making a loop', () => {
 
   it('keeps what was shaped by hand: flat ends, a number on one side, the mean of two', () => {
     const ends = (out: 'flat' | 'smooth' | number, into: 'flat' | 'linear' | number) =>
-      makeLoop(
+      withLoop(
         channelOf([
           [0, 0, 'smooth', out],
           [1, 5],
@@ -86,7 +86,7 @@ describe('making a loop', () => {
   });
 
   it('making a loop lets what travels travel on', () => {
-    const { channel, moved } = makeLoop(
+    const { channel, moved } = withLoop(
       channelOf([
         [0, 0],
         [1, 2],
@@ -109,12 +109,12 @@ describe('making a loop', () => {
       ],
     ] as const) {
       const channel = channelOf(rows);
-      expect(makeLoop(channel)).toEqual({ channel, moved: 0, slope: 0 });
+      expect(withLoop(channel)).toEqual({ channel, moved: 0, slope: 0 });
     }
   });
 
   it('closes over steps at the ends', () => {
-    const { channel } = makeLoop(
+    const { channel } = withLoop(
       channelOf([
         [0, 9, 'flat'],
         [0, 1, 'flat'],

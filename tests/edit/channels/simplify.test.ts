@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { simplifyChannel } from '../../../src/edit/channels/simplify.ts';
 import { compileClip } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { type Channel, FIXED, type KeyedChannel, keysOf } from '../../../src/model/clip.ts';
+import { type Channel, FIXED_TANGENT, type KeyedChannel, keysOf } from '../../../src/model/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { referenceClip } from '../../helpers/reference.ts';
 import { describeShared } from '../../helpers/shared.ts';
@@ -189,7 +189,7 @@ describe('simplifying', () => {
     const wave = { ...recorded(Math.sin, 60), extrapolateOut: 'linear' as const };
     const { channel, keysAfter } = simplifyChannel(wave, 0.01);
     expect(keysAfter).toBeLessThan(10);
-    expect(channel.tangentsOut.kinds[keysAfter - 1]).toBe(FIXED);
+    expect(channel.tangentsOut.kinds[keysAfter - 1]).toBe(FIXED_TANGENT);
     expect(slopesAt(channel, keysAfter - 1)[1]).toBe(slopesAt(wave, 60)[1]);
   });
 

@@ -1,6 +1,6 @@
 /** Figures of BVH of any shape, for fast-check. */
 import fc from 'fast-check';
-import type { Figure } from '../../../src/model/files.ts';
+import type { CapturedFigure } from '../../../src/model/files.ts';
 import type { BvhChannel, Skeleton } from '../../../src/model/skeleton.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 
@@ -35,7 +35,7 @@ export const anySkeleton: fc.Arbitrary<Skeleton> = fc
   });
 
 /** With the values that a `.bvh` can hold. */
-export function anyFigure(value: fc.Arbitrary<number>): fc.Arbitrary<Figure> {
+export function anyFigure(value: fc.Arbitrary<number>): fc.Arbitrary<CapturedFigure> {
   return fc
     .tuple(anySkeleton, fc.integer({ min: 1, max: 5 }), fc.constantFrom(0.04, 1 / 30, 0.0083333))
     .chain(([skeleton, frames, frameSeconds]) => {

@@ -2,7 +2,7 @@
 import { expect, it } from 'vitest';
 import { readWhole } from '../../../src/formats/reader.ts';
 import { filePose } from '../../../src/model/dofs.ts';
-import type { Figure, FileContent } from '../../../src/model/files.ts';
+import type { CapturedFigure, FileContent } from '../../../src/model/files.ts';
 import { formatOf } from '../../../src/project/open/readers.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
 import { writeFile } from '../../../src/project/save/writers.ts';
@@ -29,7 +29,7 @@ function throughFile(content: FileContent, name: string): FileContent {
   return value;
 }
 
-function asSkelAndAnim({ skeleton, clip }: Figure): Figure {
+function asSkelAndAnim({ skeleton, clip }: CapturedFigure): CapturedFigure {
   const own = skelOf({ skeleton, pose: filePose(skeleton, 0) });
   if (!own) throw new Error('There is a skeleton.');
   const skel = throughFile({ kind: 'skel', skeletons: [own] }, 'x.skel');
@@ -38,13 +38,13 @@ function asSkelAndAnim({ skeleton, clip }: Figure): Figure {
   return { skeleton: skel.skeletons[0], ...(anim && { clip: anim.clip }) };
 }
 
-function throughBvh(figure: Figure, framesPerSecond: number): Figure {
+function throughBvh(figure: CapturedFigure, framesPerSecond: number): CapturedFigure {
   const [{ figure: bvh }] = bvhOf(characterOf(figure), framesPerSecond);
   const written = writeFile({ kind: 'bvh', figures: [bvh] }, 'x.bvh');
   return readFigures('x.bvh', written?.text ?? '')[0];
 }
 
-function someFrames(figure: Figure): readonly number[] {
+function someFrames(figure: CapturedFigure): readonly number[] {
   const times = frameTimes(figure);
   const step = Math.ceil(times.length / MAX_FRAMES);
   return times.filter((_, f) => f % step === 0 || f === times.length - 1);

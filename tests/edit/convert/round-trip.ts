@@ -3,11 +3,11 @@ import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Character } from '../../../src/model/document.ts';
 import { filePose } from '../../../src/model/dofs.ts';
-import type { Figure } from '../../../src/model/files.ts';
+import type { CapturedFigure } from '../../../src/model/files.ts';
 import { character } from '../../helpers/builders.ts';
 
 /** A character that plays the figure's clip. */
-export function characterOf({ skeleton, clip }: Figure): Character {
+export function characterOf({ skeleton, clip }: CapturedFigure): Character {
   return character({
     name: skeleton.name,
     skeleton,
@@ -35,7 +35,7 @@ export function positionsAt(who: Character, seconds: number): readonly (readonly
 }
 
 /** The longest side of the box around the joints as the skeleton's file poses them. */
-export function heightOf({ skeleton }: Figure): number {
+export function heightOf({ skeleton }: CapturedFigure): number {
   const points = positionsAt({ ...characterOf({ skeleton }), pose: filePose(skeleton, 0) }, 0);
   return Math.max(...[0, 1, 2].map((k) => Math.max(...points.map((p) => p[k])) - Math.min(...points.map((p) => p[k]))));
 }
@@ -54,7 +54,7 @@ export function worstDistance(a: Character, b: Character, seconds: readonly numb
 }
 
 /** The times of a clip's frames; frame 0 alone where it has none. */
-export function frameTimes({ clip }: Figure): readonly number[] {
+export function frameTimes({ clip }: CapturedFigure): readonly number[] {
   const samples = clip?.samples;
   if (!samples) return [0];
   return Array.from({ length: samples.frameCount }, (_, f) => samples.startSeconds + f * samples.frameSeconds);

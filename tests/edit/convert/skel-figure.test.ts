@@ -4,14 +4,14 @@ import { keyedClip } from '../../../src/edit/convert/keys-of-samples.ts';
 import { skelFigure } from '../../../src/edit/convert/skel-figure.ts';
 import { keysOf } from '../../../src/model/clip.ts';
 import { filePose } from '../../../src/model/dofs.ts';
-import type { Figure } from '../../../src/model/files.ts';
+import type { CapturedFigure } from '../../../src/model/files.ts';
 import { animOf, bvhOf, skelOf } from '../../../src/project/save/character-files.ts';
 import { bvhFigure, bvhJoint } from '../../helpers/bvh.ts';
 import { anyFigure } from './figures.ts';
 import { characterOf, frameTimes, worstDistance } from './round-trip.ts';
 
 /** `.skel` and `.anim` of a figure, as a character. */
-function skelAndAnim(figure: Figure) {
+function skelAndAnim(figure: CapturedFigure) {
   const skeleton = skelOf({ skeleton: figure.skeleton, pose: filePose(figure.skeleton, 0) });
   if (!skeleton || !figure.clip) throw new Error('There is a skeleton and a clip.');
   return characterOf({ skeleton, clip: animOf(figure, figure.clip) });

@@ -8,7 +8,7 @@ import {
   type Channel,
   EXTRAPOLATIONS,
   type Extrapolation,
-  FIXED,
+  FIXED_TANGENT,
   type KeyedChannel,
   keysOf,
   restChannel,
@@ -29,7 +29,7 @@ export function channelOf(
   const column = (side: 'in' | 'out') => {
     const tangents = rows.map((row) => (side === 'in' ? row[2] : (row[3] ?? row[2])) ?? 'smooth');
     return {
-      kinds: Uint8Array.from(tangents, (t) => (typeof t === 'number' ? FIXED : TANGENT_KINDS.indexOf(t))),
+      kinds: Uint8Array.from(tangents, (t) => (typeof t === 'number' ? FIXED_TANGENT : TANGENT_KINDS.indexOf(t))),
       slopes: Float64Array.from(tangents, (t) => (typeof t === 'number' ? t : 0)),
     };
   };

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { copyKeys, type PasteMode, pasteKeys } from '../../../src/edit/keys/clipboard.ts';
+import { copyKeys, type PasteMode, withKeysPasted } from '../../../src/edit/keys/clipboard.ts';
 import { allKeys } from '../../../src/edit/keys/selection.ts';
 import { type Channel, type ChannelClip, keysOf, restChannel } from '../../../src/model/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
@@ -21,7 +21,7 @@ const walk = clipOf(
   restChannel(7),
 );
 const paste = (copied: ReturnType<typeof copyKeys>, timeSeconds: number, mode: PasteMode, into?: number[]) =>
-  pasteKeys(walk, copied, { timeSeconds, mode, into });
+  withKeysPasted(walk, copied, { timeSeconds, mode, into });
 
 describe('copying keys', () => {
   it('takes them as they are, their times counted from the earliest', () => {
@@ -122,7 +122,7 @@ describe('pasting keys', () => {
     expect(() => paste(both, 0, 'merge', [2])).toThrow('Keys of 2 channels paste into 2 channels');
     expect(() => paste(first, 0, 'merge', [3])).toThrow('no channel 3');
     expect(() => paste(both, 0, 'merge', [2, 2])).toThrow('pasted into only once');
-    expect(() => pasteKeys(clipOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');
+    expect(() => withKeysPasted(clipOf(), first, { timeSeconds: 0, mode: 'merge' })).toThrow('no channel 0');
   });
 
   it('leaves sound channels and the pasted keys where it says, whatever is pasted', () => {
@@ -132,7 +132,7 @@ describe('pasting keys', () => {
       fc.property(channels(1, { steps: true }), channelsOrRest({ steps: true }), time, mode, (from, to, at, how) => {
         const clip = clipOf(from, to);
         const copied = copyKeys(clip, allKeys(clip, [0]));
-        const { channels: after, keys } = pasteKeys(clip, copied, { timeSeconds: at, mode: how, into: [1] });
+        const { channels: after, keys } = withKeysPasted(clip, copied, { timeSeconds: at, mode: how, into: [1] });
         checkChannel(after[1]);
         expectNoCrowd(after[1]);
         const pasted = keys[0].indices.map((k) => [keysOf(after[1]).times[k] - at, keysOf(after[1]).values[k]]);

@@ -1,6 +1,6 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { moveKeys } from '../../../src/edit/keys/move.ts';
+import { withKeysMoved } from '../../../src/edit/keys/move.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, withSome } from './channels.ts';
 
@@ -20,7 +20,7 @@ const valuesOf = (channel: typeof four) => [...channel.values];
 
 describe('moving keys', () => {
   it('moves in time and value, tangents going along as they are', () => {
-    const { channel, indices } = moveKeys(four, [1, 2], 0.25, 100);
+    const { channel, indices } = withKeysMoved(four, [1, 2], 0.25, 100);
     expect(rowsOf(channel)).toEqual([
       [0, 10, 'linear', 'linear'],
       [1.25, 111, 'smooth', 'smooth'],
@@ -31,7 +31,7 @@ describe('moving keys', () => {
   });
 
   it('crosses other keys freely, and says where the moved ones are', () => {
-    const { channel, indices } = moveKeys(four, [0, 2], 1.5, 0);
+    const { channel, indices } = withKeysMoved(four, [0, 2], 1.5, 0);
     expect(pointsOf(channel)).toEqual([
       [1, 11],
       [1.5, 10],
@@ -42,19 +42,19 @@ describe('moving keys', () => {
   });
 
   it('replaces the key it lands on, even where the times differ in their last digits', () => {
-    const { channel, indices } = moveKeys(four, [1], 2, 0);
+    const { channel, indices } = withKeysMoved(four, [1], 2, 0);
     expect(valuesOf(channel)).toEqual([10, 12, 11]);
     expect(indices).toEqual([2]);
     const thirds = channelOf([
       [0.1, 1],
       [0.1 + 0.2, 2],
     ]);
-    expect(pointsOf(moveKeys(thirds, [0], 0.2, 0).channel)).toEqual([[0.1 + 0.2, 1]]);
-    expect(pointsOf(moveKeys(thirds, [0], 0.2 - 1e-12, 0).channel)).toEqual([[0.1 + 0.2, 1]]);
+    expect(pointsOf(withKeysMoved(thirds, [0], 0.2, 0).channel)).toEqual([[0.1 + 0.2, 1]]);
+    expect(pointsOf(withKeysMoved(thirds, [0], 0.2 - 1e-12, 0).channel)).toEqual([[0.1 + 0.2, 1]]);
   });
 
   it('makes a step with what it lands on if that is asked for, holding from then on', () => {
-    const { channel, indices } = moveKeys(four, [1], 2, 0, 'step');
+    const { channel, indices } = withKeysMoved(four, [1], 2, 0, 'step');
     expect(pointsOf(channel)).toEqual([
       [0, 10],
       [2, 12],
@@ -62,17 +62,17 @@ describe('moving keys', () => {
       [3, 11],
     ]);
     expect(indices).toEqual([3]);
-    expect(valuesOf(moveKeys(four, [3], -3, 0, 'step').channel)).toEqual([10, 13, 11, 12]);
+    expect(valuesOf(withKeysMoved(four, [3], -3, 0, 'step').channel)).toEqual([10, 13, 11, 12]);
   });
 
   it('lets only the first that was there and the last that came stay where steps meet keys', () => {
-    expect(valuesOf(moveKeys(stairs, [0], 1, 0, 'step').channel)).toEqual([11, 10, 13]);
-    expect(valuesOf(moveKeys(stairs, [1, 2], 1, 0, 'step').channel)).toEqual([10, 13, 12]);
-    expect(valuesOf(moveKeys(stairs, [1, 2], 1, 0, 'replace').channel)).toEqual([10, 11, 12]);
+    expect(valuesOf(withKeysMoved(stairs, [0], 1, 0, 'step').channel)).toEqual([11, 10, 13]);
+    expect(valuesOf(withKeysMoved(stairs, [1, 2], 1, 0, 'step').channel)).toEqual([10, 13, 12]);
+    expect(valuesOf(withKeysMoved(stairs, [1, 2], 1, 0, 'replace').channel)).toEqual([10, 11, 12]);
   });
 
   it('keeps a step a step that moves as one', () => {
-    const { channel, indices } = moveKeys(stairs, [1, 2], 5, 0);
+    const { channel, indices } = withKeysMoved(stairs, [1, 2], 5, 0);
     expect(pointsOf(channel)).toEqual([
       [0, 10],
       [2, 13],
@@ -83,13 +83,13 @@ describe('moving keys', () => {
   });
 
   it('takes a step apart where half of it moves', () => {
-    expect(pointsOf(moveKeys(stairs, [1], -0.5, 0).channel)).toEqual([
+    expect(pointsOf(withKeysMoved(stairs, [1], -0.5, 0).channel)).toEqual([
       [0, 10],
       [0.5, 11],
       [1, 12],
       [2, 13],
     ]);
-    expect(pointsOf(moveKeys(stairs, [2], -0.5, 0).channel)).toEqual([
+    expect(pointsOf(withKeysMoved(stairs, [2], -0.5, 0).channel)).toEqual([
       [0, 10],
       [0.5, 12],
       [1, 11],
@@ -98,33 +98,35 @@ describe('moving keys', () => {
   });
 
   it('moves half of a step in value only without harm to the other', () => {
-    expect(valuesOf(moveKeys(stairs, [1], 0, 5).channel)).toEqual([10, 16, 12, 13]);
-    expect(valuesOf(moveKeys(stairs, [2], 0, 5).channel)).toEqual([10, 11, 17, 13]);
+    expect(valuesOf(withKeysMoved(stairs, [1], 0, 5).channel)).toEqual([10, 16, 12, 13]);
+    expect(valuesOf(withKeysMoved(stairs, [2], 0, 5).channel)).toEqual([10, 11, 17, 13]);
   });
 
   it('refuses to move to where there are no numbers', () => {
-    expect(() => moveKeys(four, [0], 1e308, 0).channel.times).not.toThrow();
-    expect(() => moveKeys(moveKeys(four, [0], 1e308, 0).channel, [3], 1e308, 0)).toThrow('too large');
-    expect(() => moveKeys(moveKeys(four, [0], 0, 1e308).channel, [0], 0, 1e308)).toThrow('value is too large');
+    expect(() => withKeysMoved(four, [0], 1e308, 0).channel.times).not.toThrow();
+    expect(() => withKeysMoved(withKeysMoved(four, [0], 1e308, 0).channel, [3], 1e308, 0)).toThrow('too large');
+    expect(() => withKeysMoved(withKeysMoved(four, [0], 0, 1e308).channel, [0], 0, 1e308)).toThrow(
+      'value is too large',
+    );
   });
 });
 
 describe('what moving leaves alone', () => {
   it('what moving leaves alone is the channel itself where nothing moves', () => {
-    expect(moveKeys(four, [1, 2], 0, 0)).toEqual({ channel: four, indices: [1, 2] });
-    expect(moveKeys(four, [1, 2], 0, 0).channel).toBe(four);
-    expect(moveKeys(four, [1], 1e-30, 1e-30).channel).toBe(four);
+    expect(withKeysMoved(four, [1, 2], 0, 0)).toEqual({ channel: four, indices: [1, 2] });
+    expect(withKeysMoved(four, [1, 2], 0, 0).channel).toBe(four);
+    expect(withKeysMoved(four, [1], 1e-30, 1e-30).channel).toBe(four);
   });
 
   it('what moving leaves alone is the column of times where keys move in value', () => {
-    const { channel } = moveKeys(four, [1], 0, 2);
+    const { channel } = withKeysMoved(four, [1], 0, 2);
     expect(channel.times).toBe(four.times);
     expect(channel.tangentsIn).toBe(four.tangentsIn);
     expect(channel.tangentsOut).toBe(four.tangentsOut);
   });
 
   it('what moving leaves alone is every other column where keys move in time without crossing', () => {
-    const { channel } = moveKeys(four, [1], 0.5, 0);
+    const { channel } = withKeysMoved(four, [1], 0.5, 0);
     expect(channel.values).toBe(four.values);
     expect(channel.tangentsIn).toBe(four.tangentsIn);
     expect(channel.tangentsOut).toBe(four.tangentsOut);
@@ -132,7 +134,7 @@ describe('what moving leaves alone', () => {
 
   it('what moving leaves alone is what comes out the same though keys have crossed', () => {
     const level = channelOf([0, 1, 2].map((t) => [t, 7, 'flat'] as const));
-    const { channel } = moveKeys(level, [0], 1.5, 0);
+    const { channel } = withKeysMoved(level, [0], 1.5, 0);
     expect([...channel.times]).toEqual([1, 1.5, 2]);
     expect(channel.values).toBe(level.values);
     expect(channel.tangentsIn).toBe(level.tangentsIn);
@@ -146,7 +148,7 @@ describe('moving any keys', () => {
   it('leaves sound channels, at most two keys at a time, and every key that nothing landed on', () => {
     fc.assert(
       fc.property(withSome(channels(1, { steps: true })), seconds, collision, ({ channel, some }, by, onCollision) => {
-        const { channel: after, indices } = moveKeys(channel, some, by, 0, onCollision);
+        const { channel: after, indices } = withKeysMoved(channel, some, by, 0, onCollision);
         checkChannel(after);
         expectNoCrowd(after);
         const moved = new Set(some);
@@ -166,7 +168,7 @@ describe('moving any keys', () => {
     const told = channels(1, { steps: true }).map((c) => ({ ...c, values: c.values.map((_v, k) => k) }));
     fc.assert(
       fc.property(withSome(told), seconds, ({ channel, some }, by) => {
-        const { channel: after, indices } = moveKeys(channel, some, by, 0);
+        const { channel: after, indices } = withKeysMoved(channel, some, by, 0);
         expect(indices.map((k) => after.values[k])).toEqual(some);
         expect(indices.map((k) => after.times[k])).toEqual(some.map((k) => channel.times[k] + by));
       }),
@@ -177,8 +179,8 @@ describe('moving any keys', () => {
     fc.assert(
       // A sixteenth off the eighths that keys are on: nothing is landed on, and nothing is rounded.
       fc.property(withSome(channels(1, { steps: true })), seconds, ({ channel, some }, by) => {
-        const there = moveKeys(channel, some, by + 1 / 16, 0);
-        const back = moveKeys(there.channel, there.indices, -by - 1 / 16, 0);
+        const there = withKeysMoved(channel, some, by + 1 / 16, 0);
+        const back = withKeysMoved(there.channel, there.indices, -by - 1 / 16, 0);
         // Half of a step that was taken out comes back as one key landing on another.
         fc.pre(!some.some((k) => halved(channel.times, some, k)));
         expect(rowsOf(back.channel)).toEqual(rowsOf(channel));
@@ -198,7 +200,7 @@ describe('a hundred thousand keys', () => {
 
   it('a hundred thousand keys are moved all at once, and stay whole', () => {
     const all = Array.from({ length: count }, (_, k) => k);
-    const { channel, indices } = moveKeys(long, all, 1 / 60, 0.5);
+    const { channel, indices } = withKeysMoved(long, all, 1 / 60, 0.5);
     expect(channel.times).toHaveLength(count);
     expect(indices).toEqual(all);
     expect([channel.tangentsIn, channel.tangentsOut]).toEqual([long.tangentsIn, long.tangentsOut]);
@@ -207,7 +209,7 @@ describe('a hundred thousand keys', () => {
   });
 
   it('let one through from beginning to end', () => {
-    const { channel, indices } = moveKeys(long, [0], 5000, 0);
+    const { channel, indices } = withKeysMoved(long, [0], 5000, 0);
     expect(indices).toEqual([count - 1]);
     expect([channel.times[0], channel.times[count - 1]]).toEqual([1 / 30, 5000]);
   });

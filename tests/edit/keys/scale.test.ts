@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { type Scaling, scaleKeys } from '../../../src/edit/keys/scale.ts';
+import { type Scaling, withKeysScaled } from '../../../src/edit/keys/scale.ts';
 import { compileChannels } from '../../../src/evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../../src/evaluate/curves.ts';
-import { FIXED } from '../../../src/model/clip.ts';
+import { FIXED_TANGENT } from '../../../src/model/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, expectNoCrowd, pointsOf, rowsOf, withSome } from './channels.ts';
 
@@ -21,7 +21,7 @@ const two = channelOf([
 
 describe('scaling keys', () => {
   it('goes about a moment, and makes slopes as much less steep as time gets longer', () => {
-    const { channel, indices } = scaleKeys(two, [0, 1], by({ pivotSeconds: 1, timeFactor: 2 }));
+    const { channel, indices } = withKeysScaled(two, [0, 1], by({ pivotSeconds: 1, timeFactor: 2 }));
     expect(rowsOf(channel)).toEqual([
       [1, 10, 'linear', 2],
       [3, 20, 3, 'smooth'],
@@ -31,7 +31,7 @@ describe('scaling keys', () => {
   });
 
   it('goes about a value, and makes slopes as much steeper', () => {
-    const { channel } = scaleKeys(two, [0, 1], by({ pivotValue: 10, valueFactor: 3 }));
+    const { channel } = withKeysScaled(two, [0, 1], by({ pivotValue: 10, valueFactor: 3 }));
     expect(rowsOf(channel)).toEqual([
       [1, 10, 'linear', 12],
       [2, 40, 18, 'smooth'],
@@ -40,7 +40,7 @@ describe('scaling keys', () => {
   });
 
   it('mirrors time with a negative factor: sides change places and slopes change sign', () => {
-    const { channel, indices } = scaleKeys(two, [0, 1], by({ pivotSeconds: 1, timeFactor: -1 }));
+    const { channel, indices } = withKeysScaled(two, [0, 1], by({ pivotSeconds: 1, timeFactor: -1 }));
     expect(rowsOf(channel)).toEqual([
       [0, 20, 'smooth', -6],
       [1, 10, -4, 'linear'],
@@ -49,7 +49,7 @@ describe('scaling keys', () => {
   });
 
   it('mirrors values without changing the sides', () => {
-    const { channel } = scaleKeys(two, [1], by({ valueFactor: -1 }));
+    const { channel } = withKeysScaled(two, [1], by({ valueFactor: -1 }));
     expect(rowsOf(channel)[1]).toEqual([2, -20, -6, 'smooth']);
   });
 
@@ -59,7 +59,7 @@ describe('scaling keys', () => {
       [1, 2],
       [1, 3],
     ]);
-    expect(pointsOf(scaleKeys(step, [0, 1, 2], by({ timeFactor: -1 })).channel)).toEqual([
+    expect(pointsOf(withKeysScaled(step, [0, 1, 2], by({ timeFactor: -1 })).channel)).toEqual([
       [-1, 3],
       [-1, 2],
       [0, 1],
@@ -67,27 +67,27 @@ describe('scaling keys', () => {
   });
 
   it('keeps the last of those that it brings to one time', () => {
-    const { channel, indices } = scaleKeys(two, [0, 1], by({ pivotSeconds: 5, timeFactor: 0 }));
+    const { channel, indices } = withKeysScaled(two, [0, 1], by({ pivotSeconds: 5, timeFactor: 0 }));
     expect(pointsOf(channel)).toEqual([[5, 20]]);
     expect(indices).toEqual([0]);
     checkChannel(channel);
   });
 
   it('replaces keys that stand where it brings one', () => {
-    expect(pointsOf(scaleKeys(two, [0], by({ timeFactor: 2 })).channel)).toEqual([[2, 10]]);
-    expect(pointsOf(scaleKeys(two, [0], by({ timeFactor: 2 }), 'step').channel)).toEqual([
+    expect(pointsOf(withKeysScaled(two, [0], by({ timeFactor: 2 })).channel)).toEqual([[2, 10]]);
+    expect(pointsOf(withKeysScaled(two, [0], by({ timeFactor: 2 }), 'step').channel)).toEqual([
       [2, 20],
       [2, 10],
     ]);
   });
 
   it('scaling keys is the channel itself where nothing changes', () => {
-    expect(scaleKeys(two, [0, 1], by({ pivotSeconds: 1e9, pivotValue: 1e9 })).channel).toBe(two);
-    expect(scaleKeys(two, [0], by({ pivotSeconds: 1, timeFactor: 7 })).channel.times).toBe(two.times);
+    expect(withKeysScaled(two, [0, 1], by({ pivotSeconds: 1e9, pivotValue: 1e9 })).channel).toBe(two);
+    expect(withKeysScaled(two, [0], by({ pivotSeconds: 1, timeFactor: 7 })).channel.times).toBe(two.times);
   });
 
   it('refuses slopes that are no numbers', () => {
-    expect(() => scaleKeys(two, [0], by({ pivotSeconds: 1, timeFactor: 1e-320 }))).toThrow('too steep');
+    expect(() => withKeysScaled(two, [0], by({ pivotSeconds: 1, timeFactor: 1e-320 }))).toThrow('too steep');
   });
 });
 
@@ -99,7 +99,7 @@ describe('scaling any keys', () => {
     fc.assert(
       fc.property(withSome(channels(1, { steps: true })), pivot, factor, factor, ({ channel, some }, p, t, v) => {
         const scaling = by({ pivotSeconds: p, timeFactor: t, pivotValue: p, valueFactor: v });
-        const { channel: after, indices } = scaleKeys(channel, some, scaling);
+        const { channel: after, indices } = withKeysScaled(channel, some, scaling);
         checkChannel(after);
         expectNoCrowd(after);
         expect(indices).toHaveLength(some.length);
@@ -111,16 +111,20 @@ describe('scaling any keys', () => {
     fc.assert(
       fc.property(channels(1, { steps: true }), pivot, factor, factor, (channel, p, t, v) => {
         const all = [...channel.times.keys()];
-        const there = scaleKeys(channel, all, by({ pivotSeconds: p, timeFactor: t, pivotValue: p, valueFactor: v }));
+        const there = withKeysScaled(
+          channel,
+          all,
+          by({ pivotSeconds: p, timeFactor: t, pivotValue: p, valueFactor: v }),
+        );
         const inverse = by({ pivotSeconds: p, timeFactor: 1 / t, pivotValue: p, valueFactor: 1 / v });
-        const back = scaleKeys(there.channel, there.indices, inverse).channel;
+        const back = withKeysScaled(there.channel, there.indices, inverse).channel;
         expect(back.tangentsIn.kinds).toEqual(channel.tangentsIn.kinds);
         expect(back.tangentsOut.kinds).toEqual(channel.tangentsOut.kinds);
         for (const k of all) {
           expect(back.times[k]).toBeCloseTo(channel.times[k], 10);
           expect(back.values[k]).toBeCloseTo(channel.values[k], 9);
           expect(back.tangentsOut.slopes[k]).toBeCloseTo(channel.tangentsOut.slopes[k], 9);
-          if (channel.tangentsIn.kinds[k] === FIXED) {
+          if (channel.tangentsIn.kinds[k] === FIXED_TANGENT) {
             expect(back.tangentsIn.slopes[k]).toBeCloseTo(channel.tangentsIn.slopes[k], 9);
           }
         }
@@ -132,7 +136,7 @@ describe('scaling any keys', () => {
     fc.assert(
       fc.property(channels(2), factor, factor, between(0, 1), (channel, t, v, u) => {
         const all = [...channel.times.keys()];
-        const after = scaleKeys(channel, all, by({ timeFactor: t, valueFactor: v })).channel;
+        const after = withKeysScaled(channel, all, by({ timeFactor: t, valueFactor: v })).channel;
         const curves = compileChannels([channel, after]);
         const time = channel.times[0] + u * (channel.times[all.length - 1] - channel.times[0]);
         const meant = evaluateChannel(curves, 0, time) * v;

@@ -1,9 +1,9 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { putKey } from '../../../src/edit/keys/put-key.ts';
-import { removeKeys } from '../../../src/edit/keys/remove.ts';
-import { rippleKeys, rippleRoom } from '../../../src/edit/keys/ripple.ts';
-import { setKeys, snapKeys } from '../../../src/edit/keys/set.ts';
+import { withKeysRemoved } from '../../../src/edit/keys/remove.ts';
+import { rippleRoom, withKeysRippled } from '../../../src/edit/keys/ripple.ts';
+import { withKeysSet, withKeysSnapped } from '../../../src/edit/keys/set.ts';
 import { keysOf, restChannel, SMOOTH } from '../../../src/model/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { channelOf, channels, expectNoCrowd, pointsOf, rowsOf, valueAt, withSome } from './channels.ts';
@@ -53,22 +53,22 @@ describe('putting a key', () => {
 
 describe('removing keys', () => {
   it('leaves the others what they are', () => {
-    expect(rowsOf(removeKeys(three, [1]))).toEqual([rowsOf(three)[0], rowsOf(three)[2]]);
-    expect(removeKeys(three, [])).toBe(three);
+    expect(rowsOf(withKeysRemoved(three, [1]))).toEqual([rowsOf(three)[0], rowsOf(three)[2]]);
+    expect(withKeysRemoved(three, [])).toBe(three);
   });
 
   it('leaves a channel that has lost all standing at a value', () => {
-    const bare = removeKeys(three, [0, 1, 2], 1.5);
+    const bare = withKeysRemoved(three, [0, 1, 2], 1.5);
     expect(keysOf(bare).times).toHaveLength(0);
     expect(valueAt(bare, 10)).toBe(1.5);
     expect(bare.extrapolateIn).toBe('cycle');
-    expect(removeKeys(three, [0, 1, 2])).not.toHaveProperty('rest');
+    expect(withKeysRemoved(three, [0, 1, 2])).not.toHaveProperty('rest');
   });
 });
 
 describe('rippling keys', () => {
   it('rippling keys takes all later keys along', () => {
-    const { channel, indices } = rippleKeys(three, [1], 0.5);
+    const { channel, indices } = withKeysRippled(three, [1], 0.5);
     expect(pointsOf(channel)).toEqual([
       [0, 0],
       [1.5, 3],
@@ -80,7 +80,7 @@ describe('rippling keys', () => {
   it('comes back as far as the key before, and makes a step with it', () => {
     expect(rippleRoom(three, 1)).toBe(-1);
     expect(rippleRoom(three, 0)).toBe(Number.NEGATIVE_INFINITY);
-    const { channel, indices } = rippleKeys(three, [1], -7);
+    const { channel, indices } = withKeysRippled(three, [1], -7);
     expect(pointsOf(channel)).toEqual([
       [0, 0],
       [0, 3],
@@ -97,7 +97,7 @@ describe('rippling keys', () => {
       [1, 4],
       [2, 5],
     ]);
-    const { channel, indices } = rippleKeys(steps, [3, 4], -1);
+    const { channel, indices } = withKeysRippled(steps, [3, 4], -1);
     expect(pointsOf(channel)).toEqual([
       [0, 1],
       [0, 2],
@@ -106,7 +106,7 @@ describe('rippling keys', () => {
       [2, 5],
     ]);
     expect(indices).toEqual([3, 4]);
-    const all = rippleKeys(steps, [2, 3, 4], -1);
+    const all = withKeysRippled(steps, [2, 3, 4], -1);
     expect(pointsOf(all.channel)).toEqual([
       [0, 1],
       [0, 4],
@@ -121,7 +121,7 @@ describe('rippling keys', () => {
         withSome(channels(2)),
         fc.integer({ min: -160, max: 160 }).map((tick) => tick / 8),
         ({ channel, some }, seconds) => {
-          const { channel: after, indices } = rippleKeys(channel, some, seconds);
+          const { channel: after, indices } = withKeysRippled(channel, some, seconds);
           checkChannel(after);
           expectNoCrowd(after);
           expect(indices).toEqual(some);
@@ -136,7 +136,7 @@ describe('rippling keys', () => {
 
 describe('typed numbers', () => {
   it('typed numbers are set as they are, slopes on their own side', () => {
-    const { channel, indices } = setKeys(three, [0], { timeSeconds: 2, value: -1, slopeOut: 0.5 });
+    const { channel, indices } = withKeysSet(three, [0], { timeSeconds: 2, value: -1, slopeOut: 0.5 });
     expect(rowsOf(channel)).toEqual([
       [1, 3, 'linear', 'linear'],
       [2, -1, 'linear', 0.5],
@@ -146,14 +146,14 @@ describe('typed numbers', () => {
   });
 
   it('replace a key whose time is typed for another', () => {
-    expect(pointsOf(setKeys(three, [0], { timeSeconds: 3 }).channel)).toEqual([
+    expect(pointsOf(withKeysSet(three, [0], { timeSeconds: 3 }).channel)).toEqual([
       [1, 3],
       [3, 0],
     ]);
   });
 
   it('change nothing where they are there already', () => {
-    expect(setKeys(three, [2], { timeSeconds: 3, value: 5, slopeIn: 2, slopeOut: 2 }).channel).toBe(three);
+    expect(withKeysSet(three, [2], { timeSeconds: 3, value: 5, slopeIn: 2, slopeOut: 2 }).channel).toBe(three);
   });
 });
 
@@ -164,14 +164,14 @@ describe('snapping to frames', () => {
       [0.1, 2],
       [0.26, 3],
     ]);
-    const { channel, indices } = snapKeys(loose, [0, 1, 2], 10);
+    const { channel, indices } = withKeysSnapped(loose, [0, 1, 2], 10);
     expect(pointsOf(channel)).toEqual([
       [0, 1],
       [0.1, 2],
       [0.3, 3],
     ]);
     expect(indices).toEqual([0, 1, 2]);
-    expect(snapKeys(channel, [0, 1, 2], 10).channel).toBe(channel);
+    expect(withKeysSnapped(channel, [0, 1, 2], 10).channel).toBe(channel);
   });
 
   it('keeps the last of the keys that come to one frame, and the halves of a step', () => {
@@ -181,7 +181,7 @@ describe('snapping to frames', () => {
       [1.97, 3],
       [1.97, 4],
     ]);
-    expect(pointsOf(snapKeys(loose, [0, 1, 2, 3], 10).channel)).toEqual([
+    expect(pointsOf(withKeysSnapped(loose, [0, 1, 2, 3], 10).channel)).toEqual([
       [1, 2],
       [2, 3],
       [2, 4],
@@ -194,13 +194,13 @@ describe('snapping to frames', () => {
       [0.14, 2],
       [0.31, 3],
     ]);
-    const { channel } = snapKeys(loose, [0, 1, 2], 10, 0.05);
+    const { channel } = withKeysSnapped(loose, [0, 1, 2], 10, 0.05);
     expect(pointsOf(channel).map(([t, v]) => [Number(t.toFixed(9)), v])).toEqual([
       [0.05, 1],
       [0.15, 2],
       [0.35, 3],
     ]);
-    expect(snapKeys(channel, [0, 1, 2], 10, 0.05).channel).toBe(channel);
+    expect(withKeysSnapped(channel, [0, 1, 2], 10, 0.05).channel).toBe(channel);
   });
 
   it('snapping to frames does no harm to the half of a step that is not selected', () => {
@@ -208,6 +208,6 @@ describe('snapping to frames', () => {
       [1, 1],
       [1, 2],
     ]);
-    expect(snapKeys(step, [0], 10).channel).toBe(step);
+    expect(withKeysSnapped(step, [0], 10).channel).toBe(step);
   });
 });

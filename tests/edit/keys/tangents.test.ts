@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { breakTangents, setSlope, setTangentKind, unifyTangents } from '../../../src/edit/keys/tangents.ts';
-import { FIXED, FLAT, SMOOTH } from '../../../src/model/clip.ts';
+import { setSlope, setTangentKind, withTangentsBroken, withTangentsUnified } from '../../../src/edit/keys/tangents.ts';
+import { FIXED_TANGENT, FLAT, SMOOTH } from '../../../src/model/clip.ts';
 import { checkChannel } from '../../helpers/invariants.ts';
 import { between, channelOf, channels, rowsOf, slopesAt, valueAt, withSome } from './channels.ts';
 
@@ -27,8 +27,8 @@ describe('setting tangents', () => {
   });
 
   it('freezes the slope there is when it makes them numbers', () => {
-    expect(rowsOf(setTangentKind(three, [1], 'both', FIXED))[1]).toEqual([1, 3, 3, 1]);
-    expect(rowsOf(setTangentKind(three, [1], 'in', FIXED))[1]).toEqual([1, 3, 3, 'linear']);
+    expect(rowsOf(setTangentKind(three, [1], 'both', FIXED_TANGENT))[1]).toEqual([1, 3, 3, 1]);
+    expect(rowsOf(setTangentKind(three, [1], 'in', FIXED_TANGENT))[1]).toEqual([1, 3, 3, 'linear']);
   });
 
   it('makes the side a number whose slope is set', () => {
@@ -41,7 +41,7 @@ describe('setting tangents', () => {
 
   it('setting tangents is the channel itself where all is so already', () => {
     expect(setSlope(three, [2], 'both', 2)).toBe(three);
-    expect(setTangentKind(three, [2], 'both', FIXED)).toBe(three);
+    expect(setTangentKind(three, [2], 'both', FIXED_TANGENT)).toBe(three);
     expect(setTangentKind(three, [], 'both', FLAT)).toBe(three);
     expect(setSlope(three, [2], 'out', 3).tangentsIn).toBe(three.tangentsIn);
   });
@@ -49,23 +49,23 @@ describe('setting tangents', () => {
 
 describe('unifying tangents', () => {
   it('gives both sides the mean of their slopes', () => {
-    expect(rowsOf(unifyTangents(three, [1]))[1]).toEqual([1, 3, 2, 2]);
+    expect(rowsOf(withTangentsUnified(three, [1]))[1]).toEqual([1, 3, 2, 2]);
   });
 
   it('leaves keys whose sides are equal what they are', () => {
-    expect(unifyTangents(three, [0, 2])).toBe(three);
+    expect(withTangentsUnified(three, [0, 2])).toBe(three);
   });
 });
 
 describe('breaking tangents', () => {
   it('makes both sides the numbers they are', () => {
-    expect(rowsOf(breakTangents(three, [1]))[1]).toEqual([1, 3, 3, 1]);
+    expect(rowsOf(withTangentsBroken(three, [1]))[1]).toEqual([1, 3, 3, 1]);
   });
 
   it('breaking tangents changes no curve', () => {
     fc.assert(
       fc.property(withSome(channels(1, { steps: true })), between(-60, 60), ({ channel, some }, time) => {
-        const broken = breakTangents(channel, some);
+        const broken = withTangentsBroken(channel, some);
         checkChannel(broken);
         // Plus 0: −0 is 0 here.
         const plain = (k: number, c: typeof channel) => slopesAt(c, k).map((slope) => slope + 0);

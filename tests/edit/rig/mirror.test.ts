@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { mirrorJoint } from '../../../src/edit/commands/rig.ts';
 import { mirroredMotion } from '../../../src/edit/rig/mirrored-motion.ts';
 import { mirroredName } from '../../../src/edit/rig/names.ts';
-import { AXES } from '../../../src/edit/rig/rigging.ts';
+import { AXIS_LETTERS } from '../../../src/edit/rig/rigging.ts';
 import { documentIn } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { jointMotion } from '../../../src/evaluate/motions.ts';
@@ -90,7 +90,7 @@ function figure(seed: number, across: number): Skeleton {
 
 const mirrorOf = (skeleton: Skeleton, index: number, across: number) => {
   const document = documentOf(character({ skeleton }));
-  const args = { characterId: 'c1', joint: index, across: AXES[across] };
+  const args = { characterId: 'c1', joint: index, across: AXIS_LETTERS[across] };
   return { document, next: documentIn(mirrorJoint.run(document, args)) };
 };
 

@@ -5,7 +5,7 @@ import { documentIn, Store } from '../../../src/edit/store.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import type { Vec3 } from '../../../src/math/vec3.ts';
-import { type Channel, FIXED, followingSamples, keysOf, restChannel } from '../../../src/model/clip.ts';
+import { type Channel, FIXED_TANGENT, followingSamples, keysOf, restChannel } from '../../../src/model/clip.ts';
 import type { Character } from '../../../src/model/document.ts';
 import type { Motion, Skeleton } from '../../../src/model/skeleton.ts';
 import { character, documentOf, joint } from '../../helpers/builders.ts';
@@ -17,7 +17,7 @@ const hingeAbout = (axis: Vec3): Motion => ({ kind: 'hinge', axis });
 
 /** Two keys that come in and leave at slopes of their own. */
 const sloped = (): Channel => {
-  const tangents = { kinds: new Uint8Array([FIXED, FIXED]), slopes: new Float64Array([1, -2]) };
+  const tangents = { kinds: new Uint8Array([FIXED_TANGENT, FIXED_TANGENT]), slopes: new Float64Array([1, -2]) };
   return {
     ...channelOf([
       [0, 0.25],

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../../src/evaluate/pose.ts';
 import { readBvh } from '../../../src/formats/bvh/read.ts';
-import type { Figure } from '../../../src/model/files.ts';
+import type { CapturedFigure } from '../../../src/model/files.ts';
 import { withPositions } from '../../../src/model/position-channels.ts';
 import type { BvhChannel } from '../../../src/model/skeleton.ts';
 import { character } from '../../helpers/builders.ts';
@@ -42,7 +42,10 @@ const CHANNELS: Readonly<Record<string, BvhChannel>> = {
 };
 
 /** Where joints and End Sites are, joint by joint, at a frame or at rest. */
-function positionsOf({ skeleton, clip }: Figure, frame: number | 'rest'): { joints: Point[]; endSites: Point[][] } {
+function positionsOf(
+  { skeleton, clip }: CapturedFigure,
+  frame: number | 'rest',
+): { joints: Point[]; endSites: Point[][] } {
   const moving = clip && frame !== 'rest';
   const figure = character({ skeleton, ...(moving && { clips: [clip], shownClip: 0 }) });
   const dofs = new Float64Array(dofCountOf(figure));
@@ -87,7 +90,12 @@ function farthest(got: readonly Point[], expected: readonly Point[]): number {
   return worst;
 }
 
-function expectPositions(figures: readonly Figure[], frame: number | 'rest', file: FileCase, points: readonly Point[]) {
+function expectPositions(
+  figures: readonly CapturedFigure[],
+  frame: number | 'rest',
+  file: FileCase,
+  points: readonly Point[],
+) {
   const expected = expectedOf(file.nodes, points);
   const got = figures.map((figure) => positionsOf(figure, frame));
   const off = farthest(
@@ -101,7 +109,7 @@ function expectPositions(figures: readonly Figure[], frame: number | 'rest', fil
   expect(Math.max(off, offEnds), `frame ${frame}`).toBeLessThanOrEqual(file.tolerance);
 }
 
-const taking = (figures: readonly Figure[], positions: 'replace' | 'add') =>
+const taking = (figures: readonly CapturedFigure[], positions: 'replace' | 'add') =>
   figures.map((figure) => ({ ...figure, skeleton: withPositions(figure.skeleton, positions) }));
 
 describeShared('the motion capture files of the reference', () => {

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { bvhReader, readBvh } from '../../../src/formats/bvh/read.ts';
-import type { Figure } from '../../../src/model/files.ts';
+import type { CapturedFigure } from '../../../src/model/files.ts';
 import { RADIANS_PER_DEGREE } from '../../../src/model/samples.ts';
 import { bytesOf, read, readInPieces, told } from '../read-in-pieces.ts';
 
@@ -15,7 +15,7 @@ const rows = (text: string, frames = 2) => bvh(THREE + motion(text, frames));
 /** The line of the first row in such a file. */
 const ROW = 15;
 
-function valuesOf({ value }: { readonly value?: readonly Figure[] }): number[] | undefined {
+function valuesOf({ value }: { readonly value?: readonly CapturedFigure[] }): number[] | undefined {
   const samples = value?.[0].clip?.samples;
   return samples && Array.from(samples.values);
 }

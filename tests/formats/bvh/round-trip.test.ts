@@ -1,19 +1,19 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { writeBvh } from '../../../src/formats/bvh/write.ts';
-import type { Figure } from '../../../src/model/files.ts';
+import type { CapturedFigure } from '../../../src/model/files.ts';
 import { anyFigure } from '../../edit/convert/figures.ts';
 import { BVH_FILES, readFigures, sharedFigures } from '../../helpers/bvh-files.ts';
 import { describeShared } from '../../helpers/shared.ts';
 import { finite } from '../arbitraries.ts';
 
 /** Without channels there are no frames. */
-function hasChannels({ clip }: Figure): boolean {
+function hasChannels({ clip }: CapturedFigure): boolean {
   return clip?.samples?.scales.length !== 0;
 }
 
 /** What a file says, without what reading adds to it. */
-function content(figures: readonly Figure[]) {
+function content(figures: readonly CapturedFigure[]) {
   return figures.map(({ skeleton, clip }) => ({
     joints: skeleton.joints.map(({ name, parent, offset, motion, endSites }) => {
       return { name, parent, offset, motion, endSites: endSites ?? [] };

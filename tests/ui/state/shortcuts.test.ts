@@ -8,7 +8,7 @@ import {
   shortcutsOf,
   shortcutText,
   swallows,
-  withKeys,
+  withShortcut,
 } from '../../../src/ui/state/shortcuts.ts';
 
 const NO_MODIFIERS = { ctrlKey: false, metaKey: false, altKey: false, shiftKey: false };
@@ -148,17 +148,17 @@ describe('withKeys', () => {
   const all = [bones, names, remove];
 
   it('takes a key from the action that has it in the same scope, and says from which', () => {
-    const { keys, losers } = withKeys(all, {}, names, ['B', 'M']);
+    const { keys, losers } = withShortcut(all, {}, names, ['B', 'M']);
     expect(keys).toEqual({ names: ['B', 'M'], bones: [] });
     expect(losers).toEqual([bones]);
   });
 
   it('leaves the loser its other keys', () => {
-    expect(withKeys(all, {}, bones, ['M']).keys).toEqual({ bones: ['M'], names: ['N'] });
+    expect(withShortcut(all, {}, bones, ['M']).keys).toEqual({ bones: ['M'], names: ['N'] });
   });
 
   it('takes nothing where nobody has the key', () => {
-    expect(withKeys(all, { names: ['Q'] }, bones, ['N'])).toEqual({
+    expect(withShortcut(all, { names: ['Q'] }, bones, ['N'])).toEqual({
       keys: { names: ['Q'], bones: ['N'] },
       losers: [],
     });

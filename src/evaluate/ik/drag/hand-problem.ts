@@ -13,7 +13,7 @@ import { compileSkeleton } from '../../kinematics.ts';
 import { movedDofs } from '../../retarget/moved-dofs.ts';
 import { evaluatePose } from '../forward.ts';
 import { ikProblem, movePin } from '../problem.ts';
-import { type Dragged, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
+import { type DragTarget, draggedIndex, ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
 import { type IkMode, solve } from '../solve.ts';
 import type { IkProblem } from '../state.ts';
 import { inertia } from './inertia.ts';
@@ -53,7 +53,7 @@ export class HandProblem {
     readonly skeleton: Skeleton,
     start: ArrayLike<number>,
     readonly targets: ReadonlyMap<number, PinTarget>,
-    readonly dragged: Dragged,
+    readonly dragged: DragTarget,
   ) {
     const setup = ikOf(character);
     this.dofs = Float64Array.from(start);

@@ -10,7 +10,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
-import { type Dragged, ikOf, type PinTarget } from '../set-up.ts';
+import { type DragTarget, ikOf, type PinTarget } from '../set-up.ts';
 import { HandProblem, IS_THERE } from './hand-problem.ts';
 import { gapCause, type Hindrance } from './hindrance.ts';
 import { Homing } from './homing.ts';
@@ -71,7 +71,7 @@ export class Pull {
     skeleton: Skeleton,
     start: ArrayLike<number>,
     targets: ReadonlyMap<number, PinTarget>,
-    dragged: Dragged,
+    dragged: DragTarget,
   ) {
     this.rootStays = !ikOf(character).rootIsFree && compileSkeleton(skeleton).travel.some((dof) => dof >= 0);
     this.of = new HandProblem(character, skeleton, start, targets, dragged);

@@ -13,7 +13,7 @@ import { openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import { currentCharacter } from '../../state/action.ts';
-import { CHANNEL_LISTS, type ChannelList as ListChoice } from '../../state/timeline.ts';
+import { CHANNEL_LISTS, type ChannelListKind as ListChoice } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { LIST_LABELS } from '../timeline/actions.ts';
 import { channelName, isAnimated, type ListedChannel } from '../timeline/channels.ts';

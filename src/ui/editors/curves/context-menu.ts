@@ -10,7 +10,7 @@ import { channelName, namedChannel } from '../timeline/channels.ts';
 import { keysInHand, selectKeys, takeInHand } from '../timeline/in-hand.ts';
 import { extrapolate } from '../timeline/key-edits.ts';
 import { insertOnCurve } from './insert.ts';
-import type { Hit } from './scene/scene.ts';
+import type { CurveHit } from './scene/scene.ts';
 
 interface Place {
   readonly x: number;
@@ -40,7 +40,7 @@ export function entriesOf(wb: Uses<'actions' | 'settings'>, ids: readonly string
 /** @param byKeyboard there is nothing under a pointer: the menu is about what is selected */
 export function openPlotMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
-  hit: Hit,
+  hit: CurveHit,
   where: Place,
   byKeyboard: boolean,
 ): void {

@@ -18,7 +18,7 @@ import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from '../timeline/channels.ts';
 import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
-import { framesOf } from '../timeline/snapping.ts';
+import { frameNumber } from '../timeline/snapping.ts';
 
 /** Numbers that all selected keys share; undefined where they differ. Of the clip, in model units. */
 export interface SharedNumbers {
@@ -134,7 +134,7 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     const per = perUnit();
     const { framesPerSecond } = wb.transport.get();
     const at = numbers.time === undefined ? undefined : numbers.time - take.character.timeOffsetSeconds;
-    time.show(at === undefined ? undefined : inFrames() ? framesOf(at, framesPerSecond) : withoutNoise(at));
+    time.show(at === undefined ? undefined : inFrames() ? frameNumber(at, framesPerSecond) : withoutNoise(at));
     const scaled = (n: number | undefined) => (n === undefined || !unit ? undefined : withoutNoise(n * per));
     value.show(scaled(numbers.value));
     slopeIn.show(scaled(numbers.slopeIn));

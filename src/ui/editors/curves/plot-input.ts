@@ -6,7 +6,7 @@ import { isMac, waitOutDrag } from '../../kit/keyboard.ts';
 import { openPlotMenu } from './context-menu.ts';
 import { insertOnCurve } from './insert.ts';
 import { hitTest } from './scene/hit.ts';
-import type { Hit } from './scene/scene.ts';
+import type { CurveHit } from './scene/scene.ts';
 import { PLOT_TOP, pan, timeAt, zoom } from './scene/space.ts';
 import { boxDrag } from './tools/box.ts';
 import { buttonMeant, cursorOf, type Intent, intentOf } from './tools/intent.ts';
@@ -21,7 +21,7 @@ import type { Drag, PlotAccess, PointerAt } from './tools/tool.ts';
 const TREMBLE_PIXELS = 3;
 const REACH_MOUSE = 6;
 const REACH_TOUCH = 14;
-const NO_HIT: Hit = { kind: 'empty' };
+const NO_HIT: CurveHit = { kind: 'empty' };
 /** Drags that change neither document nor selection. */
 const LOOKING: readonly Intent[] = ['scrub', 'pan', 'zoom'];
 
@@ -37,7 +37,7 @@ export interface PlotHost extends PlotAccess {
 }
 
 export class PlotInput {
-  private hover: Hit = NO_HIT;
+  private hover: CurveHit = NO_HIT;
   /** Which of its channel's selected keys is being dragged; its index in the channel changes as it passes others. */
   private grabbed = -1;
   /** Where it is; undefined outside. */
@@ -57,7 +57,7 @@ export class PlotInput {
   }
 
   /** What is under the pointer, or being dragged. */
-  shownHover(): Hit {
+  shownHover(): CurveHit {
     const { hover, drag } = this;
     if (!drag || hover.kind !== 'key') return hover;
     const keys = this.plot.scene()?.selected.find((k) => k.channel === hover.channel);
@@ -114,12 +114,12 @@ export class PlotInput {
     };
   }
 
-  private hitAt(at: PointerAt, reach: number): Hit {
+  private hitAt(at: PointerAt, reach: number): CurveHit {
     const scene = this.plot.scene();
     return scene && at.y >= PLOT_TOP ? hitTest(scene, at.x, at.y, reach) : NO_HIT;
   }
 
-  private intent(at: PointerAt, button: number, hit: Hit): Intent {
+  private intent(at: PointerAt, button: number, hit: CurveHit): Intent {
     return intentOf({ ...at, button, inRuler: at.y < PLOT_TOP, scaling: this.plot.wb.timeline.scaling.get() }, hit);
   }
 
@@ -148,13 +148,13 @@ export class PlotInput {
     if (intent === 'scrub') drag.move(at);
   }
 
-  private placeInSelection(hit: Hit): number {
+  private placeInSelection(hit: CurveHit): number {
     if (hit.kind !== 'key') return -1;
     const keys = this.plot.scene()?.selected.find((k) => k.channel === hit.channel);
     return keys?.indices.indexOf(hit.index) ?? -1;
   }
 
-  private dragFor(intent: Intent, at: PointerAt, hit: Hit): Drag | undefined {
+  private dragFor(intent: Intent, at: PointerAt, hit: CurveHit): Drag | undefined {
     if (intent === 'scrub') return scrubDrag(this.plot);
     if (intent === 'pan') return panDrag(this.plot, at);
     if (intent === 'zoom') return zoomDrag(this.plot, at);

@@ -4,7 +4,7 @@ import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { revealTime } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
-import type { Box } from '../timeline/box.ts';
+import type { SelectionBox } from '../timeline/box.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 import { selectedText } from '../timeline/key-edits.ts';
 import type { ListSource } from './channel-list.ts';
@@ -12,7 +12,7 @@ import { emptyPlotText } from './empty-text.ts';
 import { CurvePicture } from './picture/picture.ts';
 import { type PlotHost, PlotInput } from './plot-input.ts';
 import { PlotScene, sameNumbers } from './plot-scene.ts';
-import { Readout } from './readout.ts';
+import { CurveReadout } from './readout.ts';
 import { ScaleFrame } from './scale-frame.ts';
 import { fit as fitted } from './scene/fit.ts';
 import type { CurveScene } from './scene/scene.ts';
@@ -24,7 +24,7 @@ export class CurvePlot implements PlotHost {
   readonly element: HTMLElement;
   private readonly picture: CurvePicture;
   private readonly plotScene: PlotScene;
-  private readonly readout: Readout;
+  private readonly readout: CurveReadout;
   private readonly frame: ScaleFrame;
   private readonly input: PlotInput;
   private readonly spoken = element('p', {
@@ -36,7 +36,7 @@ export class CurvePlot implements PlotHost {
   readonly drawSoon = oncePerFrame(() => this.draw());
   private visible = false;
   private pendingFit: FitKind | undefined = 'all';
-  private box: Box | undefined;
+  private box: SelectionBox | undefined;
   private drawn: CurveScene | undefined;
   /** What the view was fitted to, so that it is fitted anew when that is something else. */
   private fittedTo: { readonly take: string; readonly channels: readonly number[] } = { take: '', channels: [] };
@@ -53,7 +53,7 @@ export class CurvePlot implements PlotHost {
     });
     this.picture = new CurvePicture(this.element);
     this.plotScene = new PlotScene(wb);
-    this.readout = new Readout(wb);
+    this.readout = new CurveReadout(wb);
     this.frame = new ScaleFrame(this);
     this.element.append(this.empty, this.frame.element, this.readout.element, this.spoken);
     new ResizeObserver(() => this.measure()).observe(this.element);
@@ -125,7 +125,7 @@ export class CurvePlot implements PlotHost {
     return { x: left + xOf(space, timeSeconds), y: top + yOf(space, line, value) };
   }
 
-  showBox(box: Box | undefined): void {
+  showBox(box: SelectionBox | undefined): void {
     this.box = box;
     this.drawSoon();
   }

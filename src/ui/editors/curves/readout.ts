@@ -4,12 +4,12 @@ import { element, setText } from '../../kit/dom.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from '../timeline/channels.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
-import { type CurveLine, type CurveScene, type Hit, lineOf } from './scene/scene.ts';
+import { type CurveHit, type CurveLine, type CurveScene, lineOf } from './scene/scene.ts';
 import { timeAt, valueAt } from './scene/space.ts';
-import { timeText, valueText } from './tools/readout-text.ts';
+import { curveValueText, timeText } from './tools/readout-text.ts';
 import type { PointerAt } from './tools/tool.ts';
 
-export class Readout {
+export class CurveReadout {
   private readonly place = element('span', {});
   private readonly name = element('span', { class: 'readout-name' });
   private readonly value = element('span', {});
@@ -23,7 +23,7 @@ export class Readout {
     setText(this.drag, text);
   }
 
-  show(scene: CurveScene | undefined, pointer: PointerAt | undefined, hover: Hit): void {
+  show(scene: CurveScene | undefined, pointer: PointerAt | undefined, hover: CurveHit): void {
     this.element.hidden = !scene || !pointer;
     if (!scene || !pointer) return;
     const { wb } = this;
@@ -34,7 +34,7 @@ export class Readout {
   }
 
   /** Seconds of the transport, a channel's name, a value. */
-  private under(scene: CurveScene, pointer: PointerAt, hover: Hit): readonly [number, string, string] {
+  private under(scene: CurveScene, pointer: PointerAt, hover: CurveHit): readonly [number, string, string] {
     const { wb } = this;
     const { space, clip, offsetSeconds } = scene;
     const at = timeAt(space, pointer.x);
@@ -42,11 +42,12 @@ export class Readout {
     if (hover.kind === 'empty' || !line) return [at, '', heights(wb, scene, pointer.y)];
     const take = takeInHand(wb);
     const name = take ? channelName(namedChannel(take.character, line.channel)) : line.name;
-    if (hover.kind === 'curve') return [hover.timeSeconds - offsetSeconds, name, valueText(wb, line.unit, hover.value)];
+    if (hover.kind === 'curve')
+      return [hover.timeSeconds - offsetSeconds, name, curveValueText(wb, line.unit, hover.value)];
     const { times, values } = keysOf(clip.channels[hover.channel]);
     // A key that a drag has taken away.
     if (!(hover.index < times.length)) return [at, name, ''];
-    const value = valueText(wb, line.unit, values[hover.index]);
+    const value = curveValueText(wb, line.unit, values[hover.index]);
     return [times[hover.index] - offsetSeconds, name, value];
   }
 }
@@ -55,5 +56,5 @@ export class Readout {
 function heights(wb: Uses<'settings'>, scene: CurveScene, y: number): string {
   const onAxis = new Map<string, CurveLine>();
   for (const line of scene.lines) if (!line.normalise && !onAxis.has(line.axis)) onAxis.set(line.axis, line);
-  return [...onAxis.values()].map((line) => valueText(wb, line.unit, valueAt(scene.space, line, y))).join(' / ');
+  return [...onAxis.values()].map((line) => curveValueText(wb, line.unit, valueAt(scene.space, line, y))).join(' / ');
 }

@@ -1,6 +1,6 @@
 /** What a drag in the sheet is, and what it may use. */
 import type { Uses } from '../../state/workbench.ts';
-import type { Box } from '../timeline/box.ts';
+import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
 
@@ -22,13 +22,13 @@ export interface DopeHost {
 }
 
 /** `move` works from the press on and not from the last call, so that nothing drifts. */
-export interface Gesture {
+export interface DopeDrag {
   move(at: Pointer): void;
   /** @param moved the pointer went further than a click's */
   release(at: Pointer, moved: boolean): void;
   /** Escape: everything as it was. */
   cancel(): void;
-  readonly box?: Box | undefined;
+  readonly box?: SelectionBox | undefined;
   /** What it has come to, to be read beside the pointer. */
   readonly readout?: string | undefined;
 }

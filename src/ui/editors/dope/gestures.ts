@@ -10,13 +10,13 @@
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { toggleKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import { keysInHand, selectedKeys, selectKeys } from '../timeline/in-hand.ts';
-import type { DopeHost, Gesture, Pointer } from './gesture.ts';
+import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import type { SheetHit } from './hit.ts';
 import { MoveKeys, type MoveWay, ScaleKeys } from './key-drags.ts';
 import { SelectBox } from './select-box.ts';
 
 /** Undefined where a press means nothing more. */
-export function gestureAt(host: DopeHost, hit: SheetHit, at: Pointer): Gesture | undefined {
+export function gestureAt(host: DopeHost, hit: SheetHit, at: Pointer): DopeDrag | undefined {
   switch (hit.kind) {
     case 'keys':
       return pressKeys(host, hit, at);
@@ -36,7 +36,7 @@ function pressKeys(
   host: DopeHost,
   { keys, timeSeconds }: Extract<SheetHit, { kind: 'keys' }>,
   at: Pointer,
-): Gesture | undefined {
+): DopeDrag | undefined {
   const { wb } = host;
   const before = selectedKeys(wb);
   const had = areSelected(keys, before);

@@ -2,9 +2,9 @@
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
 import type { Channel } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Box } from '../timeline/box.ts';
+import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
-import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, secondsPerPixel, timeAt, xOf } from './sheet.ts';
+import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, secondsPerPixel, sheetTime, sheetX } from './sheet.ts';
 
 /** What the sheet shows. */
 export interface SheetKeys {
@@ -46,7 +46,7 @@ export function hitSheet(sheet: Sheet, shown: SheetKeys, x: number, y: number): 
 
 /** The transport's time of the key in a row that is nearest to x, if it is near enough to be meant. */
 function diamondNear(sheet: Sheet, shown: SheetKeys, row: number, x: number): number | undefined {
-  const at = timeAt(sheet, x) + shown.offsetSeconds;
+  const at = sheetTime(sheet, x) + shown.offsetSeconds;
   const time = nearestKeyTime(shown.channels, shown.rows[row].channels, at, REACH * secondsPerPixel(sheet));
   return time === undefined ? undefined : time - shown.offsetSeconds;
 }
@@ -63,8 +63,8 @@ function keysUnder(sheet: Sheet, shown: SheetKeys, row: number, timeSeconds: num
 
 function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHit {
   if (!selectedSpan) return { kind: 'nothing' };
-  const start = xOf(sheet, selectedSpan[0]);
-  const end = xOf(sheet, selectedSpan[1]);
+  const start = sheetX(sheet, selectedSpan[0]);
+  const end = sheetX(sheet, selectedSpan[1]);
   if (x < start - GRIP || x > end + GRIP) return { kind: 'nothing' };
   // Keys of one moment can only be moved.
   if (!(selectedSpan[1] > selectedSpan[0])) return { kind: 'strip', part: 'body' };
@@ -82,9 +82,9 @@ function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHi
  *
  * @param box pixels; what is scrolled out of sight lies above or below the sheet
  */
-export function keysInBox(sheet: Sheet, shown: SheetKeys, box: Box, onSummary: boolean): ChannelKeys[] {
-  const from = timeAt(sheet, Math.min(box.x0, box.x1)) + shown.offsetSeconds;
-  const to = timeAt(sheet, Math.max(box.x0, box.x1)) + shown.offsetSeconds;
+export function sheetKeysInBox(sheet: Sheet, shown: SheetKeys, box: SelectionBox, onSummary: boolean): ChannelKeys[] {
+  const from = sheetTime(sheet, Math.min(box.x0, box.x1)) + shown.offsetSeconds;
+  const to = sheetTime(sheet, Math.max(box.x0, box.x1)) + shown.offsetSeconds;
   if (onSummary) return keysBetween(shown.channels, shown.rows[0]?.channels ?? [], from, to);
   const channels = new Set<number>();
   const [first, end] = rowsTouched(sheet, Math.min(box.y0, box.y1), Math.max(box.y0, box.y1));

@@ -11,12 +11,12 @@ import { plural, shown } from '../../kit/number-text.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { aboutKeysInHand, editOfTake, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
-import { framesOf, snapSeconds } from '../timeline/snapping.ts';
-import type { DopeHost, Gesture, Pointer } from './gesture.ts';
-import { secondsPerPixel, timeAt } from './sheet.ts';
+import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
+import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
+import { secondsPerPixel, sheetTime } from './sheet.ts';
 
 /** What moving and scaling have in common: the keys as they were, and an edit that is kept or given up. */
-abstract class KeyDrag implements Gesture {
+abstract class KeyDrag implements DopeDrag {
   readout: string | undefined;
   protected readonly edit: HandEdit | undefined;
   protected readonly take: Take | undefined;
@@ -63,7 +63,7 @@ abstract class KeyDrag implements Gesture {
   protected dragged(at: Pointer, grabbed: number, snapTurned: boolean): number {
     const { wb } = this.host;
     const sheet = this.host.sheet();
-    const seconds = timeAt(sheet, at.x) - timeAt(sheet, this.from.x);
+    const seconds = sheetTime(sheet, at.x) - sheetTime(sheet, this.from.x);
     const snaps = wb.timeline.view.get().snapsToFrames !== snapTurned;
     return snaps ? snapSeconds(grabbed, seconds, wb.transport.get().framesPerSecond) : seconds;
   }
@@ -154,6 +154,6 @@ function amountText(wb: Uses<'transport' | 'settings'>, seconds: number): string
   const sign = seconds < 0 ? '−' : '+';
   const size = Math.abs(seconds);
   if (wb.settings.get().timeDisplay !== 'frames') return `${sign}${shown(size)} s`;
-  const frames = framesOf(size, wb.transport.get().framesPerSecond);
+  const frames = frameNumber(size, wb.transport.get().framesPerSecond);
   return `${sign}${shown(frames, 2)} ${frames === 1 ? 'frame' : 'frames'}`;
 }

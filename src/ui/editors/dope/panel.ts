@@ -4,8 +4,8 @@
  * frame what has changed of them, only while they can be seen.
  */
 import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts';
-import { allKeys, NO_KEYS, unionKeys } from '../../../edit/keys/selection.ts';
-import { withKeys } from '../../../edit/store.ts';
+import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
+import { withSelectedKeys } from '../../../edit/store.ts';
 import { compileChannels, compileClip } from '../../../evaluate/compiled-clip.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
@@ -183,7 +183,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
   // Rows.
 
   private selected() {
-    return this.take ? keysInHand(this.wb) : NO_KEYS;
+    return this.take ? keysInHand(this.wb) : NO_KEY_SELECTION;
   }
 
   private count(row: DopeRow): { keys: number; selected: number } {
@@ -270,7 +270,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     const { take } = this;
     if (!take || joint === undefined) return;
     const characterId = take.character.id;
-    this.wb.store.select(withKeys({ characterId, joint }, this.selected()));
+    this.wb.store.select(withSelectedKeys({ characterId, joint }, this.selected()));
   }
 
   private selectRow(row: DopeRow, adds: boolean): void {

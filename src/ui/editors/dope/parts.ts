@@ -1,11 +1,11 @@
 /** The pieces of the dope sheet's picture: grounds of rows, held stretches, the strip, the box, the readout. */
 import { STILL } from '../../../edit/keys/marks.ts';
-import type { Box } from '../timeline/box.ts';
+import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 import { readTimeColours, type TimeColours, translucent } from '../timeline/time-ruler.ts';
 import { GRIP } from './hit.ts';
 import type { DopeOverlay, DopeScene } from './scene.ts';
-import { HEAD, rowTop, type Sheet, STRIP_HEIGHT, STRIP_TOP, xOf } from './sheet.ts';
+import { HEAD, rowTop, type Sheet, STRIP_HEIGHT, STRIP_TOP, sheetX } from './sheet.ts';
 
 export interface DopeColours extends TimeColours {
   readonly key: string;
@@ -25,7 +25,7 @@ const HELD_HEIGHT = 4;
 const SAMPLED_HEIGHT = 6;
 const SAMPLED_OPACITY = 0.35;
 
-export function drawGround(
+export function drawSheetGround(
   g: CanvasRenderingContext2D,
   sheet: Sheet,
   index: number,
@@ -81,8 +81,8 @@ export function drawSampled(
   y: number,
   colours: DopeColours,
 ): void {
-  const left = Math.max(-1, Math.round(xOf(sheet, from)));
-  const right = Math.min(sheet.width + 1, Math.max(left + 1, Math.round(xOf(sheet, to))));
+  const left = Math.max(-1, Math.round(sheetX(sheet, from)));
+  const right = Math.min(sheet.width + 1, Math.max(left + 1, Math.round(sheetX(sheet, to))));
   if (!(right > left)) return;
   g.fillStyle = colours.band;
   g.globalAlpha = SAMPLED_OPACITY;
@@ -97,8 +97,8 @@ export function drawStrip(g: CanvasRenderingContext2D, { sheet, selectedSpan }: 
   g.fillStyle = colours.line;
   g.fillRect(0, HEAD - 1, sheet.width, 1);
   if (!selectedSpan) return;
-  const start = Math.round(xOf(sheet, selectedSpan[0]));
-  const end = Math.round(xOf(sheet, selectedSpan[1]));
+  const start = Math.round(sheetX(sheet, selectedSpan[0]));
+  const end = Math.round(sheetX(sheet, selectedSpan[1]));
   const top = STRIP_TOP + 2;
   const height = STRIP_HEIGHT - 5;
   g.fillStyle = translucent(colours.selected, 0.4);
@@ -113,7 +113,7 @@ export function drawStrip(g: CanvasRenderingContext2D, { sheet, selectedSpan }: 
   }
 }
 
-export function drawBox(g: CanvasRenderingContext2D, sheet: Sheet, box: Box, colours: DopeColours): void {
+export function drawBox(g: CanvasRenderingContext2D, sheet: Sheet, box: SelectionBox, colours: DopeColours): void {
   const left = Math.max(-1, Math.min(box.x0, box.x1));
   const right = Math.min(sheet.width + 1, Math.max(box.x0, box.x1));
   const top = Math.max(HEAD, Math.min(box.y0, box.y1));

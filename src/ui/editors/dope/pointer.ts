@@ -4,10 +4,10 @@ import { oncePerFrame } from '../../kit/frame.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { panWindow, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import { scrubFrames } from '../timeline/scrub-frames.ts';
-import type { DopeHost, Gesture, Pointer } from './gesture.ts';
+import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { cursorFor, gestureAt } from './gestures.ts';
 import { hitSheet, type SheetHit } from './hit.ts';
-import { rowsTop, secondsPerPixel, timeAt } from './sheet.ts';
+import { rowsTop, secondsPerPixel, sheetTime } from './sheet.ts';
 
 export interface SheetPointerHost extends DopeHost {
   look(window: TimeWindow): void;
@@ -25,7 +25,7 @@ const STEP_PIXELS = 60;
 const LINE_PIXELS = 16;
 
 export class SheetPointer {
-  private gesture: Gesture | undefined;
+  private gesture: DopeDrag | undefined;
   private last: Pointer | undefined;
   private hover: { readonly x: number; readonly y: number } | undefined;
   private moved = false;
@@ -96,7 +96,7 @@ export class SheetPointer {
     }
   }
 
-  private panning(from: Pointer): Gesture {
+  private panning(from: Pointer): DopeDrag {
     let last = from;
     return {
       move: (at) => {
@@ -110,11 +110,11 @@ export class SheetPointer {
     };
   }
 
-  private scrubbing(from: Pointer): Gesture {
+  private scrubbing(from: Pointer): DopeDrag {
     const { wb } = this.host;
     const move = (at: Pointer) => {
       const sheet = this.host.sheet();
-      const timeSeconds = snapTime(timeAt(sheet, at.x), secondsPerPixel(sheet), scrubFrames(wb, at.shift));
+      const timeSeconds = snapTime(sheetTime(sheet, at.x), secondsPerPixel(sheet), scrubFrames(wb, at.shift));
       wb.transport.update((p) =>
         p.timeSeconds === timeSeconds && !p.playing ? p : { ...p, timeSeconds, playing: false },
       );
@@ -124,7 +124,7 @@ export class SheetPointer {
   }
 
   /** Tells a click from a drag, and scrolls where the drag leaves the rows. */
-  private gesturing(gesture: Gesture): Gesture {
+  private gesturing(gesture: DopeDrag): DopeDrag {
     return {
       move: (at) => {
         if (gesture.box) this.scrollAtEdge(at);
@@ -142,7 +142,7 @@ export class SheetPointer {
   }
 
   /** Once a frame with the latest position, and once more with the release. */
-  private follow(event: PointerEvent, gesture: Gesture, cursor: string): void {
+  private follow(event: PointerEvent, gesture: DopeDrag, cursor: string): void {
     const from = this.pointerOf(event);
     let latest = from;
     this.last = from;
@@ -211,7 +211,7 @@ export class SheetPointer {
     const sheet = host.sheet();
     const at = this.placeOf(event);
     if (event.ctrlKey || event.metaKey || this.hitAt(at).kind === 'ruler') {
-      host.look(zoomWindow(sheet.window, timeAt(sheet, at.x), ZOOM_STEP ** (dy / STEP_PIXELS)));
+      host.look(zoomWindow(sheet.window, sheetTime(sheet, at.x), ZOOM_STEP ** (dy / STEP_PIXELS)));
       return;
     }
     // With Shift some systems turn the wheel to the side by themselves.

@@ -1,7 +1,7 @@
 /** What the dope sheet shows at one moment: all that drawing needs, and nothing it may change. */
 import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Box } from '../timeline/box.ts';
+import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
 
@@ -19,7 +19,7 @@ export interface DopeScene extends SheetKeys {
 
 export interface DopeOverlay {
   readonly timeSeconds: number;
-  readonly box?: Box | undefined;
+  readonly box?: SelectionBox | undefined;
   /** Beside the pointer, during a drag. */
   readonly readout?: { readonly x: number; readonly y: number; readonly text: string } | undefined;
 }

@@ -1,14 +1,14 @@
 /** Dragging a box over diamonds. Its first corner stays on its time and row when the sheet is scrolled or zoomed. */
 import { unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { Box } from '../timeline/box.ts';
+import type { SelectionBox } from '../timeline/box.ts';
 import { selectedKeys, selectKeys } from '../timeline/in-hand.ts';
-import type { DopeHost, Gesture, Pointer } from './gesture.ts';
-import { keysInBox } from './hit.ts';
-import { HEAD, rowsTop, timeAt, xOf } from './sheet.ts';
+import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
+import { sheetKeysInBox } from './hit.ts';
+import { HEAD, rowsTop, sheetTime, sheetX } from './sheet.ts';
 
-export class SelectBox implements Gesture {
-  box: Box | undefined;
+export class SelectBox implements DopeDrag {
+  box: SelectionBox | undefined;
   private readonly before: readonly ChannelKeys[];
   private readonly seconds: number;
   /** Pixels below the sheet's top, were the rows not scrolled. */
@@ -22,19 +22,19 @@ export class SelectBox implements Gesture {
   ) {
     const sheet = host.sheet();
     this.before = selectedKeys(host.wb);
-    this.seconds = timeAt(sheet, from.x);
+    this.seconds = sheetTime(sheet, from.x);
     this.down = from.y + sheet.scrollTop;
   }
 
   move(at: Pointer): void {
     const { wb } = this.host;
     const sheet = this.host.sheet();
-    const x0 = xOf(sheet, this.seconds);
+    const x0 = sheetX(sheet, this.seconds);
     const top = rowsTop(sheet);
     this.box = this.onSummary
       ? { x0, y0: HEAD, x1: at.x, y1: top }
       : { x0, y0: this.down - sheet.scrollTop, x1: at.x, y1: Math.min(sheet.height, Math.max(top, at.y)) };
-    const inside = keysInBox(sheet, this.host.shown(), this.box, this.onSummary);
+    const inside = sheetKeysInBox(sheet, this.host.shown(), this.box, this.onSummary);
     if (this.from.shift) selectKeys(wb, unionKeys(this.before, inside));
     else selectKeys(wb, this.from.ctrl ? withoutKeys(this.before, inside) : inside);
   }

@@ -32,11 +32,11 @@ export function secondsPerPixel({ window, width }: Sheet): number {
   return (window.to - window.from) / Math.max(1, width);
 }
 
-export function xOf(sheet: Sheet, seconds: number): number {
+export function sheetX(sheet: Sheet, seconds: number): number {
   return (seconds - sheet.window.from) / secondsPerPixel(sheet);
 }
 
-export function timeAt(sheet: Sheet, x: number): number {
+export function sheetTime(sheet: Sheet, x: number): number {
   return sheet.window.from + x * secondsPerPixel(sheet);
 }
 

@@ -12,7 +12,7 @@ import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
 import { JointGizmo } from '../../../view/gizmo/joint-gizmo.ts';
 import type { Hit } from '../../../view/viewport.ts';
 import { Readout } from '../../kit/readout.ts';
-import { type SelectedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseDof, shownDofs } from '../posing/active-dof.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
@@ -20,8 +20,8 @@ import type { ModeTool } from '../viewport/mode-tool.ts';
 import { dofButtons } from './dof-buttons.ts';
 import { handDrag } from './hand-drag.ts';
 import { KnownHandles } from './known-handles.ts';
-import { boneMover, type Grip, handleMover, type Moved, type Mover } from './movers.ts';
-import { limitNote, valueText } from './readout-text.ts';
+import { boneMover, type DragResult, type FkGrip, handleMover, type Mover } from './movers.ts';
+import { dofValueText, limitNote } from './readout-text.ts';
 
 /** A finger is thicker than a mouse; CSS pixels. */
 const FINGER = 10;
@@ -107,12 +107,12 @@ class FkTool implements ModeTool {
     return 'grab';
   }
 
-  private dragHandle(id: HandleId, selected: SelectedJoint, at: CanvasPointer): CanvasDrag {
+  private dragHandle(id: HandleId, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
     if (id.kind === 'dof') chooseDof(this.wb, id.dof);
     return this.drag(selected, at, HANDLE_THRESHOLD, (grip) => handleMover(id, grip));
   }
 
-  private dragBone(hit: Hit, selected: SelectedJoint, at: CanvasPointer): CanvasDrag {
+  private dragBone(hit: Hit, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
     const { store, viewport } = this.wb;
     const { placement } = hit;
     if (placement !== viewport.pickedCopy(selected.character)) store.select({ ...store.selection, placement });
@@ -120,16 +120,16 @@ class FkTool implements ModeTool {
     return this.drag(selected, at, CLICK_PIXELS, (grip) => boneMover(dof, grip), hit);
   }
 
-  private dragBall(hit: Hit | undefined, selected: SelectedJoint, at: CanvasPointer): CanvasDrag {
+  private dragBall(hit: Hit | undefined, selected: ResolvedJoint, at: CanvasPointer): CanvasDrag {
     return this.drag(selected, at, CLICK_PIXELS, (grip) => handleMover({ kind: 'ball' }, grip), hit ?? 'nothing');
   }
 
   /** @param under what a click there, for that is what a drag to nowhere is, would have picked */
   private drag(
-    selected: SelectedJoint,
+    selected: ResolvedJoint,
     at: CanvasPointer,
     threshold: number,
-    make: (grip: Grip) => Mover | undefined,
+    make: (grip: FkGrip) => Mover | undefined,
     under?: Hit | 'nothing',
   ): CanvasDrag {
     const { wb } = this;
@@ -153,7 +153,7 @@ class FkTool implements ModeTool {
   }
 
   /** The pose as it stands when a drag begins. */
-  private gripAt(at: CanvasPointer): Grip | undefined {
+  private gripAt(at: CanvasPointer): FkGrip | undefined {
     const { wb } = this;
     const selected = selectedJoint(wb);
     const placement = selected && this.placementOf(selected);
@@ -169,7 +169,7 @@ class FkTool implements ModeTool {
     };
   }
 
-  private show(moved: Moved, at: CanvasPointer): void {
+  private show(moved: DragResult, at: CanvasPointer): void {
     const { wb } = this;
     this.dragged = moved.handle;
     wb.viewport.requestRender();
@@ -183,8 +183,8 @@ class FkTool implements ModeTool {
     const told = isQuaternion
       ? moved.turned === undefined
         ? []
-        : [valueText({ name: 'turned', unit: 'angle' }, moved.turned, character, angles)]
-      : moved.dofs.map(({ index }) => valueText(all[index], values[index], character, angles));
+        : [dofValueText({ name: 'turned', unit: 'angle' }, moved.turned, character, angles)]
+      : moved.dofs.map(({ index }) => dofValueText(all[index], values[index], character, angles));
     const held = moved.stops.map(({ dof, limit }) => {
       const note = limitNote(all[dof], limit, character.clampsToLimits, character, angles);
       return moved.dofs.length > 1 ? `${all[dof].name} ${note}` : note;
@@ -197,7 +197,7 @@ class FkTool implements ModeTool {
     if (!selected) return;
     const { character, skeleton } = selected;
     const value = shownDofs(this.wb, character)[dof];
-    const text = valueText(characterDofs(skeleton, [])[dof], value, character, this.wb.settings.get().angles);
+    const text = dofValueText(characterDofs(skeleton, [])[dof], value, character, this.wb.settings.get().angles);
     this.readout?.show(at.clientX, at.clientY, text);
   }
 
@@ -232,7 +232,7 @@ class FkTool implements ModeTool {
   }
 
   /** Filled anew by each picture. */
-  private placementOf({ character }: SelectedJoint): Float64Array | undefined {
+  private placementOf({ character }: ResolvedJoint): Float64Array | undefined {
     const { viewport } = this.wb;
     const found = viewport.placementOf(character.id, viewport.pickedCopy(character));
     return found?.length === 16 ? found : undefined;

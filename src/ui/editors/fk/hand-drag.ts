@@ -10,13 +10,13 @@ import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
-import type { Moved, Mover } from './movers.ts';
+import type { DragResult, Mover } from './movers.ts';
 
 export interface HandDragEvents {
   /** Makes the mover, in the pose as it stands. Undefined: nothing can be dragged after all. */
   begin(): Mover | undefined;
   /** After each move, with the document as it was left. */
-  moved(moved: Moved, at: CanvasPointer): void;
+  moved(moved: DragResult, at: CanvasPointer): void;
   /** The release, or Escape. @param wentNowhere it was a click, so to say */
   ended(at: CanvasPointer | undefined, wentNowhere: boolean): void;
 }

@@ -27,12 +27,12 @@ import {
   viewTurnMeasure,
 } from '../../../view/gizmo/pointer-measures.ts';
 import { BALL_PART, shearPart } from '../../../view/gizmo/shapes.ts';
-import type { SelectedJoint } from '../../state/selected-joint.ts';
+import type { ResolvedJoint } from '../../state/selected-joint.ts';
 import { SNAP_ANGLE, snapStep } from '../posing/active-dof.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 
 /** What a drag has come to. */
-export interface Moved {
+export interface DragResult {
   readonly dofs: readonly DofValue[];
   /** As the gizmo shows it. */
   readonly handle: DraggedHandle;
@@ -42,11 +42,11 @@ export interface Moved {
   readonly turned?: number;
 }
 
-export type Mover = (at: CanvasPointer) => Moved;
+export type Mover = (at: CanvasPointer) => DragResult;
 
 /** Where a drag begins. */
-export interface Grip {
-  readonly selected: SelectedJoint;
+export interface FkGrip {
+  readonly selected: ResolvedJoint;
   /** The pose at that moment. */
   readonly dofs: Float64Array;
   /** 16, from the character's space to the world. */
@@ -67,7 +67,7 @@ export const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWant
 });
 
 /** Of a handle; undefined where the joint does not have it. */
-export function handleMover(id: HandleId, grip: Grip): Mover | undefined {
+export function handleMover(id: HandleId, grip: FkGrip): Mover | undefined {
   const joint = handlesOf(grip);
   const handle = joint.handles.find((h) => sameHandle(h.id, id));
   if (id.kind === 'dof') return handle && dofMover(handle, grip, handleMeasure(handle, grip), true);
@@ -82,26 +82,26 @@ export function handleMover(id: HandleId, grip: Grip): Mover | undefined {
 }
 
 /** Of the bone itself, dragged up and down: the DOF turns or moves; a joint that has none to turn is rolled. */
-export function boneMover(dof: number | undefined, grip: Grip): Mover | undefined {
+export function boneMover(dof: number | undefined, grip: FkGrip): Mover | undefined {
   const joint = handlesOf(grip);
   if (dof === undefined) return joint.freeTurn && rollMover(joint, grip);
   const handle = joint.handles.find(({ id }) => id.kind === 'dof' && id.dof === dof);
   return handle && dofMover(handle, grip, boneMeasure(handle, grip), false);
 }
 
-function handlesOf({ selected: { skeleton, joint }, dofs, placement }: Grip): JointHandles {
+function handlesOf({ selected: { skeleton, joint }, dofs, placement }: FkGrip): JointHandles {
   const world = worldOf(skeleton, dofs);
   return jointHandles(skeleton, joint, dofs, world, placement);
 }
 
-function worldOf(skeleton: SelectedJoint['skeleton'], dofs: Float64Array): Float64Array {
+function worldOf(skeleton: ResolvedJoint['skeleton'], dofs: Float64Array): Float64Array {
   const world = new Float64Array(16 * skeleton.joints.length);
   worldMatrices(compileSkeleton(skeleton), dofs, world);
   return world;
 }
 
 /** A handle's way in the DOF's own unit. */
-function handleMeasure(handle: Handle, { sight, radius, at }: Grip): Measure {
+function handleMeasure(handle: Handle, { sight, radius, at }: FkGrip): Measure {
   const { kind, axis, centre, reach, arm, range } = handle;
   const { clientX, clientY } = at;
   const size = radius * sight.unitsPerPixel(centre);
@@ -126,7 +126,7 @@ function handleMeasure(handle: Handle, { sight, radius, at }: Grip): Measure {
   }
 }
 
-function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: Grip): Measure {
+function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: FkGrip): Measure {
   const up = upMeasure(at.clientY);
   const isFactor = kind === 'stretch' || kind === 'grow' || kind === 'shear';
   const perPixel = isFactor
@@ -137,7 +137,7 @@ function boneMeasure({ kind, centre, reach, range }: Handle, { sight, at }: Grip
   return (x, y) => perPixel * up(x, y);
 }
 
-function dofMover(handle: Handle, { selected, dofs }: Grip, measure: Measure, sticks: boolean): Mover {
+function dofMover(handle: Handle, { selected, dofs }: FkGrip, measure: Measure, sticks: boolean): Mover {
   const { character, skeleton } = selected;
   const { dof, range, id } = handle;
   const from = dofs[dof];
@@ -152,7 +152,7 @@ function dofMover(handle: Handle, { selected, dofs }: Grip, measure: Measure, st
 }
 
 /** About an axis that stays where it was at the press. */
-function freeMover(id: HandleId, axis: Handle['axis'], measure: Measure, joint: JointHandles, grip: Grip): Mover {
+function freeMover(id: HandleId, axis: Handle['axis'], measure: Measure, joint: JointHandles, grip: FkGrip): Mover {
   const turning = turningOf(joint, grip);
   const angle = new DraggedValue(0, { min: 1, max: 0, hold: false }, SNAP_ANGLE, true);
   let turned = 0;
@@ -164,7 +164,7 @@ function freeMover(id: HandleId, axis: Handle['axis'], measure: Measure, joint: 
   };
 }
 
-function rollMover(joint: JointHandles, grip: Grip): Mover {
+function rollMover(joint: JointHandles, grip: FkGrip): Mover {
   const { sight, radius, at } = grip;
   const turning = turningOf(joint, grip);
   const roll = rollMeasure(sight, joint.pivot, BALL_PART * radius, at.clientX, at.clientY);
@@ -175,11 +175,14 @@ function rollMover(joint: JointHandles, grip: Grip): Mover {
   };
 }
 
-function turningOf({ freeTurn }: JointHandles, { selected: { skeleton }, dofs, placement }: Grip): Turning | undefined {
+function turningOf(
+  { freeTurn }: JointHandles,
+  { selected: { skeleton }, dofs, placement }: FkGrip,
+): Turning | undefined {
   return freeTurn && new Turning(skeleton, freeTurn, dofs, worldOf(skeleton, dofs), placement);
 }
 
-function freeResult(id: HandleId, turning: Turning | undefined, { selected: { skeleton } }: Grip): Moved {
+function freeResult(id: HandleId, turning: Turning | undefined, { selected: { skeleton } }: FkGrip): DragResult {
   const all: readonly CharacterDof[] = characterDofs(skeleton, []);
   const values = turning?.result ?? [];
   const dofs = (turning?.turn.dofs ?? []).map((index, i) => ({ index, value: values[i] }));

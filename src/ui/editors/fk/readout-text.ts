@@ -8,7 +8,7 @@ import type { Settings } from '../../state/settings.ts';
 
 type Unit = Pick<CharacterDof, 'name' | 'unit'>;
 
-export function valueText(dof: Unit, value: number, character: Character, angles: Settings['angles']): string {
+export function dofValueText(dof: Unit, value: number, character: Character, angles: Settings['angles']): string {
   const decimals = dof.unit === 'angle' && angles === 'degrees' ? 1 : 3;
   const text = aligned(value * shownPerUnit(dof.unit, angles), decimals);
   return `${dof.name} ${text}${unitOf(dof, character, angles)}`;

@@ -6,7 +6,7 @@ import { type SetDofs, setDofs } from '../../../edit/commands/pose.ts';
 import type { Command, Edit } from '../../../edit/store.ts';
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import { type Gap, Pull } from '../../../evaluate/ik/drag/pull.ts';
-import { type Dragged, ikOf, type PinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
+import { type DragTarget, ikOf, type PinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
 import { subtract, type Vec3 } from '../../../math/vec3.ts';
@@ -21,7 +21,7 @@ import { autoKey } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 
 /** What is taken hold of. */
-export interface Grip {
+export interface IkGrip {
   readonly characterId: string;
   readonly placement: number;
   readonly joint: number;
@@ -33,7 +33,7 @@ export interface Grip {
 
 /** What is to be seen of a pull: gaps are in the character's own space. */
 export interface PullState {
-  readonly grip: Grip;
+  readonly grip: IkGrip;
   readonly gaps: readonly Gap[];
   readonly hindrance: Hindrance;
 }
@@ -55,7 +55,7 @@ export class HandPull {
 
   private constructor(
     private readonly wb: Workbench,
-    readonly grip: Grip,
+    readonly grip: IkGrip,
     private readonly character: Character,
     parts: NonNullable<ReturnType<typeof partsOf>>,
   ) {
@@ -71,7 +71,7 @@ export class HandPull {
     if (before && grip.pin !== undefined) held.set(grip.pin, { ...before, position: own });
     this.targets = held;
     const { joint, point } = grip;
-    const dragged: Dragged = grip.pin === undefined ? { joint, point, target: own } : { pin: grip.pin };
+    const dragged: DragTarget = grip.pin === undefined ? { joint, point, target: own } : { pin: grip.pin };
     this.pull = new Pull(character, skeleton, dofs, held, dragged);
     const ends = rootDofCount(skeleton) + jointDofCount(skeleton);
     this.written = Array.from({ length: Math.min(ends, dofs.length) }, (_, dof) => dof).filter(
@@ -84,7 +84,7 @@ export class HandPull {
   }
 
   /** Undefined where there is nothing to be dragged: the character is gone or hidden, or the point is nowhere. */
-  static begin(wb: Workbench, grip: Grip): HandPull | undefined {
+  static begin(wb: Workbench, grip: IkGrip): HandPull | undefined {
     const character = findCharacter(wb.store.document, grip.characterId);
     if (!character?.skeleton) return undefined;
     // What plays would take the pose back with the next frame. Before anything is measured: it may go to a whole frame.
@@ -189,7 +189,7 @@ export class HandPull {
 }
 
 /** What a drag begins from, until the next `seek`. */
-function partsOf(wb: Uses<'viewport'>, { id, skeleton }: Character, { placement: copy, joint }: Grip) {
+function partsOf(wb: Uses<'viewport'>, { id, skeleton }: Character, { placement: copy, joint }: IkGrip) {
   const facts = wb.viewport.character(id);
   const placement = wb.viewport.placementOf(id, copy)?.slice();
   if (!facts || !skeleton || !placement || placement.length < 16 || isSingular(placement)) return undefined;

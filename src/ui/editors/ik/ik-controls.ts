@@ -39,7 +39,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
     root.classList.toggle('asked', setup?.rootIsFree === false && inHand.wantsRoot.get());
     rootTitle();
-    setText(hint, hintText(setup?.pins.length ?? 0));
+    setText(hint, ikHintText(setup?.pins.length ?? 0));
     hint.hidden = inHand.hasDragged.get() || setup === undefined;
   };
   const showSoon = oncePerFrame(show);
@@ -58,7 +58,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
 }
 
 /** What to do first, and what next. */
-export function hintText(pins: number): string {
+export function ikHintText(pins: number): string {
   if (pins === 0) return 'Click a point to pin it. Drag others; pins hold.';
   return 'Drag any point; pins hold. Click a pin to remove it.';
 }

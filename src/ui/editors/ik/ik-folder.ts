@@ -15,7 +15,7 @@ import { currentCharacter, runAction } from '../../state/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { selectedPin } from './in-hand.ts';
-import { changePin, freeRoot, letGo, selectPin, stiffen } from './pin-edits.ts';
+import { changePin, freeRoot, selectPin, stiffen, unpinByHand } from './pin-edits.ts';
 import { pointName } from './pin-picture.ts';
 
 /** How stiff a joint is that has just been made so. */
@@ -166,7 +166,7 @@ export class IkFolder {
     });
     const free = button('Remove pin', { class: 'tool small' }, icon('close'), () => {
       const next = made.nextElementSibling ?? made.previousElementSibling;
-      letGo(wb, ref);
+      unpinByHand(wb, ref);
       // The focus goes on to a neighbour, not to nowhere.
       next?.querySelector<HTMLElement>('.ik-pin-name')?.focus();
     });

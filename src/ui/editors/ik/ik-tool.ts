@@ -16,12 +16,12 @@ import type { Workbench } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { ModeTool } from '../viewport/mode-tool.ts';
 import { depthText } from './depth-text.ts';
-import type { Grip } from './hand-pull.ts';
+import type { IkGrip } from './hand-pull.ts';
 import { ikControls } from './ik-controls.ts';
 import { IkLabels } from './ik-labels.ts';
 import { keepInHand } from './in-hand.ts';
 import { PinDrag } from './pin-drag.ts';
-import { letGo, pinAt, selectPin } from './pin-edits.ts';
+import { pinAt, selectPin, unpinByHand } from './pin-edits.ts';
 import { PinNudge } from './pin-nudge.ts';
 import { type HandNow, paintPins } from './pin-picture.ts';
 import { besidePins } from './pins-beside.ts';
@@ -108,7 +108,7 @@ class IkTool implements ModeTool {
       const { character, placement } = pin;
       const { id, joint, point } = pin.pin;
       return this.begin({ characterId: character.id, placement, joint, point, pin: id }, at, () => {
-        if (at.button === 0) letGo(this.wb, { characterId: character.id, pin: id });
+        if (at.button === 0) unpinByHand(this.wb, { characterId: character.id, pin: id });
       });
     }
     if (at.button !== 0) return undefined;
@@ -139,7 +139,7 @@ class IkTool implements ModeTool {
     return this.hoveredPoint ? 'pointer' : undefined;
   }
 
-  private begin(grip: Grip, at: CanvasPointer, click: () => void): PinDrag {
+  private begin(grip: IkGrip, at: CanvasPointer, click: () => void): PinDrag {
     this.show(undefined, undefined);
     this.looking = undefined;
     const drag = new PinDrag(this.wb, grip, at, {
@@ -182,7 +182,7 @@ class IkTool implements ModeTool {
       (vertex === undefined ? defaultPinPoint(character.skeleton, joint, shownSkin(character)).point : point);
     const there = pinnedAt(character, joint, meant);
     if (there === undefined) pinAt(wb, characterId, joint, meant);
-    else letGo(wb, { characterId, pin: there });
+    else unpinByHand(wb, { characterId, pin: there });
   }
 
   /** What is under the pointer takes a picture of its own to find: at most one a frame. */

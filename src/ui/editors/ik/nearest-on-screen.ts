@@ -1,5 +1,5 @@
 /** CSS pixels within which a click means a natural point. */
-export const SNAP_PIXELS = 10;
+export const NATURAL_POINT_PIXELS = 10;
 
 export interface PlaceOnScreen {
   readonly x: number;

@@ -7,7 +7,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import { findCharacter } from '../../../model/document.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
-import { type Grip, HandPull, type PullState } from './hand-pull.ts';
+import { HandPull, type IkGrip, type PullState } from './hand-pull.ts';
 
 /** A finger that stays for so long presses long. */
 export const LONG_PRESS_MS = 500;
@@ -58,7 +58,7 @@ export class PinDrag implements CanvasDrag {
 
   constructor(
     private readonly wb: Workbench,
-    private readonly grip: Grip,
+    private readonly grip: IkGrip,
     private readonly press: CanvasPointer,
     private readonly events: PinDragEvents,
     later = byTimer,

@@ -20,7 +20,7 @@ export function pinAt(wb: Uses<'store' | 'messages'>, characterId: string, joint
   });
 }
 
-export function letGo(wb: Uses<'store' | 'posing' | 'messages'>, { characterId, pin }: PinRef): void {
+export function unpinByHand(wb: Uses<'store' | 'posing' | 'messages'>, { characterId, pin }: PinRef): void {
   attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: [pin] }));
   const { selected } = wb.posing.ik;
   const now = selected.get();

@@ -6,7 +6,7 @@ import type { Vec3 } from '../../../math/vec3.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { HandPull, type PullState } from './hand-pull.ts';
 import { selectedPin } from './in-hand.ts';
-import { letGo } from './pin-edits.ts';
+import { unpinByHand } from './pin-edits.ts';
 
 /** CSS pixels a press. */
 const STEP = 5;
@@ -42,7 +42,7 @@ export class PinNudge {
     if ((event.key === 'Delete' || event.key === 'Backspace') && !event.altKey) {
       event.preventDefault();
       this.finish();
-      letGo(wb, { characterId: character.id, pin: pin.id });
+      unpinByHand(wb, { characterId: character.id, pin: pin.id });
       return true;
     }
     const way = WAYS[event.key];

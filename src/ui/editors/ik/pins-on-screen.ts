@@ -10,7 +10,7 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import type { Skin } from '../../../model/skin.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
-import { nearestOnScreen, type PlaceOnScreen, SNAP_PIXELS } from './nearest-on-screen.ts';
+import { NATURAL_POINT_PIXELS, nearestOnScreen, type PlaceOnScreen } from './nearest-on-screen.ts';
 
 /** CSS pixels around a pin within which the pointer is on it. */
 const PIN_PIXELS = 9;
@@ -159,7 +159,7 @@ function naturalPoint(
 ): PinPoint | undefined {
   const points = offeredPoints(wb, seen.character, seen.skeleton, joint);
   const places = points.map(({ point }) => wb.viewport.eye.toScreen(inWorld(seen, joint, point)));
-  return points[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, SNAP_PIXELS)];
+  return points[nearestOnScreen(places, { x: at.clientX, y: at.clientY }, NATURAL_POINT_PIXELS)];
 }
 
 /** Whether the boxes of a character are drawn. */

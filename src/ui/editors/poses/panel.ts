@@ -21,7 +21,7 @@ import type { Workbench } from '../../state/workbench.ts';
 import { PoseCard } from './card.ts';
 import { blendByDrag } from './card-drags.ts';
 import { cardEntries } from './card-menu.ts';
-import { remove, rename, take } from './pose-edits.ts';
+import { removePose, rename, take } from './pose-edits.ts';
 import { Thumbnails } from './thumbnails.ts';
 import { type PoseOptions, poseTools } from './tools.ts';
 
@@ -256,7 +256,7 @@ class PosesPanel implements TimelineTab {
   }
 
   private remove(index: number): void {
-    if (this.shownId !== undefined && this.shownPoses[index]) remove(this.wb, this.shownId, index);
+    if (this.shownId !== undefined && this.shownPoses[index]) removePose(this.wb, this.shownId, index);
   }
 }
 

@@ -66,7 +66,7 @@ export function rename(wb: Uses<'store' | 'messages'>, characterId: string, pose
   attempt(wb.messages, () => wb.store.apply(renamePose, { characterId, pose, name }));
 }
 
-export function remove(wb: Uses<'store' | 'messages'>, characterId: string, pose: number): void {
+export function removePose(wb: Uses<'store' | 'messages'>, characterId: string, pose: number): void {
   attempt(wb.messages, () => wb.store.apply(removePoses, { characterId, poses: [pose] }));
 }
 

@@ -10,7 +10,7 @@ import { type CharacterDof, characterDofs, firstDofs } from '../../../model/dofs
 import { quaternionDofs } from '../../../model/joint-types.ts';
 import { lengthStep } from '../../../model/reach.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
-import { type SelectedJoint, selectedJoint } from '../../state/selected-joint.ts';
+import { type ResolvedJoint, selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, jointDofs } from './pose-edits.ts';
@@ -20,12 +20,12 @@ const KEY_ANGLE = Math.PI / 180;
 export const SNAP_ANGLE = Math.PI / 36;
 
 /** Every DOF of a joint, as indices into the character's; of the root its translation too. */
-export function dofsOfJoint({ character, joint }: SelectedJoint): readonly number[] {
+export function dofsOfJoint({ character, joint }: ResolvedJoint): readonly number[] {
   return jointDofs(character, joint);
 }
 
 /** Those that can be turned one by one: not what follows another, nor the parts of a quaternion. */
-export function dofsByHand(selected: SelectedJoint): readonly number[] {
+export function dofsByHand(selected: ResolvedJoint): readonly number[] {
   const { skeleton, joint } = selected;
   const first = firstDofs(skeleton)[joint];
   const parts = quaternionDofs(skeleton.joints[joint].motion).map((d) => first + d);

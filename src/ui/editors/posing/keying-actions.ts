@@ -1,6 +1,6 @@
 /** Making keys from the pose, and what takes are there. */
 import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
-import { dropUnkeyed } from '../../../edit/commands/pose.ts';
+import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
@@ -73,7 +73,7 @@ export const KEYING_ACTIONS: readonly Action[] = [
     group: 'Keys',
     menu: 'Keys',
     enabled: (wb) => wb.store.document.characters.some((c) => c.unkeyed !== undefined),
-    run: (wb) => wb.store.apply(dropUnkeyed, { exceptSeconds: null }),
+    run: (wb) => wb.store.apply(discardUnkeyed, { exceptSeconds: null }),
   },
   {
     id: 'key.auto',

@@ -4,7 +4,7 @@
  * redone it stays in the document, shown at its moment and no other: undoing, looking round and redoing has to work, and
  * a step would end it.
  */
-import { dropUnkeyed } from '../../../edit/commands/pose.ts';
+import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { isMac } from '../../kit/keyboard.ts';
@@ -22,7 +22,7 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   if (count === 0) return;
   // No key can be made where another character's take moves it.
   const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
-  store.apply(dropUnkeyed, { exceptSeconds: timeSeconds });
+  store.apply(discardUnkeyed, { exceptSeconds: timeSeconds });
   const undo = keyNameOf(wb, 'edit.undo');
   const key = canBeKeyed ? keyNameOf(wb, 'key.pose') : undefined;
   const hints = [undo && `${undo} restores ${count === 1 ? 'it' : 'them'}`, key && `${key} keys such changes`];

@@ -8,7 +8,7 @@ import { pause, play } from '../../../edit/playback.ts';
 import { CommandError } from '../../../edit/store.ts';
 import { Trial } from '../../../edit/trial.ts';
 import { retargetPlan } from '../../../evaluate/retarget/make-plan.ts';
-import { automaticPairs, type JointMatch } from '../../../evaluate/retarget/match.ts';
+import { automaticPairs, type MatchedPair } from '../../../evaluate/retarget/match.ts';
 import { measureSliding } from '../../../evaluate/retarget/sliding.ts';
 import { type Character, type Document, findCharacter, shownClip } from '../../../model/document.ts';
 import type { JointPair, RetargetOptions } from '../../../model/retarget.ts';
@@ -20,7 +20,7 @@ import { parseNumber, shown } from '../../kit/number-text.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { pairTable } from './pair-table.ts';
-import { resultText } from './result-text.ts';
+import { retargetText } from './result-text.ts';
 import { firstTarget, possibleTargets } from './targets.ts';
 
 const TITLE = 'Retarget take';
@@ -47,7 +47,7 @@ export function retargetDialog(
   });
   const { base } = trial;
   let target = first;
-  let matches: readonly JointMatch[] = [];
+  let matches: readonly MatchedPair[] = [];
 
   const targets = choice(possibleTargets(base).map((c) => [c.id, c.name]));
   targets.autofocus = true;
@@ -139,7 +139,7 @@ export function retargetDialog(
       if (!moved?.driver || !moved.skeleton) return;
       const plan = retargetPlan(moved.driver, moved, moved.skeleton);
       if (scale.value.trim() === '') scale.placeholder = `automatic: ${shown(plan.scale)}`;
-      setText(result, resultText(moved.driver, moved.skeleton, measureSliding(plan, MEASURED)));
+      setText(result, retargetText(moved.driver, moved.skeleton, measureSliding(plan, MEASURED)));
     });
   const soon = atMostEvery(PREVIEW_MS, preview);
 

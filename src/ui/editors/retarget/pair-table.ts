@@ -3,7 +3,7 @@
  * follows and why. Lists of joints are filled when they are opened: a hundred joints with a hundred choices each would
  * be ten thousand elements.
  */
-import type { JointMatch } from '../../../evaluate/retarget/match.ts';
+import type { MatchedPair } from '../../../evaluate/retarget/match.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { JointPair } from '../../../model/retarget.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -17,7 +17,7 @@ export interface PairTable {
   readonly element: HTMLElement;
   /** As it is shown now, in the order of the target's joints. */
   pairs(): JointPair[];
-  show(target: Skeleton, source: Skeleton, pairs: readonly JointPair[], matches: readonly JointMatch[]): void;
+  show(target: Skeleton, source: Skeleton, pairs: readonly JointPair[], matches: readonly MatchedPair[]): void;
 }
 
 /** @param changed someone has chosen another joint */

@@ -4,7 +4,7 @@ import type { Driver } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 
-export function resultText({ pairs, options }: Driver, skeleton: Skeleton, sliding: Sliding): string {
+export function retargetText({ pairs, options }: Driver, skeleton: Skeleton, sliding: Sliding): string {
   const following = `${pairs.length} of ${plural(skeleton.joints.length, 'joint')} follow.`;
   if (sliding.contacts === 0) return `${following} No foot contacts found.`;
   const feet = options.plantsFeet ? 'Feet are planted' : 'Feet are not planted';

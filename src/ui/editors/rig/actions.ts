@@ -1,5 +1,5 @@
 /** Building and changing skeletons. What does it is fetched when it is asked for; keys hold in rig mode only. */
-import type { Axis } from '../../../edit/rig/rigging.ts';
+import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';
@@ -84,7 +84,7 @@ export const RIG_ACTIONS: readonly Action[] = [
       wb.posing.rig.renameAsked.update((times) => times + 1);
     },
   }),
-  ...(['x', 'y', 'z'] as const).map((axis: Axis) =>
+  ...(['x', 'y', 'z'] as const).map((axis: NamedAxis) =>
     ofJoint({
       id: `rigging.mirror.${axis}`,
       name: `Mirror hierarchy across ${axis}`,

@@ -32,7 +32,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
   const show = () => {
     adding.setAttribute('aria-pressed', String(state.adding.get()));
     const readout = state.readout.get();
-    setText(text, readout || hintText(wb));
+    setText(text, readout || rigHintText(wb));
     hint.classList.toggle('is-readout', readout !== '');
     // Where room is short, it is for what is under way.
     hint.classList.toggle('is-known', !readout && !state.adding.get());
@@ -56,7 +56,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
 }
 
 /** One sentence: what to do next. */
-export function hintText(wb: Uses<'store' | 'posing'>): string {
+export function rigHintText(wb: Uses<'store' | 'posing'>): string {
   const { document, selection } = wb.store;
   const isAny = document.characters.some((c) => c.skeleton);
   const hasJoint = selection.joint !== undefined;

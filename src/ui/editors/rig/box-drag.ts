@@ -3,7 +3,7 @@
  * drag is one step.
  */
 import { setBox } from '../../../edit/commands/rig-joint.ts';
-import { alongLine, boxWithFace, parentToScene, type Side, withoutDust } from '../../../edit/rig/dragged-places.ts';
+import { alongLine, type BoxSide, boxWithFace, parentToScene, withoutDust } from '../../../edit/rig/dragged-places.ts';
 import { roundStep } from '../../../math/round-steps.ts';
 import { transformPoint, type Vec3 } from '../../../math/vec3.ts';
 import type { Axis } from '../../../view/rig/rig-screen.ts';
@@ -20,7 +20,7 @@ export function dragFace(
   wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
   { character, skeleton, world, placement }: Rigged,
   joint: number,
-  face: { readonly axis: Axis; readonly side: Side },
+  face: { readonly axis: Axis; readonly side: BoxSide },
   at: CanvasPointer,
 ): CanvasDrag {
   const { axis, side } = face;

@@ -24,7 +24,7 @@ import { shown } from '../../kit/number-text.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
-import { inSpaceOf, pivotOf, type Rigged, scaleOf, spaceOfOffset } from './rigged.ts';
+import { inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
@@ -84,13 +84,13 @@ export function dragFreely(
   at: CanvasPointer,
 ): CanvasDrag {
   const { eye } = wb.viewport;
-  const start = pivotOf(rigged, joint);
+  const start = scenePivot(rigged, joint);
   const space = spaceOfOffset(rigged, joint);
   const perPixel = eye.unitsPerPixel(start);
   const onScreen = eye.toScreen(start);
   const { offset } = rigged.skeleton.joints[joint];
   const byRight = at.button === 2;
-  const unit = perPixel / scaleOf(space);
+  const unit = perPixel / meanScale(space);
   return dragJoint(wb, rigged, joint, at, (hand, now) => {
     const [dx, dy] = [hand.x - at.clientX, hand.y - at.clientY];
     const isDeep = byRight || now.altKey;
@@ -115,14 +115,14 @@ export function dragAlong(
   at: CanvasPointer,
 ): CanvasDrag {
   const { eye } = wb.viewport;
-  const start = pivotOf(rigged, joint);
+  const start = scenePivot(rigged, joint);
   const space = spaceOfOffset(rigged, joint);
   const inWorld = wb.posing.rig.axes.get() === 'world';
   const direction: Vec3 = inWorld
     ? [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0]
     : [space[4 * axis], space[4 * axis + 1], space[4 * axis + 2]];
   const { offset } = rigged.skeleton.joints[joint];
-  const unit = eye.unitsPerPixel(start) / scaleOf(space);
+  const unit = eye.unitsPerPixel(start) / meanScale(space);
   const from = alongLine(start, direction, eye.rayAt(at.clientX, at.clientY)) ?? 0;
   return dragJoint(wb, rigged, joint, at, (hand, now) => {
     const reached = alongLine(start, direction, eye.rayAt(hand.x, hand.y));
@@ -172,12 +172,12 @@ function oppositePlace(
 /** Where a click would put a child of a joint: in the plane through that joint that faces the viewer. */
 export function placeForChild(wb: Uses<'viewport'>, rigged: Rigged, parent: number, at: CanvasPointer) {
   const { eye } = wb.viewport;
-  const start = pivotOf(rigged, parent);
+  const start = scenePivot(rigged, parent);
   const scene = eye.inPlaneOf(start, at.clientX, at.clientY);
   const offset = inSpaceOf(rigged, parent, scene);
   if (!offset) return undefined;
   const space = parentToScene(rigged.placement, rigged.world, parent);
-  const unit = eye.unitsPerPixel(start) / scaleOf(space);
+  const unit = eye.unitsPerPixel(start) / meanScale(space);
   const snaps = at.ctrlKey || at.metaKey;
   const round = snaps ? snappedPoint(offset, roundStep(SNAP_PIXELS * unit)) : withoutDust(offset, unit);
   return { offset: round, scene: transformPoint(space, round) };

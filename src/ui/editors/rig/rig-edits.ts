@@ -2,7 +2,7 @@
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setFilePose, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inverseOf, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
-import type { Axis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
+import type { NamedAxis, ReparentJoint, SetFilePose } from '../../../edit/rig/rigging.ts';
 import { documentIn, type Edit } from '../../../edit/store.ts';
 import { boxOf } from '../../../evaluate/bounds.ts';
 import { roundStep } from '../../../math/round-steps.ts';
@@ -14,7 +14,7 @@ import { selectedJoint } from '../../state/selected-joint.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses, Workbench } from '../../state/workbench.ts';
 import { nameNote } from './joint-names.ts';
-import { pivotOf, riggedNow } from './rigged.ts';
+import { riggedNow, scenePivot } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 
 /** Where the first joint of a skeleton from nothing stands: where hips are. */
@@ -34,7 +34,7 @@ export function newSkeleton(wb: Workbench): void {
   const rigged = riggedNow(wb);
   if (waiting) wb.viewport.reveal(waiting.id);
   // At once: a click on the way there would place a joint by a view that is gone the next moment.
-  else if (rigged) wb.viewport.cameraView = { ...FIRST_VIEW, target: pivotOf(rigged, 0) };
+  else if (rigged) wb.viewport.cameraView = { ...FIRST_VIEW, target: scenePivot(rigged, 0) };
 }
 
 /** Of its skin, to a round number. */
@@ -130,7 +130,7 @@ export function removeIt(
 
 export function mirrorIt(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
-  across: Axis,
+  across: NamedAxis,
   joint?: number,
 ): void {
   withJoint(wb, joint, (character, meant) => {

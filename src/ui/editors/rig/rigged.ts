@@ -26,7 +26,7 @@ export function riggedNow(wb: Uses<'store' | 'viewport'>): Rigged | undefined {
 }
 
 /** Where a joint's pivot is in the scene. */
-export function pivotOf({ world, placement }: Rigged, joint: number): Vec3 {
+export function scenePivot({ world, placement }: Rigged, joint: number): Vec3 {
   return transformPoint(parentToScene(placement, world, joint), ZERO);
 }
 
@@ -36,7 +36,7 @@ export function spaceOfOffset({ world, placement, skeleton }: Rigged, joint: num
 }
 
 /** Of a matrix: what it makes of a length, about. */
-export function scaleOf(m: Float64Array): number {
+export function meanScale(m: Float64Array): number {
   const volume = Math.abs(
     m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]),
   );

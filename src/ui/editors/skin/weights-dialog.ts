@@ -60,7 +60,7 @@ export function weightsDialog(
     *steps(document, args) {
       const made = yield* autoWeightsSteps(document, args);
       const warning = idleText(skeleton, made.idle);
-      return { change: made.document, text: resultText(made), ...(warning && { warning }) };
+      return { change: made.document, text: weightsText(made), ...(warning && { warning }) };
     },
     result: () => '',
   });
@@ -95,7 +95,11 @@ export function idleText(skeleton: Skeleton, idle: readonly number[]): string {
 }
 
 /** `2,019 vertices follow 27 joints, 2.3 of them each. 4 lie apart from all bones: by distance alone.` */
-export function resultText({ skin, moving, byDistance }: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
+export function weightsText({
+  skin,
+  moving,
+  byDistance,
+}: Pick<AutoWeighted, 'skin' | 'moving' | 'byDistance'>): string {
   const each = moving > 1 ? `, ${shown(meanInfluences(skin), 1)} per vertex on average` : '';
   const apart = byDistance
     ? ` ${plural(byDistance, 'vertex', 'vertices')} see${byDistance === 1 ? 's' : ''} no bone; weighted by distance.`

@@ -9,7 +9,7 @@ import { isSameSkeleton, matchJoints } from '../../../evaluate/joint-match.ts';
 import { type Document, findCharacter, rangeOfClips } from '../../../model/document.ts';
 import { fitWindow } from '../../kit/time-window.ts';
 import { attempt } from '../../state/attempt.ts';
-import type { Overlay } from '../../state/takes.ts';
+import type { ComparisonOverlay } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { playRange } from './played-range.ts';
 import type { TakeRow } from './rows.ts';
@@ -81,7 +81,7 @@ export function endComparison(wb: Uses<'store' | 'transport' | 'timeline' | 'mes
   takes.comparison.set(undefined);
 }
 
-function takeApart(wb: Uses<'store' | 'transport'>, overlay: Overlay): void {
+function takeApart(wb: Uses<'store' | 'transport'>, overlay: ComparisonOverlay): void {
   const { store } = wb;
   const { document: compared } = store;
   store.apply(endOverlay, { before: overlay.before.characters, overlaid: overlay.after.characters });
@@ -92,7 +92,7 @@ function takeApart(wb: Uses<'store' | 'transport'>, overlay: Overlay): void {
 }
 
 /** Undo and redo lead out of the comparison and into it. */
-function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, overlay: Overlay): void {
+function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, overlay: ComparisonOverlay): void {
   const { takes } = wb.timeline;
   takes.overlay = overlay;
   const stop = wb.store.subscribe((now, before) => {
@@ -118,7 +118,7 @@ function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, overlay: Ov
  */
 function playAsBefore(
   wb: Uses<'store' | 'transport'>,
-  { played, playedBefore: range }: Overlay,
+  { played, playedBefore: range }: ComparisonOverlay,
   compared: Document,
 ): void {
   const followed = isSame(rangeOfClips(compared), played) ? rangeOfClips(wb.store.document) : undefined;

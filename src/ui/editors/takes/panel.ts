@@ -23,7 +23,7 @@ import {
   listOfTakes,
   playAlone,
   playTogether,
-  remove,
+  removeTakeRows,
   selectCharacter,
   startAt,
   toggleShown,
@@ -61,7 +61,7 @@ class TakesPanel implements TimelineTab {
         takes.change({ chosen, focused: row.key });
         selectCharacter(wb, row.characterId);
       },
-      remove: (rows) => remove(wb, rows),
+      remove: (rows) => removeTakeRows(wb, rows),
       menu: (row, at) => this.menu(row, at),
     });
     this.distances = new DistancePane(wb);
@@ -204,7 +204,7 @@ class TakesPanel implements TimelineTab {
       ...(first && second && chosen.length === 2 ? [item('Compare', () => compareTakes(wb, first, second))] : []),
       { kind: 'menu', label: 'Arrange', entries: () => arrangeEntries(wb) },
       { kind: 'line' },
-      item(chosen.length > 1 ? `Remove ${chosen.length} takes` : 'Remove', () => remove(wb, chosen), 'Del'),
+      item(chosen.length > 1 ? `Remove ${chosen.length} takes` : 'Remove', () => removeTakeRows(wb, chosen), 'Del'),
     ];
     openMenu(at, entries, { label: row.name });
   }

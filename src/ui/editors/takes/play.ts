@@ -112,7 +112,7 @@ export function showAll(wb: Uses<'store' | 'transport' | 'timeline' | 'messages'
   followRangeOfTakes(wb);
 }
 
-export function remove(wb: Uses<'store' | 'timeline' | 'messages'>, rows: readonly TakeRow[]): void {
+export function removeTakeRows(wb: Uses<'store' | 'timeline' | 'messages'>, rows: readonly TakeRow[]): void {
   if (!rows.length) return;
   const list = listOfTakes(wb);
   const gone = new Set(rows.map((row) => row.key));

@@ -1,5 +1,5 @@
 /** What the timeline shows and how it behaves, and the tools for whole curves. */
-import type { ChannelList, HandleMode, TimelineView } from '../../state/timeline.ts';
+import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
 import { hasKeys, hasTake } from './key-actions.ts';
@@ -22,7 +22,7 @@ function curves(id: string, label: string, shortcuts: readonly string[], more: O
   return shortcuts.length ? { ...action, shortcuts } : action;
 }
 
-export const LIST_LABELS: Readonly<Record<ChannelList, string>> = {
+export const LIST_LABELS: Readonly<Record<ChannelListKind, string>> = {
   selected: 'Selected joint',
   all: 'All channels',
   pinned: 'Pinned',

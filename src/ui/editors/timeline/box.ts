@@ -1,5 +1,5 @@
 /** What is dragged open to select keys: two corners in pixels, in any order. */
-export interface Box {
+export interface SelectionBox {
   readonly x0: number;
   readonly y0: number;
   readonly x1: number;

@@ -6,8 +6,8 @@
  * Maya. That a key moves which nobody sees is how work gets broken unnoticed.) They stay selected through all of that,
  * and are in hand again once they are in view; selecting something else lets them go with the rest.
  */
-import { NO_KEYS, unionKeys } from '../../../edit/keys/selection.ts';
-import { type Command, type Edit, withKeys } from '../../../edit/store.ts';
+import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
+import { type Command, type Edit, withSelectedKeys } from '../../../edit/store.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
@@ -32,13 +32,13 @@ export function takeInHand(wb: Uses<'store'>): Take | undefined {
 /** The selected keys of that take, in view or not: what is added to, or taken from. Of another character's, none. */
 export function selectedKeys(wb: Uses<'store'>): readonly ChannelKeys[] {
   const { selection } = wb.store;
-  return (selection.keys && selection.characterId === currentCharacter(wb)?.id && selection.keys) || NO_KEYS;
+  return (selection.keys && selection.characterId === currentCharacter(wb)?.id && selection.keys) || NO_KEY_SELECTION;
 }
 
 /** Those of them that are in view. The same array for as long as they are the same keys. */
 export function keysInHand(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
   const selected = selectedKeys(wb);
-  if (!selected.length) return NO_KEYS;
+  if (!selected.length) return NO_KEY_SELECTION;
   const inView = new Set(channelsInView(wb));
   const keys = selected.filter((k) => inView.has(k.channel));
   if (keys.length === selected.length) return selected;
@@ -79,7 +79,7 @@ export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): voi
   if (keys.length === 0 && !selection.keys) return;
   // Keys belong to a character: selecting some of one that was only meant selects it.
   const own = selection.characterId === character.id ? selection : { characterId: character.id };
-  wb.store.select(withKeys(own, keys));
+  wb.store.select(withSelectedKeys(own, keys));
 }
 
 /** Channels that the timeline draws now. Asked for by every row and entry: found once for what they follow from. */

@@ -5,7 +5,7 @@ import { pasteKeys } from '../../../edit/commands/paste.ts';
 import { breakTangents, setTangents, unifyTangents } from '../../../edit/commands/tangents.ts';
 import { type CopiedKeys, copyKeys } from '../../../edit/keys/clipboard.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
-import type { Side } from '../../../edit/keys/tangents.ts';
+import type { TangentSide } from '../../../edit/keys/tangents.ts';
 import { type Extrapolation, keysOf, type TangentKind } from '../../../model/clip.ts';
 import { unitOfChannel } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
@@ -22,7 +22,7 @@ import {
   selectKeys,
   takeInHand,
 } from './in-hand.ts';
-import { framesOf, nudgeStep } from './snapping.ts';
+import { frameNumber, nudgeStep } from './snapping.ts';
 
 /** A key on each curve in view at the playhead; where none is in view, nothing. */
 export function insertAtPlayhead(
@@ -130,7 +130,7 @@ export function snapToFrames(wb: Uses<'store' | 'transport' | 'timeline'>): void
   wb.store.apply(aboutKeysInHand(wb, snapKeys), { characterId, keys, framesPerSecond, offsetSeconds });
 }
 
-export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, side: Side): void {
+export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, side: TangentSide): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
   if (take && keys.length)
@@ -157,7 +157,7 @@ export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: '
 /** Of the channels with selected keys, or of those in view. */
 export function extrapolate(
   wb: Uses<'store' | 'timeline'>,
-  side: Side,
+  side: TangentSide,
   extrapolation: Extrapolation,
   channels: readonly number[] = channelsInHand(wb),
 ): void {
@@ -212,7 +212,7 @@ export function selectedText(
   const { framesPerSecond } = wb.transport.get();
   const text = (clipSeconds: number) => {
     const at = clipSeconds - take.character.timeOffsetSeconds;
-    return inFrames ? `frame ${framesOf(at, framesPerSecond)}` : `${shown(at)} s`;
+    return inFrames ? `frame ${frameNumber(at, framesPerSecond)}` : `${shown(at)} s`;
   };
   let first = Number.POSITIVE_INFINITY;
   let last = Number.NEGATIVE_INFINITY;

@@ -42,7 +42,7 @@ export function nudgeStep(unit: DofUnit, degrees: boolean, skeleton: Skeleton | 
 }
 
 /** A whole frame but for rounding is that frame; times are shown without the noise of the sums they came from. */
-export function framesOf(seconds: number, framesPerSecond: number): number {
+export function frameNumber(seconds: number, framesPerSecond: number): number {
   const frames = seconds * framesPerSecond;
   const whole = Math.round(frames);
   return Math.abs(frames - whole) < 1e-6 ? whole : withoutNoise(frames);

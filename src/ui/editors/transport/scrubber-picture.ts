@@ -63,7 +63,7 @@ export class ScrubberBackground {
   }
 }
 
-export function drawPlayhead(
+export function drawScrubberPlayhead(
   g: CanvasRenderingContext2D,
   picture: ScrubberPicture,
   width: number,

@@ -11,7 +11,12 @@ import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
 import { fitWindow, panWindow, revealTime, snapTime, type TimeWindow, zoomWindow } from '../../kit/time-window.ts';
 import type { Uses } from '../../state/workbench.ts';
-import { drawPlayhead, ScrubberBackground, type ScrubberColours, type ScrubberPicture } from './scrubber-picture.ts';
+import {
+  drawScrubberPlayhead,
+  ScrubberBackground,
+  type ScrubberColours,
+  type ScrubberPicture,
+} from './scrubber-picture.ts';
 
 /** An end of the range is taken from this many pixels away. */
 const GRAB_PIXELS = 6;
@@ -138,7 +143,7 @@ export class Scrubber {
     const g = this.element.getContext('2d');
     if (!g) return;
     this.background.copyTo(g);
-    drawPlayhead(g, picture, width, height, ratio, this.colours);
+    drawScrubberPlayhead(g, picture, width, height, ratio, this.colours);
     this.describe(timeSeconds, range);
   }
 

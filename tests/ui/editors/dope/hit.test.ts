@@ -1,8 +1,16 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { type Channel, keysOf, restChannel } from '../../../../src/model/clip.ts';
-import { hitSheet, keysInBox, REACH, rowsTouched, type SheetKeys } from '../../../../src/ui/editors/dope/hit.ts';
-import { HEAD, rowAt, rowTop, type Sheet, STRIP_TOP, timeAt, xOf } from '../../../../src/ui/editors/dope/sheet.ts';
+import { hitSheet, REACH, rowsTouched, type SheetKeys, sheetKeysInBox } from '../../../../src/ui/editors/dope/hit.ts';
+import {
+  HEAD,
+  rowAt,
+  rowTop,
+  type Sheet,
+  STRIP_TOP,
+  sheetTime,
+  sheetX,
+} from '../../../../src/ui/editors/dope/sheet.ts';
 import type { DopeRow } from '../../../../src/ui/editors/timeline/dope-rows.ts';
 import { channel } from '../../builders.ts';
 import { channels, sheets, someKeys } from './arbitrary.ts';
@@ -107,8 +115,8 @@ describe('a box', () => {
         const box = { x0: a.x, y0: a.y, x1: b.x, y1: b.y };
         const inBox = (c: number, i: number) => {
           const time = keysOf(all[c]).times[i];
-          const from = timeAt(scrolled, Math.min(a.x, b.x)) + offsetSeconds;
-          const to = timeAt(scrolled, Math.max(a.x, b.x)) + offsetSeconds;
+          const from = sheetTime(scrolled, Math.min(a.x, b.x)) + offsetSeconds;
+          const to = sheetTime(scrolled, Math.max(a.x, b.x)) + offsetSeconds;
           if (time < from || time > to) return false;
           return rows.some((r, index) => {
             if (index === 0 || !r.channels.includes(c)) return false;
@@ -116,20 +124,20 @@ describe('a box', () => {
             return at + REACH >= Math.min(a.y, b.y) && at - REACH <= Math.max(a.y, b.y);
           });
         };
-        const found = keysInBox(scrolled, { rows, channels: all, offsetSeconds }, box, false);
+        const found = sheetKeysInBox(scrolled, { rows, channels: all, offsetSeconds }, box, false);
         expect(found).toEqual(someKeys(all, inBox));
       }),
     );
   });
 
   it('takes whole columns where it began on the summary', () => {
-    const found = keysInBox(sheet, shown, { x0: 400, y0: HEAD, x1: 600, y1: HEAD + 5 }, true);
+    const found = sheetKeysInBox(sheet, shown, { x0: 400, y0: HEAD, x1: 600, y1: HEAD + 5 }, true);
     expect(found.map((k) => k.channel)).toEqual([0, 1, 2]);
   });
 
   it('takes nothing of a sheet without rows', () => {
     expect(
-      keysInBox({ ...sheet, rowCount: 0 }, { ...shown, rows: [] }, { x0: 0, y0: 0, x1: 900, y1: 300 }, true),
+      sheetKeysInBox({ ...sheet, rowCount: 0 }, { ...shown, rows: [] }, { x0: 0, y0: 0, x1: 900, y1: 300 }, true),
     ).toEqual([]);
     expect(rowsTouched({ ...sheet, rowCount: 0 }, 0, 300)).toEqual([1, 1]);
   });
@@ -149,7 +157,7 @@ it('goes from a row to its height and back', () => {
 it('goes from a time to its pixel and back', () => {
   fc.assert(
     fc.property(sheets, fc.double({ min: -2, max: 4, noNaN: true }), (drawn, time) => {
-      expect(timeAt(drawn, xOf(drawn, time))).toBeCloseTo(time, 9);
+      expect(sheetTime(drawn, sheetX(drawn, time))).toBeCloseTo(time, 9);
     }),
   );
 });

@@ -1,11 +1,11 @@
 import { expect, it } from 'vitest';
-import { hintText } from '../../../../src/ui/editors/ik/ik-controls.ts';
+import { ikHintText } from '../../../../src/ui/editors/ik/ik-controls.ts';
 
 /** Letters that have room beside the switch of modes, in a window of 1440. */
 const ROOM = 52;
 
 it.each([0, 1, 6])('tells what to do first in one line (%i pins)', (pins) => {
-  const hint = hintText(pins);
+  const hint = ikHintText(pins);
   expect(hint).toContain(pins === 0 ? 'Click a point to pin it' : 'Click a pin to remove it');
   expect(hint.length).toBeLessThanOrEqual(ROOM);
 });

@@ -9,7 +9,7 @@ import {
   chosenTakes,
   listOfTakes,
   playTogether,
-  remove,
+  removeTakeRows,
   startAt,
   toggleShown,
 } from '../../../../src/ui/editors/takes/play.ts';
@@ -148,10 +148,10 @@ describe('chosen takes', () => {
   it('chosen takes are removed, and the list goes on to the one after them', () => {
     const { wb } = bench();
     const rows = listOfTakes(wb);
-    remove(wb, [rows[0], rows[1]]);
+    removeTakeRows(wb, [rows[0], rows[1]]);
     expect(listOfTakes(wb).map((r) => r.name)).toEqual(['c']);
     expect(wb.timeline.takes.view.get().focused).toBe('c/0');
-    remove(wb, listOfTakes(wb));
+    removeTakeRows(wb, listOfTakes(wb));
     expect(wb.timeline.takes.view.get()).not.toHaveProperty('focused');
   });
 });
@@ -250,7 +250,7 @@ describe('two takes that are compared', () => {
     const { wb } = bench();
     const rows = listOfTakes(wb);
     compareTakes(wb, rows[0], rows[1]);
-    remove(wb, [rows[1]]);
+    removeTakeRows(wb, [rows[1]]);
     expect(comparedIn(wb.store.document, wb.timeline.takes.comparison.get())).toBeUndefined();
     expect(drawnDocument(wb.store.document, wb.timeline.takes.comparison.get())).toBe(wb.store.document);
   });

@@ -1,7 +1,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import {
-  framesOf,
+  frameNumber,
   nudgeStep,
   snapSeconds,
   snapValue,
@@ -75,7 +75,7 @@ describe('steps of the arrow keys', () => {
 
 describe('frames of a time', () => {
   it('frames of a time are whole but for rounding', () => {
-    expect(framesOf(0.1 + 0.2, 10)).toBe(3);
-    expect(framesOf(0.25, 10)).toBe(2.5);
+    expect(frameNumber(0.1 + 0.2, 10)).toBe(3);
+    expect(frameNumber(0.25, 10)).toBe(2.5);
   });
 });

@@ -3,7 +3,7 @@
  * is shown in degrees radians. Units that were not asked for are not made up.
  */
 import type { BakeExtrapolation, Resample, Simplify, Tolerances } from '../../../../edit/commands/channels.ts';
-import type { ScaleKeys } from '../../../../edit/commands/keys.ts';
+import type { ScaleKeysArgs } from '../../../../edit/commands/keys.ts';
 import type { Character } from '../../../../model/document.ts';
 import { unitOfChannel } from '../../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
@@ -57,7 +57,7 @@ export function scaleArguments(
   keys: readonly ChannelKeys[],
   answers: Answers,
   angles: Settings['angles'],
-): ScaleKeys {
+): ScaleKeysArgs {
   const dofs = dofsFor(character);
   return {
     characterId: character.id,

@@ -1,7 +1,7 @@
 /** What the curves stand on: range, grid, limits; and what stands over them: values along the axes. */
 import { drawOutsideRange, drawTimeGrid, type TimeView } from '../../timeline/time-ruler.ts';
 import type { CurveLine, CurveScene } from '../scene/scene.ts';
-import { AXES, type AxisName, PLOT_TOP, yOf } from '../scene/space.ts';
+import { type AxisName, PLOT_TOP, VALUE_AXES, yOf } from '../scene/space.ts';
 import { isInDegrees, type ValueTick, valueTicks } from '../scene/ticks.ts';
 import type { PictureColours } from './picture-colours.ts';
 
@@ -27,11 +27,11 @@ export function timeView(scene: CurveScene): TimeView {
 
 /** The axes that lines are drawn on: the first is labelled on the left and has the grid. */
 function shownAxes(lines: readonly CurveLine[]): AxisName[] {
-  const shown = AXES.filter((axis) => lines.some((line) => line.axis === axis));
+  const shown = VALUE_AXES.filter((axis) => lines.some((line) => line.axis === axis));
   return shown.length ? shown : ['angle'];
 }
 
-export function drawGround(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
+export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
   const { width, height } = scene.space;
   const view = timeView(scene);
   g.fillStyle = colours.plot;

@@ -6,9 +6,9 @@
  * more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
-import { FIXED, keysOf } from '../../../../model/clip.ts';
+import { FIXED_TANGENT, keysOf } from '../../../../model/clip.ts';
 import { mixed } from '../scene/colours.ts';
-import { type Handle, handlesOf } from '../scene/handles.ts';
+import { handlesOf, type TangentHandle } from '../scene/handles.ts';
 import { type CurveLine, type CurveScene, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP } from '../scene/space.ts';
 import { traceMap } from '../scene/trace.ts';
@@ -223,7 +223,7 @@ function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: Pic
 function drawHandles(
   g: CanvasRenderingContext2D,
   scene: CurveScene,
-  handles: readonly Handle[],
+  handles: readonly TangentHandle[],
   colours: PictureColours,
 ): void {
   if (handles.length === 0) return;
@@ -240,7 +240,7 @@ function drawHandles(
     g.beginPath();
     for (const { line, index, side, endX, endY } of handles) {
       const { tangentsIn, tangentsOut } = keysOf(scene.clip.channels[line.channel]);
-      if (((side === 'in' ? tangentsIn : tangentsOut).kinds[index] === FIXED) !== set) continue;
+      if (((side === 'in' ? tangentsIn : tangentsOut).kinds[index] === FIXED_TANGENT) !== set) continue;
       g.moveTo(endX + HANDLE_END_PIXELS, endY);
       g.arc(endX, endY, HANDLE_END_PIXELS, 0, 2 * Math.PI);
     }

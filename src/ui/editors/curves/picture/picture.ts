@@ -10,12 +10,12 @@
  */
 import { keysOf } from '../../../../model/clip.ts';
 import { element } from '../../../kit/dom.ts';
-import type { Box } from '../../timeline/box.ts';
+import type { SelectionBox } from '../../timeline/box.ts';
 import { drawPlayhead, drawTimeRuler } from '../../timeline/time-ruler.ts';
 import { handleOf } from '../scene/handles.ts';
-import { type CurveLine, type CurveScene, type Hit, lineOf } from '../scene/scene.ts';
+import { type CurveHit, type CurveLine, type CurveScene, lineOf } from '../scene/scene.ts';
 import { PLOT_TOP, xOf, yOf } from '../scene/space.ts';
-import { drawGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
+import { drawCurveGround, drawLimits, drawValueLabels, timeView } from './grid.ts';
 import { type PictureColours, readPictureColours } from './picture-colours.ts';
 import { CurveLayer } from './picture-curves.ts';
 import { drawKeys, KEY_PIXELS } from './picture-keys.ts';
@@ -69,7 +69,7 @@ export class CurvePicture {
   }
 
   /** Playhead (the transport's seconds), what is under the pointer, the box being dragged. Nothing else is touched. */
-  drawOverlay(timeSeconds: number, hover?: Hit, box?: Box): void {
+  drawOverlay(timeSeconds: number, hover?: CurveHit, box?: SelectionBox): void {
     const { scene, colours } = this;
     if (!scene || !colours) return;
     this.overlay.draw((g) => {
@@ -91,7 +91,7 @@ export class CurvePicture {
     const standOut = emphasisOf(scene);
     const emphasised = scene.lines.filter((line) => standOut.has(line.channel));
     this.curves.draw((g) => {
-      drawGround(g, scene, colours);
+      drawCurveGround(g, scene, colours);
       drawLimits(g, scene, emphasised, ratio, colours);
       this.isWhole = this.lines.draw(g, { scene, standOut, ratio, palette: colours.palette });
       drawValueLabels(g, scene, colours);
@@ -99,7 +99,7 @@ export class CurvePicture {
     });
   }
 
-  private drawHover(g: CanvasRenderingContext2D, scene: CurveScene, hover: Hit, colours: PictureColours): void {
+  private drawHover(g: CanvasRenderingContext2D, scene: CurveScene, hover: CurveHit, colours: PictureColours): void {
     if (hover.kind === 'empty') return;
     const line = lineOf(scene, hover.channel);
     if (!line) return;
@@ -126,7 +126,7 @@ function ringAround(
   g: CanvasRenderingContext2D,
   scene: CurveScene,
   line: CurveLine,
-  hover: Extract<Hit, { kind: 'key' | 'handle' }>,
+  hover: Extract<CurveHit, { kind: 'key' | 'handle' }>,
 ): void {
   const { times, values } = keysOf(scene.clip.channels[line.channel]);
   // What was under the pointer may be gone by now.
@@ -147,7 +147,7 @@ function dot(g: CanvasRenderingContext2D, x: number, y: number, radius: number):
   g.arc(x, y, radius, 0, 2 * Math.PI);
 }
 
-function drawBox(g: CanvasRenderingContext2D, { x0, y0, x1, y1 }: Box, colours: PictureColours): void {
+function drawBox(g: CanvasRenderingContext2D, { x0, y0, x1, y1 }: SelectionBox, colours: PictureColours): void {
   const left = Math.round(Math.min(x0, x1)) + 0.5;
   const top = Math.round(Math.min(y0, y1)) + 0.5;
   const width = Math.round(Math.abs(x1 - x0));

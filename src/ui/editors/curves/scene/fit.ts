@@ -2,7 +2,7 @@
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
-import { AXES, type AxisName, type CurveSpace, PLOT_TOP, type ValueAxis } from './space.ts';
+import { type AxisName, type CurveSpace, PLOT_TOP, VALUE_AXES, type ValueAxis } from './space.ts';
 
 export type Fitted = Pick<CurveScene, 'clip' | 'curves' | 'lines' | 'offsetSeconds' | 'selected' | 'space' | 'range'>;
 
@@ -51,7 +51,7 @@ export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): 
   else if (selected) includeSelected(scene, bounds);
   else includeAll(scene, bounds);
   const axes = { ...space.axes };
-  for (const axis of AXES) axes[axis] = fittedAxis(axis, bounds, space);
+  for (const axis of VALUE_AXES) axes[axis] = fittedAxis(axis, bounds, space);
   if (keepTime || !(bounds.to >= bounds.from)) return { ...space, axes };
   return { ...space, axes, window: fittedWindow(bounds.from - offsetSeconds, bounds.to - offsetSeconds, space.width) };
 }

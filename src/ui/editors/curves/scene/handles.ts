@@ -20,7 +20,7 @@ const FEW_KEYS = 4;
 /** A pointer straight above its key would mean an endless slope; it counts as this far to the side. */
 const MIN_PIXELS_ASIDE = 1;
 
-export interface Handle {
+export interface TangentHandle {
   readonly line: CurveLine;
   readonly index: number;
   readonly side: HandleSide;
@@ -35,11 +35,11 @@ export interface Handle {
  * Handles of the selected keys in view, none where there are too many to tell apart. A key at a step has only the one
  * that shows in the curve; the ends have both, since the outer one may be what linear extrapolation goes by.
  */
-export function handlesOf(scene: CurveScene): Handle[] {
+export function handlesOf(scene: CurveScene): TangentHandle[] {
   const { space, clip, offsetSeconds } = scene;
   const left = timeAt(space, -HANDLE_PIXELS) + offsetSeconds;
   const right = timeAt(space, space.width + HANDLE_PIXELS) + offsetSeconds;
-  const handles: Handle[] = [];
+  const handles: TangentHandle[] = [];
   for (const { channel, indices } of scene.selected) {
     const line = lineOf(scene, channel);
     const { times } = keysOf(clip.channels[channel]);
@@ -63,7 +63,7 @@ export function handlesOf(scene: CurveScene): Handle[] {
 }
 
 /** Where a key's handle is. The key is one of the line's channel. */
-export function handleOf(scene: CurveScene, line: CurveLine, index: number, side: HandleSide): Handle {
+export function handleOf(scene: CurveScene, line: CurveLine, index: number, side: HandleSide): TangentHandle {
   const { space } = scene;
   const keys = keysOf(scene.clip.channels[line.channel]);
   const slope = keySlope(keys, index, side);

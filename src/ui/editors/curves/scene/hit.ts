@@ -5,13 +5,13 @@ import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
 import { keysOf } from '../../../../model/clip.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
-import type { Box } from '../../timeline/box.ts';
+import type { SelectionBox } from '../../timeline/box.ts';
 import { handlesOf } from './handles.ts';
-import type { CurveLine, CurveScene, Hit } from './scene.ts';
+import type { CurveHit, CurveLine, CurveScene } from './scene.ts';
 import { PLOT_TOP } from './space.ts';
 import { traceMap } from './trace.ts';
 
-const EMPTY: Hit = { kind: 'empty' };
+const EMPTY: CurveHit = { kind: 'empty' };
 /** A selected key or handle is taken before another that is so much nearer: it is what one was busy with. */
 const SELECTED_PIXELS = 3;
 /** Curves are looked at in steps of so many pixels. */
@@ -24,15 +24,15 @@ const extremes = new ChannelExtremes();
  *
  * @param reach pixels around the point in which something counts as hit
  */
-export function hitTest(scene: CurveScene, x: number, y: number, reach = 6): Hit {
+export function hitTest(scene: CurveScene, x: number, y: number, reach = 6): CurveHit {
   if (y < PLOT_TOP || y > scene.space.height) return EMPTY;
   return keyOrHandleAt(scene, x, y, reach) ?? curveAt(scene, x, y, reach) ?? EMPTY;
 }
 
-function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): Hit | undefined {
+function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): CurveHit | undefined {
   let best = Number.POSITIVE_INFINITY;
-  let found: Hit | undefined;
-  const consider = (distance: number, ahead: boolean, hit: () => Hit) => {
+  let found: CurveHit | undefined;
+  const consider = (distance: number, ahead: boolean, hit: () => CurveHit) => {
     if (!(distance <= reach)) return;
     const rank = distance - (ahead ? SELECTED_PIXELS : 0);
     if (rank >= best) return;
@@ -63,7 +63,7 @@ function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): 
   return found;
 }
 
-function curveAt(scene: CurveScene, x: number, y: number, reach: number): Hit | undefined {
+function curveAt(scene: CurveScene, x: number, y: number, reach: number): CurveHit | undefined {
   let best = Number.POSITIVE_INFINITY;
   let found: { readonly line: CurveLine; readonly x: number } | undefined;
   const selected = new Set(scene.selected.map((keys) => keys.channel));
@@ -128,7 +128,7 @@ function holds(indices: readonly number[], index: number): boolean {
 }
 
 /** The keys of all lines that lie in a box, its edges included. */
-export function keysInBox(scene: CurveScene, box: Box): ChannelKeys[] {
+export function keysInBox(scene: CurveScene, box: SelectionBox): ChannelKeys[] {
   const [left, right] = [Math.min(box.x0, box.x1), Math.max(box.x0, box.x1)];
   const [top, bottom] = [Math.min(box.y0, box.y1), Math.max(box.y0, box.y1)];
   const found: ChannelKeys[] = [];

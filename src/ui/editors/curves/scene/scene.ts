@@ -50,7 +50,7 @@ export interface CurveScene {
 }
 
 /** What is under a point of the plot (`hit.ts`). */
-export type Hit =
+export type CurveHit =
   | { readonly kind: 'key'; readonly channel: number; readonly index: number }
   | { readonly kind: 'handle'; readonly channel: number; readonly index: number; readonly side: HandleSide }
   /** The curve itself, at a time of the clip and the value there. */

@@ -21,8 +21,8 @@ import { type TimeWindow, zoomWindow } from '../../../kit/time-window.ts';
 import { TIME_RULER_HEIGHT } from '../../timeline/time-ruler.ts';
 
 /** The units of DOFs, and what normalised lines share. */
-export const AXES = [...DOF_UNITS, 'normalised'] as const;
-export type AxisName = (typeof AXES)[number];
+export const VALUE_AXES = [...DOF_UNITS, 'normalised'] as const;
+export type AxisName = (typeof VALUE_AXES)[number];
 
 /** What an axis shows from bottom to top, in model units; `high` is above `low`. */
 export interface ValueAxis {

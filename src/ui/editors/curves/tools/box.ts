@@ -2,7 +2,7 @@
 import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { plural } from '../../../kit/number-text.ts';
-import type { Box } from '../../timeline/box.ts';
+import type { SelectionBox } from '../../timeline/box.ts';
 import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts';
 import { keysInBox } from '../scene/hit.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
@@ -11,7 +11,7 @@ import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag {
   const { wb } = plot;
   const before = selectedKeys(wb);
-  const boxTo = (at: PointerAt): Box => ({ x0: from.x, y0: from.y, x1: at.x, y1: at.y });
+  const boxTo = (at: PointerAt): SelectionBox => ({ x0: from.x, y0: from.y, x1: at.x, y1: at.y });
   const select = (found: readonly ChannelKeys[], at: PointerAt) => {
     if (at.ctrl || from.ctrl) selectKeys(wb, withoutKeys(before, found));
     else selectKeys(wb, at.shift || from.shift ? unionKeys(before, found) : found);

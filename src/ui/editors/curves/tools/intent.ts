@@ -11,7 +11,7 @@
  *
  * The middle button pans everywhere, the right one zooms with Alt and opens the menu without.
  */
-import type { Hit } from '../scene/scene.ts';
+import type { CurveHit } from '../scene/scene.ts';
 import type { PointerAt } from './tool.ts';
 
 export type Intent = 'scrub' | 'pan' | 'zoom' | 'slope' | 'scale' | 'keys' | 'curve' | 'insert' | 'box' | 'menu';
@@ -29,7 +29,7 @@ export function buttonMeant({ button, ctrlKey }: Pick<MouseEvent, 'button' | 'ct
   return mac && button === 0 && ctrlKey ? 2 : button;
 }
 
-export function intentOf(press: Press, hit: Hit): Intent {
+export function intentOf(press: Press, hit: CurveHit): Intent {
   if (press.button === 1) return 'pan';
   if (press.button === 2) return press.alt ? 'zoom' : 'menu';
   if (press.inRuler) return press.alt ? 'pan' : 'scrub';

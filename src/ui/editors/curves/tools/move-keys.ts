@@ -17,12 +17,12 @@ import {
   takeInHand,
 } from '../../timeline/in-hand.ts';
 import { snapSeconds, snapValue, valueStep } from '../../timeline/snapping.ts';
-import { type CurveLine, type Hit, lineOf } from '../scene/scene.ts';
+import { type CurveHit, type CurveLine, lineOf } from '../scene/scene.ts';
 import { type CurveSpace, pixelsPerUnit, timeAt, xOf, yOf } from '../scene/space.ts';
 import { deltaText } from './readout-text.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
-type KeyHit = Extract<Hit, { kind: 'key' }>;
+type KeyHit = Extract<CurveHit, { kind: 'key' }>;
 
 export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
   const { wb } = plot;

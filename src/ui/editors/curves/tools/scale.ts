@@ -16,7 +16,7 @@ const MIN_PIXELS = 32;
 /** Pixels up that make values e times as large. */
 const VALUE_PIXELS = 120;
 
-export interface Scaling {
+export interface ScaleTool {
   /** Seconds of the transport. */
   readonly pivotSeconds: number;
   readonly timeFactor: number;
@@ -69,7 +69,7 @@ export function scaler(plot: PlotAccess) {
   if (!keys.length) return undefined;
   const edit = editOfTake(wb, take);
   const command = aboutKeysInHand(wb, scaleKeys);
-  const to = ({ pivotSeconds, timeFactor, pivotY, valueFactor }: Scaling) => {
+  const to = ({ pivotSeconds, timeFactor, pivotY, valueFactor }: ScaleTool) => {
     const scene = plot.scene() ?? first;
     edit.preview(command, {
       characterId: take.character.id,

@@ -8,11 +8,11 @@ import { keySlope } from '../../../../evaluate/slopes.ts';
 import type { HandleMode } from '../../../state/timeline.ts';
 import { editOfTake, selectedKeys, takeInHand } from '../../timeline/in-hand.ts';
 import { slopeFromHandle } from '../scene/handles.ts';
-import { type Hit, lineOf } from '../scene/scene.ts';
+import { type CurveHit, lineOf } from '../scene/scene.ts';
 import { slopeText } from './readout-text.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
-type HandleHit = Extract<Hit, { kind: 'handle' }>;
+type HandleHit = Extract<CurveHit, { kind: 'handle' }>;
 
 export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const { wb } = plot;

@@ -1,6 +1,6 @@
 /** What a drag in the plot is, and what it may use. */
 import type { Uses } from '../../../state/workbench.ts';
-import type { Box } from '../../timeline/box.ts';
+import type { SelectionBox } from '../../timeline/box.ts';
 import type { CurveScene } from '../scene/scene.ts';
 import type { CurveSpace } from '../scene/space.ts';
 
@@ -20,7 +20,7 @@ export interface PlotAccess {
   /** As it is now, with what the drag has changed so far. */
   scene(): CurveScene | undefined;
   look(space: CurveSpace): void;
-  showBox(box: Box | undefined): void;
+  showBox(box: SelectionBox | undefined): void;
   /** What a drag has come to: `Δ +0.1 s`; empty takes it away. */
   say(text: string): void;
 }

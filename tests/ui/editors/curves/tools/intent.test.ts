@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { isolatedAfter } from '../../../../../src/ui/editors/curves/isolating.ts';
-import type { Hit } from '../../../../../src/ui/editors/curves/scene/scene.ts';
+import type { CurveHit } from '../../../../../src/ui/editors/curves/scene/scene.ts';
 import { buttonMeant, cursorOf, intentOf, type Press } from '../../../../../src/ui/editors/curves/tools/intent.ts';
 import { wheelMeans } from '../../../../../src/ui/editors/curves/tools/navigate.ts';
 import { movesBoth, sameSlope } from '../../../../../src/ui/editors/curves/tools/slope.ts';
 
-const KEY: Hit = { kind: 'key', channel: 0, index: 0 };
-const HANDLE: Hit = { kind: 'handle', channel: 0, index: 0, side: 'in' };
-const CURVE: Hit = { kind: 'curve', channel: 0, timeSeconds: 0, value: 0 };
-const EMPTY: Hit = { kind: 'empty' };
+const KEY: CurveHit = { kind: 'key', channel: 0, index: 0 };
+const HANDLE: CurveHit = { kind: 'handle', channel: 0, index: 0, side: 'in' };
+const CURVE: CurveHit = { kind: 'curve', channel: 0, timeSeconds: 0, value: 0 };
+const EMPTY: CurveHit = { kind: 'empty' };
 const press = (more: Partial<Press> = {}): Press => ({
   button: 0,
   shift: false,
