@@ -138,6 +138,8 @@ export function nextLength(length: number, needed: number, expected: number): nu
 
 /** 8 MB of doubles. */
 const LARGE = 1 << 20;
+/** What a list begins with at most, 32 kB: a file of thousands of blocks must not take room for a whole file in each. */
+const MAX_AT_FIRST = 1 << 12;
 
 /** A growing list of numbers, read straight into place: `positions` and its kin. */
 export class NumberList implements NumberSink {
@@ -150,8 +152,9 @@ export class NumberList implements NumberSink {
     t: Tokens,
     private readonly expected: number | undefined,
   ) {
-    const atHand = Math.min(t.numbersAtHand(), expected !== undefined && expected > 0 ? expected : 256);
-    this.values = new Float64Array(Math.max(16, Math.ceil(atHand)));
+    const wanted = expected !== undefined && expected > 0 ? expected : 256;
+    const first = Math.min(t.numbersAtHand(), wanted, MAX_AT_FIRST);
+    this.values = new Float64Array(Math.max(16, Math.ceil(first)));
   }
 
   flush(): void {
