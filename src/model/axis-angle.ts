@@ -1,14 +1,14 @@
 /**
- * What the axis-angle form of `.skel` can hold: hinges with a bone each, every child at its parent's tip, and nothing
- * else about them. Names are none of its business; they are lost, and the writer says so.
+ * The axis-angle form of `.skel`: hinges only, each with a bone, every child at its parent's tip, and no other
+ * attributes. Names can't be stored; the writer reports the loss.
  */
 import { tipOf } from './bone-ends.ts';
 import { jointTypeOf } from './joint-types.ts';
 import { DEFAULT_BOX, isUnlimited, type Joint, type Skeleton } from './skeleton.ts';
 
 /**
- * What keeps a skeleton from being written in the axis-angle form, as a sentence about the first joint that is not like
- * that: "#3 elbow is no hinge." Undefined where nothing does.
+ * Why a skeleton can't be written in the axis-angle form, as a sentence about the first joint that does not fit: "#3
+ * elbow is no hinge." Undefined if it can.
  */
 export function axisAngleObstacle({ joints }: Skeleton): string | undefined {
   for (let j = 0; j < joints.length; j++) {
@@ -32,23 +32,23 @@ function obstacleOf(joints: readonly Joint[], j: number): string | undefined {
   return endSites?.length ? 'has End Sites' : undefined;
 }
 
-/** Whether someone set its box. Asked in every frame, so it allocates nothing. */
+/** Whether the box differs from the default. Called every frame, so it allocates nothing. */
 export function hasOwnBox({ box: { min, max } }: Pick<Joint, 'box'>): boolean {
   for (let k = 0; k < 3; k++) if (min[k] !== DEFAULT_BOX.min[k] || max[k] !== DEFAULT_BOX.max[k]) return true;
   return false;
 }
 
-/** Whether its file is written in the axis-angle form: it was read from that, and still fits into it. */
+/** Whether the file is written in the axis-angle form: it was read from one and still fits. */
 export function savesAsAxisAngle(skeleton: Skeleton): boolean {
   return skeleton.form === 'axis-angle' && axisAngleObstacle(skeleton) === undefined;
 }
 
-/** To be written in the axis-angle form, where it fits into that. */
+/** Marks the skeleton to be written in the axis-angle form, if it fits. */
 export function inAxisAngleForm(skeleton: Skeleton): Skeleton {
   return skeleton.form === 'axis-angle' ? skeleton : { ...skeleton, form: 'axis-angle' };
 }
 
-/** To be written in the hierarchy form, whatever it was read from. */
+/** Marks the skeleton to be written in the hierarchy form, whichever form it was read from. */
 export function inHierarchyForm(skeleton: Skeleton): Skeleton {
   const { form, ...rest } = skeleton;
   return form ? rest : skeleton;

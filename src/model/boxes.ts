@@ -1,7 +1,7 @@
 /**
- * Which joints have boxes. The formats of skeletons give every joint one; in BVH and the axis-angle form there is no such
- * thing, and joints read from them carry a stand-in that nobody meant: they are drawn as bones, and no size is measured
- * by it. A joint with a bone of its own has a box only where someone set one.
+ * Which joints have boxes. Skeleton formats give every joint one. BVH and the axis-angle form have no boxes, so their
+ * joints carry a default box: they are drawn as bones, and the box is not used to measure size. A joint with a bone of
+ * its own has a box only if someone set one.
  */
 import { hasOwnBox } from './axis-angle.ts';
 import { isOfBvh } from './joint-types.ts';
@@ -12,14 +12,14 @@ export function hasBox(joint: Joint): boolean {
   return !isOfBvh(joint.motion);
 }
 
-/** Whether every joint has one: what has none is seen as a bone only. */
+/** Whether every joint has a box; a joint without one is drawn only as a bone. */
 export function hasAllBoxes({ joints }: Skeleton): boolean {
   return joints.every(hasBox);
 }
 
 /**
- * Whether most boxes are the small cubes that stand for none: those of joints that were just made, and of files that say
- * nothing of boxes. They show where joints are, and not what hangs on what.
+ * Whether most boxes are the small default cubes of newly made joints and of files without boxes. These show where
+ * joints are, but not how they connect.
  */
 export function areBoxesPlain({ joints }: Skeleton): boolean {
   const plain = joints.filter((joint) => !hasOwnBox(joint)).length;

@@ -1,8 +1,8 @@
-/** A character taken apart into what is saved by itself (`part.ts`). */
+/** Splits a character into the parts that are saved separately (`part.ts`). */
 import { type Character, isBvh } from './document.ts';
 import { NO_MARKS, type Part, type PartContents, type PartKind, type PartMark, UNMARKED } from './part.ts';
 
-/** All that a character is made of, in the order in which one would open it. */
+/** All parts of a character, in the order in which one would open them. */
 export function partsOf(character: Character): readonly Part[] {
   const { name, skeleton, skins, morphs, clips, poses, parts = NO_MARKS } = character;
   const takes = skeleton && isBvh(character) ? skeleton : undefined;
@@ -14,7 +14,7 @@ export function partsOf(character: Character): readonly Part[] {
       captured.push(part('bvh', clip.name, { skeleton: takes, clip }, mark));
     } else animations.push(part('anim', clip.name, clip, mark));
   });
-  // Without a take, the skeleton alone is one.
+  // Without a take, the skeleton is saved alone.
   if (takes && captured.length === 0) captured.push(part('bvh', takes.name, { skeleton: takes }, parts.skeleton));
   return [
     ...captured,
@@ -29,11 +29,11 @@ export function partsOf(character: Character): readonly Part[] {
 function part<K extends PartKind>(kind: K, name: string, content: PartContents[K], mark = UNMARKED): Part {
   const { id, revision, file } = mark;
   const own = isFrom(mark, kind, name) ? file?.source : undefined;
-  // One of the union's members, which TypeScript can't tell of a generic kind.
+  // A member of the union, but TypeScript can't infer which one for a generic kind.
   return { kind, id, revision, name, content, ...(own && { file: own }) } as Part;
 }
 
-/** Skeletons and poses are called differently from their files; the others go by the names of theirs. */
+/** Skeletons and poses are named independently of their files; all others take the file's name. */
 function isFrom(mark: PartMark | undefined, kind: PartKind, name: string): boolean {
   const { file } = mark ?? {};
   return file?.kind === kind && (kind === 'skel' || kind === 'pose' || file.holds === name);

@@ -1,13 +1,13 @@
 /**
- * DOFs that follow others, as pairs of indices into a character's DOFs (`dofs.ts`): what joints say by names, worked
- * out, and put in an order in which each follows what is settled already.
+ * Linked DOFs as pairs of indices into a character's DOFs (`dofs.ts`), resolved from the names in joints and sorted so
+ * that each comes after the DOF it follows.
  */
 import { firstDofs } from './dofs.ts';
 import { dofsOf } from './joint-types.ts';
 import { perObject } from './per-object.ts';
 import type { Skeleton } from './skeleton.ts';
 
-/** DOF `dof` is gain · φ + offset of DOF `follows`. */
+/** DOF `dof` = gain · (DOF `follows`) + offset. */
 export interface DofCouple {
   readonly dof: number;
   readonly follows: number;
@@ -16,21 +16,21 @@ export interface DofCouple {
 }
 
 export interface Couples {
-  /** Each after the one that it follows. */
+  /** Sorted: each after the one it follows. */
   readonly ordered: readonly DofCouple[];
-  /** Those that follow themselves, directly or by way of others, or follow such: they can't be settled. */
+  /** DOFs that follow themselves, directly or through others, or that follow such a DOF; they can't be evaluated. */
   readonly circular: readonly DofCouple[];
 }
 
 const NONE: Couples = { ordered: [], circular: [] };
 
 /**
- * A skeleton's couples, worked out once for each skeleton. What names a DOF that its joint has not is left out; a reader
- * lets none through.
+ * A skeleton's linked DOFs, computed once per skeleton. Links to DOFs that a joint does not have are skipped; readers
+ * reject them.
  */
 export const couplesOf = perObject(resolve);
 
-/** What a DOF follows; none where it is its own. */
+/** The link that drives a DOF; undefined for an independent DOF. */
 export function coupleOf(skeleton: Skeleton | undefined, dof: number): DofCouple | undefined {
   return skeleton && couplesOf(skeleton).ordered.find((couple) => couple.dof === dof);
 }
@@ -54,7 +54,7 @@ function resolve(skeleton: Skeleton): Couples {
   return inOrder(byDof);
 }
 
-/** A DOF follows one other at most, so from each couple there is one way up, to one settled already or round and round. */
+/** Each DOF follows at most one other, so every chain leads either to an ordered DOF or into a cycle. */
 function inOrder(byDof: ReadonlyMap<number, DofCouple>): Couples {
   const ordered: DofCouple[] = [];
   const circular: DofCouple[] = [];

@@ -1,36 +1,36 @@
-/** What a person is told about a file: what was found, what was expected, where, and what was assumed. */
+/** A message to the user about a file: what was found, what was expected, where, and what was assumed. */
 export interface Diagnostic {
   readonly severity: Severity;
-  /** Stable and lower-case, such as `number-expected`: tests, scripts and teachers key on it. */
+  /** Stable and lower-case, such as `number-expected`; tests, scripts and teachers rely on it. */
   readonly code: string;
   /** A sentence: what was expected and what was found. */
   readonly message: string;
   /** The file's name as given, without folders. */
   readonly file: string;
-  /** From 1; 0 when the problem has no place in the file (an empty file, a part that was not given). */
+  /** From 1; 0 if the problem has no position in the file (an empty file, a missing part). */
   readonly line: number;
-  /** From 1, in characters; 0 as above. */
+  /** From 1, in characters; 0 as for `line`. */
   readonly column: number;
-  /** How loading went on, where it did: "used 3". */
+  /** What was used instead, if loading continued: "used 3". */
   readonly assumed?: string;
   /** The offending line, cut to 200 characters. */
   readonly excerpt?: Excerpt;
 }
 
 /**
- * - `error`: the file is not loaded and the document stays as it was.
- * - `warning`: it is loaded, with something assumed.
+ * - `error`: the file is not loaded and the document is unchanged.
+ * - `warning`: the file is loaded, with an assumption.
  * - `info`: worth knowing.
  */
 export type Severity = 'error' | 'warning' | 'info';
 
 export interface Excerpt {
   readonly text: string;
-  /** Where in `text` the caret stands, from 0. */
+  /** Position of the caret in `text`, from 0. */
   readonly caret: number;
 }
 
-/** A diagnostic of a file as a whole, or of one that could not be read. */
+/** A diagnostic about a whole file, or about one that could not be read. */
 export function withoutPlace(
   severity: Severity,
   code: string,

@@ -1,6 +1,6 @@
 /**
- * The document: everything that is saved and undone. Plain immutable data; parts that did not change keep their
- * identity from one document to the next, which is how the view knows what to rebuild.
+ * The document: everything that is saved and undone. Plain immutable data; unchanged parts keep their identity from one
+ * document to the next, which tells the view what to rebuild.
  */
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from './clip.ts';
@@ -16,62 +16,64 @@ import type { Skin } from './skin.ts';
 
 export interface Document {
   readonly characters: readonly Character[];
-  /** Read without an error, but belonging to nothing here. */
+  /** Files read without errors that belong to nothing in the document yet. */
   readonly unused: readonly UnusedFile[];
-  /** The opening sample stands until the first file is opened. */
+  /** Whether the document still shows the example loaded at start, which the first opened file replaces. */
   readonly isOpeningSample: boolean;
-  /** How many characters were ever made here: the next one's id, and no other's again. */
+  /** Number of characters ever created; used for new ids, so that no id is reused. */
   readonly charactersMade: number;
 }
 
-/** A skeleton, a skin, or both, with what moves them. A skin or a clip alone is one too, and waits for a skeleton. */
+/**
+ * A skeleton, skins or both, with their animation. A skin or a clip alone is also a character, waiting for its
+ * skeleton.
+ */
 export interface Character {
-  /** Unique in the document, and kept over edits and undo. */
+  /** Unique in the document; kept across edits and undo. */
   readonly id: string;
   readonly name: string;
   readonly skeleton?: Skeleton;
-  /** Alternatives: `shownSkin` is drawn. */
+  /** Alternatives; `shownSkin` is drawn. */
   readonly skins: readonly Skin[];
   readonly shownSkin: number;
   readonly morphs: readonly Morph[];
   readonly textures: readonly Texture[];
-  /** Takes: `shownClip` is played; -1 for none. */
+  /** Takes; `shownClip` plays; -1 for none. */
   readonly clips: readonly ChannelClip[];
   readonly shownClip: number;
-  /** One value for each of the character's DOFs (see `dofs.ts`), as set: what no channel drives stands so. */
+  /** One value per DOF of the character (see `dofs.ts`), as set; used for DOFs that no channel drives. */
   readonly pose: readonly number[];
-  /** DOFs set by hand over the clip at one moment; gone when time moves on. */
+  /** DOFs set by hand over the clip at one time; discarded when the time changes. */
   readonly unkeyed?: Unkeyed;
   readonly clampsToLimits: boolean;
-  /** Where it stands; more than one shows it several times over the same data. At least one. */
+  /** Instances of the character in the scene, all sharing its data. At least one. */
   readonly placements: readonly Placement[];
-  /** Added to the time of the transport. */
+  /** Seconds added to the transport's time. */
   readonly timeOffsetSeconds: number;
-  /** How its own space lies in the scene; absent: as it is. */
+  /** How the character's own space maps to the scene; absent: identity. */
   readonly space?: Space;
-  /** Not drawn; it plays on unseen. */
+  /** Not drawn; it keeps playing. */
   readonly isHidden?: boolean;
-  /** A take of another character that moves its joints, instead of its own. */
+  /** A take of another character that drives its joints instead of its own take (retargeting). */
   readonly driver?: Driver;
-  /** What inverse kinematics holds on to; absent: as `defaultIk` says. */
+  /** IK settings; absent: `defaultIk`. */
   readonly ik?: IkSetup;
-  /** The library of poses; absent rather than empty. */
+  /** The pose library; absent rather than empty. */
   readonly poses?: readonly NamedPose[];
-  /** The files it came from. */
+  /** The files it was read from. */
   readonly sources: readonly SourceFile[];
-  /** Which part is which (`part.ts`). Commands leave it alone: the store keeps it up with the parts themselves. */
+  /** Identities of the parts (`part.ts`). Commands leave these alone; the store keeps them in step with the parts. */
   readonly parts?: PartMarks;
 }
 
 /**
- * A take of another character that moves this one's joints: put onto it, live.
+ * A take of another character retargeted to this one, live.
  *
- * What it needs of the other one is held here and shared with it, so that a pose remains a matter of one character. The
- * store keeps it in step (`edit/drivers.ts`): when the other character changes, so does this. When it goes, what it last
- * did stays.
+ * The data needed from the source is shared here, so that a pose depends on one character only. The store keeps it up
+ * to date (`edit/drivers.ts`) when the source changes. If the source is removed, its last state is kept.
  */
 export interface Driver {
-  /** Id of the character whose take it is. */
+  /** Id of the source character. */
   readonly sourceId: string;
   readonly source: DriverSource;
   /** In the order of this character's joints, each at most once. */
@@ -79,7 +81,7 @@ export interface Driver {
   readonly options: RetargetOptions;
 }
 
-/** What of a character moves another one. */
+/** What retargeting needs of the source character. */
 export interface DriverSource {
   readonly name: string;
   readonly skeleton: Skeleton;
@@ -94,7 +96,7 @@ export interface Unkeyed {
   readonly timeSeconds: number;
   /** Indices of DOFs (see `dofs.ts`), ascending. */
   readonly dofs: readonly number[];
-  /** One for each of `dofs`. The pose knows nothing of them: they go without a trace. */
+  /** One per entry of `dofs`. The pose does not contain them, so discarding them leaves no trace. */
   readonly values: readonly number[];
 }
 
@@ -105,19 +107,19 @@ export interface Placement {
   readonly scale: number;
 }
 
-/** From a character's own space to one whose up is y and whose unit is the metre, before its placement. */
+/** Maps a character's own space to y up and metres, before its placement. */
 export interface Space {
   readonly up: 'y' | 'z';
   readonly unit: LengthUnit;
-  /** Metres that 1 stands for where the unit is its `own`; above 0. */
+  /** Metres per unit if the unit is `own`; greater than 0. */
   readonly metres?: number;
-  /** How far it is lifted onto the ground; metres, or units of the file where it is taken as it is. */
+  /** Offset that lifts the character onto the ground; in metres, or in file units for `asIs`. */
   readonly lift: number;
 }
 
 /**
- * The length that 1 in a file stands for; `asIs`: taken for a metre, whatever it is. `cmu`: 1/0.45 of an inch, as the
- * motion capture of Carnegie Mellon University has it. `own`: any other, named beside it.
+ * The length of one unit in a file. `asIs`: taken as a metre, whatever it is. `cmu`: 1/0.45 inch, as in the motion
+ * capture of Carnegie Mellon University. `own`: any other, given in `metres`.
  */
 export const LENGTH_UNITS = [
   'asIs',
@@ -133,7 +135,7 @@ export type LengthUnit = (typeof LENGTH_UNITS)[number];
 
 export const DEFAULT_SPACE: Space = { up: 'y', unit: 'asIs', lift: 0 };
 
-/** Kept with its content: the next files opened may be what it waits for. */
+/** Kept with its content: a file opened later may be the one it needs. */
 export interface UnusedFile {
   readonly file: ParsedFile;
   readonly why: string;
@@ -155,7 +157,7 @@ export function shownClip(character: Character): ChannelClip | undefined {
   return character.clips[character.shownClip];
 }
 
-/** Whether a character is a figure of BVH as it stands: what is kept of it is what its file holds. */
+/** Whether a character is a BVH figure as it is, so that its file holds all of it. */
 export function isBvh({ skeleton }: Pick<Character, 'skeleton'>): boolean {
   return skeleton?.joints.every(({ motion }) => isOfBvh(motion)) ?? false;
 }
@@ -164,23 +166,21 @@ export function findCharacter(document: Document, id: string | undefined): Chara
   return document.characters.find((c) => c.id === id);
 }
 
-/**
- * Characters that play something to be seen; all that play, where everything is hidden: their time is the transport's.
- */
+/** The visible characters that play something, or all that play if none is visible: their time is the transport's. */
 export function playingCharacters(document: Document): readonly Character[] {
   const playing = document.characters.filter((c) => c.driver ?? shownClip(c));
   const seen = playing.filter((c) => !c.isHidden);
   return seen.length ? seen : playing;
 }
 
-/** Second of the transport at which the first moment of what a character plays comes; without a clip, its second 0. */
+/** Transport time in seconds at which the character's take starts; without a clip, where its own second 0 falls. */
 export function startSeconds(character: Character): number {
   const source = character.driver?.source;
   const clip = source?.clip ?? shownClip(character);
   return (clip?.range[0] ?? 0) - character.timeOffsetSeconds - (source?.timeOffsetSeconds ?? 0) + 0;
 }
 
-/** Seconds of the transport from the first moment of any clip that plays to the last; undefined without clips. */
+/** Transport range in seconds that covers all playing clips; undefined without clips. */
 export function rangeOfClips(document: Document): readonly [number, number] | undefined {
   let start = Number.POSITIVE_INFINITY;
   let end = Number.NEGATIVE_INFINITY;

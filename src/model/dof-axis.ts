@@ -1,6 +1,6 @@
 /**
- * The axis that a DOF goes by the colour of, red, green or blue, wherever it is drawn: the one of its name, and for a
- * DOF whose name says none the one that its joint's own axis lies along.
+ * The axis whose colour (red, green or blue) a DOF is drawn in: the one in its name, or else the main axis that its
+ * joint's own axis lies along.
  */
 import type { CharacterDof } from './dofs.ts';
 import { axisOf } from './joint-types.ts';
@@ -10,13 +10,13 @@ export type AxisLetter = 'x' | 'y' | 'z';
 
 const LETTERS = ['x', 'y', 'z'] as const;
 
-/** What of an axis goes another way than a main one; as much as rounding in a file makes. */
+/** Tolerance for an axis to count as a main one; covers rounding in files. */
 const ALONG = 1e-6;
 
 /**
- * `rx`, `tx`, `sx` and `qx` go by x; a shear by the axis that is not in it, which its plane is turned about; `r`, `t` and
- * `s` by the joint's axis where that is a main one.
- * @returns undefined for what has no main axis: `qw`, a hinge that stands askew, scale of all axes alike
+ * `rx`, `tx`, `sx` and `qx` use x; a shear uses the axis missing from its name, about which its plane turns; `r`, `t`
+ * and `s` use the joint's axis if that is a main one.
+ * @returns undefined if there is no main axis: `qw`, a hinge with an oblique axis, uniform scale
  */
 export function dofAxis(motion: Motion | undefined, name: string): AxisLetter | undefined {
   const shear = /^h([xyz])([xyz])$/.exec(name);
@@ -29,7 +29,7 @@ export function dofAxis(motion: Motion | undefined, name: string): AxisLetter | 
   return LETTERS.find((_, k) => Math.abs(axis[k]) >= length * (1 - ALONG));
 }
 
-/** The same for one of a character's DOFs; none for weights of morphs. */
+/** The same for one of a character's DOFs; undefined for morph weights. */
 export function axisOfDof(
   skeleton: Skeleton | undefined,
   { joint, name, unit }: Pick<CharacterDof, 'joint' | 'name' | 'unit'>,

@@ -1,7 +1,7 @@
 /**
- * All of a character's DOFs as one list, the order in which `.anim` channels drive them:
+ * All DOFs of a character as one list, in the order in which `.anim` channels drive them:
  *
- *     0 1 2        root translation x y z; left out where the root joint's own DOFs carry the character
+ *     0 1 2        root translation x y z; omitted if the root joint's own DOFs move the character
  *     then         each joint's DOFs, joints in depth-first order
  *     then         the morph weights
  *
@@ -16,20 +16,20 @@ const ROOT_TRANSLATION: readonly Dof[] = [
   { name: 'tz', unit: 'length', rest: 0 },
 ];
 
-/** One DOF of a character, with what it takes to show a slider for it. */
+/** A DOF of a character, with all that is needed to show a slider for it. */
 export interface CharacterDof extends Dof {
   /** -1 for a morph weight; the root's index for its translation. */
   readonly joint: number;
-  /** None where the DOF takes none. */
+  /** Unlimited if the DOF takes no limits. */
   readonly limit: Limit;
-  /** Whether it takes limits: root translation, morph weights and the parts of a quaternion don't. */
+  /** False for root translation, morph weights and quaternion components. */
   readonly takesLimits: boolean;
 }
 
-/** Nothing clamps the root's translation, however far an animation walks. */
+/** Root translation is never clamped, however far an animation walks. */
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
 
-/** The root translation as a character with that skeleton has it: none where its root joint moves by itself. */
+/** The root translation of a character with this skeleton; empty if the root joint moves by itself. */
 export function rootDofs(skeleton: Skeleton | undefined): readonly Dof[] {
   const root = skeleton?.joints[0];
   return root && carriesCharacter(root.motion) ? NONE : ROOT_TRANSLATION;
@@ -37,19 +37,19 @@ export function rootDofs(skeleton: Skeleton | undefined): readonly Dof[] {
 
 const NONE: readonly Dof[] = [];
 
-/** How many DOFs come before those of the joints. */
+/** Number of DOFs before those of the joints. */
 export function rootDofCount(skeleton: Skeleton | undefined): number {
   return rootDofs(skeleton).length;
 }
 
-/** How many DOFs the joints have, without root translation and morphs. */
+/** Number of DOFs of the joints, without root translation and morphs. */
 export function jointDofCount(skeleton: Skeleton | undefined): number {
   let count = 0;
   for (const joint of skeleton?.joints ?? []) count += dofsOf(joint.motion).length;
   return count;
 }
 
-/** Index in the character's list of the first DOF of each joint. */
+/** Index of each joint's first DOF in the character's list. */
 export function firstDofs(skeleton: Skeleton): number[] {
   let next = rootDofCount(skeleton);
   return skeleton.joints.map((joint) => {
@@ -80,8 +80,8 @@ export function characterDofs(skeleton: Skeleton | undefined, morphs: readonly {
 }
 
 /**
- * What a channel's values measure: what those of the DOF that it drives do. One past the DOFs, or of a clip that has no
- * skeleton yet, drives nothing and is a plain number, as a weight is.
+ * The unit of a channel's values: that of the DOF it drives. Channels beyond the DOFs, or of a clip without a skeleton,
+ * drive nothing and are plain numbers, like weights.
  */
 export function unitOfChannel(dofs: readonly CharacterDof[], channel: number): DofUnit {
   return channel < dofs.length ? dofs[channel].unit : 'weight';
@@ -95,7 +95,7 @@ export function filePose(skeleton: Skeleton | undefined, morphCount: number): nu
   return values;
 }
 
-/** Every DOF at rest: what a pose without any value would be. Scales are 1, and quaternions turn nothing. */
+/** Every DOF at rest, as in an empty pose. Scales are 1, quaternions the identity. */
 export function restPose(skeleton: Skeleton | undefined, morphCount: number): number[] {
   const values = rootDofs(skeleton).map(({ rest }) => rest);
   for (const joint of skeleton?.joints ?? []) values.push(...dofsOf(joint.motion).map(({ rest }) => rest));

@@ -1,6 +1,6 @@
 /**
- * How the picture knows a character: by its id, or, where two takes of one character are compared, the second of them
- * as its twin. What is picked is told by the document's id again (`Viewport.pick`), so that no tool needs to know.
+ * The view's id of a character: its document id, or, for the second of two compared takes, the id of its twin. Picking
+ * returns document ids (`Viewport.pick`), so no tool needs to know about twins.
  */
 export type TwinId = `${string}#twin`;
 
@@ -8,7 +8,10 @@ export function twinOf(characterId: string): TwinId {
   return `${characterId}#twin`;
 }
 
-/** The document's character behind one that is drawn. Ids are made here, `c1`, `c2` …: none but a twin's has a #. */
+/**
+ * The document's character behind one that is drawn. Document ids are generated (`c1`, `c2` …), so only a twin's
+ * contains a #.
+ */
 export function characterIdOf(drawnId: string): string {
   const end = drawnId.indexOf('#');
   return end < 0 ? drawnId : drawnId.slice(0, end);

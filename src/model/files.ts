@@ -1,4 +1,4 @@
-/** What reading gives: a model for each file, whatever its format. */
+/** Results of reading: one model per file, whatever its format. */
 import type { ChannelClip } from './clip.ts';
 import type { Morph } from './morph.ts';
 import type { PoseByNames } from './pose-by-names.ts';
@@ -6,7 +6,7 @@ import type { Rig } from './rig.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
-/** A file as it was given: dropped, picked, fetched, or read from disk. */
+/** A file as provided: dropped, picked, fetched or read from disk. */
 export interface SourceFile {
   /** Without folders: `wasp.skel`. */
   readonly name: string;
@@ -15,7 +15,7 @@ export interface SourceFile {
   readonly bytes: number;
 }
 
-/** A picture for a skin's material. The bytes are the file's own; the view decodes them. */
+/** An image for a skin's material. The bytes are the file's own; the view decodes them. */
 export interface Texture {
   readonly name: string;
   readonly mime: string;
@@ -32,7 +32,7 @@ export type FileContent =
   | { readonly kind: 'pose'; readonly poses: readonly PoseByNames[] }
   | { readonly kind: 'texture'; readonly texture: Texture };
 
-/** One `ROOT` of a motion capture file: a skeleton, and how it moves; no clip where the file has no frames. */
+/** One `ROOT` of a motion capture file: a skeleton and its motion; no clip if the file has no frames. */
 export interface CapturedFigure {
   readonly skeleton: Skeleton;
   readonly clip?: ChannelClip;
@@ -43,13 +43,15 @@ export type FileKind = FileContent['kind'];
 /** A file that was read without an error. */
 export type ParsedFile = FileContent & { readonly source: SourceFile };
 
-/** A file that has errors: it takes part in telling what belongs together, and keeps its group from half-opening. */
+/**
+ * A file with errors: it still helps to decide which files belong together, and keeps its group from opening in part.
+ */
 export interface BrokenFile {
   readonly kind: FileKind;
   readonly source: SourceFile;
 }
 
-/** The name without folders, whichever way their slashes lean. */
+/** The file name without folders, for either kind of slash. */
 export function baseName(name: string): string {
   return name.slice(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
 }
@@ -60,13 +62,13 @@ export function stemOf(source: SourceFile): string {
   return dot > 0 ? source.name.slice(0, dot) : source.name;
 }
 
-/** `cse169/wasp.skel` → `cse169`; `` where there is no folder. */
+/** `cse169/wasp.skel` → `cse169`; empty without a folder. */
 export function folderOf(source: SourceFile): string {
   const slash = source.path.lastIndexOf('/');
   return slash < 0 ? '' : source.path.slice(0, slash);
 }
 
-/** The same name but for case: file systems differ, and `.rig` files come from all of them. */
+/** Ignores case: file systems differ, and `.rig` files come from all of them. */
 export function sameName(a: string, b: string): boolean {
   return a.toLowerCase() === b.toLowerCase();
 }

@@ -1,7 +1,7 @@
-/** What joints are called where people read of them. */
+/** How joints are named to users. */
 import type { Skeleton } from './skeleton.ts';
 
-/** Its name; `joint 3`, by its index, where the file gives none, and where there is no such joint (any more). */
+/** The joint's name, or `joint 3` by index if it is unnamed or does not exist (any more). */
 export function jointName(skeleton: Skeleton | undefined, index: number): string {
   return skeleton?.joints[index]?.name || `joint ${index}`;
 }

@@ -10,8 +10,8 @@ export interface Morph {
 }
 
 export interface MorphRows {
-  /** Vertices of the base skin, each once: of several rows for one vertex, the reader keeps the last. */
+  /** Vertices of the base skin, each once: of several rows for a vertex the reader keeps the last. */
   readonly indices: Uint32Array;
-  /** x y z for each of `indices`. */
+  /** x y z for each entry of `indices`. */
   readonly values: Float64Array;
 }

@@ -1,10 +1,10 @@
-/** How many vertices each joint moves: those that have an attachment to it with a weight other than 0. */
+/** Counts the vertices that each joint moves: those attached to it with a weight other than 0. */
 import { perObject } from './per-object.ts';
 import { bindingCount, type Skin, vertexCount } from './skin.ts';
 
 const counted = perObject(count);
 
-/** One pass over the skin's attachments, once a skin. A vertex that names a joint twice is one vertex. */
+/** One pass over the attachments per skin. A vertex that lists a joint twice counts once. */
 export function movedVertices(skin: Skin, joint: number): number {
   return counted(skin)[joint] ?? 0;
 }
@@ -12,7 +12,7 @@ export function movedVertices(skin: Skin, joint: number): number {
 function count(skin: Skin): Uint32Array {
   const { attachments } = skin;
   const vertices = vertexCount(skin);
-  // Without weights it hangs on the root, as a whole.
+  // Without weights the whole skin follows the root.
   if (!attachments) return Uint32Array.of(vertices);
   const { start, joints, weights } = attachments;
   let size = bindingCount(skin);

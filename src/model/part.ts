@@ -1,10 +1,10 @@
 /**
- * The parts that a character is made of: what is saved by itself, each as a file of its own. A part keeps its id while
- * its content is replaced by edits, and has a revision that tells one content from another: undo brings an earlier
- * revision back, and none is ever used twice. So a part is unsaved where its revision is not the one that was saved.
+ * The parts of a character: what is saved separately, each as its own file. A part keeps its id while edits replace its
+ * content. Its revision identifies the content: undo restores an earlier revision, and none is ever reused. So a part
+ * is unsaved if its revision differs from the saved one.
  *
- * A figure of motion capture is a `.bvh` a take, with skeleton and motion in one; every other character has its skeleton
- * in a `.skel` and its takes in `.anim`s.
+ * A motion capture character has one `.bvh` per take, with skeleton and motion together; every other character has its
+ * skeleton in a `.skel` and its takes in `.anim` files.
  */
 import { savesAsAxisAngle } from './axis-angle.ts';
 import type { ChannelClip } from './clip.ts';
@@ -14,7 +14,7 @@ import type { NamedPose } from './poses.ts';
 import type { Skeleton } from './skeleton.ts';
 import type { Skin } from './skin.ts';
 
-/** What each kind of part holds. */
+/** The content of each kind of part. */
 export interface PartContents {
   readonly skel: Skeleton;
   readonly skin: Skin;
@@ -24,10 +24,10 @@ export interface PartContents {
   readonly pose: PoseLibrary;
 }
 
-/** Kinds of files whose content can be changed here. */
+/** Kinds of files whose content can be edited. */
 export type PartKind = keyof PartContents;
 
-/** A character's library of poses, by the names of what they are of. */
+/** A character's pose library, with the joint and morph names it refers to. */
 export interface PoseLibrary {
   readonly skeleton?: Skeleton;
   readonly morphs: readonly Morph[];
@@ -38,20 +38,23 @@ export interface PoseLibrary {
 export interface PartFile {
   readonly kind: PartKind;
   readonly source: SourceFile;
-  /** What the part is called in it: a part is called after its file, and under another name it is another file's. */
+  /**
+   * The name of the part in that file. Parts are named after their file; under another name they belong to another
+   * file.
+   */
   readonly holds: string;
 }
 
-/** What is known of a part beside its content. */
+/** What is known about a part besides its content. */
 export interface PartMark {
-  /** Of this part and no other. 0: not numbered yet, which the store does. */
+  /** Unique to this part. 0: not assigned yet; the store assigns it. */
   readonly id: number;
-  /** Of its content. 0: not numbered yet. */
+  /** Identifies its content. 0: not assigned yet. */
   readonly revision: number;
   readonly file?: PartFile;
 }
 
-/** The marks of a character's parts, in the order of its own lists. */
+/** The marks of a character's parts, in the order of its lists. */
 export interface PartMarks {
   readonly skeleton?: PartMark;
   readonly skins: readonly PartMark[];
@@ -63,13 +66,13 @@ export interface PartMarks {
 export const UNMARKED: PartMark = { id: 0, revision: 0 };
 export const NO_MARKS: PartMarks = { skins: [], morphs: [], clips: [] };
 
-/** The mark of a part that was read from a file: the same part where it is the same file, with other content. */
+/** The mark of a part just read from a file: the same id if it is the same file with new content. */
 export function readAs(before: PartMark | undefined, file: PartFile): PartMark {
   const isSame = before?.file?.source.path === file.source.path;
   return { id: isSame ? before.id : 0, revision: 0, file };
 }
 
-/** Marks that lie as those do. */
+/** Applies a change to each mark, keeping their structure. */
 export function mapMarks(parts: PartMarks, change: (mark: PartMark) => PartMark): PartMarks {
   const { skeleton, skins, morphs, clips, poses } = parts;
   return {
@@ -83,9 +86,9 @@ export function mapMarks(parts: PartMarks, change: (mark: PartMark) => PartMark)
 
 interface PartOf<K extends PartKind> extends Omit<PartMark, 'file'> {
   readonly kind: K;
-  /** What its file is called, without the ending. */
+  /** Name of its file, without the extension. */
   readonly name: string;
-  /** Its own; absent where it was made here, or is called differently now. */
+  /** The file it came from; absent if it was created here or has been renamed. */
   readonly file?: SourceFile;
   readonly content: PartContents[K];
 }
@@ -93,12 +96,12 @@ interface PartOf<K extends PartKind> extends Omit<PartMark, 'file'> {
 /** One of a character's parts. */
 export type Part = { [K in PartKind]: PartOf<K> }[PartKind];
 
-/** `wasp_walk.anim`: as a part's file is called, or would be. */
+/** `wasp_walk.anim`: the name of a part's file, existing or new. */
 export function fileNameOf(part: Part): string {
   return part.file?.name ?? newFileName(part);
 }
 
-/** The axis-angle form may be called either: as its file is, or by its own ending. */
+/** The axis-angle form may use its file's extension or its own. */
 export function newFileName(part: Part): string {
   const name = `${part.name}.${part.kind}`;
   if (part.kind !== 'skel' || !savesAsAxisAngle(part.content)) return name;

@@ -1,14 +1,14 @@
 /**
- * What is worked out once for an immutable object and kept as long as that object is: compiled skeletons, normals,
- * bounds. The document never changes an object, so nothing kept can be out of date.
+ * Caches what is computed from an immutable object for as long as the object lives: compiled skeletons, normals,
+ * bounds. The document never mutates an object, so the cache is never stale.
  *
  *     export const compileSkeleton = perObject((skeleton: Skeleton) => compile(skeleton));
  */
 
-/** A function that remembers its results by the identity of its argument. */
+/** A function memoised by the identity of its argument. */
 export interface PerObject<K extends WeakKey, V> {
   (of: K): V;
-  /** Takes over a result that was made elsewhere, in a worker for example. */
+  /** Stores a result that was computed elsewhere, e.g. in a worker. */
   adopt(of: K, value: V): void;
 }
 
@@ -20,13 +20,13 @@ export function perObject<K extends WeakKey, V>(make: (of: K) => V): PerObject<K
       value = make(of);
       known.set(of, value);
     }
-    // Undefined only where that is what was made.
+    // Undefined only if that is what `make` returned.
     return value as V;
   };
   return Object.assign(get, { adopt: (of: K, value: V) => void known.set(of, value) });
 }
 
-/** The same for a result of two objects: it goes as soon as either does. */
+/** The same for two objects: the entry is collected as soon as either object is. */
 export function perPair<A extends WeakKey, B extends WeakKey, V>(make: (a: A, b: B) => V): (a: A, b: B) => V {
   const byFirst = perObject((a: A) => perObject((b: B) => make(a, b)));
   return (a, b) => byFirst(a)(b);

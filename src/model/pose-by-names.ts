@@ -1,13 +1,13 @@
-/** A pose by the names of joints and DOFs: in files, and on its way from one character to another. */
+/** A pose by the names of joints and DOFs: in files, and when passed between characters. */
 import type { Vec3 } from '../math/vec3.ts';
 
 export interface PoseByNames {
   readonly name: string;
-  /** The root's translation beside its joint's own DOFs; absent where the root moves by itself. */
+  /** Root translation beside its joint's own DOFs; absent if the root moves by itself. */
   readonly root?: Vec3 | undefined;
-  /** In the order of the skeleton that it is of; names may repeat and be empty. */
+  /** In the order of its skeleton; names may repeat or be empty. */
   readonly joints: readonly PosedJoint[];
-  /** Of morphs. */
+  /** Morph weights. */
   readonly weights: readonly NamedValue[];
 }
 
@@ -18,6 +18,6 @@ export interface PosedJoint {
 
 export interface NamedValue {
   readonly name: string;
-  /** Radians, lengths and factors as in `.skel`. */
+  /** In radians, lengths and factors as in `.skel`. */
   readonly value: number;
 }

@@ -1,8 +1,8 @@
-/** A character's library of poses: named, in the order in which they were kept. */
+/** A character's pose library: named poses, in the order in which they were saved. */
 
 export interface NamedPose {
   /** Unique in its character. */
   readonly name: string;
-  /** One value for each of the character's DOFs (see `dofs.ts`), as set; what has no place in it is at rest. */
+  /** One value per DOF of the character (see `dofs.ts`), as set; missing values are at rest. */
   readonly values: readonly number[];
 }

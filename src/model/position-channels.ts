@@ -1,7 +1,7 @@
 /**
- * What position channels of BVH mean: they replace the OFFSET of their joint, as nearly all real files have it, or are
- * added to it, as an old exporter of Blender wrote them (files of MakeHuman). Under the wrong rule a figure falls in on
- * itself, or comes apart with every bone twice as long.
+ * The meaning of BVH position channels: they replace the OFFSET of their joint, as in nearly all real files, or are
+ * added to it, as an old Blender exporter wrote them (MakeHuman files). Under the wrong rule a figure collapses, or
+ * comes apart with every bone twice as long.
  */
 import type { ChannelClip } from './clip.ts';
 import { firstDofs } from './dofs.ts';
@@ -11,25 +11,25 @@ import type { BvhMotion, Joint, Skeleton } from './skeleton.ts';
 export type Positions = BvhMotion['positions'];
 
 const TRANSLATIONS: readonly string[] = ['tx', 'ty', 'tz'];
-/** Frames that are looked at, evenly over the clip. */
+/** Frames that are inspected, evenly spread over the clip. */
 const MAX_FRAMES = 16;
-/** Channels that stay below this part of their OFFSET's length stay at 0. */
+/** Channels below this fraction of their OFFSET's length count as 0. */
 const NOTHING = 0.05;
 
-/** Whether any joint has position channels, which can mean one thing or the other. */
+/** Whether any joint has position channels, whose meaning can differ. */
 export function hasPositions({ joints }: Skeleton): boolean {
   return joints.some(({ motion }) => positionsOf(motion));
 }
 
-/** What the skeleton's position channels are taken as now; undefined where it has none. */
+/** The current meaning of the skeleton's position channels; undefined if it has none. */
 export function positionsTaken({ joints }: Skeleton): Positions | undefined {
   const motion = joints.find((joint) => positionsOf(joint.motion))?.motion;
   return motion && positionsOf(motion);
 }
 
 /**
- * What the clip's values can only mean: `add` where the channels of most joints below the root stay at 0, although their
- * OFFSETs are not. (Roots say nothing: theirs move the figure about.)
+ * The meaning that fits the clip's values: `add` if most joints below the root have channels that stay at 0 although
+ * their OFFSETs don't. (Roots tell nothing: theirs move the figure.)
  */
 export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined): Positions {
   const first = firstDofs(skeleton);
@@ -52,7 +52,10 @@ export function positionsMeant(skeleton: Skeleton, clip: ChannelClip | undefined
   return tellers.filter(({ moves }) => !moves).length > tellers.length / 2 ? 'add' : 'replace';
 }
 
-/** The skeleton with its position channels taken so, and its pose where it was; the same object where they are. */
+/**
+ * The skeleton with this meaning of position channels and its pose unchanged in space; the same object if nothing
+ * changes.
+ */
 export function withPositions(skeleton: Skeleton, positions: Positions): Skeleton {
   let changed = false;
   const joints = skeleton.joints.map((joint): Joint => {
@@ -69,8 +72,8 @@ export function withPositions(skeleton: Skeleton, positions: Positions): Skeleto
 }
 
 /**
- * Values of a character's DOFs that stand as before, once `withPositions` was applied to its skeleton: what was a place
- * is a distance from OFFSET now, or the other way round.
+ * DOF values that keep the pose after `withPositions` was applied to the skeleton: positions become distances from
+ * OFFSET, or the reverse.
  */
 export function poseForPositions(skeleton: Skeleton, pose: readonly number[], positions: Positions): number[] {
   const next = [...pose];
@@ -85,7 +88,7 @@ export function poseForPositions(skeleton: Skeleton, pose: readonly number[], po
   return next;
 }
 
-/** What is to be added to a value of a joint's channel when it is taken so from now on. */
+/** What to add to a value of a joint's channel to keep its position under the new meaning. */
 function shiftOf({ motion, offset }: Joint, channel: number, positions: Positions): number {
   const axis = TRANSLATIONS.indexOf(dofsOf(motion)[channel].name);
   if (axis < 0) return 0;

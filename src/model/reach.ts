@@ -1,8 +1,8 @@
-/** How large a character is, for whatever counts in its lengths: sliders, steps of the keyboard. */
+/** The size of a character, for everything that scales with it: sliders, keyboard steps. */
 import { perObject } from './per-object.ts';
 import type { Skeleton } from './skeleton.ts';
 
-/** How far the farthest joint can be from the root; a sensible number also for one joint. */
+/** The farthest any joint can be from the root; also sensible for a single joint. */
 export function reachOf(skeleton: Skeleton | undefined): number {
   return skeleton?.joints.length ? reachOfJoints(skeleton) : 1;
 }
@@ -18,7 +18,7 @@ const reachOfJoints = perObject((skeleton: Skeleton) => {
   return reach > 0 && Number.isFinite(reach) ? reach : 1;
 });
 
-/** About a hundredth of that, as a power of ten. */
+/** About a hundredth of the reach, rounded to a power of ten. */
 export function lengthStep(skeleton: Skeleton | undefined): number {
   return 10 ** Math.floor(Math.log10(reachOf(skeleton) / 100));
 }

@@ -1,21 +1,21 @@
-/** How a take is put onto another character: which joints follow which, and what else can be chosen. */
+/** How a take is retargeted to another character: which joint follows which, and the options. */
 
 export interface JointPair {
-  /** A joint of the character that is moved. */
+  /** A joint of the target character. */
   readonly target: number;
   /** The joint that it follows. */
   readonly source: number;
 }
 
 export interface RetargetOptions {
-  /** What the way of the hips is multiplied by, both in metres; absent: the ratio of the legs' lengths. */
+  /** Root motion scale, from metres to metres; absent: the ratio of leg lengths. */
   readonly scale?: number | undefined;
   /**
-   * The pose in which both stand alike: the source's file pose, a moment of its take (seconds of the clip), or
-   * `automatic`: the file pose where one stands in it, else the moment that looks most like the target's.
+   * The reference pose: the source's file pose, a time of its take (seconds of the clip), or `automatic`: the file pose
+   * if it is a standing one, else the frame closest to the target's pose.
    */
   readonly reference: 'automatic' | 'rest' | number;
-  /** Whether the legs are bent so that the feet go where the source's do, in proportion. */
+  /** Whether legs are bent so that the feet follow the source's, in proportion. */
   readonly plantsFeet: boolean;
 }
 

@@ -1,4 +1,4 @@
-/** Names the files that belong together, looked up by base name among the files given. */
+/** Names the files that belong together; looked up by base name among the given files. */
 export interface Rig {
   readonly name: string;
   readonly skeleton?: string;

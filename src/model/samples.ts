@@ -1,38 +1,38 @@
 /**
- * Sampled motion: a row of values for each frame, at uniform times. What motion capture is, and what baking gives.
+ * Sampled motion: one row of values per frame, at a constant frame rate; the result of motion capture and of baking.
  *
  *     values   frame 0:  v₀ v₁ … v_width−1      startSeconds
  *              frame 1:  v₀ v₁ …                startSeconds + frameSeconds
  *
- * A column drives a channel: column k the channel firstChannel + k. Values stay as the file has them (degrees); times
- * the column's scale they are what the channel measures (radians, lengths, weights).
+ * Column k drives channel firstChannel + k. Values stay as in the file (degrees); multiplied by the column's scale they
+ * are in the channel's unit (radians, lengths, weights).
  */
 export interface Samples {
   /** At least 1. */
   readonly frameCount: number;
-  /** Between frames; above 0. */
+  /** Time between frames; greater than 0. */
   readonly frameSeconds: number;
-  /** Of frame 0, in seconds of the clip. */
+  /** Time of frame 0, in seconds of the clip. */
   readonly startSeconds: number;
   /** The channel that column 0 drives. */
   readonly firstChannel: number;
-  /** `frameCount` rows, each of as many values as there are scales. */
+  /** `frameCount` rows of `scales.length` values. */
   readonly values: Float64Array;
-  /** One a column; never 0. */
+  /** One per column; never 0. */
   readonly scales: Float64Array;
   readonly interpolation: Interpolation;
 }
 
 /**
- * What is played between two frames: the nearer one; the way from one to the other (joints with all three rotations
- * turn along the shortest arc); a smooth way that passes through all frames.
+ * How values between two frames are found: the nearer frame; linear interpolation (joints with all three rotations turn
+ * along the shortest arc); a smooth curve through all frames.
  */
 export const INTERPOLATIONS = ['nearest', 'linear', 'cubic'] as const;
 export type Interpolation = (typeof INTERPOLATIONS)[number];
 
 export const RADIANS_PER_DEGREE: number = Math.PI / 180;
 
-/** The column that drives a channel; -1 where none does. */
+/** The column that drives a channel; -1 if none does. */
 export function columnOf(samples: Samples | undefined, channel: number): number {
   if (!samples) return -1;
   const column = channel - samples.firstChannel;

@@ -1,20 +1,20 @@
 /**
- * What the page knows beside the document. Kept apart by lifetime: the selection comes back with undo, display and
- * panels are remembered between visits, the time of the transport is neither.
+ * Page state beside the document, by lifetime: undo restores the selection; display and panels are remembered between
+ * visits; the transport's time is neither.
  */
 
-/** What is picked; indices are into the character's own lists. */
+/** What is selected; indices into the character's own lists. */
 export interface Selection {
   readonly characterId?: string;
-  /** Which of the character's copies was picked; absent where that does not matter, as in a list. */
+  /** Which instance of the character was picked; absent if that does not matter, as in a list. */
   readonly placement?: number;
   readonly joint?: number;
   readonly vertex?: number;
-  /** Keys of the clip that the character shows; absent where none is selected. */
+  /** Keys of the take that the character shows; absent if none is selected. */
   readonly keys?: readonly ChannelKeys[];
 }
 
-/** Some of a channel's keys. In a list of them each channel stands once, ascending, and none without a key. */
+/** Some of a channel's keys. Lists of these contain each channel once, ascending, with at least one key each. */
 export interface ChannelKeys {
   readonly channel: number;
   /** Ascending, each once. */
@@ -24,37 +24,37 @@ export interface ChannelKeys {
 export const NOTHING_SELECTED: Selection = {};
 
 export type SkinStyle = 'hidden' | 'solid' | 'textured' | 'wire' | 'xray' | 'heat';
-/** `bare`: solid, for characters that no skin is drawn of. */
+/** `bare`: solid, for characters drawn without a skin. */
 export type BoxStyle = 'hidden' | 'bare' | 'wire' | 'solid';
 
 export const GHOST_UNITS = ['seconds', 'frames'] as const;
 export type GhostUnit = (typeof GHOST_UNITS)[number];
-/** On each side of the time shown. */
+/** On each side of the current time. */
 export const MAX_GHOSTS = 20;
 
 /** What is drawn, for all characters. */
 export interface Display {
   readonly skin: SkinStyle;
   readonly boxes: BoxStyle;
-  /** Spheres at the joints and cylinders between them. */
+  /** Spheres at joints and cylinders between them. */
   readonly bones: boolean;
   readonly axes: boolean;
-  /** Of joints. */
+  /** Joint names. */
   readonly names: boolean;
-  /** Over the heads of characters, where there are several. */
+  /** Above the characters' heads, if there are several. */
   readonly characterNames: boolean;
   readonly normals: boolean;
   readonly grid: boolean;
   readonly shadow: boolean;
   readonly orthographic: boolean;
-  /** Selected joint's path over the played range. */
+  /** Motion path of the selected joint over the playback range. */
   readonly trail: boolean;
-  /** The selected character at other times, before and after the one shown. */
+  /** Onion skin: the selected character before and after the current time. */
   readonly ghosts: boolean;
-  /** How many of them, 0 to `MAX_GHOSTS`. */
+  /** Number of ghosts, 0 to `MAX_GHOSTS`. */
   readonly ghostsBefore: number;
   readonly ghostsAfter: number;
-  /** From one ghost to the next, in `ghostStepIn`; above 0. */
+  /** Between ghosts, in `ghostStepIn`; greater than 0. */
   readonly ghostStep: number;
   readonly ghostStepIn: GhostUnit;
   /** Keeps the camera on the selected joint. */

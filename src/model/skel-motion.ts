@@ -1,31 +1,31 @@
 /**
- * Joints of BVH as joints of `.skel`: the same matrices from the same numbers, in another order.
+ * Converts BVH joints to `.skel` joints: the same matrices from the same numbers, reordered.
  *
  *     no channels                            fixedjoint
- *     three rotations                        balljoint; BVH lists what is multiplied from left to right, `order` what is
+ *     three rotations                        balljoint; BVH lists factors from left to right, `order` names the first
  *                                            applied first: Zrotation Xrotation Yrotation is yxz
- *     three positions and three rotations    freejoint: the translation comes before the rotations in BVH anyway
+ *     three positions and three rotations    freejoint: in BVH the translation always comes before the rotations
  *     any others                             compoundjoint, translations first
  *
- * Where position channels replace the offset, the offset is 0 afterwards on their axes.
+ * Where position channels replace the offset, the offset becomes 0 on their axes.
  */
 import { dofsOf, isOfBvh, jointTypeOf, offsetBesideDofs } from './joint-types.ts';
 import { type Joint, type Motion, type Skeleton, UNLIMITED } from './skeleton.ts';
 
 export interface SkelMotion {
   readonly motion: Motion;
-  /** For each DOF of that motion, which of the given motion's DOFs it is. */
+  /** For each DOF of that motion, its index among the given motion's DOFs. */
   readonly dofMap: readonly number[];
 }
 
-/** A motion that `.skel` has; any but BVH's is itself, its DOFs in their order. */
+/** The equivalent `.skel` motion; motions other than BVH's are returned as they are. */
 export function skelMotionOf(before: Motion): SkelMotion {
   const motion = jointTypeOf(before).asSkel?.(before) ?? before;
   const names = dofsOf(before).map(({ name }) => name);
   return { motion, dofMap: dofsOf(motion).map(({ name }) => names.indexOf(name)) };
 }
 
-/** The joint with a motion that `.skel` has, its limits, pose and offset along with it; the same where it has one. */
+/** The joint with a `.skel` motion, its limits, pose and offset converted; the same object if it has one. */
 export function skelJoint(joint: Joint): Joint {
   const { limits, pose } = joint;
   if (!isOfBvh(joint.motion)) return joint;
@@ -39,7 +39,7 @@ export function skelJoint(joint: Joint): Joint {
   };
 }
 
-/** The skeleton with no joint of BVH in it; the same where there is none. Joints keep their indices. */
+/** The skeleton without BVH joints; the same object if it has none. Joints keep their indices. */
 export function skelSkeleton(skeleton: Skeleton): Skeleton {
   if (!skeleton.joints.some(({ motion }) => isOfBvh(motion))) return skeleton;
   return { ...skeleton, joints: skeleton.joints.map(skelJoint) };

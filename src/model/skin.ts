@@ -7,29 +7,29 @@
  */
 export interface Skin {
   readonly name: string;
-  /** x y z a vertex. */
+  /** x y z per vertex. */
   readonly positions: Float64Array;
-  /** x y z a vertex, of any length but as many as positions. Without it normals are computed, area-weighted. */
+  /** x y z per vertex, of any length; as many as positions. If absent, normals are computed, area-weighted. */
   readonly normals?: Float64Array;
-  /** u v a vertex; v runs up, both wrap. */
+  /** u v per vertex; v points up, both wrap. */
   readonly texcoords?: Float64Array;
   readonly material?: Material;
-  /** Without it the whole skin hangs on the root. */
+  /** If absent, the whole skin follows the root. */
   readonly attachments?: Attachments;
-  /** Three vertex indices a triangle; winding differs between real files and means nothing. */
+  /** Three vertex indices per triangle; winding differs between real files and has no meaning. */
   readonly triangles: Uint32Array;
-  /** 16 numbers a joint, column-major: the joint's world matrix at the moment of binding. */
+  /** 16 numbers per joint, column-major: the joint's world matrix when the skin was bound. */
   readonly bindings: Float64Array;
 }
 
 /**
- * Which joints move a vertex, and how much: vertex v has the attachments `start[v]` up to (not including)
- * `start[v + 1]`. Any number of them, none included; weights are used as given and need not sum to 1.
+ * Which joints move a vertex, and how much: vertex v has the attachments `start[v]` up to (excluding) `start[v + 1]`.
+ * Any number, including none; weights are used as given and need not sum to 1.
  */
 export interface Attachments {
-  /** One more than there are vertices. */
+  /** One more than the number of vertices. */
   readonly start: Uint32Array;
-  /** Depth-first joint indices, each below the number of bindings where there are any. */
+  /** Depth-first joint indices, each below the number of bindings if there are any. */
   readonly joints: Uint32Array;
   readonly weights: Float64Array;
 }
@@ -44,7 +44,7 @@ export function vertexCount(skin: Skin): number {
   return skin.positions.length / 3;
 }
 
-/** Joints that the skin speaks of: as many as it has bindings. */
+/** Number of joints that the skin refers to: as many as it has bindings. */
 export function bindingCount(skin: Skin): number {
   return skin.bindings.length / 16;
 }

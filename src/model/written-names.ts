@@ -1,18 +1,18 @@
-/** Names as files can hold them: what would end them there becomes `_`. */
+/** Names as files can hold them: characters that would end them become `_`. */
 
-/** Where a name is one word: blanks and braces end it. */
+/** For names that are one word: blanks and braces end it. */
 export function oneToken(name: string): string {
   return wellFormed(name).replace(/[ \t\r\n{}]/g, '_');
 }
 
-/** Where it is the rest of a line. Blanks inside are fine; those at an end would be taken for none of it. */
+/** For names that are the rest of a line. Inner blanks are fine; leading and trailing ones would be trimmed. */
 export function restOfLine(name: string): string {
   return wellFormed(name)
     .replace(/[\r\n{}]/g, '_')
     .replace(/^[ \t]+|[ \t]+$/g, (blanks) => '_'.repeat(blanks.length));
 }
 
-/** Half a surrogate pair has no UTF-8. */
+/** Lone surrogates can't be encoded as UTF-8. */
 export function wellFormed(name: string): string {
   return name.replace(/\p{Surrogate}/gu, '_');
 }

@@ -1,6 +1,6 @@
 /**
- * Joints that turn about an axis of their own, or slide along it. In a mirror, axes of rotations are pseudovectors: what
- * turns about `a` turns about −M·a there, while what slides along it slides along M·a.
+ * Joints that rotate about or slide along their own axis. Under a reflection M, rotation axes are pseudovectors: a
+ * rotation about `a` becomes one about −M·a, whereas sliding along `a` becomes sliding along M·a.
  */
 import { negated, reflected } from '../../math/vec3.ts';
 import type { Motion } from '../skeleton.ts';
@@ -60,7 +60,7 @@ export const SCREW: JointType<MotionOf<'screw'>> = {
   dofs: () => R,
   factors: () => undefined,
   carriesCharacter: () => false,
-  // About −M·a it turns the same, and what it advances along M·a is −pitch along that.
+  // The same rotation about −M·a; the advance along M·a is −pitch along −M·a.
   mirrored: (motion, across) => ({
     ...motion,
     axis: negated(reflected(motion.axis, across)),

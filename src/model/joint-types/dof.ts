@@ -1,14 +1,14 @@
-/** DOFs by the names that formats give them. */
+/** DOFs by the names that formats use. */
 import type { Dof } from '../skeleton.ts';
 
-/** Those that the types of joints have, and that files and scripts call them by. */
+/** The names used by joint types, files and scripts. */
 export const DOF_NAMES = [
   ...(['r', 'rx', 'ry', 'rz', 't', 'tx', 'ty', 'tz'] as const),
   ...(['s', 'sx', 'sy', 'sz', 'qx', 'qy', 'qz', 'qw', 'hxy', 'hxz', 'hyz'] as const),
 ] as const;
 export type DofName = (typeof DOF_NAMES)[number];
 
-/** `rx` is an angle, `sy` a scale, `qw` a part of a quaternion: the first letter tells them apart. */
+/** The first letter gives the unit: `rx` is an angle, `sy` a scale, `qw` a quaternion component. */
 export function dof(name: DofName): Dof {
   if (name.startsWith('r')) return { name, unit: 'angle', rest: 0 };
   if (name.startsWith('t')) return { name, unit: 'length', rest: 0 };

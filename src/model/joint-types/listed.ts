@@ -1,4 +1,4 @@
-/** Joints whose DOFs are a list: none, x y z, or those that their file names. */
+/** Joints whose DOFs are a list: none, x y z, or those named in their file. */
 import type { BvhMotion, CompoundDof, EulerOrder, Motion } from '../skeleton.ts';
 import { dof, dofList } from './dof.ts';
 import { COMPOUND } from './parameters.ts';
@@ -61,7 +61,7 @@ export const COMPOUND_JOINT: JointType<MotionOf<'compound'>> = {
   text: ({ dofs }) => (dofs.length ? `compoundjoint, ${dofs.join(' ')}` : 'compoundjoint without DOFs'),
 };
 
-/** The translation comes first in BVH, wherever its channels are listed. */
+/** In BVH the translation comes first, wherever its channels are listed. */
 function bvhFactors({ channels }: BvhMotion): readonly CompoundDof[] {
   return [...channels.filter((name) => name.startsWith('t')), ...channels.filter((name) => name.startsWith('r'))];
 }
@@ -100,7 +100,7 @@ export const BVH: JointType<BvhMotion> = {
     const moves = TRANSLATIONS.filter((name) => channels.includes(name));
     if (channels.length === 0) return { kind: 'fixed' };
     if (turns.length === 3 && (moves.length === 0 || moves.length === 3)) {
-      // The three letters of a permutation, which is what the orders are.
+      // A permutation of three letters, which is exactly an order.
       const order = turns
         .map((name) => name[1])
         .reverse()

@@ -1,4 +1,4 @@
-/** The parameters that motions have: what their values can be, how they are called, and what another type inherits. */
+/** Parameters of motions: their possible values, their names, and what another type inherits. */
 import type { Vec3 } from '../../math/vec3.ts';
 import {
   AXIS_PAIRS,
@@ -10,23 +10,23 @@ import {
   type ScaleMode,
 } from '../skeleton.ts';
 
-/** What a joint whose type is changed passes on to its new type. */
+/** What a joint passes on to its new type. */
 export interface Inherited {
   readonly axis: Vec3 | undefined;
-  /** The one-DOF matrices of its motion, from left to right; none where it is no product of such. */
+  /** The motion as one-DOF matrices, from left to right; empty if it is no such product. */
   readonly factors: readonly CompoundDof[];
 }
 
 interface Named {
-  /** At the beginning of a message: `The order`. */
+  /** How messages begin: `The order`. */
   readonly subject: string;
-  /** Of its row in the inspector; absent for what is not changed there. */
+  /** Label of its row in the inspector; absent if it can't be edited there. */
   readonly label?: string;
-  /** The value after the type was changed; absent: that of the type's `initial`. */
+  /** The value after a change of type; absent: that of the type's `initial`. */
   inherit?(from: Inherited): ParameterValues[Parameter['type']];
 }
 
-/** One word out of a few. */
+/** One of several words. */
 export interface ChoiceParameter extends Named {
   readonly type: 'choice';
   readonly choices: readonly string[];
@@ -34,13 +34,13 @@ export interface ChoiceParameter extends Named {
   describe(choice: string): string;
 }
 
-/** Words out of a few, each at most once. */
+/** Several of a set of words, each at most once. */
 export interface ListParameter extends Named {
   readonly type: 'list';
   readonly choices: readonly string[];
 }
 
-/** A vector of any length but 0. */
+/** A vector of any length except 0. */
 export interface AxisParameter extends Named {
   readonly type: 'axis';
 }
@@ -52,7 +52,7 @@ export interface NumberParameter extends Named {
 
 export type Parameter = ChoiceParameter | ListParameter | AxisParameter | NumberParameter;
 
-/** What a parameter's values are, by its type. */
+/** The value of each type of parameter. */
 export interface ParameterValues {
   readonly choice: string;
   readonly list: readonly string[];
@@ -70,7 +70,7 @@ export const AXIS: Parameter = {
   inherit: ({ axis }) => axis ?? X,
 };
 
-/** How far a whole turn advances along the axis. */
+/** Advance along the axis per full turn. */
 export const PITCH: Parameter = { type: 'number', subject: 'The pitch', label: 'Pitch per turn', inherit: () => 1 };
 
 const ORDER = {
@@ -88,7 +88,7 @@ export const PAIR_ORDER: Parameter = {
   inherit: (from) => AXIS_PAIRS.find((pair) => inheritedOrder(from).startsWith(pair)) ?? 'xy',
 };
 
-/** Of three letters; the two of a universal joint come first. */
+/** The three letters of an order; those of a universal joint come first. */
 function inheritedOrder({ factors }: Inherited): EulerOrder {
   const applied = factors.filter((name) => name.startsWith('r')).reverse();
   const letters = applied.map((name) => name[1]).join('');
@@ -107,7 +107,7 @@ export const MODE: Parameter = {
   subject: 'The mode',
   label: 'Mode',
   choices: SCALE_MODES,
-  // Only what is in `choices` is asked about.
+  // Only called for values in `choices`.
   describe: (mode) => MODE_LABELS[mode as ScaleMode],
 };
 

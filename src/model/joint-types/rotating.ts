@@ -11,7 +11,7 @@ const RX_RY_RZ = dofList('rx', 'ry', 'rz');
 const TX_TY_TZ_RX_RY_RZ = dofList('tx', 'ty', 'tz', 'rx', 'ry', 'rz');
 const QUATERNION = dofList('qx', 'qy', 'qz', 'qw');
 
-/** Orders name what is applied first, and that is multiplied last. */
+/** Orders name the first applied first, which is multiplied last. */
 function rotations(order: EulerOrder | AxisPair): readonly Rotation[] {
   // Letters of an order are axes.
   return [...order].reverse().map((axis) => `r${axis}` as Rotation);

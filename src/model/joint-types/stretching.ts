@@ -12,7 +12,7 @@ const S = dofList('s');
 const SX_SY_SZ = dofList('sx', 'sy', 'sz');
 const SHEARS = dofList('hxy', 'hxz', 'hyz');
 
-/** Of the other modes the axis is only kept. */
+/** The other modes only store the axis. */
 export function scalesAlongAxis({ mode }: ScaleMotion): boolean {
   return mode === 'axis' || mode === 'volume';
 }
