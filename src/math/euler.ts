@@ -1,18 +1,18 @@
 /**
- * Unit quaternions x y z w of the angles α β γ of a rotation Rz(γ)·Ry(β)·Rx(α), and back.
+ * Converts between Euler angles α β γ of a rotation Rz(γ)·Ry(β)·Rx(α) and unit quaternions x y z w.
  *
- * Other orders are the same with the axes renamed, as `evaluate/motions.ts` has it. Back goes by half sum and half
- * difference of the outer angles (Bernardes and Viollet, "Quaternion to Euler angles conversion: A direct, general and
- * computationally efficient method", 2022):
+ * Other orders are the same with the axes renamed; `evaluate/motions.ts` does that. Angles are recovered from half the
+ * sum and half the difference of the outer angles (Bernardes and Viollet, "Quaternion to Euler angles conversion: A
+ * direct, general and computationally efficient method", 2022):
  *
  *     (w − y, x + z) = √2·cos(β/2 + 45°) · (cos, sin) (γ + α)/2
  *     (w + y, z − x) = √2·sin(β/2 + 45°) · (cos, sin) (γ − α)/2
  *
- * By way of a matrix β is an arc sine, which loses half its digits beside 90°: just where it matters which angles are
- * chosen. From a rotation whose angles are known to one close by, it is three small turns of these vectors.
+ * Through a matrix, β is an arc sine, which loses half its digits near 90°, exactly where the choice of angles matters.
+ * From a nearby rotation whose angles are known, it takes three small rotations of these vectors.
  */
 
-/** Writes x y z w to `out[o]`. Takes half the angles: the sines and cosines of those are all there is to it. */
+/** Writes x y z w to `out[o]`. Takes half angles, since only their sines and cosines are needed. */
 export function quaternionOfEuler(
   halfAlpha: number,
   halfBeta: number,
@@ -30,9 +30,9 @@ export function quaternionOfEuler(
 }
 
 /**
- * The quaternions of two sets of half angles, those of one frame and of the next: the same as `quaternionOfEuler` for
- * each. Where they are near, the second's sines and cosines are the first's, turned on by a little: for both, a series of
- * four terms takes half as long as the two calls.
+ * The quaternions of two sets of half angles, of one frame and the next; the same as two calls of `quaternionOfEuler`.
+ * If the sets are close, the second's sines and cosines are derived from the first's by a four-term series, which takes
+ * half the time.
  *
  *     sin(α + δ) = sin α · cos δ + cos α · sin δ          cos(α + δ) = cos α · cos δ − sin α · sin δ
  */
@@ -96,15 +96,15 @@ function writeQuaternion(
   out[o + 3] = cx * cy * cz + sx * sy * sz;
 }
 
-/** Shorter than this one of the two vectors above has no direction any more: gimbal lock. */
+/** Below this length, one of the two vectors above has no usable direction: gimbal lock. */
 const LOCKED = 1e-12;
 
 const TURN = 2 * Math.PI;
 
 /**
- * Replaces the three angles at `angles[o]` by those of the unit quaternion at `q[0]` that are nearest to them. Each
- * rotation has two sets of angles, (α, β, γ) and (α + 180°, 180° − β, γ + 180°), and whole turns more of each. In gimbal
- * lock one of γ + α and γ − α is all that the rotation says, and the other one stays.
+ * Replaces the three angles at `angles[o]` by the nearest ones that give the unit quaternion at `q[0]`. Each rotation
+ * has two sets of angles, (α, β, γ) and (α + 180°, 180° − β, γ + 180°), each up to whole turns. In gimbal lock the
+ * rotation determines only one of γ + α and γ − α; the other is kept.
  */
 export function eulerNear(q: Float64Array, angles: Float64Array, o: number): void {
   const x = q[0];
@@ -120,7 +120,7 @@ export function eulerNear(q: Float64Array, angles: Float64Array, o: number): voi
   let difference = Math.atan2(z - x, w + y);
   const isSumFree = ofSum < LOCKED;
   if (isSumFree || ofDifference < LOCKED) {
-    // Half a turn more of the one that counts is a whole turn of both angles together.
+    // Half a turn of the determined one is a whole turn of both angles together.
     if (isSumFree) {
       sum = (gamma0 + alpha0) / 2;
       difference += Math.PI * Math.round(((gamma0 - alpha0) / 2 - difference) / Math.PI);
@@ -142,7 +142,7 @@ export function eulerNear(q: Float64Array, angles: Float64Array, o: number): voi
   angles[o] = alpha;
   angles[o + 1] = beta;
   angles[o + 2] = gamma;
-  // The other set's outer angles are π − a and π − c away: with b² < 2π·(π − a − c) it can't be nearer.
+  // The other set's outer angles are π − a and π − c away: if b² < 2π·(π − a − c) it can't be nearer.
   if (b * b < TURN * (Math.PI - a - c)) return;
   const otherBeta = turnedNear(Math.PI - beta, beta0);
   const d = Math.abs(otherBeta - beta0);
@@ -153,12 +153,12 @@ export function eulerNear(q: Float64Array, angles: Float64Array, o: number): voi
 }
 
 /**
- * Where the quaternion p at `from[0]` has the three angles at `angles[o]` and q is close by, makes them those of q: each
- * changes by a little. False, and nothing changed, where that is not so or too much: `eulerNear` is for all others, and
- * takes three times as long. Neither has to be of length 1.
+ * If the three angles at `angles[o]` are those of the quaternion p at `from[0]` and q is close to p, updates them to
+ * those of q by small changes. Otherwise returns false and changes nothing; then use `eulerNear`, which takes three
+ * times as long. Neither quaternion has to be normalised.
  */
 export function turnEuler(from: Float64Array, q: Float64Array, angles: Float64Array, o: number): boolean {
-  // Sine and cosine of half sum and half difference, times their lengths.
+  // Sine and cosine of half the sum and half the difference, times the lengths of the vectors.
   const s0 = from[0] + from[2];
   const c0 = from[3] - from[1];
   const d0 = from[2] - from[0];
@@ -178,7 +178,7 @@ export function turnEuler(from: Float64Array, q: Float64Array, angles: Float64Ar
   const beta =
     (Math.sqrt(sumLength0 * differenceLength1) - Math.sqrt(differenceLength0 * sumLength1)) /
     (Math.sqrt(sumLength0 * sumLength1) + Math.sqrt(differenceLength0 * differenceLength1));
-  // Written so that NaN is far away. Beyond ±90° of β a length is negative; beside them it hardly has a direction.
+  // Written so that NaN counts as far. Beyond β = ±90° a length is negative; close to it there is hardly a direction.
   const isClose =
     sumCosine > 0 &&
     differenceCosine > 0 &&
@@ -200,10 +200,10 @@ export function turnEuler(from: Float64Array, q: Float64Array, angles: Float64Ar
 }
 
 const SMALL = 0.1;
-/** The square of a vector's length where β is a degree from gimbal lock. */
+/** Squared length of a vector one degree from gimbal lock. */
 const BESIDE_LOCK = 1e-4;
 
-/** Exact to 1e-16 up to `SMALL`, and a fifth of the time of `Math.atan2`. */
+/** Exact to 1e-16 up to `SMALL`; takes a fifth of the time of `Math.atan2`. */
 function smallArcTangent(x: number): number {
   const s = x * x;
   return x * (1 - s * (1 / 3 - s * (1 / 5 - s * (1 / 7 - s * (1 / 9 - s * (1 / 11 - s * (1 / 13)))))));
@@ -221,7 +221,10 @@ function smallCosine(x: number): number {
   return 1 - s * (1 / 2) * (1 - s * (1 / 12) * (1 - s * (1 / 30) * (1 - s * (1 / 56))));
 }
 
-/** An angle, whole turns added so that it is the nearest to another one; by none it stays the very number (−0 is 0). */
+/**
+ * Adds whole turns to an angle to bring it nearest to another; adding none returns the same number (except −0, which
+ * becomes 0).
+ */
 export function turnedNear(angle: number, near: number): number {
   return angle + TURN * Math.round((near - angle) / TURN);
 }

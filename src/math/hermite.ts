@@ -1,17 +1,17 @@
 /**
- * The cubic Hermite curve between two keys, as a polynomial in the time since the first of them:
+ * The cubic Hermite curve between two keys, as a polynomial in the time since the first:
  *
  *     p(τ) = a + b·τ + c·τ² + d·τ³      p(0) = v0, p′(0) = m0, p(h) = v1, p′(h) = m1
  *
  *     a = v0        c = (3·(v1 − v0)/h − 2·m0 − m1) / h
  *     b = m0        d = (m0 + m1 − 2·(v1 − v0)/h) / h²
  *
- * In seconds rather than in u = τ/h: a curve is then evaluated without a division, and slopes stay values per second.
+ * In seconds rather than in u = τ/h, so that evaluation needs no division and slopes stay values per second.
  */
 
 /**
- * Writes a, b, c, d to `out[o …]`. Where numbers are too large, or the segment too short, for a cubic in doubles, the
- * segment becomes a straight line, and a step where even that overflows: never an infinity or NaN.
+ * Writes a, b, c, d to `out[o …]`. If values are too large or the segment too short for a cubic in doubles, the segment
+ * becomes a straight line, or a step if even that overflows; the result is always finite.
  */
 export function hermiteCubic(
   v0: number,

@@ -1,14 +1,14 @@
 /**
- * Symmetric systems of equations, three at a time: Cholesky's factorisation without roots, which would take as long as
- * all the rest.
+ * Symmetric linear systems in 3×3 blocks, by LDLᵀ: a Cholesky factorisation without square roots, which would take as
+ * long as the rest.
  */
 
 /**
  * A + λI = L·D·Lᵀ.
- * @param a its lower triangle is read
+ * @param a only its lower triangle is read
  * @param size a multiple of 3
  * @param l L below the diagonal, 1/D on it
- * @returns false where it is not positive definite, or leaves the range of numbers
+ * @returns false if the matrix is not positive definite or numbers overflow
  */
 export function factorise(a: Float64Array, size: number, damping: number, l: Float64Array): boolean {
   for (let i = 0; i < size; i += 3) {
@@ -105,7 +105,7 @@ export function factorise(a: Float64Array, size: number, damping: number, l: Flo
   return true;
 }
 
-/** Solves L·D·Lᵀ·x = b in place. @param l as of `factorise` */
+/** Solves L·D·Lᵀ·x = b in place. @param l from `factorise` */
 export function substitute(l: Float64Array, size: number, b: Float64Array): void {
   for (let i = 0; i < size; i += 3) {
     const o = i * size;

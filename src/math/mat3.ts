@@ -1,6 +1,6 @@
-/** Rotations as nine numbers of a Float64Array, column-major: for loops over frames, which allocate nothing. */
+/** Rotations as nine numbers of a Float64Array, column-major, for loops over frames; nothing allocates. */
 
-/** `out = a · b`; `out` may not overlap either. */
+/** `out = a · b`; `out` may not overlap `a` or `b`. */
 export function multiply3(
   a: Float64Array,
   ao: number,
@@ -19,7 +19,7 @@ export function multiply3(
   }
 }
 
-/** `out = aᵀ · b`, which is a⁻¹ · b; `out` may not overlap either. */
+/** `out = aᵀ · b`, which is a⁻¹ · b; `out` may not overlap `a` or `b`. */
 export function backMultiply3(
   a: Float64Array,
   ao: number,
@@ -58,13 +58,13 @@ export function copy3(from: Float64Array, fo: number, to: Float64Array, o: numbe
 }
 
 /**
- * The rotation of a matrix that may scale, shear or mirror as well (Gram–Schmidt): the first column's direction, the second
- * one's at right angles to it, and the third that makes it right-handed. Columns without a direction get the axes that are
- * left. `out` may be `m`.
+ * The rotation of a matrix that may also scale, shear or mirror, by Gram–Schmidt: the direction of the first column,
+ * the second made orthogonal to it, and the third for a right-handed system. Columns without a direction get one of the
+ * remaining axes. `out` may be `m`.
  *
- * @param m 16 numbers at `mo`, whose upper left 3×3 is meant
+ * @param m 16 numbers at `mo`, of which the upper left 3×3 is used
  * @param stride of `out`, from one column to the next: 3 for nine numbers, 4 within a 4×4 matrix
- * @param lengths takes at `l` how long the first column is along the rotation's x, and the second one along x and y
+ * @param lengths receives at `l` the first column's length along the rotation's x, and the second's along x and y
  */
 export function writeRotationPart(
   m: Float64Array,
@@ -102,7 +102,7 @@ export function writeRotationPart(
     lengths[l + 2] = length;
   }
   if (!(length > 1e-12 * size)) {
-    // Any direction at right angles: of x, or of y where that is nearly x itself.
+    // Any orthogonal direction: from x, or from y if the column is nearly along x.
     const isX = Math.abs(x) < 0.9;
     const by = isX ? x : y;
     u = (isX ? 1 : 0) - by * x;
@@ -127,11 +127,11 @@ export function writeRotationPart(
 }
 
 /**
- * A turn about a unit axis (Rodrigues), by the cosine and sine of its angle:
+ * Rotation about a unit axis (Rodrigues), from the cosine and sine of its angle:
  *
  *     R = cos · I + sin · [a]× + (1 − cos) · a·aᵀ
  *
- * @param stride from one column to the next, as of `writeRotationPart`
+ * @param stride from one column to the next, as for `writeRotationPart`
  */
 export function turnAbout(
   x: number,
@@ -158,8 +158,8 @@ export function turnAbout(
 }
 
 /**
- * The smallest turn that takes one direction to another (of any lengths above 0). Half a turn goes about any axis
- * across; of vectors without a direction there is none, which is the identity.
+ * The smallest rotation that takes one direction to another (vectors of any length greater than 0). Opposite directions
+ * use any perpendicular axis; a vector without a direction gives the identity.
  */
 export function swing(from: Float64Array, fo: number, to: Float64Array, t: number, out: Float64Array, o: number): void {
   const lengths = Math.hypot(from[fo], from[fo + 1], from[fo + 2]) * Math.hypot(to[t], to[t + 1], to[t + 2]);
@@ -177,7 +177,7 @@ export function swing(from: Float64Array, fo: number, to: Float64Array, t: numbe
       setIdentity3(out, o);
       return;
     }
-    // Across the smallest part of the direction.
+    // Perpendicular to the direction's smallest component.
     const [a, b, c] = [Math.abs(from[fo]), Math.abs(from[fo + 1]), Math.abs(from[fo + 2])];
     if (a <= b && a <= c) [x, y, z] = [0, -from[fo + 2], from[fo + 1]];
     else if (b <= c) [x, y, z] = [from[fo + 2], 0, -from[fo]];

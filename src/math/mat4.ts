@@ -1,10 +1,10 @@
 /**
- * 4×4 matrices as 16 consecutive numbers of a Float64Array, column-major: element (row r, column c) is at
- * `offset + 4 * c + r`, and points are column vectors. Every function takes offsets, so that many matrices live in
- * one array and nothing is allocated while a character plays.
+ * 4×4 matrices as 16 consecutive numbers of a Float64Array, column-major: element (row r, column c) is at `offset + 4 *
+ * c + r`; points are column vectors. Every function takes offsets, so that many matrices share one array and playback
+ * allocates nothing.
  *
- * An array of small objects per matrix was the alternative: clearer to index, but a pose of 100 joints then is 100
- * objects that can neither be transferred from a worker nor walked without missing the cache.
+ * One small object per matrix would be easier to index, but a pose of 100 joints would be 100 objects, which can't be
+ * transferred from a worker and are unfriendly to the cache.
  */
 
 /** Writes the identity. */
@@ -46,7 +46,7 @@ export function multiplyAffine(
   out[o + 15] = 1;
 }
 
-/** Determinant of the upper left 3×3: negative when the matrix mirrors, 0 when it flattens. */
+/** Determinant of the upper left 3×3: negative if the matrix mirrors, 0 if it flattens. */
 export function determinant3(m: Float64Array, o = 0): number {
   return (
     m[o] * (m[o + 5] * m[o + 10] - m[o + 9] * m[o + 6]) +
@@ -56,8 +56,8 @@ export function determinant3(m: Float64Array, o = 0): number {
 }
 
 /**
- * Whether an affine matrix has no usable inverse: its 3×3 determinant is (nearly) nothing beside the product of its
- * columns' lengths, which does not depend on the unit of length.
+ * Whether an affine matrix has no usable inverse: its 3×3 determinant is (nearly) zero relative to the product of its
+ * columns' lengths. Independent of the unit of length.
  */
 export function isSingular(m: Float64Array, o = 0): boolean {
   const scale =
@@ -68,8 +68,8 @@ export function isSingular(m: Float64Array, o = 0): boolean {
 }
 
 /**
- * `out = m⁻¹` for a matrix whose last row is 0 0 0 1, by cofactors. `out` may be `m`.
- * A singular matrix gives infinities: ask `isSingular` first.
+ * `out = m⁻¹` for a matrix whose last row is 0 0 0 1, by cofactors. `out` may be `m`. A singular matrix gives
+ * infinities: check `isSingular` first.
  */
 export function invertAffine(m: Float64Array, mo: number, out: Float64Array, o: number): void {
   const a = m[mo];
@@ -104,9 +104,8 @@ export function invertAffine(m: Float64Array, mo: number, out: Float64Array, o: 
 }
 
 /**
- * What normals are turned by: the inverse transpose of the upper left 3×3, as 9 numbers, column-major, at `out[o]`.
- * A matrix that flattens has none; its cofactors, the inverse transpose times the determinant, still give the
- * direction.
+ * The matrix for normals: the inverse transpose of the upper left 3×3, as 9 numbers, column-major, at `out[o]`. A
+ * matrix that flattens has none; its cofactors (the inverse transpose times the determinant) still give the direction.
  */
 export function inverseTranspose3(m: Float64Array, mo: number, out: Float64Array, o: number): void {
   const a = m[mo];

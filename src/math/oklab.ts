@@ -1,6 +1,6 @@
 type Triple = readonly [number, number, number];
 
-/** Between two colours of the form `#rrggbb` in Björn Ottosson's Oklab, where half way looks like half way. */
+/** Interpolates two colours `#rrggbb` in Björn Ottosson's Oklab, where the midpoint looks like the midpoint. */
 export function mixOklab(from: string, to: string, part: number): string {
   const a = toOklab(from);
   const b = toOklab(to);

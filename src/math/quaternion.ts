@@ -1,7 +1,7 @@
 /** Quaternions x y z w as rotations. */
 
 /**
- * Writes the 3×3 matrix of a unit quaternion at `out[o]`, column-major; what lies between its columns stays.
+ * Writes the 3×3 matrix of a unit quaternion at `out[o]`, column-major; with stride 4 the fourth rows are left alone.
  *
  *     │ 1 − 2(y² + z²)   2(xy − wz)       2(xz + wy)     │
  *     │ 2(xy + wz)       1 − 2(x² + z²)   2(yz − wx)     │
@@ -31,7 +31,7 @@ export function writeRotation(
   out[q + 2] = 1 - 2 * (x * x + y * y);
 }
 
-/** The unit quaternion of a rotation's 9 numbers, column-major (Shepperd 1978: divides by the largest part). */
+/** The unit quaternion of a rotation's 9 numbers, column-major (Shepperd 1978: divides by the largest component). */
 export function quaternionOfRotation(m: Float64Array, o: number, q: Float64Array): void {
   const a = m[o];
   const e = m[o + 4];

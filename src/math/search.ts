@@ -1,8 +1,8 @@
 /**
- * Index of the last of `sorted[first … end − 1]` that is not greater than `x`; `first` where all are greater, or `x` is
- * NaN. Of equal entries the last. `end` must be greater than `first`.
+ * Index of the last element of `sorted[first … end − 1]` that is not greater than `x`; `first` if all are greater, or
+ * `x` is NaN. Of equal elements the last. `end` must be greater than `first`.
  *
- * One comparison a step, whose two outcomes do the same work: half the entries are left, whatever it says.
+ * Branch-free: each step makes one comparison and halves the range whatever its result.
  */
 export function lastNotAbove(sorted: Float64Array, first: number, end: number, x: number): number {
   let low = first;
@@ -16,8 +16,8 @@ export function lastNotAbove(sorted: Float64Array, first: number, end: number, x
 }
 
 /**
- * Index of the first of the ascending `sorted[first … end − 1]` that is not less than `x`; `end` where all are less. As
- * many of them are below `x`, counted from `first`.
+ * Index of the first element of the ascending `sorted[first … end − 1]` that is not less than `x`; `end` if all are
+ * less. Minus `first`, it is the number of elements below `x`.
  */
 export function firstNotBelow(sorted: ArrayLike<number>, x: number, first = 0, end = sorted.length): number {
   let low = first;

@@ -1,23 +1,23 @@
 /**
- * Sines and cosines of a whole row of angles. With both from one reduction they take a third of the time of `Math.sin`
- * and `Math.cos`, and no call for each clears the registers of what goes on around it.
+ * Sines and cosines of a whole row of angles. Sharing the range reduction takes a third of the time of `Math.sin` and
+ * `Math.cos`, and without calls the surrounding loop keeps its registers.
  *
  *     x = n·π/2 + r,  |r| ≤ π/4        π/2 in two parts, n times the first of which is exact (Cody and Waite 1980)
- *     sin r, cos r by polynomials that meet them at Chebyshev's nodes: 2e-17 off at most
+ *     sin r, cos r by polynomials interpolating at Chebyshev nodes: error at most 2e-17
  */
 
-/** Radians: past that n has too many digits for n·π/2 to be exact. */
+/** Radians; beyond this n has too many digits for n·π/2 to be exact. */
 const MOST = 1e5;
 const QUARTERS = 2 / Math.PI;
-/** The first 33 binary digits of π/2, and what they leave. */
+/** The first 33 binary digits of π/2, and the remainder. */
 const QUARTER_HIGH = 1.5707963267341256;
 const QUARTER_LOW = 6.077100506506192e-11;
-/** Added and taken away again, it leaves the nearest whole number. */
+/** Adding and subtracting it rounds to the nearest integer. */
 const ROUNDER = 6755399441055744;
 
 /**
- * @param angles radians, the first `count` of them are read
- * @param out sine and cosine of each, one after the other, within 2e-16 of the true ones
+ * @param angles radians; the first `count` are read
+ * @param out sine and cosine of each in turn, within 2e-16 of the exact values
  */
 export function writeSinesAndCosines(angles: Float64Array, count: number, out: Float64Array): void {
   for (let i = 0; i < count; i++) {
@@ -29,7 +29,7 @@ export function writeSinesAndCosines(angles: Float64Array, count: number, out: F
     }
     const n = angle * QUARTERS + ROUNDER - ROUNDER;
     const x = angle - n * QUARTER_HIGH - n * QUARTER_LOW;
-    // Written so that few of the steps wait for each other.
+    // Arranged to shorten chains of dependent operations.
     const s = x * x;
     const t = s * s;
     const sineLast = 0.000002755731610255244 - 2.5051131845003624e-8 * s + 1.5918129294866608e-10 * t;
@@ -38,7 +38,7 @@ export function writeSinesAndCosines(angles: Float64Array, count: number, out: F
     const cosineLast =
       0.00002480158729876569 - 2.7557317271729793e-7 * s + t * (2.08761462684032e-9 - 1.1382632425521717e-11 * s);
     const cosine = 1 - 0.5 * s + t * (0.041666666666666664 - 0.0013888888888887398 * s + t * cosineLast);
-    // Which is which, and their signs, without a branch: nothing could guess the quarter.
+    // Swaps and signs without branches, since the quarter is unpredictable.
     const quarter = n & 3;
     const swaps = quarter & 1;
     out[2 * i + swaps] = (1 - ((quarter + 1) & 2)) * sine;

@@ -4,8 +4,8 @@ export type Vec3 = readonly [number, number, number];
 export const ZERO: Vec3 = [0, 0, 0];
 
 /**
- * The length of (x, y, z). `Math.hypot` takes several times as long, and is needed only where squares are too large or
- * too small to be numbers.
+ * The length of (x, y, z). `Math.hypot` takes several times as long and is needed only if squares overflow or
+ * underflow.
  */
 export function length3(x: number, y: number, z: number): number {
   const square = x * x + y * y + z * z;
@@ -13,8 +13,8 @@ export function length3(x: number, y: number, z: number): number {
 }
 
 /**
- * Makes `a[o …]` a vector of length 1, in place, however long or short it is. False, and nothing changed, where it has
- * no direction: zero, or not finite.
+ * Normalises `a[o …]` in place, whatever its length. Returns false and changes nothing if it has no direction: zero or
+ * not finite.
  */
 export function normalizeAt(a: Float64Array, o: number): boolean {
   const x = a[o];
@@ -28,7 +28,7 @@ export function normalizeAt(a: Float64Array, o: number): boolean {
     a[o + 2] = z * s;
     return true;
   }
-  // Squares would leave the range of doubles: measure in units of the largest component.
+  // Squares would overflow or underflow: scale by the largest component.
   const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
   if (!(largest > 0 && largest < Infinity)) return false;
   const s = 1 / Math.hypot(x / largest, y / largest, z / largest);
@@ -38,7 +38,7 @@ export function normalizeAt(a: Float64Array, o: number): boolean {
   return true;
 }
 
-// Three numbers at a time, for what is done once a drag or once a picture: each answer is a new list.
+// Vectors as tuples, for code that runs once per drag or frame: each result is a new tuple.
 
 /** a + times · b. */
 export function add(a: Vec3, b: Vec3, times = 1): Vec3 {
@@ -61,25 +61,25 @@ export function cross(a: Vec3, b: Vec3): Vec3 {
   return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }
 
-/** The other way; 0 stays 0, and is never −0. */
+/** The opposite vector; 0 stays 0, never −0. */
 export function negated([x, y, z]: Vec3): Vec3 {
   return [-x + 0, -y + 0, -z + 0];
 }
 
-/** On the other side of a plane across an axis: `across` is 0, 1 or 2 for x, y or z. */
+/** Mirrored across the plane perpendicular to an axis: `across` is 0, 1 or 2 for x, y or z. */
 export function reflected(v: Vec3, across: number): Vec3 {
-  // −0 is no place of its own.
+  // Adding 0 avoids −0.
   const at = (k: number) => (k === across ? -v[k] + 0 : v[k]);
   return [at(0), at(1), at(2)];
 }
 
-/** Of length 1; undefined where it has no direction. */
+/** Normalised; undefined if it has no direction. */
 export function unit(a: Vec3): Vec3 | undefined {
   const length = Math.hypot(...a);
   return length > 0 && length < Infinity ? scaled(a, 1 / length) : undefined;
 }
 
-/** One of the directions at right angles to one of length 1. */
+/** One of the directions perpendicular to a unit vector. */
 export function acrossOf(axis: Vec3): Vec3 {
   const [x, y, z] = axis;
   const least = Math.abs(x) <= Math.abs(y) && Math.abs(x) <= Math.abs(z) ? 0 : Math.abs(y) <= Math.abs(z) ? 1 : 2;
@@ -87,7 +87,7 @@ export function acrossOf(axis: Vec3): Vec3 {
   return unit(cross(axis, other)) ?? [1, 0, 0];
 }
 
-/** The point that the column-major affine 4×4 matrix at `m[o …]` makes of this one. */
+/** The point transformed by the column-major affine 4×4 matrix at `m[o …]`. */
 export function transformPoint(m: Float64Array, [x, y, z]: Vec3, o = 0): Vec3 {
   return [
     m[o] * x + m[o + 4] * y + m[o + 8] * z + m[o + 12],
@@ -96,7 +96,7 @@ export function transformPoint(m: Float64Array, [x, y, z]: Vec3, o = 0): Vec3 {
   ];
 }
 
-/** The same of a difference of points: without the matrix's translation. */
+/** The same for a vector: without translation. */
 export function transformVector(m: Float64Array, [x, y, z]: Vec3, o = 0): Vec3 {
   return [
     m[o] * x + m[o + 4] * y + m[o + 8] * z,

@@ -1,29 +1,29 @@
 /**
- * The one list of the kinds of text files. A record says what page and command call a kind, and who has something of it.
- * What reads them is in `open/readers.ts`, what writes them in `save/writers.ts`, each with an entry for every kind: the
- * page's first script carries neither, for it reads in its worker and fetches what writes when something is saved.
+ * All kinds of text files. A record holds the names of a kind and which characters have content for it. Readers are in
+ * `open/readers.ts`, writers in `save/writers.ts`, each with an entry per kind: the page's first script includes
+ * neither, since it reads in a worker and loads the writers when something is saved.
  */
 import { axisAngleObstacle, savesAsAxisAngle } from '../model/axis-angle.ts';
 import { type Character, isBvh, shownClip, shownSkin } from '../model/document.ts';
 import type { FileKind } from '../model/files.ts';
 
-/** What a text file can hold: all but pictures. */
+/** What a text file can contain: everything but images. */
 export type TextKind = Exclude<FileKind, 'texture'>;
 
 export interface Kind {
-  /** Without the dot, lower case; the first one is written. */
+  /** Without the dot, in lower case; the first is used for writing. */
   readonly extensions: readonly [string, ...string[]];
-  /** As a person would say it: "skeleton". */
+  /** For users: "skeleton". */
   readonly label: string;
-  /** In the menu of what can be saved. */
+  /** Label in the save menu. */
   readonly saveLabel: string;
-  /** What a file of it becomes, and what it is made of. */
+  /** The kind of content that it is read as and written from. */
   readonly content: TextKind;
-  /** Whether a character has anything to save as such a file. */
+  /** Whether a character has anything to save in this kind of file. */
   has(character: Character): boolean;
-  /** What keeps a character from being saved as one although it has what the file would hold; a sentence. */
+  /** Why a character can't be saved in it although it has the content; a sentence. */
   whyNot?(character: Character): string | undefined;
-  /** Whether that is what a character's own file is; otherwise it is converted, and nothing counts as saved by it. */
+  /** Whether this is a character's native format; otherwise it is converted, and saving marks nothing as saved. */
   isOwn(character: Character): boolean;
 }
 
@@ -40,7 +40,7 @@ export const KINDS = {
     has: hasSkeleton,
     isOwn: (c) => !hasSkeleton(c) || !(isBvh(c) || isAxisAngle(c)),
   },
-  // Reading tells the axis-angle form by what is in a file, which may be called either; saving goes by the ending.
+  // Readers recognise the axis-angle form by content, whatever the extension; saving depends on the extension.
   axskel: {
     extensions: ['axskel'],
     label: 'skeleton',
@@ -100,16 +100,19 @@ export const KINDS = {
   },
 } as const satisfies Readonly<Record<TextKind | 'axskel', Kind>>;
 
-/** A kind of file, as which a character can be opened and saved: `skel` is the hierarchy form, `axskel` the other. */
+/**
+ * A kind of file that a character can be opened from and saved as: `skel` is the hierarchy form, `axskel` the
+ * axis-angle form.
+ */
 export type FormatKind = keyof typeof KINDS;
 
-/** All of them, in the order of the menus. */
+/** In the order of the menus. */
 export const FORMAT_KINDS = Object.keys(KINDS) as readonly FormatKind[];
 
 /** Without dots. */
 export const READABLE_EXTENSIONS: readonly string[] = FORMAT_KINDS.flatMap((kind) => KINDS[kind].extensions);
 
-/** The kind that a file's name tells, in any case; undefined for a file that is no text of ours. */
+/** The kind of a file by its extension, in any case; undefined for other files. */
 export function formatKindOf(fileName: string): FormatKind | undefined {
   const dot = fileName.lastIndexOf('.');
   const extension = dot < 0 ? '' : fileName.slice(dot + 1).toLowerCase();

@@ -1,4 +1,4 @@
-/** Putting a character together from the files that belong to it, and telling what among its parts does not fit. */
+/** Assembles a character from the files that belong to it, and reports parts that don't fit. */
 import { lostOver } from '../../edit/carried-over.ts';
 import { withSkeleton } from '../../edit/new-character.ts';
 import { withoutUnkeyed } from '../../edit/unkeyed.ts';
@@ -20,8 +20,9 @@ import { NO_MARKS, type PartFile, type PartMark, type PartMarks, readAs, UNMARKE
 import { positionsMeant, positionsTaken, withPositions } from '../../model/position-channels.ts';
 
 /**
- * Adds a part, or replaces the one that came from a file of the same name; what is new is what is shown.
- * @param before the character as it was before these files: among them, two of one name are two parts
+ * Adds a part, or replaces the one read from a file of the same name; new parts are shown.
+ * @param before the character before these files were opened: only its parts are replaced, so two new files of the same
+ * name become two parts
  */
 export function withPart(character: Character, file: ParsedFile, before: Character | undefined): Character {
   const replaced = (s: SourceFile) => sameName(s.name, file.source.name) && (before?.sources.includes(s) ?? false);
@@ -51,7 +52,7 @@ export function withPart(character: Character, file: ParsedFile, before: Charact
   }
 }
 
-/** With a clip from a file, which is shown. */
+/** Adds a clip from a file and shows it. */
 function withClip(
   character: Character,
   clip: ChannelClip,
@@ -64,7 +65,7 @@ function withClip(
   return { ...character, parts, clips: put(clips, at, clip), shownClip: at < 0 ? clips.length : at };
 }
 
-/** The marks with that of a part from a file, in the place of another or behind the others where `at` is -1. */
+/** The marks with that of a part from a file, replacing the one at `at`, or appended if `at` is -1. */
 function withMark(character: Character, key: 'skins' | 'morphs' | 'clips', at: number, file: PartFile): PartMarks {
   const { parts = NO_MARKS } = character;
   const marks = character[key].map((_, i) => parts[key][i] ?? UNMARKED);
@@ -75,7 +76,7 @@ interface Named {
   readonly name: string;
 }
 
-/** Where among the parts stands the one of that name that was there before; -1 where none does. */
+/** Index of the part of that name that existed before; -1 if none did. */
 function replacedIndex(parts: readonly Named[], before: readonly Named[] | undefined, name: string): number {
   return parts.findIndex((part) => part.name === name && before?.includes(part));
 }
@@ -84,7 +85,7 @@ function put<T>(list: readonly T[], at: number, item: T): readonly T[] {
   return at < 0 ? [...list, item] : list.map((old, i) => (i === at ? item : old));
 }
 
-/** Gives a character's skins the textures that they name; the same character where there is nothing to give. */
+/** Gives a character's skins the textures that they name; the same character if there are none. */
 export function withTextures(character: Character, given: readonly ParsedFile[]): Character {
   const skinFolders = character.parts?.skins.flatMap(({ file }) => (file ? folderOf(file.source) : [])) ?? [];
   let next = character;
@@ -104,9 +105,9 @@ export function withTextures(character: Character, given: readonly ParsedFile[])
 }
 
 /**
- * A figure of a file: its skeleton, and its clip as the one that is shown. One of motion capture does not say how its
- * space lies: it is guessed, and can be changed. A space that it was given is kept when the file comes again.
- * @param together all figures of the file: they are in one space
+ * Uses a figure of a file: its skeleton, and its clip as the shown one. Motion capture does not say how its space is
+ * oriented or scaled, so that is guessed and can be changed. An existing setting is kept when the file is opened again.
+ * @param together all figures of the file; they share one space
  */
 export function withFigure(
   character: Character,
@@ -125,13 +126,13 @@ export function withFigure(
   return clip ? withClip(next, clip, file, before) : next;
 }
 
-/** As its file's writer saw it: of a figure that falls in on itself no size can be told. */
+/** With the position channels as the file's writer meant them: the size of a collapsed figure can't be measured. */
 function asMeant({ skeleton, clip }: CapturedFigure): CapturedFigure {
   const meant = withPositions(skeleton, positionsMeant(skeleton, clip));
   return clip ? { skeleton: meant, clip } : { skeleton: meant };
 }
 
-/** What does not fit among a character's parts; only parts that are new, or whose counterpart is. */
+/** Reports parts of a character that don't fit; only pairs of which at least one is new. */
 export function checkParts(before: Character | undefined, after: Character): Diagnostic[] {
   const problems: Diagnostic[] = [];
   const newSkeleton = before?.skeleton !== after.skeleton;

@@ -1,12 +1,12 @@
 /**
- * Which file belongs to what, among the files that were opened together:
+ * Decides which of the files opened together belong to each other:
  *
- * 1. a `.rig` binds its parts, looked up by base name (its own folder first);
- * 2. any other skin, morph or anim goes to the skeleton in the same folder whose stem is the longest prefix of its
- *    own (`wasp_walk.anim` → `wasp.skel`), or to the only one there;
- * 3. what is left over has no skeleton here: the document decides (`open-files.ts`).
+ * 1. a `.rig` binds the files that it names, looked up by base name (its own folder first);
+ * 2. any other skin, morph or anim belongs to the skeleton in the same folder whose stem is the longest prefix of its
+ * own (`wasp_walk.anim` → `wasp.skel`), or to the only skeleton;
+ * 3. the rest has no skeleton here; `open-files.ts` assigns it to characters of the document.
  *
- * Files with errors take part, so that a character is never put together around a hole.
+ * Files with errors take part, so that no character is assembled with a part missing.
  */
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import {
@@ -20,16 +20,16 @@ import {
 } from '../../model/files.ts';
 import { type FormatKind, KINDS, type TextKind } from '../kinds.ts';
 
-/** A file that was given, read or not. */
+/** A given file, read or broken. */
 export type ReadFile = ParsedFile | (BrokenFile & { readonly broken: true });
 
-/** What belongs to one skeleton. */
+/** The files of one skeleton. */
 export interface FileGroup {
-  /** The `.rig`'s name, where one binds the group. */
+  /** The name of the `.rig` that binds the group, if any. */
   readonly name?: string;
-  /** A `.skel` or `.bvh`; absent where a `.rig` names a skin without a skeleton. */
+  /** A `.skel` or `.bvh`; absent if a `.rig` names a skin without a skeleton. */
   readonly skeleton?: ReadFile;
-  /** Skins, morphs, anims: a `.rig`'s own first, in its order, then the others as given. */
+  /** Skins, morphs and anims: those named by a `.rig` first, in its order, then the others in the given order. */
   readonly parts: ReadFile[];
   /** The `.rig` files themselves. */
   readonly rigs: ReadFile[];
@@ -40,7 +40,7 @@ export interface Grouping {
   /** Skins, morphs and anims without a skeleton among the files, and all poses. */
   readonly loose: readonly ReadFile[];
   readonly textures: readonly ReadFile[];
-  /** Rigs of which nothing was given, or that have errors. */
+  /** Rigs with errors, or none of whose files was given. */
   readonly idleRigs: readonly ReadFile[];
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -85,7 +85,7 @@ export function groupFiles(files: readonly ReadFile[]): Grouping {
     }
     const shared = skeleton && groups.find((g) => g.skeleton === skeleton);
     if (shared) {
-      // Two rigs over one skeleton: the second one's skin and animation are alternatives.
+      // Two rigs with the same skeleton: the second's skin and animation are alternatives.
       shared.parts.push(...parts.filter((part) => !shared.parts.includes(part)));
       shared.rigs.push(file);
     } else groups.push({ name: rig.name, ...(skeleton && { skeleton }), parts, rigs: [file] });
@@ -99,7 +99,7 @@ export function groupFiles(files: readonly ReadFile[]): Grouping {
   const loose: ReadFile[] = [];
   for (const file of files) {
     if (taken.has(file) || isSkeleton(file) || file.kind === 'rig' || file.kind === 'texture') continue;
-    // Poses say themselves by their joints whose they are.
+    // Poses are matched to characters by their joints.
     const group = file.kind === 'pose' ? undefined : skeletonFor(file, groups);
     if (group) group.parts.push(file);
     else loose.push(file);
@@ -116,19 +116,19 @@ export function namesFile(file: ParsedFile, other: SourceFile): boolean {
   );
 }
 
-/** How well a skeleton's stem fits a part's: the length of the prefix; 0 for no fit. */
+/** How well a skeleton's stem matches a part's: the length of the prefix; 0 if it is none. */
 export function prefixFit(skeletonStem: string, partStem: string): number {
   return partStem.toLowerCase().startsWith(skeletonStem.toLowerCase()) ? skeletonStem.length : 0;
 }
 
-/** Whether a file brings skeletons of its own. */
+/** Whether a file contains skeletons. */
 function isSkeleton({ kind }: ReadFile): boolean {
   return kind === 'skel' || kind === 'bvh';
 }
 
 function skeletonFor(part: ReadFile, groups: readonly FileGroup[]): FileGroup | undefined {
   const folder = folderOf(part.source);
-  // Motion capture is complete in itself, and no skin was made for it.
+  // Motion capture is complete in itself; skins are not made for it.
   const skeletons = groups.filter((g) => g.skeleton?.kind === 'skel');
   const there = skeletons.filter((g) => g.skeleton && folderOf(g.skeleton.source) === folder);
   let best: FileGroup | undefined;
@@ -143,11 +143,11 @@ function skeletonFor(part: ReadFile, groups: readonly FileGroup[]): FileGroup | 
   }
   if (best) return best;
   if (there.length > 0) return there.length === 1 ? there[0] : undefined;
-  // Nothing in its own folder: the only skeleton given at all is meant.
+  // None in its own folder: use the only skeleton given.
   return skeletons.length === 1 ? skeletons[0] : undefined;
 }
 
-/** By base name, whatever folders the `.rig` writes before it; its own folder's file before another's. */
+/** By base name, ignoring folders in the `.rig`; files in the rig's own folder take precedence. */
 function lookUp(files: readonly ReadFile[], rig: ReadFile, kind: ReadFile['kind'], name: string) {
   const base = baseName(name);
   const fits = files.filter((f) => f.kind === kind && sameName(f.source.name, base));

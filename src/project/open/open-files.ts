@@ -1,9 +1,9 @@
 /**
- * Opening files: what was read becomes characters, or parts of characters that are there. Page and command line both
- * go through here, so what `marrow info` says of files given together is what a drop would say.
+ * Opening files: turns files that were read into new characters or parts of existing ones. Used by both page and
+ * command, so `marrow info` reports what dropping the same files would.
  *
- * All or nothing for each character: where one of the files that belong together has an error, or does not fit, none
- * of them is opened and everything stays as it was. Other characters of the same drop are not held up.
+ * All or nothing for each character: if one of the files that belong together has an error or does not fit, none of
+ * them is opened and the character is unchanged. Other characters in the same drop are not affected.
  */
 import { newCharacter } from '../../edit/new-character.ts';
 import { placeBeside } from '../../edit/place-beside.ts';
@@ -26,19 +26,19 @@ import { type FileGroup, groupFiles, isBroken, isRead, namesFile, prefixFit } fr
 import { fittingCharacter, givePoses, type PoseFile } from './poses.ts';
 
 export interface OpenResult {
-  /** The very same document where nothing was opened. */
+  /** The same object if nothing was opened. */
   readonly document: Document;
   readonly diagnostics: readonly Diagnostic[];
-  /** Ids of the characters that are new or changed. */
+  /** Ids of new or changed characters. */
   readonly opened: readonly string[];
-  /** For the undo entry: "Open wasp.skel and 2 more". */
+  /** Label of the undo entry: "Open wasp.skel and 2 more". */
   readonly label: string;
 }
 
 /**
  * @param files in the order that decides between alternatives: as given on a command line, by name for a drop
- * @param broken files that were given too, but have errors
- * @param selectedId the character that a lone skin, morph or anim goes to
+ * @param broken files given with them that have errors
+ * @param selectedId the character that receives a single skin, morph or anim
  */
 export function openFiles(
   document: Document,
@@ -49,14 +49,14 @@ export function openFiles(
   return new Opening(document, files, broken, selectedId).result();
 }
 
-/** One opening under way: what has become of the files so far. */
+/** One opening in progress. */
 class Opening {
   /**
-   * What was there, without the opening sample: it makes way, and nothing attaches to it. But poses alone are for someone
-   * who is there.
+   * The document without the opening example, which is replaced and never extended; it is kept only when nothing but
+   * poses is opened.
    */
   private readonly base: Document;
-  /** Lay unused until now; one of these files may be what they were missing. */
+  /** Files left unused earlier; these files may make them usable. */
   private readonly waiting: readonly UnusedFile[];
   private readonly textures: readonly ParsedFile[];
   private characters: readonly Character[];
@@ -84,11 +84,11 @@ class Opening {
     const grouping = groupFiles([...files, ...broken.map((b) => ({ ...b, broken: true as const })), ...called]);
     this.diagnostics.push(...grouping.diagnostics);
     for (const group of grouping.groups) this.openGroup(group);
-    // Morphs last: the skin that they change may be among the files, and stand after them.
+    // Morphs last: the skin they modify may be among the files and come later.
     const loose = grouping.loose.filter(isRead);
     for (const file of loose) if (file.kind !== 'morph' && file.kind !== 'pose') this.openLoose(file);
     for (const file of loose) if (file.kind === 'morph') this.openLoose(file);
-    // They go to what is there by now.
+    // Poses can apply to all characters opened so far.
     for (const file of loose) if (file.kind === 'pose') this.openPoses(file);
     for (const rig of grouping.idleRigs.filter(isRead)) {
       this.unused.push({ file: rig, why: 'None of the files it names was opened.' });
@@ -113,13 +113,13 @@ class Opening {
       label: openLabel(changed.length ? changed : files),
     };
     if (opened.size === 0) {
-      // What opens nothing does not drive the opening sample away either.
+      // If nothing was opened, the opening example stays.
       return { ...rest, document: unused === document.unused ? document : { ...document, unused } };
     }
     return { ...rest, document: { characters, unused, charactersMade: this.made, isOpeningSample: false } };
   }
 
-  /** Whether one of the files names this one that waited, or is named by it. */
+  /** Whether one of the files names this waiting one, or is named by it. */
   private isCalledFor(file: ParsedFile): boolean {
     return this.files.some((f) => namesFile(f, file.source) || namesFile(file, f.source));
   }
@@ -137,11 +137,11 @@ class Opening {
     const earlier = skeletonFile ? this.characters.filter((c) => hasSource(c, skeletonFile.source)) : [];
     figures.forEach((figure, root) => {
       const before = earlier[root] ?? (skeletonFile && root === 0 ? this.withoutSkeletonFor(group) : undefined);
-      // Several roots are several characters; what else is in the group belongs to the first.
+      // Several roots become several characters; the other files of the group belong to the first.
       const own = root === 0 ? parts : parts.filter((p) => p === skeletonFile);
       let next = before ?? this.make(group.name ?? figure?.skeleton.name ?? stemOf(parts[0].source));
       if (figure && (skeletonFile?.kind === 'skel' || skeletonFile?.kind === 'bvh')) {
-        // What waited was called after its clip or skin.
+        // A character without a skeleton was named after its clip or skin.
         const name = next.skeleton ? next.name : (group.name ?? figure.skeleton.name);
         next = withFigure(
           { ...next, name },
@@ -152,11 +152,11 @@ class Opening {
         );
       }
       for (const part of own) next = withPart(next, part, before);
-      // Of several alternatives that are all new, the first is shown.
+      // Of several new alternatives, show the first.
       if (!before) next = { ...next, shownSkin: 0, shownClip: next.clips.length ? 0 : -1 };
       this.settle(before, next, own);
     });
-    // A file that now has fewer roots than it had.
+    // The file has fewer roots than before.
     const gone = new Set(earlier.slice(figures.length));
     if (gone.size) this.characters = this.characters.filter((c) => !gone.has(c));
   }
@@ -165,7 +165,7 @@ class Opening {
   private openLoose(file: ParsedFile): void {
     const { base, characters } = this;
     const isMorph = file.kind === 'morph';
-    // Only what was there before can have been selected.
+    // Only characters from before can have been selected.
     const meant =
       findCharacter(base, this.selectedId) ?? (base.characters.length === 1 ? base.characters[0] : undefined);
     const target =
@@ -175,11 +175,11 @@ class Opening {
       (isMorph ? onlySkinned(characters) : undefined);
     if (target && (!isMorph || target.skins.length)) this.settle(target, withPart(target, file, target), [file]);
     else if (isMorph) this.unused.push({ file, why: 'No open character has a skin for it.' });
-    // Alone it is shown as it is, and waits for a skeleton.
+    // Shown by itself; it waits for a skeleton.
     else this.settle(undefined, withPart(this.make(stemOf(file.source)), file, undefined), [file]);
   }
 
-  /** Poses go into the library of a character that has their joints. */
+  /** Adds poses to the library of a character with matching joints. */
   private openPoses(file: PoseFile): void {
     const { characters, base } = this;
     const fresh = characters.filter((c) => this.opened.has(c.id));
@@ -198,7 +198,7 @@ class Opening {
     this.used.add(file);
   }
 
-  /** What lay unused goes to a character that was just opened, by its name; where it does not fit, it goes on waiting. */
+  /** Gives waiting files to characters that were just opened, matched by name; the others keep waiting. */
   private takeUpWaiting(): void {
     for (const waiting of this.waiting) {
       const { file } = waiting;
@@ -215,7 +215,7 @@ class Opening {
     }
   }
 
-  /** Textures that came alone go to the skins that name them. */
+  /** Gives textures that came alone to the skins that name them. */
   private dressAll(): void {
     for (const character of this.characters) {
       const dressed = withTextures(character, this.textures);
@@ -230,7 +230,7 @@ class Opening {
     }
   }
 
-  /** Puts a finished character in, unless something does not fit. */
+  /** Adds the finished character, unless a part does not fit. */
   private settle(before: Character | undefined, after: Character, parts: readonly ParsedFile[]): void {
     const dressed = withTextures(after, this.textures);
     const problems = checkParts(before, dressed);
@@ -258,27 +258,27 @@ class Opening {
     }
   }
 
-  /** Ids are counted up and never used again: a selection or a view can't mistake one character for another. */
+  /** Ids are never reused, so that a selection or a view can't confuse two characters. */
   private make(name: string): Character {
     return newCharacter(`c${++this.made}`, name);
   }
 
-  /** A character without a skeleton that this one completes: by name, or the only one that waits. */
+  /** A character without a skeleton that this group completes: matched by name, or the only one waiting. */
   private withoutSkeletonFor(group: FileGroup): Character | undefined {
     const waiting = this.characters.filter((c) => !c.skeleton && !this.opened.has(c.id));
     const stem = group.skeleton ? stemOf(group.skeleton.source) : '';
     const byName = waiting.find((c) => c.sources.some((s) => prefixFit(stem, stemOf(s)) > 0));
-    // With a skin or an animation of its own the group is complete, and takes nobody else's.
+    // A group with its own skin or animation is complete and takes no other character's.
     return byName ?? (waiting.length === 1 && group.parts.length === 0 ? waiting[0] : undefined);
   }
 }
 
-/** Poses and nothing else: they show nothing by themselves. */
+/** Whether the files are poses only, which show nothing by themselves. */
 function isOfPosesAlone(files: readonly { readonly kind: FileKind }[]): boolean {
   return files.length > 0 && files.every(({ kind }) => kind === 'pose');
 }
 
-/** What a file brings that has skeletons; no clips where it is a skeleton alone. */
+/** The figures in a file; without clips for plain skeletons. */
 function figuresOf(file: ParsedFile): readonly CapturedFigure[] {
   switch (file.kind) {
     case 'skel':
@@ -295,7 +295,7 @@ function figuresOf(file: ParsedFile): readonly CapturedFigure[] {
   }
 }
 
-/** The character of the skin whose name is the longest beginning of a morph's: `head1.morph` → `head.skin`. */
+/** The character whose skin name is the longest prefix of the morph's: `head1.morph` → `head.skin`. */
 function bySkinName(source: SourceFile, characters: readonly Character[]): Character | undefined {
   let best: Character | undefined;
   let length = 0;
@@ -311,13 +311,13 @@ function bySkinName(source: SourceFile, characters: readonly Character[]): Chara
   return best;
 }
 
-/** The character that a morph without any other hint is for. */
+/** The only character with skins, for a morph without any other hint. */
 function onlySkinned(characters: readonly Character[]): Character | undefined {
   const skinned = characters.filter((c) => c.skins.length > 0);
   return skinned.length === 1 ? skinned[0] : undefined;
 }
 
-/** Whether the character has a file of that name from the same place; a file given without folders is anywhere's. */
+/** Whether the character has a file of that name from the same folder; a file without a folder matches any. */
 function hasSource(character: Character, source: SourceFile): boolean {
   return character.sources.some((own) => {
     if (!sameName(own.name, source.name)) return false;

@@ -1,4 +1,4 @@
-/** A file of poses on its way into a character's library. */
+/** Adding a pose file to a character's library. */
 import { takePose } from '../../edit/pose/by-names.ts';
 import { addPoses, withPoses } from '../../edit/pose/library.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
@@ -8,10 +8,10 @@ import { NO_MARKS, readAs, UNMARKED } from '../../model/part.ts';
 
 export type PoseFile = Extract<ParsedFile, { readonly kind: 'pose' }>;
 
-/** A character has to have that part of a file's joints at least. */
+/** The fraction of a file's joints that a character must have. */
 const FITS = 0.5;
 
-/** The first one of those that have the most of the joints that the poses are of; undefined where none has enough. */
+/** The first of the characters with the most joints of these poses; undefined if none has enough. */
 export function fittingCharacter({ poses }: PoseFile, characters: readonly Character[]): Character | undefined {
   let best: Character | undefined;
   let most = FITS;
@@ -22,7 +22,7 @@ export function fittingCharacter({ poses }: PoseFile, characters: readonly Chara
       const taken = takePose(character, pose);
       found += taken.found;
       all += pose.joints.length;
-      // Poses of a face may be of morphs alone.
+      // Poses of a face may contain morphs only.
       if (pose.joints.length === 0) {
         all++;
         if (taken.values.size > 0) found++;
@@ -37,8 +37,8 @@ export function fittingCharacter({ poses }: PoseFile, characters: readonly Chara
 }
 
 /**
- * The character with the file's poses, and what there is to say of them. Where all poses that it has are kept in a file
- * of that name, they are read again and give way.
+ * Adds the file's poses to the character and reports what does not fit. If all its poses came from a file of that name,
+ * the new ones replace them.
  */
 export function givePoses(character: Character, { poses, source }: PoseFile) {
   const diagnostics: Diagnostic[] = [];
@@ -54,7 +54,7 @@ export function givePoses(character: Character, { poses, source }: PoseFile) {
   const isReadAgain = kept.length > 0 && others.length === 0;
   const next = addPoses(isReadAgain ? withPoses(character, []) : character, poses);
   const sources = [...character.sources.filter((own) => !kept.includes(own) || others.includes(own)), source];
-  // A library that comes from several files is in none of them.
+  // A library from several files has no file of its own.
   const { poses: mark, ...marks } = character.parts ?? NO_MARKS;
   const read =
     others.length === 0

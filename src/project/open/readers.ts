@@ -1,4 +1,4 @@
-/** What reads each kind of text file, for worker and command. */
+/** The reader of each kind of text file, for the worker and the command. */
 import { animReader } from '../../formats/anim/read.ts';
 import { bvhReader } from '../../formats/bvh/read.ts';
 import { morphReader } from '../../formats/morph/read.ts';
@@ -10,7 +10,7 @@ import { skinReader } from '../../formats/skin/read.ts';
 import type { FileContent, FileKind } from '../../model/files.ts';
 import { type FormatKind, formatKindOf, KINDS } from '../kinds.ts';
 
-/** @param byteLength the file's, where it is known; only a hint */
+/** @param byteLength the file's size, if known; only a hint */
 type MakeReader = (fileName: string, byteLength?: number) => Reader<FileContent>;
 
 const skel: MakeReader = (name) => mapped(skelReader(name), (skeletons) => ({ kind: 'skel', skeletons }));
@@ -27,13 +27,13 @@ export const READERS: Readonly<Record<FormatKind, MakeReader>> = {
 };
 
 export interface Format {
-  /** What a file of it holds. */
+  /** The content of such a file. */
   readonly kind: FileKind;
   readonly label: string;
   readonly reader: MakeReader;
 }
 
-/** The format that a file's name tells, in any case; undefined for a file of another kind. */
+/** The format of a file by its extension, in any case; undefined for other files. */
 export function formatOf(fileName: string): Format | undefined {
   const kind = formatKindOf(fileName);
   return kind && { kind: KINDS[kind].content, label: KINDS[kind].label, reader: READERS[kind] };

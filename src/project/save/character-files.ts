@@ -1,6 +1,6 @@
 /**
- * A character in formats that it did not come from: BVH as `.skel` and `.anim`, anything as `.bvh`. What page and
- * command write, as models: the text is the writers' business.
+ * Converts a character to formats other than its own: BVH to `.skel` and `.anim`, any to `.bvh`. Page and command share
+ * these models; the writers make text of them.
  */
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
 import { skelClip, skelFigure, skelPose } from '../../edit/convert/skel-figure.ts';
@@ -15,15 +15,15 @@ import type { Character } from '../../model/document.ts';
 import { dofsOf } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 
-/** A second where a clip has no rate of its own. */
+/** For clips without a frame rate of their own. */
 export const DEFAULT_FRAMES_PER_SECOND = 30;
 
-/** The character's skeleton as `.skel` holds it, in the pose as set. Undefined without one. */
+/** The character's skeleton as `.skel` can hold it, in its current pose as set. Undefined without a skeleton. */
 export function skelOf({ skeleton, pose }: Pick<Character, 'skeleton' | 'pose'>): Skeleton | undefined {
   return skeleton && inPose(skelFigure(skeleton).skeleton, skelPose(pose, skeleton));
 }
 
-/** One of its clips as `.anim` holds it: keys for the DOFs of `skelOf`. */
+/** One of its clips as `.anim` can hold it: keys for the DOFs of `skelOf`. */
 export function animOf(
   { skeleton }: Pick<Character, 'skeleton'>,
   clip: ChannelClip,
@@ -32,20 +32,21 @@ export function animOf(
   return skeleton ? skelClip(clip, skeleton, options) : clip;
 }
 
-/** A clip's figure of BVH, and how its file is called without its ending. */
+/** A clip as a BVH figure, with the name of its file without extension. */
 export interface NamedFigure extends BvhFigure {
   readonly name: string;
 }
 
 /**
- * A figure of BVH for each clip, or one that stands in the pose as set where there is none.
- * Refuses, by a `CommandError`, more frames than can be sampled.
- * @param framesPerSecond of all; absent: each clip's own (that of its samples, or of even keys), or 30, which is told
+ * A BVH figure for each clip, or one in the pose as set if there are none. Throws a `CommandError` if there are too
+ * many frames to sample.
+ * @param framesPerSecond for all clips; absent: each clip's own (of its samples or evenly spaced keys), or else 30,
+ * which is reported
  */
 export function bvhOf(character: Character, framesPerSecond?: number): readonly NamedFigure[] {
   const { skeleton, clips, driver } = character;
   if (!skeleton) return [];
-  // What another one's take makes it do, whichever of its own is shown.
+  // The retargeted take, whichever of its own is shown.
   if (driver) return [named(character, framesPerSecond, `${skeleton.name}_${driver.source.clip.name}`)];
   if (clips.length === 0) return [named({ ...character, shownClip: -1 }, framesPerSecond, skeleton.name)];
   return clips.map((clip, index) => named({ ...character, shownClip: index }, framesPerSecond, clip.name));
@@ -68,7 +69,7 @@ function named(character: Character, framesPerSecond: number | undefined, name: 
   return { name, ...made, diagnostics: isAssumed ? [rateAssumed(clip, name), ...made.diagnostics] : made.diagnostics };
 }
 
-/** Whether a clip says itself at which times it is to be sampled: by samples, or by keys at an even rate. */
+/** Whether a clip has a frame rate of its own: samples, or keys at a constant rate. */
 export function hasOwnRate(clip: ChannelClip): boolean {
   return clip.samples !== undefined || keyFrames(clip) !== undefined;
 }
@@ -85,8 +86,8 @@ function rateAssumed(clip: ChannelClip, name: string): Diagnostic {
 }
 
 /**
- * The skeleton with a pose of its joints as the file's.
- * @param pose one value for each DOF of the joints
+ * The skeleton with this pose as its file pose.
+ * @param pose one value per DOF of the joints
  */
 export function inPose(skeleton: Skeleton, pose: readonly number[]): Skeleton {
   let start = 0;

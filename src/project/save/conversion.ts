@@ -1,7 +1,7 @@
 /**
- * Characters in formats that they did not come from: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton and
- * clip, either form of skeletons. Everything that comes in one file of BVH goes out as one where that can be: several
- * roots of the same frames.
+ * Converts characters to formats other than their own: `.skel` and `.anim` of motion capture, `.bvh` of any skeleton
+ * and clip, either form of skeletons. Characters from one BVH file are written to one file if possible: several roots
+ * with the same frames.
  */
 
 import type { SampleKeyOptions } from '../../edit/convert/keys-of-samples.ts';
@@ -15,18 +15,18 @@ import { type FormatKind, formatKindOf } from '../kinds.ts';
 import { animOf, bvhOf, skelOf } from './character-files.ts';
 import { bvhOutput, type Output, textOutput } from './output.ts';
 
-/** What there can be of any character that has a skeleton. */
+/** Formats to which any character with a skeleton can be converted. */
 export const TARGETS = ['skel', 'anim', 'bvh'] as const;
 export type Target = (typeof TARGETS)[number];
 
 export interface ConversionOptions extends SampleKeyOptions {
-  /** Of `.bvh`; absent: as each clip has it, or 30. */
+  /** Of `.bvh`; absent: each clip's own, or 30. */
   readonly framesPerSecond?: number;
 }
 
 type Convert = (character: Character, options: ConversionOptions) => readonly Output[];
 
-/** Of the kinds that a character can be converted to, the files that it is then; none where it has nothing for them. */
+/** For each kind that a character can be converted to, its files; empty if it has no content for them. */
 export const CONVERSIONS: Partial<Record<FormatKind, Convert>> = {
   skel: (character) => skelOutput(character, inHierarchyForm),
   axskel(character) {
@@ -51,7 +51,7 @@ function animOutputs(character: Character, options: ConversionOptions): readonly
   );
 }
 
-/** The file that what is called so was made from: the skeleton's, or that of a clip. */
+/** The file from which something of this name was read: the skeleton's, or a clip's. */
 export function sourceFor({ clips, parts }: Character, name: string): SourceFile | undefined {
   const skeleton = parts?.skeleton?.file?.source;
   if (skeleton && stemOf(skeleton) === name) return skeleton;
@@ -59,8 +59,8 @@ export function sourceFor({ clips, parts }: Character, name: string): SourceFile
 }
 
 /**
- * The files that characters are as `target`: for `skel` the skeleton and its clips, for `anim` the clips alone.
- * Characters without a skeleton have none.
+ * The files of characters converted to `target`: for `skel` the skeleton and its clips, for `anim` only the clips.
+ * Characters without a skeleton give none.
  */
 export function outputsOf(
   characters: readonly Character[],
@@ -72,13 +72,13 @@ export function outputsOf(
     if (!character.skeleton) return [];
     const clips = animOutputs(character, options);
     if (target === 'anim') return clips;
-    // A change of the ending asks for the form that all `.skel`s have.
+    // A different extension asks for the hierarchy form of all `.skel` files.
     const readAs = formatKindOf(character.parts?.skeleton?.file?.source.name ?? '');
     return [...skelOutput(character, readAs === 'axskel' ? inHierarchyForm : (skeleton) => skeleton), ...clips];
   });
 }
 
-/** A clip of each character, as roots of one file where they have the same frames. */
+/** A clip of each character, as roots of one file if they have the same frames. */
 function bvhOutputs(characters: readonly Character[], options: ConversionOptions): readonly Output[] {
   const all = characters.map((character) => bvhOf(character, options.framesPerSecond));
   const first = all.map(([figure]) => figure);
@@ -95,7 +95,7 @@ function sameSource(characters: readonly Character[]): boolean {
   return path !== undefined && characters.every(({ sources }) => sources.length === 1 && sources[0].path === path);
 }
 
-/** That a file can't be made, in a sentence. */
+/** A diagnostic that says, in a sentence, why a file can't be written. */
 export function refusal(code: string, message: string, file: string): Diagnostic {
   return withoutPlace('error', code, message, file);
 }

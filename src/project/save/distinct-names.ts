@@ -1,13 +1,13 @@
-/** Names of files that are written together: never one name for two. */
+/** Distinct names for files that are written together. */
 
 /**
- * The names in their order, each that stands there before with the next number that none has: `walk.anim`, `walk2.anim`.
- * Names that differ in case alone are one, as to many file systems.
- * @param taken names of others
+ * The names in order, duplicates numbered with the next free number: `walk.anim`, `walk2.anim`. Names that differ only
+ * in case count as duplicates, as in many file systems.
+ * @param taken names already in use
  */
 export function distinctNames(names: readonly string[], taken: readonly string[] = []): readonly string[] {
   const used = new Set(taken.map((name) => name.toLowerCase()));
-  // What nobody else is called keeps its name, whatever another one is given.
+  // A unique name is never changed because of another's number.
   const given = new Set(names.map((name) => name.toLowerCase()));
   return names.map((name) => {
     const dot = name.lastIndexOf('.');

@@ -1,4 +1,4 @@
-/** What there is to be written when someone saves: files, each with the parts that it holds, and how it is made. */
+/** What to write when the user saves: files, each with the parts that it holds and how it is written. */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, type Document, findCharacter } from '../../model/document.ts';
 import { fileNameOf, type Part } from '../../model/part.ts';
@@ -9,19 +9,19 @@ import { jointPose } from './own-formats.ts';
 import type { UnsavedPart } from './saved-parts.ts';
 import { copiesOf, isCopy, type Owned, partsOfKind, type SavingOptions, writeParts } from './saving.ts';
 
-/** One file to be written. */
+/** A file to write. */
 export interface Job {
   readonly name: string;
-  /** What it holds: several skeletons where a `.skel` has several roots, otherwise one part; none for a copy. */
+  /** The parts in it: several skeletons for a `.skel` with several roots, otherwise one part; none for a copy. */
   readonly holds: readonly Owned[];
-  /** @param name that it is given among those that are written with it */
+  /** @param name distinct among the files written together */
   write(name: string): Omit<Output, 'name'>;
 }
 
-/** One value for each DOF of the joints: what of a character's pose goes into the file of its skeleton. */
+/** The part of a character's pose that is written to its skeleton's file: one value per DOF of the joints. */
 type PoseOf = (character: Character) => readonly number[];
 
-/** The files of all that changed. */
+/** The files of all changed parts. */
 export function changedFiles(document: Document, unsaved: readonly UnsavedPart[], poseOf: PoseOf): readonly Job[] {
   const jobs: Job[] = [];
   for (const { characterId, kind, index } of unsaved) {
@@ -33,7 +33,7 @@ export function changedFiles(document: Document, unsaved: readonly UnsavedPart[]
   return jobs;
 }
 
-/** The files that a character can be saved as in one format. */
+/** The files of a character in one format. */
 export function savedFilesOf(
   document: Document,
   character: Character,
@@ -44,7 +44,7 @@ export function savedFilesOf(
   return partsOfKind(character, kind).map((part) => fileOf(document, character, part, jointPose));
 }
 
-/** A file by which nothing counts as saved. */
+/** A copy: writing it marks nothing as saved. */
 function copyJob(file: Output): Job {
   const write = (name: string) => ({
     ...file,
@@ -53,7 +53,7 @@ function copyJob(file: Output): Job {
   return { name: file.name, holds: [], write };
 }
 
-/** The file that a part is in, with whatever else has to be written for it to stay whole. */
+/** The file of a part, with all other parts in the same file. */
 function fileOf(document: Document, character: Character, part: Part, poseOf: PoseOf): Job {
   const holds = partsBeside(document, character, part).map(
     (own): Owned => ({ ...own, pose: own.part.kind === 'skel' ? poseOf(own.character) : [] }),
@@ -62,8 +62,8 @@ function fileOf(document: Document, character: Character, part: Part, poseOf: Po
 }
 
 /**
- * What is written in place comes first: a dialog needs the key that was pressed to be fresh, and writing in place may ask
- * once itself. What has no place yet has a name of its own among all of them.
+ * Sorts files that are written in place first: a file dialog needs recent user activation, and writing in place may
+ * show a permission prompt itself. Files without a place yet get distinct names.
  */
 export function distinctJobs<J extends Job>(jobs: readonly J[], hasPlace: (job: J) => boolean): readonly J[] {
   const [inPlace, others] = [jobs.filter(hasPlace), jobs.filter((job) => !hasPlace(job))];
@@ -72,7 +72,7 @@ export function distinctJobs<J extends Job>(jobs: readonly J[], hasPlace: (job: 
   return [...inPlace, ...others.map((job, i) => ({ ...job, name: names[i] }))];
 }
 
-/** All parts of the file that one is in, in the document's order: a `.skel` or `.bvh` of several roots has one for each. */
+/** All parts in the same file, in document order: a `.skel` or `.bvh` with several roots has one for each. */
 function partsBeside(document: Document, character: Character, part: Part) {
   return document.characters.flatMap((other) =>
     partsOf(other)

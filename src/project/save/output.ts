@@ -1,19 +1,19 @@
-/** A file that is to be written, whatever its format: what page, command and scripts take from `project/save`. */
+/** A file to be written, in any format; what `project/save` gives to page, command and scripts. */
 import { writeBvhPieces } from '../../formats/bvh/write.ts';
 import type { Diagnostic } from '../../model/diagnostic.ts';
 import type { FileContent } from '../../model/files.ts';
 import type { NamedFigure } from './character-files.ts';
 import { writeFile } from './writers.ts';
 
-/** Made only while its pieces are taken. */
+/** Generated lazily, while its pieces are consumed. */
 export interface Output {
   readonly name: string;
   pieces(): Iterable<FilePiece>;
-  /** Names that had to be changed for the format, and the like. Complete when the pieces have been taken. */
+  /** Names changed for the format and the like. Complete once all pieces are consumed. */
   diagnostics(): readonly Diagnostic[];
 }
 
-/** Text, as such or in UTF-8. */
+/** Text, or bytes in UTF-8. */
 export type FilePiece = string | Uint8Array<ArrayBuffer>;
 
 export interface SavedFile {
@@ -22,7 +22,7 @@ export interface SavedFile {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** A file of any format that is written as one text: of content that has a format, so no texture. */
+/** A file written as a single text, of any content except textures. */
 export function textOutput(name: string, content: () => FileContent): Output {
   let written: readonly Diagnostic[] = [];
   return {
@@ -37,7 +37,7 @@ export function textOutput(name: string, content: () => FileContent): Output {
   };
 }
 
-/** Several figures of the same frames as one file. */
+/** Several figures with the same frames as one file. */
 export function bvhOutput(name: string, figures: readonly NamedFigure[]): Output {
   let written: readonly Diagnostic[] = [];
   return {
@@ -57,7 +57,7 @@ export function bvhOutput(name: string, figures: readonly NamedFigure[]): Output
   };
 }
 
-/** All of it as one text. */
+/** The whole file as one text. */
 export function textOf(output: Output): SavedFile {
   const decoder = new TextDecoder();
   let text = '';

@@ -1,5 +1,5 @@
 /**
- * What saving a character's parts (`model/part.ts`) goes by: which formats are its own, and the pose that goes into a
+ * What decides how a character's parts (`model/part.ts`) are saved: its native formats, and the pose written to a
  * skeleton's file.
  */
 import { poseByNames } from '../../edit/pose/by-names.ts';
@@ -10,26 +10,26 @@ import type { PoseLibrary } from '../../model/part.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import { type FormatKind, KINDS } from '../kinds.ts';
 
-/** Whether a character has nothing of a format itself, but can be converted to it. */
+/** Whether a format is not native to a character, so that saving to it is a conversion. */
 export function isExport(character: Character, kind: FormatKind): boolean {
   return !KINDS[kind].isOwn(character);
 }
 
-/** What of a library its file holds. */
+/** The poses of a library as its file stores them. */
 export function posesByNames(library: PoseLibrary): readonly PoseByNames[] {
   return library.poses.map((pose) => poseByNames(library, pose));
 }
 
-/** The pose of the joints as set: one value for each of their DOFs, without root translation and morphs. */
+/** The pose of the joints as set: one value per DOF, without root translation and morphs. */
 export function jointPose({ pose, skeleton }: Character): readonly number[] {
   return pose.slice(rootDofCount(skeleton), rootDofCount(skeleton) + jointDofCount(skeleton));
 }
 
 /**
- * The pose that saving writes of itself: as set, but where the take shown has a channel for a DOF, what the file has
- * stays. What one sees there is the take's, and a pose that lies hidden under keys should not end up in a skeleton.
+ * The pose that saving writes: as set, but DOFs driven by the shown take keep the file's values. There one sees the
+ * take, and a pose hidden under keys should not end up in the skeleton.
  *
- * @param inFile one value for each DOF of the joints
+ * @param inFile one value per DOF of the joints
  */
 export function poseToSave(character: Character, inFile: readonly number[]): readonly number[] {
   const first = rootDofCount(character.skeleton);

@@ -1,8 +1,8 @@
 /**
- * What of a document is saved: each part whose revision is the one that was last read from, or written to, its file.
- * Undoing back to what was saved brings that revision back.
+ * Tracks what of a document is saved: parts whose revision is the one last read from or written to their file. Undoing
+ * back to a saved state restores that revision.
  *
- * A skeleton's file holds the pose of its joints too, which the document keeps beside the skeleton; see `poseToSave`.
+ * A skeleton's file also holds the pose of its joints, which the document stores beside the skeleton; see `poseToSave`.
  */
 import { addPoses } from '../../edit/pose/library.ts';
 import { partsOf } from '../../model/character-parts.ts';
@@ -12,42 +12,42 @@ import type { ParsedFile, SourceFile } from '../../model/files.ts';
 import { fileNameOf, type Part, type PartFile, type PartKind } from '../../model/part.ts';
 import { poseToSave } from './own-formats.ts';
 
-/** A part of a character that is not as it was opened, or last saved. */
+/** A part of a character that changed since it was opened or saved. */
 export interface UnsavedPart {
   readonly characterId: string;
   readonly kind: PartKind;
-  /** Into the character's skins, morphs or clips; 0 for its skeleton and its library of poses. */
+  /** Index into the character's skins, morphs or clips; 0 for its skeleton and pose library. */
   readonly index: number;
   /** Of its file: `wasp_walk.anim`. */
   readonly name: string;
 }
 
-/** What of a character is in files: plain data, to be kept with a session and given back with it. */
+/** What of a character is saved: plain data, stored with and restored from a session. */
 export interface SavedCharacter {
   readonly characterId: string;
   /** Whether each of its parts is saved, in the order of `partsOf`. */
   readonly parts: readonly boolean[];
-  /** In the skeleton's file: one value for each DOF of its joints. */
+  /** The pose in the skeleton's file: one value per DOF of its joints. */
   readonly pose: readonly number[];
 }
 
-/** What of a part is on disk. */
+/** The state of a part on disk. */
 interface SavedPart {
   readonly revision: number;
-  /** Of the joints, where it is a skeleton. */
+  /** Pose of the joints, for a skeleton. */
   readonly pose: readonly number[];
-  /** That a part which was made here was saved as. */
+  /** The file it was saved as, for a part created here. */
   readonly file?: PartFile;
 }
 
-/** By a part's id; of those that are gone too: undo brings them back. */
+/** Saved state by part id; removed parts included, since undo restores them. */
 export class SavedParts {
   private readonly saved = new Map<number, SavedPart>();
   private lists = new WeakMap<Character, readonly UnsavedPart[]>();
-  /** Files that an earlier opening had no use for: a later one may. */
+  /** Files that an earlier opening left unused; a later one may use them. */
   private waiting: readonly ParsedFile[] = [];
 
-  /** These files were read into the document just now: what they hold is saved. */
+  /** Marks the content of files that were just read as saved. */
   opened(document: Document, files: readonly ParsedFile[]): void {
     const given = [...files, ...this.waiting];
     const sources = new Set<SourceFile | undefined>(given.map(({ source }) => source));
@@ -61,7 +61,7 @@ export class SavedParts {
   }
 
   /**
-   * A part was read or written as it is.
+   * Marks a part as read or written in its current state.
    * @param pose of the joints, as in the file; only for a skeleton
    */
   mark({ id, revision, kind }: Part, pose: readonly number[] = []): void {
@@ -70,7 +70,7 @@ export class SavedParts {
     this.lists = new WeakMap();
   }
 
-  /** The file of a part that was made here, where it was saved. */
+  /** The file that a part created here was saved as. */
   fileOf(id: number): PartFile | undefined {
     return this.saved.get(id)?.file;
   }
@@ -79,14 +79,14 @@ export class SavedParts {
     this.saved.set(id, { revision: 0, pose: [], ...this.saved.get(id), file });
   }
 
-  /** The pose that the file of a character's skeleton has. */
+  /** The pose in the file of a character's skeleton. */
   poseInFile(character: Character): readonly number[] {
     const pose = this.saved.get(character.parts?.skeleton?.id ?? 0)?.pose;
     const own = filePoseOfJoints(character);
     return pose?.length === own.length ? pose : own;
   }
 
-  /** What is not saved, characters and their parts in the document's order. */
+  /** All unsaved parts, in document order. */
   unsavedIn(document: Document): readonly UnsavedPart[] {
     return document.characters.flatMap((character) => this.listOf(character));
   }
@@ -99,7 +99,7 @@ export class SavedParts {
     }));
   }
 
-  /** The marks of a document that was taken over from another page. */
+  /** Restores the state of a document taken over from another page. */
   restore(document: Document, characters: readonly SavedCharacter[]): void {
     for (const character of document.characters) {
       const kept = characters.find(({ characterId }) => characterId === character.id);
@@ -141,7 +141,7 @@ export class SavedParts {
   }
 }
 
-/** Whether a character's poses are those of one of these files that it has, and no others. */
+/** Whether a character's poses are exactly those of one of these files. */
 function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolean {
   const { poses: library, ...without } = character;
   return files.some(
@@ -152,7 +152,7 @@ function isLibraryOf(character: Character, files: readonly ParsedFile[]): boolea
   );
 }
 
-/** One value for each DOF of the joints. */
+/** One value per DOF of the joints. */
 function filePoseOfJoints({ skeleton }: Character): readonly number[] {
   return filePose(skeleton, 0).slice(rootDofCount(skeleton));
 }

@@ -1,9 +1,8 @@
 /**
- * A character's parts as files again, each in the format of its kind (`model/part.ts`). In the formats that are not its
- * own it is converted (`conversion.ts`): a copy, by which nothing counts as saved.
+ * Writes a character's parts to files, each in the format of its kind (`model/part.ts`). For other formats it is
+ * converted (`conversion.ts`) to a copy, which marks nothing as saved.
  *
- * A skeleton that was read from the axis-angle form is kept in that form as long as it fits into it; each form is a
- * conversion of the other.
+ * A skeleton read from the axis-angle form keeps that form as long as it fits; each form can be converted to the other.
  */
 
 import { fitOneBvh } from '../../formats/bvh/write.ts';
@@ -19,11 +18,11 @@ import { bvhOutput, type Output, type SavedFile, textOf, textOutput } from './ou
 import { isExport, jointPose, posesByNames } from './own-formats.ts';
 
 export interface SavingOptions {
-  /** Of `.bvh`, for clips that have no rate of their own; absent: 30. */
+  /** Of `.bvh`, for clips without a rate of their own; absent: 30. */
   readonly framesPerSecond?: number;
 }
 
-/** The files that saving a character as `kind` gives: none where it has nothing of it, several for several morphs. */
+/** The files from saving a character as `kind`: none if it has no such content, several for several morphs. */
 export function saveCharacter(
   character: Character,
   kind: FormatKind,
@@ -36,12 +35,12 @@ export function saveCharacter(
   );
 }
 
-/** Whether a file of that kind is nothing that a character has as a part of its own: a rig, or what it is converted to. */
+/** Whether files of that kind are copies, not parts of the character: a rig, or a conversion. */
 export function isCopy(character: Character, kind: FormatKind): boolean {
   return kind === 'rig' || isExport(character, kind);
 }
 
-/** Files by which nothing counts as saved. */
+/** Copies, which mark nothing as saved. */
 export function copiesOf(character: Character, kind: FormatKind, options: SavingOptions = {}): readonly Output[] {
   if (kind === 'rig') return [textOutput(`${character.name}.rig`, () => ({ kind, rig: rigOf(character) }))];
   return CONVERSIONS[kind]?.(character, haveOwnRates(character) ? {} : options) ?? [];
@@ -51,13 +50,13 @@ export function partsOfKind(character: Character, kind: FormatKind): readonly Pa
   return partsOf(character).filter((part) => part.kind === KINDS[kind].content);
 }
 
-/** Whether all its clips say at which times they are sampled. */
+/** Whether all its clips have a frame rate of their own. */
 function haveOwnRates({ clips, driver }: Character): boolean {
   if (driver) return hasOwnRate(driver.source.clip);
   return clips.length > 0 && clips.every(hasOwnRate);
 }
 
-/** A part with whose it is, and the pose that goes into a skeleton's file: one value for each DOF of its joints. */
+/** A part with its character, and the pose to write if it is a skeleton: one value per DOF of its joints. */
 export interface Owned {
   readonly character: Character;
   readonly part: Part;
@@ -65,8 +64,8 @@ export interface Owned {
 }
 
 /**
- * Parts as one file: several skeletons or takes, each a root of its own, or a single part of another kind.
- * @throws Error, in a sentence, where roots of one `.bvh` have no longer the same frames
+ * Writes parts to one file: several skeletons or takes, one root each, or a single part of another kind.
+ * @throws Error, in a sentence, if roots of one `.bvh` no longer have the same frames
  */
 export function writeParts(name: string, owned: readonly Owned[], options: SavingOptions = {}): Output {
   const [{ part }] = owned;
@@ -74,7 +73,7 @@ export function writeParts(name: string, owned: readonly Owned[], options: Savin
   return textOutput(name, () => contentOf(part, owned));
 }
 
-/** What a file of parts other than takes holds. */
+/** The content of a file of parts other than takes. */
 function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonly Owned[]): FileContent {
   switch (part.kind) {
     case 'skel': {
@@ -97,7 +96,7 @@ function contentOf(part: Exclude<Part, { readonly kind: 'bvh' }>, owned: readonl
 function takesOutput(name: string, roots: readonly Owned[], { framesPerSecond }: SavingOptions): Output {
   const figures = roots.flatMap(({ character: { driver: _, ...character }, part }) => {
     if (part.kind !== 'bvh') return [];
-    // The take itself, whatever else moves the character just now.
+    // The take itself, even while another one is retargeted to the character.
     const { clip } = part.content;
     const rate = clip && hasOwnRate(clip) ? undefined : framesPerSecond;
     return bvhOf({ ...character, clips: clip ? [clip] : [], shownClip: clip ? 0 : -1 }, rate);

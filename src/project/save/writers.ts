@@ -1,4 +1,6 @@
-/** What writes each kind of text file. Apart from the readers: the page writes files but reads them in its worker. */
+/**
+ * The writer of each kind of text file. Separate from the readers: the page writes files but reads them in its worker.
+ */
 import { writeAnim } from '../../formats/anim/write.ts';
 import { writeBvh } from '../../formats/bvh/write.ts';
 import { writeMorph } from '../../formats/morph/write.ts';
@@ -27,13 +29,13 @@ const WRITERS: Writers = {
 };
 
 /**
- * A model as the text of a file, in the kind that its name tells, or else the first one that holds such content.
- * Undefined for what is no text: pictures. `fileName` is what infos name.
+ * Writes a model as text, in the format of the file name or else the first one for such content. Undefined for images,
+ * which are not text. `fileName` appears in diagnostics.
  */
 export function writeFile(content: FileContent, fileName: string): WriteResult | undefined {
   const holds = (kind: FormatKind) => KINDS[kind].content === content.kind;
   const named = formatKindOf(fileName);
   const kind = named && holds(named) ? named : FORMAT_KINDS.find(holds);
-  // The kind that was found holds this very content, which TypeScript can't see of a union.
+  // The kind was chosen for this content; TypeScript can't infer that from the union.
   return kind && (WRITERS[kind] as (content: FileContent, fileName: string) => WriteResult)(content, fileName);
 }
