@@ -48,7 +48,7 @@ export interface SaverParts {
 const STRETCH = 12;
 
 export class Saver {
-  private last: Promise<unknown> = Promise.resolve();
+  private last: Promise<void> = Promise.resolve();
   /** Versions on disk that the person was told of: saving again means it. */
   private readonly warnedOf = new Map<string, string>();
 
@@ -65,7 +65,7 @@ export class Saver {
     });
   }
 
-  /** Saves a character's parts of one kind as the files that the person chooses. */
+  /** Saves a character's parts of one kind as the files that the person chooses. Never rejects. */
   saveAs(characterId: string, kind: FormatKind): Promise<void> {
     return this.inTurn(async () => {
       const { store, messages, framesPerSecond } = this.parts;
@@ -81,7 +81,7 @@ export class Saver {
     });
   }
 
-  /** Saves a whole character as one zip. */
+  /** Saves a whole character as one zip. Never rejects. */
   saveAll(characterId: string): Promise<void> {
     return this.inTurn(async () => {
       const character = findCharacter(this.parts.store.document, characterId);
@@ -97,8 +97,11 @@ export class Saver {
   }
 
   private inTurn(work: () => Promise<void>): Promise<void> {
-    const turn = this.last.then(work);
-    this.last = turn.catch(() => undefined);
+    const turn = this.last.then(work).catch((error) => {
+      // What can't be converted says so before there is a file to name.
+      this.parts.messages.report([notSaved(error, '')]);
+    });
+    this.last = turn;
     return turn;
   }
 
@@ -141,8 +144,7 @@ export class Saver {
           left.push(job.name);
           continue;
         }
-        const why = error instanceof Error ? error.message : String(error);
-        diagnostics.push(withoutPlace('error', 'save-failed', `Not saved. ${why}`, job.name));
+        diagnostics.push(notSaved(error, job.name));
       } finally {
         hadDialog ||= wantsDialog;
       }
@@ -234,6 +236,11 @@ export class Saver {
       throw new DiskError(`${error.message} Save again to choose another place.`);
     }
   }
+}
+
+function notSaved(error: unknown, name: string): Diagnostic {
+  const why = error instanceof Error ? error.message : String(error);
+  return withoutPlace('error', 'save-failed', `Not saved. ${why}`, name);
 }
 
 /**

@@ -404,6 +404,20 @@ describe('saving as', () => {
     expect(page.messages.list.get()[0]?.text).toBe('hero has nothing to save as .skin.');
   });
 
+  it('a conversion that is refused is a message, and saving goes on after it', async () => {
+    const page = await pageWith(HERO);
+    page.change((c) => ({ ...c, clips: c.clips.map((own) => ({ ...own, range: [0, 1e6] })) }));
+    await page.saver.saveAs('c1', 'bvh');
+    expect(page.messages.list.get()).toMatchObject([
+      {
+        severity: 'error',
+        text: 'Not saved. hero_walk would have 30,000,001 frames, but the maximum is 1,000,000.',
+      },
+    ]);
+    await page.saver.saveChanged();
+    expect(page.text('hero_walk.anim')).toContain('range 0 1000000');
+  });
+
   it('saves a whole character as one zip', async () => {
     const page = await pageWith(HERO);
     page.change(longer);

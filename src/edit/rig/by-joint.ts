@@ -3,6 +3,7 @@ import type { Character } from '../../model/document.ts';
 import { defaultIk, type IkSetup } from '../../model/ik.ts';
 import type { JointPair } from '../../model/retarget.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
+import { sameValue } from '../delta.ts';
 import { driverSource } from '../drivers.ts';
 
 /** @param to of each joint before, its index after; -1 where it is gone, and what is about it goes with it */
@@ -44,7 +45,9 @@ export function withSourcePairs(
   before: Skeleton,
   to: ArrayLike<number>,
 ): readonly Character[] {
-  const isMoved = ({ driver }: Character) => driver?.sourceId === characterId && driver.source.skeleton === before;
+  // The same by value: undo rebuilds the skeleton of a character and that in a driver each by itself.
+  const isMoved = ({ driver }: Character) =>
+    driver?.sourceId === characterId && sameValue(driver.source.skeleton, before);
   if (!characters.some(isMoved)) return characters;
   const changed = characters.find((c) => c.id === characterId);
   const source = changed && driverSource(changed);

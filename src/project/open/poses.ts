@@ -3,8 +3,9 @@ import { takePose } from '../../edit/pose/by-names.ts';
 import { addPoses, withPoses } from '../../edit/pose/library.ts';
 import { type Diagnostic, withoutPlace } from '../../model/diagnostic.ts';
 import type { Character } from '../../model/document.ts';
-import { type ParsedFile, sameName } from '../../model/files.ts';
+import { type ParsedFile, type SourceFile, sameName } from '../../model/files.ts';
 import { NO_MARKS, readAs, UNMARKED } from '../../model/part.ts';
+import { formatKindOf, KINDS } from '../kinds.ts';
 
 export type PoseFile = Extract<ParsedFile, { readonly kind: 'pose' }>;
 
@@ -49,16 +50,21 @@ export function givePoses(character: Character, { poses, source }: PoseFile) {
     const message = `${character.name} has no joint "${first}"${others} for the poses.`;
     diagnostics.push(withoutPlace('warning', 'pose-joint-missing', message, source.name, 'left out'));
   }
-  const kept = character.sources.filter(({ name }) => name.toLowerCase().endsWith('.pose'));
-  const others = kept.filter(({ name }) => !sameName(name, source.name));
-  const isReadAgain = kept.length > 0 && others.length === 0;
-  const next = addPoses(isReadAgain ? withPoses(character, []) : character, poses);
-  const sources = [...character.sources.filter((own) => !kept.includes(own) || others.includes(own)), source];
-  // A library from several files has no file of its own.
   const { poses: mark, ...marks } = character.parts ?? NO_MARKS;
-  const read =
-    others.length === 0
-      ? readAs(mark, { kind: 'pose', source, holds: character.name })
-      : { ...UNMARKED, ...(mark && { id: mark.id }) };
+  const isThis = (own: SourceFile) => sameName(own.name, source.name);
+  const isReadAgain = mark?.file !== undefined && isThis(mark.file.source);
+  const next = addPoses(isReadAgain ? withPoses(character, []) : character, poses);
+  const sources = [...character.sources.filter((own) => !isThis(own)), source];
+  // A library from several files has no file of its own.
+  const isOfOthers =
+    mark !== undefined && !isReadAgain && (mark.file !== undefined || sources.some((s) => !isThis(s) && holdsPoses(s)));
+  const read = isOfOthers
+    ? { ...UNMARKED, id: mark.id }
+    : readAs(mark, { kind: 'pose', source, holds: character.name });
   return { character: { ...next, sources, parts: { ...marks, poses: read } }, diagnostics };
+}
+
+function holdsPoses({ name }: SourceFile): boolean {
+  const format = formatKindOf(name);
+  return format !== undefined && KINDS[format].content === 'pose';
 }

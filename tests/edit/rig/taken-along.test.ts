@@ -1,7 +1,8 @@
 /** What goes along with a change of rigging though it is about something else. */
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, onTestFinished, vi } from 'vitest';
 import { setRetarget } from '../../../src/edit/commands/retarget.ts';
 import { addJoint, mirrorJoint, removeJoint, reparentJoint } from '../../../src/edit/commands/rig.ts';
+import { renameJoint } from '../../../src/edit/commands/rig-joint.ts';
 import { documentIn, Store } from '../../../src/edit/store.ts';
 import { blendMorphs, compileSkin, deform } from '../../../src/evaluate/deform.ts';
 import { compileSkeleton, worldMatrices } from '../../../src/evaluate/kinematics.ts';
@@ -60,6 +61,27 @@ describe('a character that another one’s take moves', () => {
       [0, 0],
       [1, 1],
       [3, 3],
+    ]);
+  });
+
+  it('a retargeted character follows the same joints when the source is changed after an undo', () => {
+    // As after garbage collection: undo makes the documents of the past anew.
+    vi.stubGlobal(
+      'WeakRef',
+      class {
+        deref = () => undefined;
+      },
+    );
+    onTestFinished(() => void vi.unstubAllGlobals());
+    const store = driven();
+    store.apply(renameJoint, { characterId: 'c2', joint: 1, name: 'leg' });
+    store.undo();
+    store.apply(removeJoint, { characterId: 'c2', joint: 2, children: 'too' });
+    // hip – thigh – tail
+    expect(pairsOf(store)).toEqual([
+      [0, 0],
+      [1, 1],
+      [3, 2],
     ]);
   });
 

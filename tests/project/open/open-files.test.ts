@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { removeCharacter } from '../../../src/edit/commands/characters.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../../src/model/document.ts';
 import type { BrokenFile, ParsedFile } from '../../../src/model/files.ts';
+import { NO_MARKS } from '../../../src/model/part.ts';
 import { openFiles } from '../../../src/project/open/open-files.ts';
 import {
   animFile,
@@ -358,6 +359,32 @@ describe('files opened later', () => {
       expect(only(document)).toMatchObject({ id: 'c1', poses: [{ name: 'kept' }] });
       expect(document.isOpeningSample).toBe(false);
       expect(diagnostics).toEqual([]);
+    });
+
+    it('poses are read again from the file that the library is from, and join those of another file', () => {
+      const called = (path: string, name: string) => {
+        const joints = own.map((joint) => ({ name: joint, dofs: [{ name: 'rx', value: 0.5 }] }));
+        return file(path, { kind: 'pose', poses: [{ name, joints, weights: [] }] });
+      };
+      const library = (c: Character) => [c.poses?.map(({ name }) => name), c.parts?.poses?.file?.source.name];
+      const first = open([called('a.pose', 'sit')], hero).document;
+      expect(library(only(first))).toEqual([['sit'], 'a.pose']);
+      const again = open([called('A.POSE', 'lie')], first).document;
+      expect(library(only(again))).toEqual([['lie'], 'A.POSE']);
+      const both = open([called('b.pose', 'stand')], first).document;
+      expect(library(only(both))).toEqual([['sit', 'stand'], undefined]);
+      const three = open([called('b.pose', 'walk')], both).document;
+      expect(library(only(three))).toEqual([['sit', 'stand', 'walk'], undefined]);
+      expect(only(three).sources.filter(({ name }) => name.endsWith('.pose'))).toHaveLength(2);
+    });
+
+    it('a library that is gone leaves its file to no other poses', () => {
+      const pose = ofJoints(...own);
+      const first = open([pose], hero).document;
+      const { poses: _poses, parts: { poses: _mark, ...parts } = NO_MARKS, ...rest } = only(first);
+      const without = { ...first, characters: [{ ...rest, parts }] };
+      const { document } = open([{ ...pose, source: { ...pose.source, name: 'new.pose', path: 'new.pose' } }], without);
+      expect(only(document).parts?.poses?.file?.source.name).toBe('new.pose');
     });
 
     it('wait where they are of other joints, and the sample stays', () => {
