@@ -26,6 +26,13 @@ export interface CharacterDof extends Dof {
   readonly takesLimits: boolean;
 }
 
+/** A value that one of a character's DOFs takes. */
+export interface DofValue {
+  /** Into the character's DOFs. */
+  readonly index: number;
+  readonly value: number;
+}
+
 /** Root translation is never clamped, however far an animation walks. */
 const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_INFINITY };
 

@@ -15,7 +15,7 @@
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
-import { type CharacterDof, characterDofs, filePose, restPose } from '../../model/dofs.ts';
+import { type CharacterDof, characterDofs, type DofValue, filePose, restPose } from '../../model/dofs.ts';
 import { jointName } from '../../model/joint-name.ts';
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -23,12 +23,6 @@ import { type KeyOptions, keyDofs } from '../key-dofs.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 import { countUnkeyed, documentWithoutUnkeyed, unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
-
-export interface DofValue {
-  /** Into the character's DOFs (`model/dofs.ts`). */
-  readonly index: number;
-  readonly value: number;
-}
 
 export interface SetDofs {
   readonly characterId: string;

@@ -2,6 +2,7 @@
  * How the viewport takes the hand, shared by its tools, the inspector and the keys. Beside the document: what is pinned
  * or locked is in there (`model/ik.ts`).
  */
+import type { DofValue } from '../../model/dofs.ts';
 import type { PoseByNames } from '../../model/pose-by-names.ts';
 import { type Observable, observable } from '../kit/observable.ts';
 import { IkHand } from './ik-hand.ts';
@@ -25,11 +26,6 @@ export interface ChosenDof {
   readonly dof: number;
   /** `rx`: on another joint the DOF of that name is meant. */
   readonly name: string;
-}
-
-export interface DofValue {
-  readonly index: number;
-  readonly value: number;
 }
 
 /** What else of a character changes where one DOF is changed by hand, from the first change of it to the release. */

@@ -1,6 +1,6 @@
 /**
- * The problem of one drag, with where the hand is and the pose that it has come to. It counts what it has been solved:
- * a frame has room for so many iterations, told without a clock, so that the same drag comes to the same pose anywhere.
+ * The problem of one drag: owns the solver's problem, the pose that it has come to, how strongly the hand pulls, and how
+ * many iterations are left; not when and how often it is solved (`Pull`). A frame has room for so many iterations, told without a clock, so that the same drag comes to the same pose anywhere.
  *
  * A point that can't come where the hand is pulls the less the further away the hand is, f² · gap = const. Pins that hold
  * weigh ten times as much (a hundred times in squares), which is not enough beside a hand three metres off: feet would

@@ -1,16 +1,20 @@
 /**
- * One drag by inverse kinematics: one problem for all of it, made where it begins, and a pose that goes on from frame to
- * frame. What is dragged follows the hand; the pins hold.
+ * The policy of one drag: places of the hand in, a pose out. Owns where the hand is, in the world, the pose that it was
+ * taken hold of in, and in what order a frame's iterations are spent; not the pointer, the document and its undo step
+ * (`ui/editors/ik/hand-pull.ts`), nor what a solution is (`HandProblem`). Needs no page.
  *
  * The hand's way is followed in short steps, however far it went between two frames: a pose that is led there does not
  * flip over on the way. A frame has room for so many iterations of the solver; what does not get there goes on with the
  * next one (`isOnItsWay`).
  */
-import type { Vec3 } from '../../../math/vec3.ts';
+import { invertAffine, setIdentity } from '../../../math/mat4.ts';
+import { subtract, type Vec3 } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
+import type { DofValue } from '../../../model/dofs.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton } from '../../kinematics.ts';
-import { type DragTarget, ikOf, type PinTarget } from '../set-up.ts';
+import { type DragTarget, ikOf, type PinTarget, pointAt } from '../set-up.ts';
+import { changedValues } from './changed-values.ts';
 import { HandProblem, IS_THERE } from './hand-problem.ts';
 import { gapCause, type Hindrance } from './hindrance.ts';
 import { Homing } from './homing.ts';
@@ -49,12 +53,35 @@ export interface Gap {
   readonly to: Vec3;
 }
 
+const OWN_SPACE = new Float64Array(16);
+setIdentity(OWN_SPACE);
+
+/** What is taken hold of. */
+export interface Grip {
+  readonly joint: number;
+  /** In the joint's space. */
+  readonly point: Vec3;
+  /** The id of the pin that it is; absent for a point that nothing holds otherwise. */
+  readonly pin?: number;
+}
+
+/** A pose as it is shown. */
+interface ShownPose {
+  /** The character's DOFs. */
+  readonly dofs: Float64Array;
+  /** As of `worldMatrices`. */
+  readonly world: Float64Array;
+}
+
 export class Pull {
+  private place: Vec3;
   private readonly of: HandProblem;
   private readonly shaking: Shaking;
   private readonly homing: Homing;
   private readonly locks: LockTrial;
-  /** Where the hand is to go, and the pose at the beginning of a frame. */
+  private readonly start: Float64Array;
+  private readonly toOwn = new Float64Array(16);
+  /** Where the hand is in the character's space, and the pose at the beginning of a frame. */
   private readonly goal: Float64Array;
   private readonly before: Float64Array;
   private isCalmed = false;
@@ -62,19 +89,29 @@ export class Pull {
   private readonly rootStays: boolean;
 
   /**
-   * @param start the character's DOFs as they are shown; copied
-   * @param targets where its pins hold, by id
-   * @param dragged where the point is now, which is where its drag begins
+   * @param shown where the drag begins; copied
+   * @param held where the pins hold, by id, in the character's space
+   * @param placement from the character's space to the world's, not singular; copied
    */
   constructor(
     character: Character,
     skeleton: Skeleton,
-    start: ArrayLike<number>,
-    targets: ReadonlyMap<number, PinTarget>,
-    dragged: DragTarget,
+    { dofs, world }: ShownPose,
+    held: ReadonlyMap<number, PinTarget>,
+    { joint, point, pin }: Grip,
+    placement: Float64Array = OWN_SPACE,
   ) {
     this.rootStays = !ikOf(character).rootIsFree && compileSkeleton(skeleton).travel.some((dof) => dof >= 0);
-    this.of = new HandProblem(character, skeleton, start, targets, dragged);
+    this.start = dofs.slice();
+    invertAffine(placement, 0, this.toOwn, 0);
+    const own = pointAt(world, joint, point);
+    this.place = pointAt(placement, 0, own);
+    const targets = new Map(held);
+    // Where it is, not where an earlier drag wanted it: it is there that the hand has taken it.
+    const before = pin === undefined ? undefined : held.get(pin);
+    if (before && pin !== undefined) targets.set(pin, { ...before, position: own });
+    const dragged: DragTarget = pin === undefined ? { joint, point, target: own } : { pin };
+    this.of = new HandProblem(character, skeleton, dofs, targets, dragged);
     this.shaking = new Shaking(this.of);
     this.homing = new Homing(this.of);
     this.locks = new LockTrial(this.of);
@@ -99,14 +136,33 @@ export class Pull {
     return { binding: this.binding(), holders, locks: this.locks.inTheWay(), canMove: of.canMove, rootStays };
   }
 
-  /** The hand has gone there; `dofs` follow. What is not finite is nowhere. */
-  to(x: number, y: number, z: number): void {
-    if (!Number.isFinite(x + y + z)) return;
-    const { of, before, goal, shaking } = this;
+  /** Where the hand is, in the world: at first where the point was. Perhaps the pose is still on its way there. */
+  get hand(): Vec3 {
+    return this.place;
+  }
+
+  /** What the drag has changed since it began, of what can be set. */
+  get changes(): DofValue[] {
+    return changedValues(this.of.skeleton, this.start, this.dofs);
+  }
+
+  /** The hand has gone there, in the world; `dofs` follow. What is not finite is nowhere. */
+  to(hand: Vec3): void {
+    const own = pointAt(this.toOwn, 0, hand);
+    if (!own.every(Number.isFinite)) return;
+    this.place = hand;
+    this.goal.set(own);
+    this.frame();
+  }
+
+  /** One more frame of a pose that is on its way to where the hand is. */
+  goOn(): void {
+    this.frame();
+  }
+
+  private frame(): void {
+    const { of, before, shaking } = this;
     before.set(of.dofs);
-    goal[0] = x;
-    goal[1] = y;
-    goal[2] = z;
     of.left = MAX_ITERATIONS;
     // What had no room in the frame before has it in this one.
     const spare = this.shakingWaits ? TO_SHAKE : 0;
@@ -133,8 +189,8 @@ export class Pull {
    * stays as the hand has left it: a better pose elsewhere would be a jump that nobody asked for.
    */
   settle(): void {
-    const { of, goal } = this;
-    for (let frame = 0; frame < CATCH_UP && this.isBehind; frame++) this.to(goal[0], goal[1], goal[2]);
+    const { of } = this;
+    for (let frame = 0; frame < CATCH_UP && this.isBehind; frame++) this.goOn();
     if (!of.isThere || !of.problem.result.isSolved) return;
     const before = of.dofs.slice();
     of.solve('settle');
@@ -168,9 +224,18 @@ export class Pull {
     return Array.from(binding.subarray(0, bindingCount));
   }
 
-  /** Where a pin is to be, with what it has for an orientation. */
-  target(index: number): Vec3 {
-    return at(this.of.problem.pins.targets, index);
+  /** Where the pins hold once the hand lets go, by id: the dragged one where the hand is, reached or not. */
+  get held(): ReadonlyMap<number, PinTarget> {
+    const { targets, dragged, hand } = this.of;
+    const own = 'pin' in dragged ? targets.get(dragged.pin) : undefined;
+    if (!own || !('pin' in dragged)) return targets;
+    return new Map(targets).set(dragged.pin, { ...own, position: at(hand, 0) });
+  }
+
+  /** So far as a way in the world is in the unit of the character itself. */
+  inOwnUnit(from: Vec3, to: Vec3): number {
+    const { toOwn } = this;
+    return Math.hypot(...subtract(pointAt(toOwn, 0, to), pointAt(toOwn, 0, from)));
   }
 
   /** Whether a frame had no room for all of the hand's way. */

@@ -2,7 +2,6 @@
  * From the hand's way to values of DOFs: one mover for each thing that can be taken hold of. They are made when a drag
  * begins, with the pose as it stands then.
  */
-import type { DofValue } from '../../../edit/commands/pose.ts';
 import { DraggedValue, type HandWants } from '../../../evaluate/handles/dragged-value.ts';
 import { Turning } from '../../../evaluate/handles/free-turn.ts';
 import {
@@ -13,7 +12,7 @@ import {
   sameHandle,
 } from '../../../evaluate/handles/joint-handles.ts';
 import { compileSkeleton, worldMatrices } from '../../../evaluate/kinematics.ts';
-import { type CharacterDof, characterDofs } from '../../../model/dofs.ts';
+import { type CharacterDof, characterDofs, type DofValue } from '../../../model/dofs.ts';
 import type { DraggedHandle } from '../../../view/gizmo/gizmo-look.ts';
 import {
   diagonalMeasure,

@@ -1,5 +1,8 @@
 /**
- * The mouse that drags a point: in the plane through it that faces the camera, or in depth (up is away) while Alt is held
+ * From the pointer to places in the world. Owns the press, its manner and one step a frame; not the document
+ * (`HandPull`), nor what the pose does (`evaluate/ik/drag/pull.ts`).
+ *
+ * The mouse drags a point in the plane through it that faces the camera, or in depth (up is away) while Alt is held
  * or a second finger is down, or from the beginning by the right button. A press that goes nowhere is a click, and nothing
  * has begun; one of a finger that stays is a long press.
  */
@@ -39,8 +42,6 @@ export class PinDrag implements CanvasDrag {
   /** Where the point and the pointer were when the drag began, or changed its manner. */
   private from: Vec3 | undefined;
   private fromY: number;
-  /** Where the hand is in the world. */
-  private last: Vec3 | undefined;
   /** From the pointer to the point on the screen. */
   private besideX = 0;
   private besideY = 0;
@@ -161,8 +162,8 @@ export class PinDrag implements CanvasDrag {
       const away = (this.fromY - at.clientY) * eye.unitsPerPixel(this.from);
       const goal = eye.inDepth(this.from, away);
       this.depth = this.depthBefore + Math.sign(away) * hand.inOwnUnit(this.from, goal);
-      hand.to(this.goal(goal));
-    } else hand.to(this.goal(eye.inPlaneOf(this.from, at.clientX + this.besideX, at.clientY + this.besideY)));
+      hand.to(goal);
+    } else hand.to(eye.inPlaneOf(this.from, at.clientX + this.besideX, at.clientY + this.besideY));
     this.events.moved(this.inDepth ? this.depth : undefined, at);
   }
 
@@ -172,8 +173,7 @@ export class PinDrag implements CanvasDrag {
     this.refused = this.hand === undefined;
     if (!this.hand) return false;
     wb.posing.ik.hasDragged.set(true);
-    this.from = this.hand.anchor;
-    this.last = this.from;
+    this.from = this.hand.hand;
     this.standBeside(press);
     this.events.began();
     return true;
@@ -188,15 +188,10 @@ export class PinDrag implements CanvasDrag {
     );
   }
 
-  private goal(world: Vec3): Vec3 {
-    this.last = world;
-    return world;
-  }
-
   /** From the plane to depth or back: goes on from where it is. */
   private change(at: CanvasPointer): void {
     this.inDepth = !this.inDepth;
-    this.from = this.last;
+    this.from = this.hand?.hand;
     this.depthBefore = this.depth;
     this.fromY = at.clientY;
     this.standBeside(at);

@@ -1,8 +1,7 @@
 /**
  * Arrow keys move the selected pin: over the screen, with Alt up and down in depth, with Shift further. Presses that
- * follow each other are one undo step.
+ * follow each other are one undo step. Owns which presses belong together; where the hand is, `Pull` knows.
  */
-import type { Vec3 } from '../../../math/vec3.ts';
 import type { Workbench } from '../../state/workbench.ts';
 import { HandPull, type PullState } from './hand-pull.ts';
 import { selectedPin } from './in-hand.ts';
@@ -23,7 +22,6 @@ const WAYS: Readonly<Record<string, readonly [number, number]>> = {
 
 export class PinNudge {
   private hand: HandPull | undefined;
-  private goal: Vec3 | undefined;
   private pin = Number.NaN;
   private timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -53,20 +51,19 @@ export class PinNudge {
       const { joint, point } = pin;
       const placement = wb.viewport.pickedCopy(character);
       this.hand = HandPull.begin(wb, { characterId: character.id, placement, joint, point, pin: pin.id });
-      this.goal = this.hand?.anchor;
       this.pin = pin.id;
       wb.posing.ik.hasDragged.set(true);
     }
-    const { hand, goal } = this;
-    if (!hand || !goal) return true;
+    const { hand } = this;
+    if (!hand) return true;
+    const from = hand.hand;
     const { eye } = wb.viewport;
     const length = event.shiftKey ? LONG_STEP : STEP;
-    if (event.altKey) this.goal = eye.inDepth(goal, -way[1] * length * eye.unitsPerPixel(goal));
+    if (event.altKey) hand.to(eye.inDepth(from, -way[1] * length * eye.unitsPerPixel(from)));
     else {
-      const { x, y } = eye.toScreen(goal);
-      this.goal = eye.inPlaneOf(goal, x + way[0] * length, y + way[1] * length);
+      const { x, y } = eye.toScreen(from);
+      hand.to(eye.inPlaneOf(from, x + way[0] * length, y + way[1] * length));
     }
-    hand.to(this.goal);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.finish(), BURST_MS);
     return true;
@@ -77,6 +74,5 @@ export class PinNudge {
     clearTimeout(this.timer);
     this.hand?.finish();
     this.hand = undefined;
-    this.goal = undefined;
   }
 }

@@ -8,12 +8,12 @@ import { setDofs } from '../../../edit/commands/pose.ts';
 import type { KeyOptions } from '../../../edit/key-dofs.ts';
 import { findKey } from '../../../edit/keys/same-time.ts';
 import { keysAtTime } from '../../../edit/keys/selection.ts';
-import { channelOf } from '../../../evaluate/pose.ts';
+import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { keysOf } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
+import { type DofValue, jointDofCount, rootDofCount } from '../../../model/dofs.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
-import type { DofValue } from '../../state/posing.ts';
 import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
@@ -32,6 +32,17 @@ export function autoKey(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOpt
 /** Sets one DOF and whatever goes with it (`Posing.beside`): named by that one. */
 export function setOne(own: DofValue): typeof setDofs {
   return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs: [own] }) };
+}
+
+/** Stops what would take a pose set by hand back with the next frame; with auto-key, so that the shown frame is keyed. */
+export function standStillToPose(
+  wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
+  character: Character,
+): void {
+  const count = rootDofCount(character.skeleton) + jointDofCount(character.skeleton);
+  let plays = wb.timeline.autoKey.get();
+  for (let dof = 0; dof < count && !plays; dof++) plays = isDriven(character, dof);
+  if (plays) standStill(wb);
 }
 
 /** Keys DOFs as they are shown; all of them, where none are named. What plays stops. */

@@ -48,9 +48,9 @@ describeShared('a body that is led about on feet that hold', () => {
     expect(ik.pins).toHaveLength(6);
     const { dofs, world } = shownAt(character, 0);
     const [x, y, z] = pointAt(world, 0, [0, 0, 0]);
-    const dragged = { joint: 0, point: [0, 0, 0] as const, target: [x, y, z] as const };
-    const pull = new Pull(character, skeleton, dofs, pinTargets(ik, world), dragged);
-    const to = (part: number) => pull.to(x + part * way[0], y + part * way[1], z + part * way[2]);
+    const grip = { joint: 0, point: [0, 0, 0] } as const;
+    const pull = new Pull(character, skeleton, { dofs, world }, pinTargets(ik, world), grip);
+    const to = (part: number) => pull.to([x + part * way[0], y + part * way[1], z + part * way[2]]);
     let furthest = 0;
     for (let f = 1; f <= 80; f++) {
       to(1 - Math.abs(f - 40) / 40);

@@ -80,11 +80,11 @@ function pull({ skeleton, dragged, pinned, point, way, rootIsFree }: Drag, look:
   applyConstraints(compiled, dofs, true);
   worldMatrices(compiled, dofs, world);
   const [x, y, z] = pointAt(world, dragged, point);
-  const hand = new Pull(one, skeleton, dofs, pinTargets(ik, world), { joint: dragged, point, target: [x, y, z] });
+  const hand = new Pull(one, skeleton, { dofs, world }, pinTargets(ik, world), { joint: dragged, point });
   const size = (STEP * hand.reach) / (Math.hypot(...way) || 1);
   look(hand.dofs);
   for (let i = 1; i <= STEPS; i++) {
-    hand.to(x + i * size * way[0], y + i * size * way[1], z + i * size * way[2]);
+    hand.to([x + i * size * way[0], y + i * size * way[1], z + i * size * way[2]]);
     look(hand.dofs);
   }
   hand.settle();

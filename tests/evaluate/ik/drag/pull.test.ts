@@ -3,7 +3,7 @@ import { inertia } from '../../../../src/evaluate/ik/drag/inertia.ts';
 import { Pull } from '../../../../src/evaluate/ik/drag/pull.ts';
 import { pinTargets, pointAt } from '../../../../src/evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../../../src/evaluate/kinematics.ts';
-import type { Vec3 } from '../../../../src/math/vec3.ts';
+import { type Vec3, ZERO } from '../../../../src/math/vec3.ts';
 import type { Character } from '../../../../src/model/document.ts';
 import { filePose } from '../../../../src/model/dofs.ts';
 import type { IkSetup, Pin } from '../../../../src/model/ik.ts';
@@ -59,8 +59,8 @@ function leans(dofs: ArrayLike<number>, on: number): number {
 
 function pullOf(ch: Character, on: number, start = filePose(PERSON, 0)): Pull {
   const world = worldOf(start);
-  const dragged = { joint: on, point: [0, 0, 0] as const, target: pointAt(world, on, [0, 0, 0]) };
-  return new Pull(ch, PERSON, start, pinTargets(ch.ik ?? onFeet, world), dragged);
+  const shown = { dofs: Float64Array.from(start), world };
+  return new Pull(ch, PERSON, shown, pinTargets(ch.ik ?? onFeet, world), { joint: on, point: [0, 0, 0] });
 }
 
 /** Drags a point by that much, in so many moves; what is seen of each. */
@@ -68,7 +68,7 @@ function drag(pull: Pull, on: number, by: Vec3, moves: number, look: (dofs: Floa
   const [x, y, z] = placeOf(pull.dofs, on);
   for (let i = 1; i <= moves; i++) {
     const part = i / moves;
-    pull.to(x + part * by[0], y + part * by[1], z + part * by[2]);
+    pull.to([x + part * by[0], y + part * by[1], z + part * by[2]]);
     look(pull.dofs);
   }
 }
@@ -133,13 +133,13 @@ describe('a point that is pulled', () => {
     let frames = 0;
     do {
       const before = pull.dofs.slice();
-      pull.to(...goal);
+      pull.to(goal);
       steps.push(Math.max(...pull.dofs.map((value, d) => Math.abs(value - before[d]))));
       frames++;
     } while (pull.isOnItsWay && frames < 200);
     expect(frames).toBeGreaterThan(1);
     expect(frames).toBeLessThan(200);
-    expect(pull.target(2)).toEqual(goal);
+    expect(pull.gaps().map(({ to }) => to)).toEqual([goal]);
     expect(steps.at(-1)).toBeLessThan(0.2);
     for (const foot of [FOOT_L, FOOT_R])
       expect(apart(placeOf(pull.dofs, foot), placeOf(filePose(PERSON, 0), foot))).toBeLessThan(PIN_HOLDS * SIZE);
@@ -148,10 +148,10 @@ describe('a point that is pulled', () => {
   it('a point that is pulled does not shake where the hand is out of reach and stays there', () => {
     const pull = pullOf(person(), HIPS);
     drag(pull, HIPS, [0.5, 1, 0.4], 20);
-    const [x, y, z] = pull.target(2);
-    for (let i = 0; i < 30; i++) pull.to(x, y, z);
+    const { hand } = pull;
+    for (let i = 0; i < 30; i++) pull.to(hand);
     const before = pull.dofs.slice();
-    pull.to(x, y, z);
+    pull.to(hand);
     expect(Math.max(...pull.dofs.map((value, d) => Math.abs(value - before[d])))).toBeLessThan(1e-3);
   });
 
@@ -163,23 +163,40 @@ describe('a point that is pulled', () => {
     const joints = PERSON.joints.map((j, i) => ({ ...j, limits: limits.get(i) ?? j.limits }));
     const skeleton = { ...PERSON, joints };
     const ik: IkSetup = { pins: [], stiff: [{ joint: HIPS }], rootIsFree: false };
-    const dragged = { joint: FOOT_L, point: [0, 0, 0], target: [0.2, 0, 0] } as const;
-    const pull = new Pull(character({ skeleton, ik }), skeleton, filePose(skeleton, 0), new Map(), dragged);
+    const dofs = Float64Array.from(filePose(skeleton, 0));
+    const grip = { joint: FOOT_L, point: [0, 0, 0] } as const;
+    const pull = new Pull(character({ skeleton, ik }), skeleton, { dofs, world: worldOf(dofs) }, new Map(), grip);
     const thigh = 3 + 3 * THIGH;
-    pull.to(0.2, 0.3, -0.7);
+    pull.to([0.2, 0.3, -0.7]);
     expect(pull.dofs[thigh]).toBeGreaterThan(0.5);
     // A leg that swings back only: forward it comes to its limit, which stands in the way.
-    pull.to(0.2, 0.2, 0.6);
+    pull.to([0.2, 0.2, 0.6]);
     expect(pull.dofs[thigh]).toBe(0);
     expect(pull.binding()).toContain(thigh);
     expect(pull.gaps()).toHaveLength(1);
   });
 
+  it('follows a hand in the world, wherever the character is placed', () => {
+    const start = filePose(PERSON, 0);
+    const world = worldOf(start);
+    const shown = { dofs: Float64Array.from(start), world };
+    // Twice as large, a quarter turn about z, and elsewhere.
+    const placement = Float64Array.of(0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 5, 6, 7, 1);
+    const pull = new Pull(person(), PERSON, shown, pinTargets(onFeet, world), { joint: HIPS, point: ZERO }, placement);
+    const [x, y, z] = pull.hand;
+    expect([x, y, z]).toEqual([3, 6, 7]);
+    for (let i = 1; i <= 20; i++) pull.to([x + 0.02 * i, y, z]);
+    expect(placeOf(pull.dofs, HIPS)[1]).toBeCloseTo(0.8, 3);
+    expect(pull.inOwnUnit([0, 0, 0], [0, 0, 4])).toBe(2);
+    expect(pull.changes.every(({ index, value }) => value === pull.dofs[index])).toBe(true);
+    expect(pull.held.size).toBe(2);
+  });
+
   it('goes nowhere with a hand that is nowhere', () => {
     const pull = pullOf(person(), HEAD);
     const before = pull.dofs.slice();
-    pull.to(Number.NaN, 0, 0);
-    pull.to(Infinity, 0, 0);
+    pull.to([Number.NaN, 0, 0]);
+    pull.to([Infinity, 0, 0]);
     expect(pull.dofs).toEqual(before);
   });
 

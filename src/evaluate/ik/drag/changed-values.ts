@@ -1,0 +1,15 @@
+import { coupleOf } from '../../../model/couples.ts';
+import type { DofValue } from '../../../model/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { compileSkeleton } from '../../kinematics.ts';
+
+/** The DOFs that a solution has changed: no morph, and no linked DOF, whose value follows from another. */
+export function changedValues(skeleton: Skeleton, before: Float64Array, now: Float64Array): DofValue[] {
+  const { firstDof, jointCount } = compileSkeleton(skeleton);
+  const changed: DofValue[] = [];
+  const count = Math.min(firstDof[jointCount], now.length);
+  for (let index = 0; index < count; index++) {
+    if (now[index] !== before[index] && !coupleOf(skeleton, index)) changed.push({ index, value: now[index] });
+  }
+  return changed;
+}

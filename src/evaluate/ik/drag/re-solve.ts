@@ -1,0 +1,57 @@
+import type { Character } from '../../../model/document.ts';
+import type { DofValue } from '../../../model/dofs.ts';
+import type { Skeleton } from '../../../model/skeleton.ts';
+import { ikProblem } from '../problem.ts';
+import { ikOf, ikPinsOf, type PinTarget, stiffnessOf } from '../set-up.ts';
+import { solve } from '../solve.ts';
+import { changedValues } from './changed-values.ts';
+import { HandProblem } from './hand-problem.ts';
+import type { Hindrance } from './hindrance.ts';
+import { LockTrial } from './lock-trial.ts';
+
+/** A gap that is worth a word: part of the reach. */
+const MISSED = 1e-3;
+
+export interface Resolved {
+  readonly changes: readonly DofValue[];
+  /** The joint of the pin that is furthest from its target; undefined if all are reached. */
+  readonly missed: number | undefined;
+  readonly hindrance: Hindrance;
+}
+
+/**
+ * Solves all pins of a character with restarts: unlike a drag it may jump, and finds a way round where a drag is stuck.
+ *
+ * @param shown the character's DOFs
+ * @param held where its pins hold, by id; there is at least one
+ */
+export function resolvePins(
+  character: Character,
+  skeleton: Skeleton,
+  shown: Float64Array,
+  held: ReadonlyMap<number, PinTarget>,
+): Resolved {
+  const setup = ikOf(character);
+  const dofs = shown.slice();
+  const problem = ikProblem(skeleton, ikPinsOf(setup, held), dofs, {
+    clamps: character.clampsToLimits,
+    stiffness: stiffnessOf(skeleton, setup),
+  });
+  const { residuals, binding, bindingCount } = solve(problem, dofs, 'settle');
+  const worst = residuals.indexOf(Math.max(...residuals));
+  const { id, joint } = setup.pins[worst];
+  const isMissed = residuals[worst] > MISSED * problem.reach;
+  // Those that keep the pin from its place, in the pose that was found.
+  const locks = isMissed ? new LockTrial(new HandProblem(character, skeleton, dofs, held, { pin: id })).inTheWay() : [];
+  return {
+    changes: changedValues(skeleton, shown, dofs),
+    missed: isMissed ? joint : undefined,
+    hindrance: {
+      binding: Array.from(binding.subarray(0, bindingCount)),
+      holders: [],
+      locks,
+      canMove: true,
+      rootStays: !setup.rootIsFree,
+    },
+  };
+}
