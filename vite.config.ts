@@ -98,7 +98,10 @@ export default defineConfig(({ mode }) => {
         tests('deep', DEEP, 1, { pool: 'forks', isolate: false, testTimeout: 60_000 }),
         // Two browsers draw in software: more than that get in each other's way. What a test polls for comes late where
         // the machine is busy: a second, as vitest has it, is too little.
+        // Processes, so that their browsers end with them.
         tests('browser', BROWSER, 2, {
+          pool: 'forks',
+          isolate: false,
           maxWorkers: 2,
           testTimeout: 120_000,
           hookTimeout: 60_000,

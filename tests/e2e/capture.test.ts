@@ -13,10 +13,48 @@ interface Reference {
   readonly tolerance: number;
 }
 
-/** Joints by name, parent and positions, then End Sites, as the reference lists them: in the order of the file. */
+/** A character as it is drawn: joints, then End Sites, in the order of the file. */
 interface Shown {
   readonly joints: readonly { readonly name: string; readonly position: readonly number[] }[];
   readonly endSites: readonly (readonly number[])[];
+}
+
+/** The frames of all files by their time, so that the page draws each time once. */
+function framesByTime(files: Readonly<Record<string, Reference>>): Map<number, { file: string; frame: string }[]> {
+  const found = new Map<number, { file: string; frame: string }[]>();
+  for (const [file, { frame_time, positions }] of Object.entries(files)) {
+    for (const frame of Object.keys(positions)) {
+      const seconds = Number(frame) * frame_time;
+      const others = found.get(seconds);
+      if (others) others.push({ file, frame });
+      else found.set(seconds, [{ file, frame }]);
+    }
+  }
+  return found;
+}
+
+function expectAtFrame(figures: readonly Shown[], reference: Reference, frame: string, what: string): void {
+  const { nodes, positions, tolerance } = reference;
+  const isJoint = ([, , channels]: Reference['nodes'][number]) => channels !== null;
+  const joints = figures.flatMap((figure) => figure.joints);
+  expect(joints.map(({ name }) => name)).toEqual(nodes.filter(isJoint).map(([name]) => name));
+  const size = Math.max(1, tolerance / 1e-5);
+  const expected = positions[frame];
+  const expectNear = (got: readonly (readonly number[])[], wanted: readonly (readonly number[])[]) =>
+    expectClose(
+      got.flat().map((v) => v / size),
+      wanted.flat().map((v) => v / size),
+      1e-5,
+      what,
+    );
+  expectNear(
+    joints.map(({ position }) => position),
+    expected.filter((_, i) => isJoint(nodes[i])),
+  );
+  expectNear(
+    figures.flatMap(({ endSites }) => endSites),
+    expected.filter((_, i) => !isJoint(nodes[i])),
+  );
 }
 
 describeShared('all takes of the field at once', () => {
@@ -31,47 +69,24 @@ describeShared('all takes of the field at once', () => {
         names.map((name) => ({ name, bytes: sharedBytes(`data/bvh/${name}`) })),
       );
       await page.waitForFunction((count) => window.marrow.characters().length >= count, names.length);
-      for (const name of names) {
-        const { frame_time, nodes, positions, tolerance } = reference[name];
-        for (const [frame, expected] of Object.entries(positions)) {
-          const seconds = Number(frame) * frame_time;
-          const shown = await page.evaluate(
-            async ([stem, time]) => {
-              window.marrow.seek(time);
-              await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
-              // Several roots are several characters, called after the file and their root.
-              const figures = window.marrow
-                .characters()
-                .filter(({ name }) => name === stem || name.startsWith(`${stem} `));
-              return figures.map(({ id, joints }): Shown => {
-                const world = window.marrow.worldMatrices({ id });
-                return {
-                  joints: joints.map(({ name }, j) => ({ name, position: world[j].slice(12, 15) })),
-                  endSites: window.marrow.endSites({ id }).map(({ position }) => position),
-                };
-              });
-            },
-            [name.replace(/\.bvh$/, ''), seconds] as const,
-          );
-          const isJoint = (node: Reference['nodes'][number]) => node[2] !== null;
-          const joints = shown.flatMap((figure) => figure.joints);
-          expect(joints.map((joint) => joint.name)).toEqual(nodes.filter(isJoint).map(([joint]) => joint));
-          const size = Math.max(1, tolerance / 1e-5);
-          const compare = (got: readonly (readonly number[])[], of: (node: Reference['nodes'][number]) => boolean) =>
-            expectClose(
-              got.flat().map((v) => v / size),
-              expected.filter((_, i) => of(nodes[i])).flatMap((p) => p.map((v) => v / size)),
-              1e-5,
-              `${name}, frame ${frame}`,
-            );
-          compare(
-            joints.map((joint) => joint.position),
-            isJoint,
-          );
-          compare(
-            shown.flatMap((figure) => figure.endSites),
-            (node) => !isJoint(node),
-          );
+      for (const [seconds, wanted] of framesByTime(reference)) {
+        const shown = await page.evaluate(async (time) => {
+          window.marrow.seek(time);
+          await new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+          return window.marrow.characters().map(({ id, name, joints }) => {
+            const world = window.marrow.worldMatrices({ id });
+            return {
+              name,
+              joints: joints.map((joint, j) => ({ name: joint.name, position: world[j].slice(12, 15) })),
+              endSites: window.marrow.endSites({ id }).map(({ position }) => position),
+            };
+          });
+        }, seconds);
+        for (const { file, frame } of wanted) {
+          // Several roots are several characters, named after the file and their root.
+          const stem = file.replace(/\.bvh$/, '');
+          const figures = shown.filter(({ name }) => name === stem || name.startsWith(`${stem} `));
+          expectAtFrame(figures, reference[file], frame, `${file}, frame ${frame}`);
         }
       }
       // However many they are, they cost the same few draw calls: joints, bones, ground, axes and what is selected.

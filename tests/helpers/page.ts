@@ -1,6 +1,7 @@
 /**
  * The built page in a real browser: served under a sub-path, as a static host would, with everything that goes wrong
- * on the way collected. One browser and one server for a test file, a fresh context (no cache, no storage) a page.
+ * on the way collected. A fresh context (no cache, no storage) for each page; browser and server are shared by all test
+ * files of a worker, and end with its process: starting them anew for each file took a second of both cores.
  *
  *     it('plays what is dropped', () =>
  *       withPage(async ({ page }) => {
@@ -12,7 +13,6 @@ import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
-import { afterAll } from 'vitest';
 import { launchChromium } from './chromium.ts';
 import { type ExtraFiles, type StaticServer, serveFolder } from './server.ts';
 
@@ -61,13 +61,6 @@ const STILL: ExtraFiles = {
 
 let browser: Promise<Browser> | undefined;
 const servers = new Map<string, Promise<StaticServer>>();
-
-afterAll(async () => {
-  await (await browser)?.close();
-  for (const server of servers.values()) await (await server).close();
-  browser = undefined;
-  servers.clear();
-});
 
 /** Opens the page, runs `body`, and fails if the page complained of anything that was not expected. */
 export async function withPage(body: (open: OpenPage) => Promise<void>, options: PageOptions = {}): Promise<void> {
