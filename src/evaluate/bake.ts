@@ -1,7 +1,7 @@
 /**
- * Baking: what a character does, sampled at uniform times. The same rows of values that motion capture is read as, so
- * that writers and tools have one input, whatever drove the character: keys with their tangents and extrapolation,
- * samples, couples, limits.
+ * Baking: samples what a character does at uniform times. The result has the layout of motion capture, so that writers
+ * and tools have one input, whatever drove the character: keys with tangents and extrapolation, samples, linked DOFs,
+ * limits.
  *
  *     frame f     the pose at startSeconds + f · frameSeconds, in seconds of the clip
  */
@@ -11,21 +11,21 @@ import { shownClip } from '../model/document.ts';
 import type { Samples } from '../model/samples.ts';
 import { dofCountOf, poseAt } from './pose.ts';
 
-/** Uniform times. */
+/** Evenly spaced times. */
 export interface Frames {
   readonly startSeconds: number;
-  /** Above 0. */
+  /** Greater than 0. */
   readonly frameSeconds: number;
   /** At least 1. */
   readonly frameCount: number;
 }
 
-/** What a page can bear: takes that were read have fewer, and a rate or range that gives more is a slip. */
+/** More than this is refused: real takes have fewer frames, so such a rate or range is a mistake. */
 export const MAX_FRAMES = 1_000_000;
 /** The same for frames times channels: 800 MB. */
 export const MAX_VALUES = 100_000_000;
 
-/** Nearer to a frame than this part of one is that frame: 2.3 s at 30 a second are 69 frames, not 68.99. */
+/** Fraction of a frame below which a time counts as that frame: 2.3 s at 30 FPS are 69 frames, not 68.99. */
 const SAME_FRAME = 1e-6;
 
 /** As many frames as fit into a range, the first at its start. */
@@ -35,12 +35,12 @@ export function framesOf(range: readonly [number, number], framesPerSecond: numb
   return { startSeconds: start, frameSeconds: 1 / framesPerSecond, frameCount: Math.max(1, count) };
 }
 
-/** The clip that moves a character: another one's where that was put onto it, else its own that is shown. */
+/** The clip that drives a character: a retargeted one, or else its own shown clip. */
 export function playedClip(character: Character): ChannelClip | undefined {
   return character.driver?.source.clip ?? shownClip(character);
 }
 
-/** The frames that the clip that moves a character was sampled at; undefined where it has no samples. */
+/** The frames at which the clip that drives a character was sampled; undefined if it has no samples. */
 export function ownFrames(character: Character): Frames | undefined {
   const samples = playedClip(character)?.samples;
   if (!samples) return undefined;
@@ -49,8 +49,8 @@ export function ownFrames(character: Character): Frames | undefined {
 }
 
 /**
- * Calls `see` with every DOF of the character at each frame: the shown clip over the pose as set, within limits if those
- * hold, without what was set by hand over the clip. The list is the same one each time.
+ * Calls `see` with every DOF of the character at each frame: the shown clip over the pose as set, within limits if they
+ * are enforced, without unkeyed changes. The array is reused.
  */
 export function eachFrame(
   character: Character,
@@ -67,7 +67,7 @@ export function eachFrame(
   }
 }
 
-/** The character's DOFs at each frame, morph weights too; in radians and units of length, a column a channel. */
+/** The character's DOFs at each frame, including morph weights, in radians and length units, one column per channel. */
 export function bakeClip(character: Character, frames: Frames): Samples {
   const width = dofCountOf(character);
   const values = new Float64Array(frames.frameCount * width);

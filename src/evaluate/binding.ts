@@ -1,6 +1,6 @@
 /**
- * Whether parts of a character fit together: what can only be said once both are there. Pure checks; where a problem
- * has a place in a file, the reader has found it already, so these have none (line 0).
+ * Checks whether parts of a character fit together, which can only be decided once both are present. Problems with a
+ * position in a file were already found by the reader, so these diagnostics have none (line 0).
  */
 import type { ChannelClip } from '../model/clip.ts';
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
@@ -9,11 +9,11 @@ import type { Morph } from '../model/morph.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import { bindingCount, type Skin, vertexCount } from '../model/skin.ts';
 
-/** Does every joint that the skin is attached to exist? */
+/** Whether every joint that the skin is attached to exists. */
 export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Diagnostic[] {
   const joints = skeleton.joints.length;
   const bindings = bindingCount(skin);
-  // No vertex is attached to a joint past the bindings: usually nothing has to be looked at.
+  // No vertex is attached to a joint beyond the bindings, so usually there is nothing to search.
   if (bindings > 0 && bindings <= joints) return [];
   const culprit = skin.attachments ? firstNotBelow(skin.attachments.joints, joints) : -1;
   if (skin.attachments && culprit >= 0) {
@@ -28,7 +28,7 @@ export function checkSkin(skin: Skin, skeleton: Skeleton, fileName: string): Dia
   return [withoutPlace('warning', 'bindings-more', message, fileName, assumed)];
 }
 
-/** Does every vertex that the morph moves exist? */
+/** Whether every vertex that the morph moves exists. */
 export function checkMorph(morph: Morph, skin: Skin, fileName: string): Diagnostic[] {
   const vertices = vertexCount(skin);
   for (const what of ['positions', 'normals'] as const) {
@@ -41,14 +41,14 @@ export function checkMorph(morph: Morph, skin: Skin, fileName: string): Diagnost
   return [];
 }
 
-/** Are there as many channels as root translation, joints and (if it drives any) morphs need? */
+/** Whether there are as many channels as root translation, joints and (if it drives any) morphs need. */
 export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: number, fileName: string): Diagnostic[] {
   const given = clip.channels.length;
   const dofs = jointDofCount(skeleton);
   const forRoot = rootDofCount(skeleton);
   const forSkeleton = forRoot + dofs;
   const forAll = forSkeleton + morphCount;
-  // An animation of the joints alone is complete, whatever morphs there are.
+  // An animation of the joints alone is complete, with or without morphs.
   if (given === forSkeleton || given === forAll) return [];
   const morphs = morphCount > 0 && given > forSkeleton ? ` and ${morphCount} for its morphs` : '';
   const needed = morphs ? forAll : forSkeleton;
@@ -60,13 +60,13 @@ export function checkClip(clip: ChannelClip, skeleton: Skeleton, morphCount: num
   return [withoutPlace('warning', 'channels-more', message, fileName, assumed)];
 }
 
-/** Index of the first entry that is `limit` or more; -1 where there is none. */
+/** Index of the first element that is at least `limit`; -1 if there is none. */
 function firstNotBelow(indices: Uint32Array, limit: number): number {
   for (let i = 0; i < indices.length; i++) if (indices[i] >= limit) return i;
   return -1;
 }
 
-/** The vertex that attachment `a` belongs to: the one v with start[v] ≤ a < start[v + 1]. */
+/** The vertex of attachment `a`: the v with start[v] ≤ a < start[v + 1]. */
 function ownerOf(start: Uint32Array, a: number): number {
   let low = 0;
   let high = start.length - 1;

@@ -1,19 +1,19 @@
 /**
- * Boxes around a skin at any pose, from its joints, without a loop over its vertices.
+ * Bounding boxes of a skin in any pose, computed from its joints without a loop over its vertices.
  *
- * A vertex moved by weights ≥ 0 whose sum is s lies, for each axis, between the least and the greatest of
- * s · (W·B⁻¹)ⱼ · v over its joints j. So, with boxⱼ around the vertices (in the skin's own space) that joint j moves,
- * and [s₀, s₁] the range of their sums:
+ * A vertex with weights ≥ 0 that sum to s lies, on each axis, between the minimum and maximum of s · (W·B⁻¹)ⱼ · v over
+ * its joints j. So, with boxⱼ around the vertices (in the skin's own space) that joint j moves, and [s₀, s₁] the range
+ * of their sums:
  *
  *     posed ⊆ ∪ⱼ [s₀, s₁]ⱼ · (W·B⁻¹)ⱼ · boxⱼ
  *
- * - A vertex with a negative weight leaves that hull. Around the centre c of all the moved boxes, whose half size is
- *   h, it is v′ = s·c + Σ w·(p − c), hence within [s₀, s₁]·c ± max Σ|w| · h, over all such vertices.
- * - Vertices without attachments have a box of their own, that no joint moves.
- * - Morphs widen boxⱼ by φ times the least and greatest displacement of its vertices, on each axis.
+ * - A vertex with a negative weight leaves that hull. Around the centre c of all moved boxes, with half size h, it is
+ *   v′ = s·c + Σ w·(p − c), hence within [s₀, s₁]·c ± max Σ|w| · h over all such vertices.
+ * - Vertices without attachments have a box of their own that no joint moves.
+ * - Morphs widen boxⱼ by φ times the minimum and maximum displacement of its vertices, on each axis.
  *
- * The box is never too small, rounding included, and tight where a joint turns little. Boxes around the deformed
- * vertices themselves would be tightest: a loop over a million vertices a frame.
+ * The box is never too small, rounding included, and tight for joints that turn little. A box around the deformed
+ * vertices would be tightest, but needs a loop over up to a million vertices per frame.
  */
 import type { Morph } from '../model/morph.ts';
 import { perObject } from '../model/per-object.ts';
@@ -21,40 +21,40 @@ import { type Skin, vertexCount } from '../model/skin.ts';
 import { matrixCountOf } from './deform.ts';
 import { adoptNormals, normalsOf } from './normals.ts';
 
-/** What `posedBounds` needs to know of a skin, and of the morphs that change it. */
+/** The precomputed data of a skin and its morphs for `posedBounds`. */
 export interface SkinBounds {
   readonly joints: JointBoxes;
-  /** One a morph. */
+  /** One per morph. */
   readonly reaches: readonly MorphReach[];
 }
 
 export interface JointBoxes {
-  /** Least x y z and greatest x y z, 6 a matrix, and 6 of the vertices without attachments; inverted where empty. */
+  /** Minimum x y z and maximum x y z, 6 per matrix, then 6 for the vertices without attachments; inverted if empty. */
   readonly boxes: Float64Array;
-  /** Least and greatest sum of weights, 2 a matrix, and 2 of the vertices without attachments. */
+  /** Minimum and maximum sum of weights, 2 per matrix, then 2 for the vertices without attachments. */
   readonly weightSums: Float64Array;
-  /** Of vertices with a negative weight: greatest sum of |w|, least and greatest sum of w; all 0 without such. */
+  /** For vertices with a negative weight: maximum sum of |w|, minimum and maximum sum of w; all 0 if there are none. */
   readonly mixed: Float64Array;
 }
 
-/** How far a morph displaces the vertices of the joints that it touches, at weight 1. */
+/** How far a morph at weight 1 displaces the vertices of each joint that it affects. */
 export interface MorphReach {
-  /** Which boxes: joints, or one past them for the vertices without attachments. */
+  /** Indices of boxes: joints, or one past them for vertices without attachments. */
   readonly boxes: Uint32Array;
-  /** Least x y z (≤ 0) and greatest x y z (≥ 0), 6 for each of `boxes`. */
+  /** Minimum x y z (≤ 0) and maximum x y z (≥ 0), 6 for each of `boxes`. */
   readonly displacements: Float64Array;
 }
 
 /**
- * All that loops over every vertex of a skin, done once: plain data with few large arrays, made by a worker and
- * adopted by the page.
+ * Everything that loops over all vertices of a skin, done once: plain data in a few large arrays, computed by a worker
+ * and adopted by the page.
  */
 export interface SkinFacts {
   readonly bounds: SkinBounds;
-  /** Where the skin has none of its own. */
+  /** Computed normals, if the skin has none of its own. */
   readonly normals?: Float64Array;
   readonly maxAttachments: number;
-  /** How many vertices each joint moves. */
+  /** Number of vertices that each joint moves. */
   readonly movedVertices: Uint32Array;
 }
 
@@ -62,15 +62,15 @@ const factsOf = perObject(measure);
 const reachesOf = perObject((skin: Skin) => perObject((morph: Morph) => measureReach(skin, morph)));
 const boundsOf = new WeakMap<Skin, { readonly morphs: readonly Morph[]; readonly bounds: SkinBounds }>();
 
-/** What is to be known of a skin, worked out once. The bounds are those with these morphs. */
+/** A skin's facts, cached. The bounds include these morphs. */
 export function skinFacts(skin: Skin, morphs: readonly Morph[] = []): SkinFacts {
   const facts = factsOf(skin);
   return morphs.length ? { ...facts, bounds: skinBounds(skin, morphs) } : facts;
 }
 
 /**
- * Takes over facts made elsewhere, for a skin that is a copy of the one they were made of.
- * @param morphs copies of those that were given to `skinFacts`, in the same order
+ * Adopts facts computed elsewhere, for a skin that is a copy of the one they were computed from.
+ * @param morphs copies of those passed to `skinFacts`, in the same order
  */
 export function adoptSkinFacts(skin: Skin, facts: SkinFacts, morphs: readonly Morph[] = []): void {
   factsOf.adopt(skin, { ...facts, bounds: { joints: facts.bounds.joints, reaches: [] } });
@@ -94,14 +94,14 @@ export function skinBounds(skin: Skin, morphs: readonly Morph[] = []): SkinBound
   return bounds;
 }
 
-/** Scratch of `posedBounds`, as large as the largest skin seen. */
+/** Scratch of `posedBounds`; grows to the largest skin. */
 let widened = new Float64Array(0);
 
 /**
- * A box that holds the whole skin at a pose: least x y z and greatest x y z, in the character's space.
- * @param matrices W·B⁻¹ as `skinMatrices` gives them; undefined where the skin is not deformed
+ * A box around the whole skin in a pose: minimum x y z and maximum x y z, in the character's space.
+ * @param matrices W·B⁻¹ from `skinMatrices`; undefined if the skin is not deformed
  * @param weights the weight of morph m is `weights[weightOffset + m]`
- * @param out 6 numbers; inverted (least above greatest) for a skin without vertices
+ * @param out 6 numbers; inverted (minimum above maximum) for a skin without vertices
  */
 export function posedBounds(
   bounds: SkinBounds,
@@ -138,11 +138,11 @@ export function posedBounds(
   }
 }
 
-/** Scratch: a box moved by a joint, and the box around all of those. */
+/** Scratch: a box moved by a joint, and the box around all of them. */
 const moved = new Float64Array(6);
 const hull = new Float64Array(6);
 
-/** Rounding of sums of a few dozen terms, relative to the largest: what a box is widened by to hold it. */
+/** Rounding error of a sum of a few dozen terms, relative to the largest; boxes are widened by it. */
 const ROUNDING = 1e-14;
 
 function setEmpty(box: Float64Array): void {
@@ -152,7 +152,7 @@ function setEmpty(box: Float64Array): void {
 
 function widen({ boxes, displacements }: MorphReach, weight: number): void {
   if (weight === 0) return;
-  // A negative weight turns the displacements round.
+  // A negative weight reverses the displacements.
   const least = weight > 0 ? 0 : 3;
   const greatest = 3 - least;
   for (let b = 0; b < boxes.length; b++) {
@@ -168,7 +168,10 @@ function widen({ boxes, displacements }: MorphReach, weight: number): void {
   }
 }
 
-/** The box around a box moved by a matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems 1990). */
+/**
+ * The box around a box transformed by a matrix (J. Arvo, "Transforming axis-aligned bounding boxes", Graphics Gems
+ * 1990).
+ */
 function moveBox(m: Float64Array, mo: number, box: Float64Array, bo: number, out: Float64Array): void {
   const cx = (box[bo] + box[bo + 3]) / 2;
   const cy = (box[bo + 1] + box[bo + 4]) / 2;
@@ -189,7 +192,7 @@ function moveBox(m: Float64Array, mo: number, box: Float64Array, bo: number, out
   }
 }
 
-/** Makes `out` hold `box` scaled by anything from `s0` to `s1`, both ≥ 0. */
+/** Extends `out` to contain `box` scaled by any factor from `s0` to `s1`, both ≥ 0. */
 function include(out: Float64Array, box: Float64Array, s0: number, s1: number): void {
   for (let i = 0; i < 3; i++) {
     out[i] = Math.min(out[i], s0 * box[i], s1 * box[i]);
@@ -197,7 +200,7 @@ function include(out: Float64Array, box: Float64Array, s0: number, s1: number): 
   }
 }
 
-/** The box around vertices as they are: least x y z and greatest x y z; inverted without any. */
+/** The box around undeformed vertices: minimum x y z and maximum x y z; inverted if there are none. */
 export function boxOf(positions: Float64Array, out: Float64Array): void {
   setEmpty(out);
   for (let o = 0; o < positions.length; o += 3) {
@@ -210,8 +213,8 @@ export function boxOf(positions: Float64Array, out: Float64Array): void {
 }
 
 /**
- * A vertex is in the boxes of the joints that it is attached to with a weight other than 0; in those of all of them
- * where all weights are 0, which pulls it to the origin.
+ * A vertex belongs to the boxes of joints it is attached to with a weight other than 0, or to those of all its joints
+ * if all weights are 0, which pulls it to the origin.
  */
 function measure(skin: Skin): SkinFacts {
   const { positions, attachments } = skin;
@@ -234,7 +237,7 @@ function measure(skin: Skin): SkinFacts {
     movedVertices[0] = vertices;
   } else {
     const { start, joints: jointOf, weights } = attachments;
-    // Counts a vertex once where it is attached to one joint twice.
+    // Counts a vertex once even if it is attached to one joint twice.
     const lastCounted = new Int32Array(joints).fill(-1);
     for (let v = 0; v < vertices; v++) {
       const from = start[v];
@@ -271,7 +274,7 @@ function measure(skin: Skin): SkinFacts {
         }
       }
     }
-    // A joint with no plain vertex: its box is there for the hull.
+    // A joint without ordinary vertices: its box only serves the hull.
     for (let j = 0; j <= joints; j++)
       if (!(weightSums[2 * j] <= weightSums[2 * j + 1])) weightSums.fill(1, 2 * j, 2 * j + 2);
   }
@@ -316,7 +319,7 @@ function measureReach(skin: Skin, morph: Morph): MorphReach {
   return { boxes, displacements };
 }
 
-/** x y z a row of the morph, at weight 1. Of rows for one vertex, which moves by all, the first has the sum. */
+/** x y z per row of the morph, at weight 1. If several rows move one vertex, the first has the sum. */
 function displacementsOf(skin: Skin, { positions: { indices, values } }: Morph): Float64Array {
   const moved = new Float64Array(values.length);
   let ascending = true;
@@ -339,7 +342,7 @@ function displacementsOf(skin: Skin, { positions: { indices, values } }: Morph):
   return moved;
 }
 
-/** Makes a joint's displacements, which always hold 0, hold one more. */
+/** Extends a joint's displacements, which always include 0, by one more. */
 function stretch(all: Float64Array, touched: Uint8Array, j: number, moved: Float64Array, at: number): void {
   touched[j] = 1;
   for (let i = 0; i < 3; i++) {

@@ -1,12 +1,12 @@
 /**
- * Any character as a figure of BVH: its joints with channels of rotation (and position where they move), what its shown
- * clip does as rows of values.
+ * Converts any character to a BVH figure: its joints with rotation channels (and position channels if they move), and
+ * its shown clip as rows of values.
  *
- * Positions come from the joints' matrices, for in BVH a position channel replaces the offset; angles are the joints'
- * own DOFs wherever those are such angles (`bvh-joints.ts`). The root always has all six channels, or what it had.
+ * Positions are taken from the joints' matrices, since BVH position channels replace the offset; angles are the joints'
+ * own DOFs wherever these are such angles (`bvh-joints.ts`). The root always has all six channels, or those it had.
  *
- * `.skel` knows no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-figure.ts`), which become
- * End Sites again here.
+ * `.skel` has no End Sites: there they are leaf `fixedjoint`s of that name (`edit/convert/skel-figure.ts`), which
+ * become End Sites again here.
  */
 import { writeRotationPart } from '../math/mat3.ts';
 import { invertAffine, multiplyAffine } from '../math/mat4.ts';
@@ -28,19 +28,19 @@ import { compileSkeleton, localMatrices, worldMatrices } from './kinematics.ts';
 
 export interface BvhFigure {
   readonly figure: CapturedFigure;
-  /** What BVH can't hold. */
+  /** What BVH can't store. */
   readonly diagnostics: readonly Diagnostic[];
 }
 
-/** A translation that stays within this part of the skeleton's reach of where it was does not move. */
+/** A translation that changes less than this fraction of the skeleton's reach counts as constant. */
 const STILL = 1e-12;
 
 const POSITIONS: readonly BvhChannel[] = ['tx', 'ty', 'tz'];
 
-/** What a leaf is called that stands for an End Site. */
+/** Name of a leaf that represents an End Site. */
 const END_SITE = /^end[ _]?site$/i;
 
-/** Whether a joint of `.skel` stands for an End Site of BVH: a leaf below another joint that never moves. */
+/** Whether a `.skel` joint represents a BVH End Site: a leaf below another joint that never moves. */
 export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
   const { motion, name, parent } = joints[j];
   return (
@@ -49,8 +49,8 @@ export function standsForEndSite({ joints }: Skeleton, j: number): boolean {
 }
 
 /**
- * The frames that a character is sampled at where nobody says otherwise: its clip's own, those that all its keys are at,
- * or as many of `framesPerSecond` as its clip's range holds; one where it has no clip.
+ * The default frames for sampling a character: its clip's own, or those of its evenly spaced keys, or `framesPerSecond`
+ * over its clip's range; a single frame without a clip.
  */
 export function framesFor(character: Character, framesPerSecond: number): Frames {
   const clip = playedClip(character);
@@ -60,7 +60,7 @@ export function framesFor(character: Character, framesPerSecond: number): Frames
 /**
  * @param character with a skeleton
  * @param frames seconds of the clip
- * @param file what diagnostics name
+ * @param file the name used in diagnostics
  */
 export function toBvhFigure(character: Character, frames: Frames, file = ''): BvhFigure {
   const { skeleton } = character;
@@ -70,7 +70,7 @@ export function toBvhFigure(character: Character, frames: Frames, file = ''): Bv
   return new Figuring(character, skeleton, frames, file).result();
 }
 
-/** Whether all that the clip does is in its samples: then they are what is written, to the last bit. */
+/** Whether the clip consists only of its samples; these are then written exactly as they are. */
 function isUntouched(character: Character, clip: ChannelClip | undefined, frames: Frames): boolean {
   const { skeleton, clampsToLimits, driver } = character;
   if (driver || !skeleton || !isBvh(character) || rootDofCount(skeleton) > 0) return false;
@@ -90,9 +90,9 @@ function isUntouched(character: Character, clip: ChannelClip | undefined, frames
 class Figuring {
   private readonly plans: readonly JointPlan[];
   private readonly isScaled: boolean;
-  /** Which joints are joints there: those that stand for End Sites are none. */
+  /** Joints that become BVH joints: all but those that represent End Sites. */
   private readonly kept: readonly number[];
-  /** 16 a joint: each in its parent's space, without scale and shear. */
+  /** 16 per joint: relative to its parent, without scale and shear. */
   private readonly local: Float64Array<ArrayBuffer>;
   private readonly world: Float64Array<ArrayBuffer>;
 
@@ -144,7 +144,7 @@ class Figuring {
     const scales = joints.flatMap(({ motion }) =>
       dofsOf(motion).map(({ unit }) => (unit === 'angle' ? RADIANS_PER_DEGREE : 1)),
     );
-    // Without a root translation before them, or with one that stands at 0.
+    // Without a root translation before them, or with one that stays 0.
     const firstChannel = rootDofCount(figure);
     const clip: ChannelClip = {
       name: shownClip(this.character)?.name ?? this.character.name,
@@ -163,7 +163,7 @@ class Figuring {
     return { figure: { skeleton: figure, clip }, diagnostics: this.diagnostics() };
   }
 
-  /** Each joint in its parent's space, as a rotation and a position. */
+  /** Computes each joint relative to its parent, as a rotation and a position. */
   private place(dofs: Float64Array): void {
     const { local, world, skeleton, plans, isScaled } = this;
     const compiled = compileSkeleton(skeleton);
@@ -185,7 +185,7 @@ class Figuring {
     });
   }
 
-  /** Where joints stand that don't move; where the others begin. */
+  /** Offsets: positions of joints that don't move, and initial positions of the others. */
   private offsets(): readonly Vec3[] {
     const { skeleton, plans, frames, local, kept } = this;
     const { joints } = skeleton;
@@ -205,7 +205,7 @@ class Figuring {
     const moving = this.moving(offsets);
     return skeleton.joints.map(({ parent, motion }, j) => {
       const plan = plans[j];
-      // A joint of BVH keeps its channels, in their order; a root that something else carries gets what it lacks.
+      // A BVH joint keeps its channels in order; a root that something else moves gets the missing ones.
       const own = bvhChannelsOf(motion);
       if (own && !plan.isScaled && (parent >= 0 || rootDofCount(skeleton) === 0)) return own;
       const positions = parent < 0 || moving.has(j) ? POSITIONS : [];
@@ -214,7 +214,7 @@ class Figuring {
     });
   }
 
-  /** Joints whose bone to them is not the same at every frame. */
+  /** Joints whose offset from their parent changes over the frames. */
   private moving(offsets: readonly Vec3[]): ReadonlySet<number> {
     const { plans, local, kept } = this;
     const still = kept.filter((j) => plans[j].mayMove && !plans[j].positions);
@@ -233,7 +233,7 @@ class Figuring {
     return moving;
   }
 
-  /** What fills a row, from the DOFs and the matrices placed. */
+  /** A function that fills a row from the DOFs and the computed matrices. */
   private writer(channels: readonly (readonly BvhChannel[])[], width: number, values: Float64Array) {
     const { character, skeleton, plans, kept, local, frames } = this;
     const starts = firstDofs(skeleton);
@@ -242,7 +242,7 @@ class Figuring {
     const isOwn = samples?.startSeconds === frames.startSeconds && samples.frameSeconds === frames.frameSeconds;
     const angles = new Float64Array(3);
     const turns = new Float64Array(3 * skeleton.joints.length);
-    /** Rows follow each other, and so do the angles that come out of matrices. */
+    /** Rows are written in order, and angles from matrices continue from the previous row. */
     return (dofs: Float64Array, frame: number) => {
       let at = frame * width;
       for (const j of kept) {
@@ -266,7 +266,7 @@ class Figuring {
           const column = isOwn && clip?.channels[dof]?.kind === 'samples' ? columnOf(samples, dof) : -1;
           const raw = column >= 0 && samples ? samples.values[frame * samples.scales.length + column] : 0;
           const isRaw = column >= 0 && samples?.scales[column] === RADIANS_PER_DEGREE;
-          // What was read in degrees is written as it was read, unless a limit had a say.
+          // Values read in degrees are written as they were read, unless a limit changed them.
           values[at++] =
             isRaw && angle.sign > 0 && raw * RADIANS_PER_DEGREE === dofs[dof]
               ? raw
@@ -300,13 +300,13 @@ class Figuring {
   }
 }
 
-/** Where bones along +y end at which no joint stands: BVH shows them by End Sites only. */
+/** Ends of bones along +y that no joint continues: in BVH they need End Sites. */
 function tipsOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
   const tips = boneEnds(skeleton).filter(({ joint, at }) => !skeleton.joints[joint].endSites?.includes(at));
   return new Map(tips.map(({ joint, at }) => [joint, [at]]));
 }
 
-/** The End Sites that leaves stand for, by the joint that they are below. */
+/** The End Sites that leaves represent, by the joint above them. */
 function leavesOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
   const leaves = new Map<number, Vec3[]>();
   skeleton.joints.forEach(({ parent, offset }, j) => {
@@ -318,5 +318,5 @@ function leavesOf(skeleton: Skeleton): ReadonlyMap<number, readonly Vec3[]> {
   return leaves;
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const inverse = new Float64Array(16);

@@ -1,28 +1,28 @@
 /**
- * Which channels a joint of any kind becomes in BVH, and where their values come from.
+ * Decides which BVH channels a joint of any type gets, and where their values come from.
  *
- *     angles     DOFs of the joint that are the channel's angle themselves: nothing is lost to a decomposition
+ *     angles     DOFs of the joint that are the channel's angle themselves: no decomposition, nothing is lost
  *     matrix     the joint's matrix, as Zrotation Xrotation Yrotation
- *     none       the joint never turns
+ *     none       the joint never rotates
  *
- * Scales and shears BVH can't hold. From a joint that has some down, frames are taken from the world matrices with
- * scale and shear left out: joints stand where they stood, with position channels where bones change their length.
+ * BVH can't store scale and shear. From a joint with either downwards, frames are taken from the world matrices with
+ * scale and shear removed: joints stay in place, with position channels where bones change length.
  */
 import { axisOf, bvhChannelsOf, dofsOf, factorsOf, pitchOf, stretches } from '../model/joint-types.ts';
 import type { BvhChannel, CompoundDof, Dof, Joint, Motion, Skeleton } from '../model/skeleton.ts';
 
 export interface JointPlan {
-  /** DOFs among the joint's own, in the order of the channels; absent where angles come from the matrix. */
+  /** Indices into the joint's DOFs, in channel order; absent if angles come from the matrix. */
   readonly angles?: readonly { readonly channel: BvhChannel; readonly dof: number; readonly sign: number }[];
-  /** Whether its translation may be another than its offset. */
+  /** Whether its translation may differ from its offset. */
   readonly mayMove: boolean;
-  /** The position channels that a joint of BVH has, which it keeps. */
+  /** The position channels of a BVH joint, which it keeps. */
   readonly positions?: readonly BvhChannel[];
-  /** In or below a joint that scales or shears. */
+  /** At or below a joint that scales or shears. */
   readonly isScaled: boolean;
 }
 
-/** Zrotation Xrotation Yrotation: what `zxyAngles` gives. */
+/** Zrotation Xrotation Yrotation, as from `zxyAngles`. */
 export const MATRIX_CHANNELS: readonly BvhChannel[] = ['rz', 'rx', 'ry'];
 
 export function planJoints({ joints }: Skeleton): readonly JointPlan[] {
@@ -34,7 +34,7 @@ export function planJoints({ joints }: Skeleton): readonly JointPlan[] {
   return plans;
 }
 
-/** Of a joint that neither scales nor shears. */
+/** For a joint that neither scales nor shears. */
 function planOf({ motion }: Joint): JointPlan {
   const dofs = dofsOf(motion);
   const mayMove = dofs.some(({ unit }) => unit === 'length') || pitchOf(motion) !== 0;
@@ -54,7 +54,7 @@ function isRotation(name: CompoundDof): name is 'rx' | 'ry' | 'rz' {
   return name.startsWith('r');
 }
 
-/** The channels of a joint with an axis: none where it only slides. Undefined where its angle is none of them. */
+/** The channels of a joint with an axis: none if it only slides. Undefined if its angle is not about a main axis. */
 function anglesAboutAxis(motion: Motion, dofs: readonly Dof[]): JointPlan['angles'] {
   const axis = axisOf(motion);
   if (!axis) return undefined;
@@ -63,7 +63,7 @@ function anglesAboutAxis(motion: Motion, dofs: readonly Dof[]): JointPlan['angle
   return angle && [angle];
 }
 
-/** The one channel of a rotation about x, y or z, or against one of them. */
+/** The channel of a rotation about x, y or z, in either direction. */
 function alongAxis(axis: readonly number[]) {
   const main = axis.findIndex((v) => v !== 0);
   if (main < 0 || axis.some((v, k) => v !== 0 && k !== main)) return undefined;

@@ -1,8 +1,8 @@
 /**
- * Clips made ready to be evaluated: all channels packed into a handful of typed arrays, each span as a cubic.
+ * Compiles clips for evaluation: all channels packed into a few typed arrays, each span as a cubic.
  *
- * An edit makes a new clip of mostly the same channels, and a new channel of mostly the same keys; what was compiled
- * before is copied as far as it is the same.
+ * An edit makes a new clip of mostly the same channels, and a new channel of mostly the same keys; unchanged compiled
+ * data is copied.
  */
 import { hermiteCubic } from '../math/hermite.ts';
 import {
@@ -16,41 +16,43 @@ import { columnOf, type Samples } from '../model/samples.ts';
 import { slope } from './slopes.ts';
 
 /**
- * A clip ready to be evaluated. Its keys are those of the channels, one after the other; a channel at rest at
- * any value but 0 has one here.
+ * A clip ready for evaluation. It contains the keys of all channels in order; a channel at rest at a value other than 0
+ * has one key here.
  */
 export interface CompiledClip {
   readonly channelCount: number;
-  /** One more than there are channels: channel c has the keys `firstKey[c]` up to (not including) `firstKey[c + 1]`. */
+  /** One more than the number of channels: channel c has the keys `firstKey[c]` up to (excluding) `firstKey[c + 1]`. */
   readonly firstKey: Int32Array;
-  /** Seconds, a key. */
+  /** Seconds, one per key. */
   readonly times: Float64Array;
-  /** Four a key: a, b, c, d of `math/hermite.ts`, in the time since the key. `a` is the key's value. */
+  /** Four per key: a, b, c, d of `math/hermite.ts`, in the time since the key. `a` is the key's value. */
   readonly cubics: Float64Array;
-  /** Two a channel: what holds before and after its keys, as an index into EXTRAPOLATIONS. */
+  /** Two per channel: extrapolation before and after its keys, as indices into EXTRAPOLATIONS. */
   readonly extrapolations: Uint8Array;
-  /** Four a channel: the period in seconds, how far the value gets in one, slope before and slope after the keys. */
+  /**
+   * Four per channel: the period in seconds, the value's change over one period, slope before and slope after the keys.
+   */
   readonly beyond: Float64Array;
-  /** What the sampled channels follow. */
+  /** The source of the sampled channels. */
   readonly samples: Samples | undefined;
-  /** The column that each channel follows; -1 for one that is not sampled. */
+  /** The column of each channel; -1 for channels that are not sampled. */
   readonly columns: Int32Array;
 }
 
 const CONSTANT = EXTRAPOLATIONS.indexOf('constant');
 
 /**
- * Compiled forms live as long as someone plays them, not as long as their clip: the history keeps clips by the hundred,
- * each of which would hold on to megabytes for the sake of the one channel that its step changed.
+ * Held weakly, so that compiled forms live only while in use, not as long as their clips: the history keeps hundreds of
+ * clips, each of which would retain megabytes for one changed channel.
  */
 const compiled = new WeakMap<ChannelClip, WeakRef<CompiledClip>>();
-/** Where a channel was compiled last: an edit of one channel copies all others from there. */
+/** Where a channel was last compiled; after an edit of one channel all others are copied from there. */
 const homes = new WeakMap<KeyedChannel, { readonly clip: WeakRef<CompiledClip>; readonly index: number }>();
 
-/** The clip compiled last, which may be the one before an edit. */
+/** The clip compiled last, possibly the one before an edit. */
 let latest: WeakRef<ChannelClip> | undefined;
 
-/** The clip's compiled form, made anew only where nobody holds it any more. */
+/** The clip's compiled form; compiled again only after it was collected. */
 export function compileClip(clip: ChannelClip): CompiledClip {
   const known = compiled.get(clip)?.deref();
   if (known) return known;
@@ -87,7 +89,7 @@ function pack(clip: Pick<ChannelClip, 'channels' | 'samples'>, before?: readonly
   channels.forEach((channel, index) => {
     made.firstKey[index] = next;
     if (channel.kind === 'keys') compileOrCopy(channel, made, index, before?.[index]);
-    // Constant on both sides of a key at 0 s, as all is that was not set.
+    // Constant on both sides of a key at 0 s, like everything unset.
     else if (compiledKeyCount(channel) > 0) made.cubics[4 * next] = channel.kind === 'rest' ? channel.value : 0;
     next += compiledKeyCount(channel);
   });
@@ -108,8 +110,8 @@ function compileOrCopy(channel: KeyedChannel, to: CompiledClip, index: number, b
 }
 
 /**
- * Compiles one channel into its place, which begins at `firstKey[index]`.
- * @param before what may have been edited into this channel: spans that are the same in both are copied
+ * Compiles one channel into its place, from `firstKey[index]`.
+ * @param before the channel this may be an edit of: spans that are the same in both are copied
  */
 function compileChannel(channel: KeyedChannel, to: CompiledClip, index: number, before?: Channel): void {
   const { cubics, extrapolations, beyond } = to;
@@ -134,16 +136,16 @@ function compileChannel(channel: KeyedChannel, to: CompiledClip, index: number, 
   beyond[4 * index + 3] = slope(channel, last, channel.tangentsOut);
 }
 
-/** Shorter channels are compiled sooner than compared. */
+/** Shorter channels are faster to compile than to compare. */
 const LONG_CHANNEL = 512;
 
 /**
- * Copies the cubics of the spans around which nothing changed; a span depends on its two keys and their two neighbours.
+ * Copies the cubics of spans that did not change; a span depends on its two keys and their two neighbours.
  *
  *     keys      the same: head      others      the same: tail
  *     spans     0 … head − 3      [from, end)      count − tail + 1 … last − 1
  *
- * @returns from which span up to (not including) which the rest has to be compiled
+ * @returns the range of spans, end excluded, that has to be compiled
  */
 function copySameSpans(
   channel: KeyedChannel,
@@ -183,7 +185,7 @@ function columnsOf({ times, values, tangentsIn, tangentsOut }: KeyedChannel): re
   return [times, values, tangentsIn.kinds, tangentsIn.slopes, tangentsOut.kinds, tangentsOut.slopes];
 }
 
-/** How many elements, at most `most`, are the same from the beginning. */
+/** Number of equal elements at the beginning, at most `most`. */
 function sameHead(a: Column, b: Column, most: number): number {
   if (a === b) return most;
   let same = 0;
@@ -191,7 +193,7 @@ function sameHead(a: Column, b: Column, most: number): number {
   return same;
 }
 
-/** How many, at most `most`, are the same from the end. */
+/** Number of equal elements at the end, at most `most`. */
 function sameTail(a: Column, b: Column, most: number): number {
   if (a === b) return most;
   let same = 0;
@@ -209,7 +211,7 @@ function copyChannel(from: CompiledClip, channel: number, to: CompiledClip, inde
   to.beyond.set(from.beyond.subarray(4 * channel, 4 * channel + 4), 4 * index);
 }
 
-/** Without a period nothing can repeat. */
+/** Cycles need a period; without one the channel is constant. */
 function extrapolationCode(extrapolation: Extrapolation, period: number): number {
   if (extrapolation !== 'linear' && !(period > 0 && Number.isFinite(period))) return CONSTANT;
   return EXTRAPOLATIONS.indexOf(extrapolation);

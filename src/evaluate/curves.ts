@@ -1,5 +1,5 @@
 /**
- * Channels, compiled to cubics and evaluated at any time.
+ * Evaluates compiled channels at any time.
  *
  *     value
  *       │      extrapolate in   │ spans between keys │   extrapolate out
@@ -7,12 +7,12 @@
  *       │   … period −2, −1     │      period 0      │   period 1, 2 …
  *       └───────────────────────┴────────────────────┴────────────────── time
  *
- * A key's cubic holds from that key up to the next one; the last key's is its own value. All channels of a clip are
- * packed into a handful of typed arrays, so that a pose walks through memory once and allocates nothing, and one value
- * costs a binary search and a cubic. (A linked list of span objects costs a cache miss a step; a cursor that remembers
- * the last span makes playing cheaper by little, and scrubbing, many instances and exports dearer.)
+ * A key's cubic applies up to the next key; the last key's is its value. All channels of a clip are packed into a few
+ * typed arrays, so that a pose reads memory once in order and allocates nothing; a value costs a binary search and a
+ * cubic. (A linked list of spans costs a cache miss per step. A cursor that remembers the last span makes playback
+ * slightly cheaper, but scrubbing, many instances and exports more expensive.)
  *
- * A time that is no finite number gives the value of the key at that end, NaN that of the first key.
+ * An infinite time gives the value of the key at that end; NaN that of the first key.
  */
 import { lastNotAbove } from '../math/search.ts';
 import { EXTRAPOLATIONS } from '../model/clip.ts';
@@ -24,7 +24,7 @@ const LINEAR = EXTRAPOLATIONS.indexOf('linear');
 const CYCLE_OFFSET = EXTRAPOLATIONS.indexOf('cycle_offset');
 const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
 
-/** A channel's value at a time; 0 where it has neither keys nor a rest. O(log keys), without allocating. */
+/** A channel's value at a time; 0 for a channel without keys or rest value. O(log keys), without allocating. */
 export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds: number): number {
   const { firstKey, times } = clip;
   const first = firstKey[channel];
@@ -33,15 +33,15 @@ export function evaluateChannel(clip: CompiledClip, channel: number, timeSeconds
   if (first === end) return 0;
   const key = lastNotAbove(times, first, end, timeSeconds);
   const since = timeSeconds - times[key];
-  // Before the first key it is negative, for NaN neither; after the last key it is more than 0 there.
+  // Negative before the first key, and false for NaN; greater than 0 after the last key.
   if (since >= 0 && (since === 0 || key + 1 < end)) return cubic(clip.cubics, key, since);
   return outside(clip, channel, first, end, timeSeconds);
 }
 
 /**
- * The first `count` channels at a time: `out[c]` for channel c. The same as `evaluateChannel` for each, written out so
- * that arrays are looked up once: a pose is mostly short channels, whose search is over in two steps. Those that follow
- * samples are 0: between frames their values depend on each other, and on the joints (`sampled-pose.ts`).
+ * The first `count` channels at a time: `out[c]` for channel c. Same as `evaluateChannel` for each, but inlined so that
+ * arrays are looked up once: most channels of a pose are short, with a search of two steps. Sampled channels get 0,
+ * since their values between frames depend on each other and on the joints (`sampled-pose.ts`).
  */
 export function evaluateClip(
   clip: CompiledClip,
@@ -79,7 +79,7 @@ function cubic(cubics: Float64Array, key: number, t: number): number {
   return ((cubics[o + 3] * t + cubics[o + 2]) * t + cubics[o + 1]) * t + cubics[o];
 }
 
-/** At a time between the first and the last key. */
+/** For times from the first to the last key. */
 function inside({ times, cubics }: CompiledClip, first: number, end: number, time: number): number {
   const key = lastNotAbove(times, first, end, time);
   return cubic(cubics, key, time - times[key]);
@@ -122,14 +122,14 @@ function repeated(clip: CompiledClip, channel: number, code: number, first: numb
   return code === CYCLE_OFFSET ? value + period * beyond[4 * channel + 1] : value;
 }
 
-/** How far into its repetition a time is; scratch of `locate`. */
+/** Scratch of `locate`: time since the start of the repetition. */
 const sinceStart = new Float64Array(1);
 
-/** In which repetition a time is, and in `sinceStart` how far into it. */
+/** The repetition that a time falls into; writes the time since its start to `sinceStart`. */
 function locate(start: number, stop: number, length: number, time: number): number {
   let period = Math.floor((time - start) / length);
   let rest = time - start - period * length;
-  // A boundary that rounding missed by a few units in the last place is that boundary: 10 frames are 10 frames.
+  // Snaps to a boundary that is missed only by rounding: 10 frames are 10 frames.
   const rounding = 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(start), Math.abs(stop));
   if (rest >= length - rounding) {
     period++;
@@ -140,8 +140,8 @@ function locate(start: number, stop: number, length: number, time: number): numb
 }
 
 /**
- * A channel's slope at a time, in value per second: the derivative of `evaluateChannel`. Where the curve has a corner
- * or a step, at a key or where a repetition begins, `side` says whether the one before or after it is meant.
+ * A channel's slope at a time, in value per second: the derivative of `evaluateChannel`. At corners and steps, on a key
+ * or where a repetition begins, `side` selects the slope before or after it.
  */
 export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: number, side: 'in' | 'out'): number {
   const { firstKey, times, beyond, samples, columns } = clip;
@@ -160,7 +160,7 @@ export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: 
   const length = beyond[4 * channel];
   let period = locate(start, stop, length, timeSeconds);
   if (side === 'in' && sinceStart[0] === 0) {
-    // Before a boundary is the end of the repetition that comes to it.
+    // Before a boundary is the end of the previous repetition.
     period--;
     sinceStart[0] = length;
   }
@@ -171,7 +171,7 @@ export function evaluateSlope(clip: CompiledClip, channel: number, timeSeconds: 
   return slopeInside(clip, first, end, Math.min(stop, start + sinceStart[0]), side);
 }
 
-/** At a time that has a segment on that side. */
+/** For a time that has a segment on that side. */
 function slopeInside(clip: CompiledClip, first: number, end: number, time: number, side: 'in' | 'out'): number {
   const { times, cubics } = clip;
   let key = lastNotAbove(times, first, end, time);

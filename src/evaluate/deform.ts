@@ -1,14 +1,13 @@
 /**
- * Morphs and smooth skinning, exactly: doubles, any number of attachments, weights as given.
+ * Exact morphs and smooth skinning: doubles, any number of attachments, weights as given.
  *
  *     v = v₀ + Σ φₜ · (vₜ − v₀)                normals alike; then
  *     v′ = Σ wᵢ · Wᵢ·Bᵢ⁻¹ · v                  n′ = normalised Σ wᵢ · (Wᵢ·Bᵢ⁻¹)⁻ᵀ · n
  *
- * This is what the command line prints, exports bake and the picture is held against; the picture itself is drawn by
- * the GPU from `skinMatrices`.
+ * Used by the command line, by exports, and as the reference for rendering; the GPU draws from `skinMatrices`.
  *
- * A vertex without attachments stays where it is. A skin without attachments hangs on the root, and one without a
- * skeleton is left as it is; their normals are normalised like all others.
+ * Vertices without attachments stay in place. A skin without attachments follows the root, and one without a skeleton
+ * is left as it is; in all cases normals are normalised.
  */
 import { inverseTranspose3, invertAffine, isSingular, multiplyAffine, setIdentity } from '../math/mat4.ts';
 import { normalizeAt } from '../math/vec3.ts';
@@ -21,21 +20,21 @@ import { normalsOf } from './normals.ts';
 export interface CompiledSkin {
   readonly skin: Skin;
   readonly vertexCount: number;
-  /** x y z a vertex: the file's, or computed. */
+  /** x y z per vertex: the file's, or computed. */
   readonly normals: Float64Array;
-  /** Matrices that move it: one a binding, and at least the root's. */
+  /** Number of matrices that move it: one per binding, at least the root's. */
   readonly matrixCount: number;
-  /** B⁻¹, 16 a matrix; the identity where there is no binding. */
+  /** B⁻¹, 16 per matrix; the identity if there is no binding. */
   readonly inverseBindings: Float64Array;
-  /** Scratch of `deform`: W·B⁻¹, 16 a matrix, and its inverse transpose, 9 a matrix. */
+  /** Scratch of `deform`: W·B⁻¹, 16 per matrix, and its inverse transpose, 9 per matrix. */
   readonly matrices: Float64Array;
   readonly normalMatrices: Float64Array;
 }
 
-/** The skin's compiled form, made once for each skin. */
+/** The skin's compiled form, cached. */
 export const compileSkin = perObject(compile);
 
-/** How many joints' matrices move a skin: as many as it has bindings, and at least the root's. */
+/** Number of joint matrices that move a skin: one per binding, at least the root's. */
 export function matrixCountOf(skin: Skin): number {
   return Math.max(1, bindingCount(skin));
 }
@@ -44,7 +43,7 @@ function compile(skin: Skin): CompiledSkin {
   const matrixCount = matrixCountOf(skin);
   const inverseBindings = new Float64Array(16 * matrixCount);
   for (let o = 0; o < inverseBindings.length; o += 16) {
-    // The reader refuses singular bindings; a skin made elsewhere must not turn into NaN.
+    // Readers reject singular bindings; skins from elsewhere must not produce NaN.
     if (o < skin.bindings.length && !isSingular(skin.bindings, o)) invertAffine(skin.bindings, o, inverseBindings, o);
     else setIdentity(inverseBindings, o);
   }
@@ -60,10 +59,10 @@ function compile(skin: Skin): CompiledSkin {
 }
 
 /**
- * Positions and normals (not normalised) with morphs blended in, before skinning.
+ * Positions and normals (not normalised) with morphs applied, before skinning.
  * @param weights the weight of morph m is `weights[weightOffset + m]`
- * @param outPositions x y z a vertex
- * @param outNormals x y z a vertex
+ * @param outPositions x y z per vertex
+ * @param outNormals x y z per vertex
  */
 export function blendMorphs(
   skin: CompiledSkin,
@@ -87,7 +86,7 @@ export function blendMorphs(
 function addDifference({ indices, values }: MorphRows, base: Float64Array, weight: number, out: Float64Array): void {
   for (let row = 0; row < indices.length; row++) {
     const o = 3 * indices[row];
-    // Writes beyond the skin's vertices go nowhere, as typed arrays have it; binding reports such rows.
+    // Typed arrays ignore writes beyond the skin's vertices; `checkMorph` reports such rows.
     out[o] += weight * (values[3 * row] - base[o]);
     out[o + 1] += weight * (values[3 * row + 1] - base[o + 1]);
     out[o + 2] += weight * (values[3 * row + 2] - base[o + 2]);
@@ -95,8 +94,8 @@ function addDifference({ indices, values }: MorphRows, base: Float64Array, weigh
 }
 
 /**
- * W·B⁻¹ for each joint that the skin speaks of, 16 numbers each.
- * @param world 16 a joint; a joint that the skeleton does not have keeps what hangs on it in place
+ * W·B⁻¹ for each joint that the skin refers to, 16 numbers each.
+ * @param world 16 per joint; vertices of joints that the skeleton lacks stay in place
  * @param out 16 × `skin.matrixCount`
  */
 export function skinMatrices(skin: CompiledSkin, world: Float64Array, out: Float64Array): void {
@@ -107,12 +106,12 @@ export function skinMatrices(skin: CompiledSkin, world: Float64Array, out: Float
 }
 
 /**
- * The skin at a pose.
- * @param world 16 a joint, as `worldMatrices` gives it; undefined without a skeleton
- * @param positions x y z a vertex, as `blendMorphs` gives them, or the skin's own
- * @param normals x y z a vertex, of any length
- * @param outPositions x y z a vertex; may be `positions`
- * @param outNormals x y z a vertex, of length 1; may be `normals`
+ * The skin in a pose.
+ * @param world 16 per joint, from `worldMatrices`; undefined without a skeleton
+ * @param positions x y z per vertex, from `blendMorphs` or the skin's own
+ * @param normals x y z per vertex, of any length
+ * @param outPositions x y z per vertex; may be `positions`
+ * @param outNormals x y z per vertex, normalised; may be `normals`
  */
 export function deform(
   skin: CompiledSkin,
@@ -172,7 +171,7 @@ export function deform(
   }
 }
 
-/** What a skin without attachments is attached to: the root, wholly, every vertex. */
+/** Attachments of a skin without any: every vertex to the root, with weight 1. */
 const HANGS_ON_ROOT = { start: new Uint32Array(0), joints: Uint32Array.of(0), weights: Float64Array.of(1) };
 
 function keep(
@@ -189,7 +188,7 @@ function keep(
   setDirection(outNormals, o, normals[o], normals[o + 1], normals[o + 2]);
 }
 
-/** The direction of x y z; up where that has none, so that light never meets NaN. */
+/** Writes the direction of x y z, or up if there is none, so that shading never gets NaN. */
 function setDirection(out: Float64Array, o: number, x: number, y: number, z: number): void {
   out[o] = x;
   out[o + 1] = y;

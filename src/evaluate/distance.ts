@@ -1,19 +1,18 @@
 /**
- * How far the joints of two characters are from each other, frame by frame: what comparing two takes of one skeleton
- * measures.
+ * Distances between the joints of two characters, frame by frame, for comparing two takes of a skeleton.
  *
- *     d_j(t) = | A(a_j(t)) − B(b_j(t)) |          a_j, b_j: where joint j is in the scene at time t of the transport
+ *     d_j(t) = | A(a_j(t)) − B(b_j(t)) |          a_j, b_j: position of joint j in the scene at time t of the transport
  *
  *     aligned    A(p)
- *     world      p                                as it stands in the picture
- *     root       p − root                         who stands elsewhere, or walks another way, is not far for it
- *     turned     R⁻¹ (p − root)                   nor who faces another way: R is how the root is turned
+ *     world      p                                as displayed
+ *     root       p − root                         ignores placement and path
+ *     turned     R⁻¹ (p − root)                   also ignores heading: R is the rotation of the root
  *
- * Positions are the scene's (placement and space of each character included), so a distance is in metres where both
- * characters say what their unit is. "In place" is a way of looking and has no part in it.
+ * Positions are in the scene (with each character's placement and space), so distances are in metres if both characters
+ * specify their unit. "In place" only affects display and is ignored.
  *
- * Frames are those of the take with the finer rate, over the time that both takes have. Comparing whole poses by a
- * distance after the best rigid alignment (Kovar's) was left out: it answers how alike two poses are, not where.
+ * Frames are those of the take with the higher frame rate, over the time that both takes cover. Comparing whole poses
+ * after optimal rigid alignment (Kovar) was left out: it tells how similar two poses are, not where they differ.
  */
 
 import type { Character } from '../model/document.ts';
@@ -27,7 +26,7 @@ import type { Steps } from './steps.ts';
 export const ALIGNMENTS = ['world', 'root', 'turned'] as const;
 export type Alignment = (typeof ALIGNMENTS)[number];
 
-/** When a distance is measured: frame f is at `startSeconds + f · frameSeconds` of the transport. */
+/** When distances are measured: frame f is at `startSeconds + f · frameSeconds` of the transport. */
 export interface FrameTimes {
   readonly startSeconds: number;
   readonly frameSeconds: number;
@@ -36,28 +35,28 @@ export interface FrameTimes {
 }
 
 export interface Distances extends FrameTimes {
-  /** As they were matched: row k is of `match.first[k]` and `match.second[k]`. */
+  /** The matched joints: row k belongs to `match.first[k]` and `match.second[k]`. */
   readonly match: JointMatch;
-  /** A row of `frameCount` distances a pair of joints. */
+  /** A row of `frameCount` distances per pair of joints. */
   readonly values: Float32Array;
-  /** Over all pairs, a frame. */
+  /** Over all pairs, per frame. */
   readonly mean: Float32Array;
   readonly most: Float32Array;
-  /** Over all frames, a pair. */
+  /** Over all frames, per pair. */
   readonly jointMean: Float64Array;
   readonly jointMost: Float64Array;
   readonly jointRms: Float64Array;
-  /** The frame at which it is farthest. */
+  /** The frame with the largest distance. */
   readonly jointMostAt: Uint32Array;
 }
 
-/** More distances than this are not kept: 128 MB. Frames are left out evenly instead. */
+/** Limit of stored distances: 128 MB. Beyond it, frames are skipped evenly. */
 const MAX_VALUES = 2 ** 25;
 
 /**
- * The frames at which two characters' takes are compared; undefined where they have no time in common, or one of them
+ * The frames at which two characters' takes are compared; undefined if they do not overlap in time, or one of them
  * shows no take.
- * @param framesPerSecond the rate of a take that has keys only
+ * @param framesPerSecond the rate of a take that has only keys
  */
 export function commonFrames(
   a: Character,
@@ -70,7 +69,7 @@ export function commonFrames(
   const from = Math.max(own.from, other.from);
   const to = Math.min(own.to, other.to);
   const finer = other.frameSeconds < own.frameSeconds ? other : own;
-  // Ends that are a frame but for rounding are that frame.
+  // Ends that are a frame up to rounding count as that frame.
   const first = Math.ceil((from - finer.startSeconds) / finer.frameSeconds - 1e-6);
   const last = Math.floor((to - finer.startSeconds) / finer.frameSeconds + 1e-6);
   if (!(last >= first)) return undefined;
@@ -82,7 +81,7 @@ export function commonFrames(
   };
 }
 
-/** Frames and range of the take that moves a character, in seconds of the transport. */
+/** Frames and range of the take that drives a character, in seconds of the transport. */
 function framesOf(character: Character, framesPerSecond: number) {
   const clip = playedClip(character);
   if (!clip) return undefined;
@@ -93,12 +92,12 @@ function framesOf(character: Character, framesPerSecond: number) {
   return { from, to, startSeconds: samples.startSeconds - offset, frameSeconds: samples.frameSeconds };
 }
 
-/** Between two looks at how far it is, a few milliseconds at most. */
+/** Frames between two progress reports, a few milliseconds at most. */
 const FRAMES_AT_A_TIME = 32;
 
 /**
- * Measures in pieces: yields how far it is, 0 to 1, every few milliseconds. Both characters need a skeleton.
- * @throws Error where one has none
+ * Measures in steps: yields progress, 0 to 1, every few milliseconds. Both characters need a skeleton.
+ * @throws Error if one has none
  */
 export function* measureDistances(
   a: Character,
@@ -151,7 +150,7 @@ export function* measureDistances(
   return { ...times, match, values, mean, most, jointMean, jointMost, jointRms, jointMostAt };
 }
 
-/** Where some of a character's joints are, at one time after another. */
+/** Positions of some of a character's joints at successive times. */
 class PosedJoints {
   /** x y z of each, after the last `pose`. */
   readonly positions: Float64Array;
@@ -193,7 +192,7 @@ class PosedJoints {
         z -= root[14];
         if (this.alignment === 'turned') {
           const [dx, dy, dz] = [x, y, z];
-          // The turning's inverse is its transpose, for its columns are of length 1 and upright to each other.
+          // The inverse rotation is the transpose, since its columns are orthonormal.
           x = root[0] * dx + root[1] * dy + root[2] * dz;
           y = root[4] * dx + root[5] * dy + root[6] * dz;
           z = root[8] * dx + root[9] * dy + root[10] * dz;
@@ -206,7 +205,7 @@ class PosedJoints {
   }
 }
 
-/** Writes the first joint's matrix in the scene, its axes of length 1. */
+/** Writes the first joint's matrix in the scene, with normalised axes. */
 function rootInScene(m: Float64Array, world: Float64Array, out: Float64Array): void {
   for (let c = 0; c < 4; c++) {
     const w = c === 3 ? 1 : 0;

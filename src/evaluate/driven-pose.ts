@@ -1,15 +1,15 @@
 /**
- * How a character is posed that another's take moves. What does that (`retarget/`) is a script of its own, since few
- * pages ever need it; posing is not to wait for one. So whoever brings a driver into a document brings it along:
+ * Posing a character that another's take drives. Retargeting (`retarget/`) is a separate script, since few pages need
+ * it, but posing must not wait for it to load. So code that adds a driver to a document must import it:
  *
  *     import '…/evaluate/retarget/driving.ts';
  *
- * as the commands about takes on other characters and the reader of kept sessions do.
+ * The commands for retargeting and the session reader do.
  */
 import type { Character, Driver } from '../model/document.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
-/** Writes the DOFs that the driver has the say over; the others of the joints are the pose's. Seconds of the transport. */
+/** Writes the DOFs that the driver controls; the joints' other DOFs come from the pose. Seconds of the transport. */
 export type DrivenPose = (
   character: Character,
   driver: Driver,
@@ -24,7 +24,7 @@ export function provideDrivenPose(pose: DrivenPose): void {
   provided = pose;
 }
 
-/** @throws Error where nothing was brought along */
+/** @throws Error if the script was not imported */
 export const drivenPose: DrivenPose = (character, driver, skeleton, timeSeconds, out) => {
   if (!provided) throw new Error(`${character.name} is moved by another's take, but the code for that is not loaded.`);
   provided(character, driver, skeleton, timeSeconds, out);

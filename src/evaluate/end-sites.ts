@@ -1,17 +1,17 @@
-/** Where a posed skeleton's bones end: BVH's End Sites, and the tips of bones along +y. */
+/** Ends of a posed skeleton's bones: BVH's End Sites, and the tips of bones along +y. */
 import { transformPoint, type Vec3 } from '../math/vec3.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
 export interface EndSitePosition {
-  /** Index of the joint that it hangs on. */
+  /** Index of its joint. */
   readonly joint: number;
   /** In the space of the world matrices. */
   readonly position: readonly [number, number, number];
 }
 
 /**
- * In the order of joints, and of the file within each.
- * @param world 16 a joint, column-major (`worldMatrices`)
+ * In joint order, and in file order within each joint.
+ * @param world 16 per joint, column-major (`worldMatrices`)
  */
 export function endSitePositions({ joints }: Skeleton, world: Float64Array): EndSitePosition[] {
   return joints.flatMap(({ endSites = [] }, joint) =>
@@ -20,7 +20,7 @@ export function endSitePositions({ joints }: Skeleton, world: Float64Array): End
 }
 
 /**
- * Of one End Site, which is at `end` in its joint's space.
+ * The position of an End Site that is at `end` in its joint's space.
  * @param world as above
  */
 export function endSitePosition(end: Vec3, world: Float64Array, joint: number): Vec3 {
@@ -28,7 +28,7 @@ export function endSitePosition(end: Vec3, world: Float64Array, joint: number): 
 }
 
 /**
- * The far end of a joint's own bone, which runs along its +y.
+ * The far end of a joint's own bone, along its +y.
  * @param world as above
  */
 export function tipPosition(length: number, world: Float64Array, joint: number): readonly [number, number, number] {

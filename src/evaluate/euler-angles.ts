@@ -1,12 +1,12 @@
 /**
- * Angles out of a rotation matrix, in the order that most motion capture has:
+ * Extracts angles from a rotation matrix, in the order that most motion capture uses:
  *
  *     R = Rz(a) · Rx(b) · Ry(c)        row 2: −cos b · sin c   sin b   cos b · cos c
  *
- * c comes from row 2; where cos b is nothing (gimbal lock) any c will do, and the one before is kept. Then a comes from
- * R · Ry(−c), whatever c is, so that the product is the matrix to the last bits near the lock too. Of the two triples
- * that stand for a rotation, and all whole turns of each, the one nearest to the angles before is taken: what lies
- * between frames doesn't spin.
+ * c comes from row 2; if cos b is zero (gimbal lock) any c will do, and the previous one is kept. Then a comes from R ·
+ * Ry(−c), whatever c is, so that the product equals the matrix to the last bits even near gimbal lock. Of the two
+ * solutions and all their whole turns, the one nearest to the previous angles is used, so that interpolation between
+ * frames doesn't spin.
  */
 import { turnedNear } from '../math/euler.ts';
 
@@ -14,7 +14,7 @@ const LOCKED = 1e-12;
 
 /**
  * @param m column-major, 16 numbers at `o`, whose upper left 3×3 is a rotation
- * @param angles a, b, c at `at`: those before, to be overwritten
+ * @param angles a, b, c at `at`: the previous angles, overwritten
  */
 export function zxyAngles(m: Float64Array, o: number, angles: Float64Array, at: number): void {
   const [beforeA, beforeB, beforeC] = [angles[at], angles[at + 1], angles[at + 2]];
@@ -28,9 +28,9 @@ export function zxyAngles(m: Float64Array, o: number, angles: Float64Array, at: 
 }
 
 /**
- * Of a rotation by three angles, each about another axis: the form that is nearest to other angles, whole turns and
- * (a + π, π − b, c + π) included.
- * @param out where the three are written, at `at`
+ * Chooses among the equivalent forms of three angles about different axes the one nearest to the previous angles, whole
+ * turns and (a + π, π − b, c + π) included.
+ * @param out receives the three angles at `at`
  */
 export function writeNearestForm(
   a: number,

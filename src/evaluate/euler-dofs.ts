@@ -1,8 +1,8 @@
-/** Which of a joint's DOFs are angles that can be told to turn it: all of a rotation's, or each by itself. */
+/** Which of a joint's DOFs are rotation angles: all three of a rotation, or each by itself. */
 import { dofsOf, factorsOf, pitchOf, stretches } from '../model/joint-types.ts';
 import type { EulerOrder, Motion } from '../model/skeleton.ts';
 
-/** Where among a joint's DOFs the Euler angles are that make up its whole rotation. */
+/** The DOFs of a joint that are the Euler angles of its whole rotation. */
 export interface EulerDofs {
   readonly x: number;
   readonly y: number;
@@ -12,34 +12,34 @@ export interface EulerDofs {
 }
 
 /**
- * The three rotations of a joint, with nothing between them; undefined where it turns about fewer than three axes, or not
- * by such angles.
+ * The three rotations of a joint, if adjacent; undefined if it rotates about fewer than three axes, or not by Euler
+ * angles.
  */
 export function eulerDofs(motion: Motion): EulerDofs | undefined {
   const turns = (factorsOf(motion) ?? []).flatMap((name, i) => (name.startsWith('r') ? [i] : []));
   return turns.length === 3 && turns[2] - turns[0] === 2 ? listedAngles(motion) : undefined;
 }
 
-/** The three rotations of a joint that does nothing else but translate, before, between or behind them. */
+/** The three rotations of a joint that otherwise only translates, before, between or after them. */
 export function rigidEulerDofs(motion: Motion): EulerDofs | undefined {
   return stretches(motion) ? undefined : listedAngles(motion);
 }
 
-/** Rotations as they are multiplied from left to right: the last one is applied first. */
+/** Factors are listed from left to right, so the last one is applied first. */
 function listedAngles(motion: Motion): EulerDofs | undefined {
   const axes = (factorsOf(motion) ?? []).filter((name) => name.startsWith('r')).map((name) => name[1]);
   if (axes.length !== 3) return undefined;
   const names = dofsOf(motion).map(({ name }) => name);
   const [x, y, z] = ['rx', 'ry', 'rz'].map((name) => names.indexOf(name));
-  // The three letters of a permutation, which is what the orders are.
+  // A permutation of three letters, which is exactly an order.
   return { x, y, z, order: axes.reverse().join('') as EulerOrder };
 }
 
-/** A rotation by Euler angles as Rz(γ)·Ry(β)·Rx(α) with the axes renamed: what `math/euler.ts` is about. */
+/** A rotation by Euler angles as Rz(γ)·Ry(β)·Rx(α) with renamed axes, for `math/euler.ts`. */
 export interface RenamedAxes {
-  /** Which of x, y, z (0, 1, 2) α, β and γ turn about: the order in which they are applied. */
+  /** Which of x, y, z (0, 1, 2) α, β and γ turn about, in the order of application. */
   readonly axes: readonly [number, number, number];
-  /** −1 where the new names mirror space (xzy, yxz, zyx): there rotations turn the other way. */
+  /** −1 if the renaming mirrors space (xzy, yxz, zyx), which reverses rotations. */
   readonly sign: 1 | -1;
 }
 
@@ -48,16 +48,16 @@ export function renamedAxes(order: EulerOrder): RenamedAxes {
   return { axes: [i, j, k], sign: (j - i + 3) % 3 === 1 ? 1 : -1 };
 }
 
-/** The DOFs of α, β and γ among the joint's. */
+/** The joint's DOFs for α, β and γ. */
 export function appliedDofs({ x, y, z, order }: EulerDofs): readonly [number, number, number] {
   const [i, j, k] = renamedAxes(order).axes;
   const dofs = [x, y, z];
   return [dofs[i], dofs[j], dofs[k]];
 }
 
-/** Of each DOF of a joint, whether a whole turn more of it changes nothing. */
+/** For each DOF of a joint, whether adding a whole turn changes nothing. */
 export function turningDofs(motion: Motion): readonly boolean[] {
-  // A turn of a screw goes somewhere.
+  // A whole turn of a screw moves it along its axis.
   const turns = pitchOf(motion) === 0;
   return dofsOf(motion).map(({ unit }) => turns && unit === 'angle');
 }

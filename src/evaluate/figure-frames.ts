@@ -1,4 +1,4 @@
-/** Frames of a figure that is no character yet, evenly over its clip: what guesses look at when a file is opened. */
+/** Frames of a figure that is no character yet, evenly over its clip; used for guesses when a file is opened. */
 import type { ChannelClip } from '../model/clip.ts';
 import { type Character, DEFAULT_PLACEMENT } from '../model/document.ts';
 import { filePose } from '../model/dofs.ts';
@@ -6,8 +6,8 @@ import type { Skeleton } from '../model/skeleton.ts';
 import { dofCountOf, poseAt } from './pose.ts';
 
 /**
- * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` moments, first and last included; once, with
- * the file's pose, where there is no clip. The array is filled anew each time.
+ * Calls `visit` with the figure's DOFs (`model/dofs.ts`) at up to `most` times, first and last included; once, with the
+ * file pose, if there is no clip. The array is reused.
  */
 export function forFrames(
   skeleton: Skeleton,

@@ -1,4 +1,4 @@
-/** Sines and cosines of half the angles of a whole row of samples: what quaternions are made of. */
+/** Sines and cosines of half angles for a whole row of samples; used to make quaternions. */
 import { writeSinesAndCosines } from '../math/sines-cosines.ts';
 
 export class HalfAngles {
@@ -8,9 +8,9 @@ export class HalfAngles {
 
   /**
    * Reads half angles from a row of samples.
-   * @param at where the row begins
-   * @param columns in the row, of each angle
-   * @param factors of each angle, from the number in the file to half the angle in radians
+   * @param at start of the row
+   * @param columns column of each angle in the row
+   * @param factors for each angle, from the number in the file to half the angle in radians
    */
   read(values: Float64Array, at: number, columns: Int32Array, factors: Float64Array): void {
     const count = columns.length;

@@ -1,12 +1,13 @@
 /**
- * Where in the world each of a joint's DOFs turns, slides and stretches, in the pose shown: what a gizmo has handles on.
+ * The world-space axes along or about which each of a joint's DOFs moves in the current pose; the basis for gizmo
+ * handles.
  *
- *     W = F · J(φ)        F: what is above the joint, with its offset        J = A_d · M_d(φ_d) · …
+ *     W = F · J(φ)        F: everything above the joint, with its offset        J = A_d · M_d(φ_d) · …
  *
- * A_d is the joint's own DOFs to the left of DOF d: J with d and all to its right at rest. So the axis of d is that of
- * ∂J/∂φ_d at rest, taken to the world by F · A_d: the rings of an Euler rotation are gimbal rings, each turned by those
- * that are applied after it. What the derivative is like says what kind of handle it is, and no kind of joint is asked
- * for.
+ * A_d is the product of the joint's DOFs to the left of DOF d: J with d and everything to its right at rest. So the
+ * axis of d is that of ∂J/∂φ_d at rest, transformed by F · A_d: the rings of an Euler rotation are gimbal rings, each
+ * turned by those applied after it. The form of the derivative tells the kind of handle, independent of the joint's
+ * type.
  */
 import { determinant3, multiplyAffine, setIdentity } from '../../math/mat4.ts';
 import {
@@ -27,29 +28,29 @@ import type { Motion, Skeleton } from '../../model/skeleton.ts';
 import { compileSkeleton } from '../kinematics.ts';
 
 /**
- * turn: about the axis; a screw's too. slide: along it. stretch: along it, whatever happens across. grow: alike in all
- * directions, it has no axis. shear: what lies on the arm goes along the axis.
+ * turn: about the axis, screws included. slide: along it. stretch: along it, whatever happens across. grow: uniformly,
+ * without an axis. shear: points on the arm move along the axis.
  */
 export type DofKind = 'turn' | 'slide' | 'stretch' | 'grow' | 'shear';
 
-/** x, y or z, as everywhere that DOFs are coloured (`model/dof-axis.ts`); `other`: it goes by none of them. */
+/** x, y or z, the DOF's colour everywhere (`model/dof-axis.ts`); `other`: none of them. */
 export type Hue = 0 | 1 | 2 | 'other';
 
 export interface DofAxis {
-  /** Into the character's DOFs (`model/dofs.ts`). */
+  /** Index into the character's DOFs (`model/dofs.ts`). */
   readonly dof: number;
   /** `rx`. */
   readonly name: string;
   readonly kind: DofKind;
-  /** Of length 1, in the world; where there is none, no direction in particular. */
+  /** Normalised, in the world; arbitrary if the DOF has no axis. */
   readonly axis: Vec3;
-  /** Where a handle goes, in the world: on the axis, as near the joint's origin as that is. */
+  /** Position of the handle in the world: on the axis, as near the joint's origin as possible. */
   readonly centre: Vec3;
-  /** Length in the world that 1 in the DOF slides, or that 1 along the axis has. */
+  /** World distance of sliding by 1 in the DOF, or world length of 1 along the axis. */
   readonly reach: number;
-  /** Of a turn: at right angles to the axis, a direction that stays where it is while the DOF turns. */
+  /** For a turn: a direction perpendicular to the axis that stays fixed while the DOF turns. */
   readonly zero?: Vec3;
-  /** Of a shear: what lies there, at a length of 1, goes by the value along the axis. */
+  /** For a shear: points there, at distance 1, move by the value along the axis. */
   readonly arm?: Vec3;
   readonly hue: Hue;
 }
@@ -62,10 +63,10 @@ interface AtRest {
 }
 
 /**
- * In the order of the DOFs; of the root its translation first. Those of a quaternion are none that turn by themselves
- * and are left out, as is what has no length or direction left in the world.
+ * In DOF order; for the root its translation first. Quaternion components are omitted, since they don't turn
+ * independently, and so are axes that have no length or direction left in the world.
  * @param dofs the character's, as shown
- * @param world 16 a joint, column-major, in the character's space
+ * @param world 16 per joint, column-major, in the character's space
  * @param placement 16, column-major, from there to the world
  */
 export function dofAxes(
@@ -111,7 +112,7 @@ export function dofAxes(
   return [...found, ...byDof].filter((axis) => axis !== undefined);
 }
 
-/** Where a joint's own matrix J begins: what is above it, with its offset, in the world. */
+/** The frame of a joint's own matrix J in the world: everything above it, with its offset. */
 export function frameOf(
   skeleton: Skeleton,
   joint: number,
@@ -130,8 +131,8 @@ export function frameOf(
 }
 
 /**
- * What a derivative at rest says. A turn is skew, a slide has nothing but its last column, a stretch is symmetric, and
- * what is neither moves one axis along another.
+ * Classifies a derivative at rest: skew-symmetric for a turn, only the last column for a slide, symmetric for a
+ * stretch; otherwise one axis moves along another.
  */
 function motionAtRest(m: Float64Array): AtRest | undefined {
   const turn = unit([m[6] - m[9], m[8] - m[2], m[1] - m[4]]);
@@ -151,7 +152,7 @@ function motionAtRest(m: Float64Array): AtRest | undefined {
   return undefined;
 }
 
-/** a·aᵀ + p·(I − a·aᵀ): along a it is 1, across it p; without p·I the largest column is a. */
+/** a·aᵀ + p·(I − a·aᵀ): 1 along a, p across it; without p·I the largest column is along a. */
 function stretchAtRest(m: Float64Array): AtRest | undefined {
   const across = (m[0] + m[5] + m[10] - 1) / 2;
   let axis: Vec3 | undefined;
@@ -180,7 +181,7 @@ function inWorld(
   if (!direction) return undefined;
   const common = { dof, name, kind, reach, hue };
   if (kind === 'turn') {
-    // A mirror turns the other way round.
+    // A mirror reverses rotations.
     const about = determinant3(toWorld) < 0 ? scaled(direction, -1) : direction;
     const start: Vec3 = [toWorld[12], toWorld[13], toWorld[14]];
     const across = transformVector(toWorld, acrossOf(axis));

@@ -1,10 +1,7 @@
-/**
- * A DOF's value while it is dragged: what the hand has come to, slower or in steps if it wants so, and where a limit
- * stops it.
- */
+/** A DOF's value during a drag: follows the pointer, optionally slower or in steps, and stops at limits. */
 
 export interface HandWants {
-  /** A tenth of the way: Shift. */
+  /** A tenth of the movement: Shift. */
   readonly fine: boolean;
   /** In whole steps: Ctrl. */
   readonly snap: boolean;
@@ -13,13 +10,13 @@ export interface HandWants {
 export interface ValueLimits {
   readonly min: number;
   readonly max: number;
-  /** Whether they stop the hand, or are only told. */
+  /** Whether limits stop the value, or are only reported. */
   readonly hold: boolean;
 }
 
 export interface Dragged {
   readonly value: number;
-  /** The limit that it has come to; with limits that don't hold, the one that it is past. */
+  /** The limit that was reached; with limits that are not enforced, the one exceeded. */
   readonly stop: 'min' | 'max' | undefined;
 }
 
@@ -29,9 +26,9 @@ export class DraggedValue {
   private raw: number;
 
   /**
-   * @param step that values snap to, above 0
-   * @param sticks whether the hand is tied to the value, as on a ring, so that what it went too far has to be gone back
-   *   before the value follows; else the value turns round when the hand does
+   * @param step that values snap to; greater than 0
+   * @param sticks whether the pointer is tied to the value, as on a ring, so that an overshoot has to be undone before
+   * the value follows; else the value reverses as soon as the pointer does
    */
   constructor(
     start: number,
@@ -42,14 +39,14 @@ export class DraggedValue {
     this.raw = start;
   }
 
-  /** The hand went on by so much of the value. */
+  /** The pointer moved by this much of the value. */
   by(delta: number, { fine, snap }: HandWants): Dragged {
     const { min, max, hold } = this.limits;
     const holds = hold && min <= max;
     this.raw += fine ? FINE * delta : delta;
     if (holds && !this.sticks) this.raw = Math.min(max, Math.max(min, this.raw));
     const wanted = snap ? this.step * Math.round(this.raw / this.step) : this.raw;
-    // Snapping must not keep it from a limit that is no whole step.
+    // Snapping must not keep it from a limit between steps.
     const value = holds ? Math.min(max, Math.max(min, wanted)) : wanted;
     const stop = !(min <= max) ? undefined : wanted >= max ? 'max' : wanted <= min ? 'min' : undefined;
     return { value: value + 0, stop };

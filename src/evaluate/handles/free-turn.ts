@@ -1,6 +1,6 @@
 /**
- * Turning a joint freely: by a rotation about any axis, taken apart into the DOFs that it has for it. Three angles are
- * the nearest to those before, so that nothing flips; a quaternion stays on its side.
+ * Rotates a joint freely about any axis and decomposes the rotation into its DOFs. Euler angles are the nearest to the
+ * previous ones, so that nothing flips; a quaternion keeps its sign.
  */
 import { eulerNear, quaternionOfEuler } from '../../math/euler.ts';
 import { determinant3, invertAffine, isSingular, multiplyAffine } from '../../math/mat4.ts';
@@ -15,13 +15,13 @@ import { frameOf } from './dof-axes.ts';
 /** The DOFs of a joint that make up a whole rotation, as indices into the character's. */
 export interface FreeTurn {
   readonly joint: number;
-  /** Three angles about x, y and z, or the x y z w of a quaternion. */
+  /** Three angles about x, y and z, or a quaternion's x y z w. */
   readonly dofs: readonly number[];
-  /** In which the angles are applied; none for a quaternion. */
+  /** Order in which the angles are applied; absent for a quaternion. */
   readonly order?: EulerOrder;
 }
 
-/** Undefined where a joint can't be turned about any axis, or one of those DOFs follows another. */
+/** Undefined if the joint can't rotate about every axis, or one of those DOFs is linked. */
 export function freeTurn(skeleton: Skeleton, joint: number): FreeTurn | undefined {
   const { motion } = skeleton.joints[joint];
   const first = compileSkeleton(skeleton).firstDof[joint];
@@ -35,7 +35,7 @@ export function freeTurn(skeleton: Skeleton, joint: number): FreeTurn | undefine
   return { joint, dofs, order: euler.order };
 }
 
-/** Which of these DOFs is applied last: what stands to its left in J stays where it is while all of them change. */
+/** The frame of the rotation: everything to its left in J is constant while these DOFs change. */
 function frameOfTurn(
   skeleton: Skeleton,
   { joint, dofs: turning }: FreeTurn,
@@ -48,7 +48,7 @@ function frameOfTurn(
   const first = firstDof[joint];
   const isTurning = own.map((_, d) => turning.includes(first + d));
   const from = isTurning.indexOf(true);
-  // What is listed before the angles is multiplied before them; behind them nothing else counts.
+  // Factors listed before the angles are multiplied before them; those after them don't matter.
   const before = Float64Array.from(own, (dof, d) => (d < from ? dofs[first + d] : dof.rest));
   const J = new Float64Array(16);
   motions[joint].write(before, 0, J, 0);
@@ -57,15 +57,15 @@ function frameOfTurn(
   return frame;
 }
 
-/** A free turn under way: rotations add up, and the angles follow. */
+/** A free rotation in progress: accumulates rotations and updates the angles. */
 export class Turning {
-  /** x y z w, in the frame of the turn. */
+  /** x y z w, in the frame of the rotation. */
   private readonly q = new Float64Array(4);
   private readonly values: Float64Array;
   private readonly toFrame = new Float64Array(16);
   private readonly isMirrored: boolean;
 
-  /** The pose as it is at the beginning, as `dofAxes` has it. */
+  /** Takes the pose at the start, with parameters as for `dofAxes`. */
   constructor(
     skeleton: Skeleton,
     readonly turn: FreeTurn,
@@ -75,14 +75,14 @@ export class Turning {
   ) {
     const frame = frameOfTurn(skeleton, turn, dofs, world, placement);
     this.isMirrored = determinant3(frame) < 0;
-    // Where what is above is flat there is no way back: it turns as if there were nothing above.
+    // If the frame above is singular, rotates as if it were the identity.
     if (isSingular(frame)) this.toFrame.set([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
     else invertAffine(frame, 0, this.toFrame, 0);
     this.values = Float64Array.from(turn.dofs, (dof) => dofs[dof]);
     this.readQuaternion();
   }
 
-  /** @param axis of length 1, in the world @param angle radians */
+  /** @param axis unit vector in the world @param angle radians */
   by(axis: Vec3, angle: number): void {
     const own = unit(transformVector(this.toFrame, axis));
     if (!own) return;
@@ -99,7 +99,7 @@ export class Turning {
     this.writeValues();
   }
 
-  /** What each of the turn's DOFs has come to, before limits. */
+  /** The current value of each of these DOFs, before limits. */
   get result(): readonly number[] {
     return [...this.values];
   }
@@ -139,7 +139,7 @@ export class Turning {
   }
 }
 
-/** Whether a joint has DOFs that only turn it together: those of a quaternion. */
+/** Whether a joint has DOFs that only rotate it together: those of a quaternion. */
 export function turnsOnlyFreely({ motion }: Pick<Joint, 'motion'>): boolean {
   return quaternionDofs(motion).length > 0;
 }

@@ -1,6 +1,6 @@
 /**
- * What can be taken hold of at a joint: a handle for each DOF that is its own, and, where it can turn about any axis, a
- * ring around them all that faces the viewer and the ball within.
+ * The handles of a joint: one for each of its DOFs and, if it can rotate about any axis, a ring facing the viewer and a
+ * ball inside.
  */
 import {
   acrossOf,
@@ -21,8 +21,8 @@ import { type DofAxis, dofAxes } from './dof-axes.ts';
 import { type FreeTurn, freeTurn, turnsOnlyFreely } from './free-turn.ts';
 
 /**
- * A DOF by its index; `own`: turning freely about the joint's own x, y or z; `view`: about the line of sight; `ball`: as
- * if a ball were rolled.
+ * A DOF by index; `own`: free rotation about the joint's own x, y or z; `view`: about the line of sight; `ball`: like a
+ * trackball.
  */
 export type HandleId =
   | { readonly kind: 'dof'; readonly dof: number }
@@ -30,7 +30,7 @@ export type HandleId =
   | { readonly kind: 'view' }
   | { readonly kind: 'ball' };
 
-/** A range of a DOF, and where in it the DOF stands. Infinite where nothing holds it. */
+/** A DOF's range and its value. Infinite if unlimited. */
 export interface HandleRange {
   readonly value: number;
   readonly min: number;
@@ -39,7 +39,7 @@ export interface HandleRange {
 
 export interface Handle extends DofAxis {
   readonly id: HandleId;
-  /** A turn's: where the bone points, at right angles to the axis. */
+  /** For a turn: direction of the bone, perpendicular to the axis. */
   readonly mark: Vec3;
   readonly range: HandleRange;
 }
@@ -59,8 +59,8 @@ export function sameHandle(a: HandleId | undefined, b: HandleId | undefined): bo
 }
 
 /**
- * DOFs that follow others have none: nothing by hand moves them.
- * @param dofs, world, placement as `dofAxes` has them
+ * Linked DOFs have no handles, since they can't be set by hand.
+ * @param dofs, world, placement as for `dofAxes`
  */
 export function jointHandles(
   skeleton: Skeleton,
@@ -87,7 +87,7 @@ export function jointHandles(
   return { pivot, handles, freeTurn: turn };
 }
 
-/** About the joint's own axes, where no DOF turns about an axis of its own. */
+/** Rings about the joint's own axes, if no DOF turns about an axis of its own. */
 function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement: Float64Array, pivot: Vec3): Handle[] {
   return ([0, 1, 2] as const).flatMap((k) => {
     const axis = unit(
@@ -106,23 +106,23 @@ function ownRings(joint: number, turn: FreeTurn, world: Float64Array, placement:
 }
 
 /**
- * Of length 1, at right angles to the axis: along the bone as nearly as that goes. Where the bone lies along the axis,
- * another direction that turns with it.
+ * A unit vector perpendicular to the axis, as close to the bone as possible; if the bone is along the axis, another
+ * direction that turns with it.
  */
 function markOf(axis: Vec3, bone: Vec3 | undefined, other: Vec3): Vec3 {
   const across = bone && add(bone, axis, -dot(axis, bone));
   return (across && Math.hypot(...across) > MIN_ACROSS ? unit(across) : undefined) ?? other;
 }
 
-/** Of a bone of length 1: with less of it across the axis it points nowhere in particular. */
+/** Minimum part of a unit bone across the axis; below it the bone gives no direction. */
 const MIN_ACROSS = 0.2;
 
-/** Of what stands at right angles to the axis. */
+/** Rotates a vector that is perpendicular to the axis. */
 function rotated(across: Vec3, axis: Vec3, angle: number): Vec3 {
   return add(scaled(across, Math.cos(angle)), cross(axis, across), Math.sin(angle));
 }
 
-/** Where the joint's bone goes, of length 1, in the world: to its children, or its own end, or the middle of its box. */
+/** The unit direction of the joint's bone in the world: towards its children, its own end, or the middle of its box. */
 function boneDirection(
   { joints }: Skeleton,
   joint: number,

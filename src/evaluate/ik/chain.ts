@@ -1,20 +1,20 @@
 /**
- * Forward kinematics of the joints that are products of screws, with the world axes that the Jacobian needs on the way:
+ * Forward kinematics of joints that are products of screws, with the world axes that the Jacobian needs:
  *
  *     W = W_parent · T(offset) · Π T(slide·φ·a) · R(a, turn·φ)
  *
- * A turn about x, y or z mixes two columns of W, and its axis in the world is the third. Any other turn is made a matrix
- * by Rodrigues' formula, and the third column is the cross product of the two others.
+ * A rotation about x, y or z mixes two columns of W, and its world axis is the third. Other rotations become a matrix
+ * by Rodrigues' formula, with the third column as the cross product of the other two.
  *
- * From a joint to its first child the matrix stays in local variables: reading and writing arrays takes longer than what
- * there is to calculate. One long loop, since a call a joint costs as much as the joint.
+ * From a joint to its first child the matrix stays in local variables, since array access takes longer than the
+ * arithmetic. One long loop, since a call per joint would cost as much as the joint.
  */
 import { writeSinesAndCosines } from '../../math/sines-cosines.ts';
 import { OTHER, PLAN, RULES, SLANTED, STANDS, WORLD } from './screws.ts';
 import type { IkProblem } from './state.ts';
 
 /**
- * The world matrices of all slots that are kept, and the lines that the screws are on.
+ * Writes the world matrices of all kept slots, and the lines of the screws.
  * @param writeOther writes the world matrix of a slot that is no product of screws
  */
 export function writeMatrices(
@@ -153,7 +153,7 @@ export function writeMatrices(
       }
     }
     if (rules[rule + 6] !== 0) {
-      // Turned or not, the axis is the same.
+      // The rotation does not change its own axis.
       const slide = rules[rule + 6] * dofs[plan[PLAN * i + 1]];
       ox += slide * lines[line];
       oy += slide * lines[line + 1];

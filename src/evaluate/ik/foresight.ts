@@ -1,28 +1,31 @@
 /**
- * What a drag knows from its last step: how far the errors came out beside the straight line that the Jacobian drew.
- * A hand goes on much as it went, and that miss is of the second order in the step, so the next step is told of it
- * beforehand and takes it away with the rest:
+ * What a drag learns from its last step: how far the errors deviated from the Jacobian's linear prediction. Since a
+ * hand moves much as before, and the deviation is of second order in the step, the next step anticipates and removes
+ * it:
  *
- *     e(φ + h) ≈ e + J·h + k²·bend        k: how long this error is along the last one, beside that one
+ *     e(φ + h) ≈ e + J·h + k²·bend        k: length of this error along the last one, relative to that one
  *
- * That is the tensor term of Schnabel and Frank (Tensor methods for nonlinear equations, 1984), of one step back and
- * with what it is multiplied by read off the errors. It costs nothing, and most steps of a drag then take one iteration.
- * Where the last solution didn't come there, because of limits or pins that hold, the errors are mostly such as no step
- * takes away, and say nothing of the hand: nothing is foreseen then.
+ * This is the tensor term of Schnabel and Frank (Tensor methods for nonlinear equations, 1984), for one previous step,
+ * with its factor read from the errors. It costs nothing, and most steps of a drag then take one iteration. If the last
+ * solve did not converge because of limits or pins, the errors are mostly irreducible and say nothing about the hand:
+ * then nothing is anticipated.
  */
 import { evaluatePose } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
 import { FIRST_BOOST, freezeAtLimits, takeStep, writeStep } from './levenberg.ts';
 import type { IkProblem } from './state.ts';
 
-/** A step that much longer than the last is foreseen no more: the miss grows with the square. */
+/**
+ * Steps that are longer than the last by more than this factor are not anticipated: the deviation grows with the
+ * square.
+ */
 const MAX_STRETCH = 2;
-/** The cosine of the angle between two steps up to which the second goes on as the first; straight back does too. */
+/** Minimum cosine of the angle between two steps that count as the same direction; reversals count too. */
 const MIN_ALONG = 0.7;
 
 /**
- * The first step of a drag, from the pose last looked at; nothing is changed where it would not lower the error.
- * @param error the sum of the squared errors of the pose
+ * The first step of a drag, from the pose last evaluated; changes nothing if it would not lower the error.
+ * @param error sum of the squared errors of the pose
  * @returns that of the pose left in `dofs`
  */
 export function stepForeseen(problem: IkProblem, dofs: Float64Array, error: number): number {
@@ -45,13 +48,13 @@ export function stepForeseen(problem: IkProblem, dofs: Float64Array, error: numb
     for (let r = 0; r < rows; r++) bend[r] = errors[r] - expected[r] + part * bend[r];
     return next;
   }
-  // What is undone teaches nothing; beside no last errors the bend, too, counts for nothing.
+  // An undone step teaches nothing; clearing the last errors also disables the bend.
   for (let r = 0; r < rows; r++) last[r] = 0;
   for (let v = 0; v < count; v++) dofs[dof[v]] = before[v];
   return evaluatePose(problem, dofs);
 }
 
-/** How long the errors are along the last ones, beside those, squared; 0 where nothing is foreseen. */
+/** Squared length of the errors along the last ones, relative to those; 0 if nothing is anticipated. */
 function stretchSquared({ foresight, errors, rows }: IkProblem, error: number): number {
   const { last } = foresight;
   let along = 0;

@@ -1,6 +1,6 @@
 /**
- * Which point of a joint is meant by a place on the screen: the natural one that is near (its origin, its tip, an End
- * Site, a box's end), else what is seen there of its bone or its box.
+ * Chooses the point of a joint at a position on screen: a nearby characteristic one (origin, tip, End Site, end of its
+ * box), or else the visible point of its bone or box.
  */
 import { invertAffine, isSingular } from '../../../math/mat4.ts';
 import { add, dot, subtract, transformVector, type Vec3, ZERO } from '../../../math/vec3.ts';
@@ -9,18 +9,18 @@ import { hasBox } from '../../../model/boxes.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { pointAt } from '../set-up.ts';
 
-/** What lies under the pointer, in the space of the world matrices. */
+/** The ray under the pointer, in the space of the world matrices. */
 export interface LineOfSight {
   readonly origin: Vec3;
   readonly direction: Vec3;
 }
 
 /**
- * The point of a joint that is seen along a line: of its bones the one that the line passes, where it passes near; else
- * where the line enters its box; else the nearest point of a bone again.
+ * The point of a joint seen along a ray: on a bone that the ray passes nearby; else where the ray enters its box; else
+ * the nearest point on a bone.
  *
- * @param world as of `worldMatrices`
- * @param near how near a bone has to be passed to be what is seen, in the unit of the world
+ * @param world from `worldMatrices`
+ * @param near the distance, in world units, up to which a bone counts as hit
  * @returns in the joint's space
  */
 export function seenPoint(
@@ -52,7 +52,7 @@ export function seenPoint(
   return pointAt(inverse, 0, best);
 }
 
-/** Where bones that start at a joint end, in the space of the world matrices. */
+/** Ends of the bones that start at a joint, in the space of the world matrices. */
 function boneEndsOf(skeleton: Skeleton, joint: number, world: Float64Array): Vec3[] {
   const ends: Vec3[] = [];
   skeleton.joints.forEach(({ parent }, child) => {
@@ -62,11 +62,11 @@ function boneEndsOf(skeleton: Skeleton, joint: number, world: Float64Array): Vec
   return ends;
 }
 
-/** The point of a segment that a line passes nearest to, and how near that is. */
+/** The point of a segment nearest to a ray, and its distance. */
 function nearestOnBone(a: Vec3, b: Vec3, { origin, direction }: LineOfSight): { point: Vec3; distance: number } {
   const way = subtract(b, a);
   const from = subtract(a, origin);
-  // Only what is across the line of sight counts.
+  // Only distances perpendicular to the ray count.
   const d2 = dot(direction, direction);
   const across = (v: Vec3) => add(v, direction, -dot(v, direction) / d2);
   const flatWay = across(way);
@@ -79,7 +79,7 @@ function nearestOnBone(a: Vec3, b: Vec3, { origin, direction }: LineOfSight): { 
   };
 }
 
-/** Where a line enters a box of its own space (the slabs of Kay and Kajiya 1986); undefined where it misses it. */
+/** Where a ray enters a box in the box's space (slab method, Kay and Kajiya 1986); undefined if it misses. */
 function enterBox(
   { min, max }: { readonly min: Vec3; readonly max: Vec3 },
   origin: Vec3,
@@ -90,7 +90,7 @@ function enterBox(
   for (let k = 0; k < 3; k++) {
     const a = (min[k] - origin[k]) / direction[k];
     const b = (max[k] - origin[k]) / direction[k];
-    // Along a slab: within it always or never.
+    // Parallel to a slab: inside it always or never.
     if (direction[k] === 0) {
       if (origin[k] < min[k] || origin[k] > max[k]) return undefined;
       continue;

@@ -18,36 +18,36 @@ import { type IkMode, solve } from '../solve.ts';
 import type { IkProblem } from '../state.ts';
 import { inertia } from './inertia.ts';
 
-/** Parts of the reach. Nearer than that it is there; no screen shows it. */
+/** Fractions of the reach. Closer than this counts as reached; it is invisible on screen. */
 export const IS_THERE = 2e-4;
-/** A gap from which a point pulls with less than its weight. */
+/** Gap beyond which a point pulls with less than its weight. */
 const FULL_PULL = 0.01;
-/** The weight of what is dragged while the pins are put in order. */
+/** Weight of the dragged point while the pins are restored. */
 const BARELY = 1e-3;
-/** A pin that pulls with less than that part of the strongest one's pull holds nothing back. */
+/** A pin that pulls less than this fraction of the strongest holds nothing back. */
 const HOLDS_BACK = 0.25;
-/** Where nothing moves a point further than that, for a radian or a reach, it does not move. */
+/** A point that no DOF moves further than this, per radian or reach, can't move. */
 const DOES_NOT_MOVE = 1e-6;
-/** Solutions at one place of the hand, until what pulls less has come to rest. */
+/** Maximum number of solves per hand position until weaker pulls have settled. */
 const MAX_ROUNDS = 5;
 
 export class HandProblem {
   readonly problem: IkProblem;
-  /** The character's DOFs as the drag has them now. */
+  /** The character's DOFs at this point of the drag. */
   readonly dofs: Float64Array;
   readonly reach: number;
-  /** Of what is dragged, among the pins. */
+  /** Index of the dragged point among the pins. */
   readonly index: number;
-  /** Whether other pins hold. */
+  /** Whether there are other pins. */
   readonly holds: boolean;
-  /** Where the hand is. */
+  /** Position of the hand. */
   readonly hand = new Float64Array(3);
-  /** Iterations that there is room for in this frame; below 0 where the last solution took more. */
+  /** Iterations left in this frame; negative if the last solve exceeded the budget. */
   left = Infinity;
   private readonly ownWeight: number;
   private readonly ownTurnWeight: number;
 
-  /** As of `Pull`. */
+  /** As for `Pull`. */
   constructor(
     readonly character: Character,
     readonly skeleton: Skeleton,
@@ -69,11 +69,11 @@ export class HandProblem {
     this.ownTurnWeight = pins.turnWeights[this.index];
     this.holds = pins.count > 1;
     for (let k = 0; k < 3; k++) this.hand[k] = pins.targets[3 * this.index + k];
-    // What is known of the pose where nothing has moved yet.
+    // Initialises the result for the pose before anything moves.
     this.run('drag', 1);
   }
 
-  /** The hand is there; nothing is solved. */
+  /** Moves the hand without solving. */
   moveHand(x: number, y: number, z: number): void {
     this.hand[0] = x;
     this.hand[1] = y;
@@ -86,19 +86,19 @@ export class HandProblem {
     this.run(mode, this.holds && gap > FULL_PULL ? Math.sqrt(FULL_PULL / gap) : 1);
   }
 
-  /** The pins come first, and what is dragged stays about where it is. */
+  /** Restores the pins first; the dragged point stays about where it is. */
   orderPins(): void {
     this.run('drag', BARELY);
   }
 
-  /** Where everything is in a pose that no solution has come to. */
+  /** Updates positions for a pose that did not come from the solver. */
   look(): void {
     evaluatePose(this.problem, this.dofs);
   }
 
   /**
-   * What pulls less takes more than one solution to come to rest.
-   * @param spare iterations that are left alone
+   * Solves until the weaker pulls have settled too.
+   * @param spare iterations to keep in reserve
    */
   comeToRest(spare: number): void {
     const rest = 0.1 * IS_THERE * this.reach;
@@ -110,7 +110,7 @@ export class HandProblem {
     }
   }
 
-  /** How far the dragged point is from the hand. */
+  /** Distance of the dragged point from the hand. */
   get missing(): number {
     return this.missingOf(this.index);
   }
@@ -121,22 +121,22 @@ export class HandProblem {
     return Math.hypot(positions[i] - targets[i], positions[i + 1] - targets[i + 1], positions[i + 2] - targets[i + 2]);
   }
 
-  /** How far the pin that is furthest off is from where it holds; what is dragged doesn't count. */
+  /** The largest distance of a pin from its target, the dragged point excluded. */
   get worstPin(): number {
     let most = 0;
     for (let p = 0; p < this.problem.pins.count; p++) if (p !== this.index) most = Math.max(most, this.missingOf(p));
     return most;
   }
 
-  /** Whether every pin is where it should be, and what is dragged. */
+  /** Whether every pin and the dragged point are at their targets. */
   get isThere(): boolean {
     for (let p = 0; p < this.problem.pins.count; p++) if (this.missingOf(p) > IS_THERE * this.reach) return false;
     return true;
   }
 
   /**
-   * The pins that keep the dragged point from the hand, the strongest first. Where all is at rest each pin pulls with its
-   * weight squared times what it is off, and those that hold against the hand are the ones that are off at all.
+   * The pins that keep the dragged point from the hand, the strongest first. At rest each pin pulls with its squared
+   * weight times its error, so the pins that resist the hand are those that have an error.
    */
   holders(): number[] {
     const { pins } = this.problem;
@@ -150,7 +150,7 @@ export class HandProblem {
     return found.sort((a, b) => pulls[b] - pulls[a]);
   }
 
-  /** Whether anything that is free moves the dragged point, in the pose that was last looked at. */
+  /** Whether any free DOF moves the dragged point, in the pose last evaluated. */
   get canMove(): boolean {
     const { jacobian, variables, pins, reach } = this.problem;
     const first = pins.row[this.index] * variables.count;
@@ -160,9 +160,9 @@ export class HandProblem {
   }
 
   /**
-   * How far the pose has moved: the largest of its changes, in radians, factors, parts of the reach.
-   * @param from the first DOF that is asked about
-   * @param end after the last
+   * How far the pose has moved: the largest change of a DOF, in radians, factors or fractions of the reach.
+   * @param from the first DOF to compare
+   * @param end past the last
    */
   furthest(before: Float64Array, from = 0, end = Infinity): number {
     const { count, dof, scale, relative } = this.problem.variables;
@@ -183,7 +183,7 @@ export class HandProblem {
   }
 }
 
-/** How unwilling each DOF is, by the character's DOF, while a hand has that joint. */
+/** Stiffness of each of the character's DOFs while that joint is dragged. */
 export function handStiffness(character: Character, skeleton: Skeleton, joint: number): Float64Array {
   const moves = inertia(skeleton);
   const stays = staysBeside(character, skeleton, joint);
@@ -197,9 +197,9 @@ function jointOfPin({ pins }: IkSetup, id: number): number {
 }
 
 /**
- * Which DOFs stay because another character's take moves the others. What is posed over that take goes with it; in joints
- * that the take leaves alone it would be for good, of a drag that was about the others. What is dragged itself may move,
- * with what is above it up to the first joint that the take moves.
+ * Which DOFs stay fixed because another character's take drives the others. Changes over that take are discarded with
+ * time, but changes of joints that it does not drive would be permanent, a side effect of a drag meant for the others.
+ * The dragged joint may move, with its ancestors up to the first joint that the take drives.
  */
 function staysBeside(character: Character, skeleton: Skeleton, dragged: number): (dof: number) => boolean {
   const moved = movedDofs(character);

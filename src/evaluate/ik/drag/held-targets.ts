@@ -1,40 +1,40 @@
 /**
- * Where pins hold. The document does not say: a pin holds where its point is in the pose that is shown. Only where a drag
- * has left a gap is its target elsewhere, and it stays there for as long as the pose is as the drag left it; once time,
- * a slider or undo has changed the pose, pins hold where they are.
+ * Targets of pins. The document does not store them: a pin's target is its point's position in the pose shown. Only if
+ * a drag leaves a gap is the target elsewhere, and it is kept as long as the pose is unchanged; once time, a slider or
+ * undo changes the pose, pins hold where they are.
  */
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { IkSetup, Pin } from '../../../model/ik.ts';
 import { type PinTarget, pinTarget } from '../set-up.ts';
 import type { Hindrance } from './hindrance.ts';
 
-/** What a drag has left. */
+/** State left by a drag. */
 export interface Left {
-  /** The character's DOFs as they were shown then. */
+  /** The character's DOFs as shown then. */
   readonly dofs: Float64Array;
-  /** By the pin's id. */
+  /** By pin id. */
   readonly targets: ReadonlyMap<number, LeftTarget>;
-  /** What kept the pins from where they should be. */
+  /** What kept the pins from their targets. */
   readonly hindrance: Hindrance;
 }
 
 export interface LeftTarget {
-  /** The pin as it was. */
+  /** The pin at that time. */
   readonly pin: Pin;
   readonly target: PinTarget;
 }
 
 export class HeldTargets {
-  /** By the character's id. */
+  /** By character id. */
   private readonly left = new Map<string, Left>();
 
-  /** What a drag left, if the pose is still that. Allocates nothing: it is asked before every picture. */
+  /** What a drag left, if the pose is still the same. Called every frame; allocates nothing. */
   leftOf(characterId: string, dofs: Float64Array): Left | undefined {
     const left = this.left.get(characterId);
     return left && sameNumbers(left.dofs, dofs) ? left : undefined;
   }
 
-  /** A drag is over. @param dofs as they are shown after it; copied */
+  /** Records the end of a drag. @param dofs as shown after it; copied */
   leave(
     characterId: string,
     { pins }: Pick<IkSetup, 'pins'>,
@@ -50,7 +50,7 @@ export class HeldTargets {
     this.left.set(characterId, { dofs: dofs.slice(), targets: kept, hindrance });
   }
 
-  /** Where each pin is to hold from now on, by id. @param world as of `worldMatrices`, of the pose of `dofs` */
+  /** The current target of each pin, by id. @param world from `worldMatrices`, for the pose of `dofs` */
   targetsOf(
     characterId: string,
     { pins }: Pick<IkSetup, 'pins'>,
@@ -66,19 +66,19 @@ export class HeldTargets {
     );
   }
 
-  /** Where a drag has left a pin's target, if the pose and the pin are still as it left them. */
+  /** The target that a drag left for a pin, if pose and pin are unchanged. */
   leftTarget(left: Left | undefined, pin: Pin): Vec3 | undefined {
     const before = left?.targets.get(pin.id);
     return before && isSamePoint(before.pin, pin) ? before.target.position : undefined;
   }
 
-  /** Of characters that are gone. */
+  /** Forgets removed characters. */
   keepOnly(characterIds: ReadonlySet<string>): void {
     for (const id of this.left.keys()) if (!characterIds.has(id)) this.left.delete(id);
   }
 }
 
-/** Whether it holds the same thing, whatever its weight. */
+/** Whether both hold the same thing, whatever their weights. */
 function isSamePoint(a: Pin, b: Pin): boolean {
   return (
     a === b ||

@@ -1,20 +1,20 @@
-/** What keeps points from where they should be. */
+/** Why points can't reach their targets. */
 export interface Hindrance {
-  /** The character's DOFs that stand at a limit and would go on. */
+  /** The character's DOFs that are at a limit and would move further. */
   readonly binding: readonly number[];
   /** Joints of the pins that hold the dragged point back, the strongest first. */
   readonly holders: readonly number[];
-  /** Locked joints without whose lock the points would come nearer, the one that would bend most first. */
+  /** Locked joints that keep the points from coming nearer; the one that would bend most first. */
   readonly locks: readonly number[];
-  /** Whether anything that is free moves the dragged point at all. */
+  /** Whether any free DOF moves the dragged point. */
   readonly canMove: boolean;
-  /** Whether the character could travel as a whole, and is not let. */
+  /** Whether the character could move as a whole, but its root is fixed. */
   readonly rootStays: boolean;
 }
 
 export type GapCause = 'root' | 'locks' | 'limits' | 'pins' | 'reach';
 
-/** What is the first thing in the way: what one would change. */
+/** The main cause, which the user should change first. */
 export function gapCause({ binding, holders, locks, canMove, rootStays }: Hindrance): GapCause {
   if (!canMove) return rootStays ? 'root' : 'locks';
   if (binding.length > 0) return 'limits';

@@ -1,51 +1,53 @@
 /**
- * Where the hand is says where the pose is: of all poses that have the pins and the hand where they are, the one nearest
- * to that in which the drag began. So a hand that goes out and comes back finds the pose as it was, whatever has turned
- * over on the way; without it each frame starts from the last one, and what a far pull has twisted stays so.
+ * The hand's position determines the pose: of all poses that satisfy the pins and the hand, the one nearest to the pose
+ * at the start of the drag. So moving the hand away and back restores the pose, whatever flipped on the way; without
+ * this each frame would start from the last, and a twist from a far pull would remain.
  *
- * In each frame the pose goes a part of the way that the pins leave free (`evaluate/ik/homing.ts`), they are put right,
- * and what is no nearer then, or has lost a pin, is undone.
+ * Each frame moves the pose towards its start as far as the pins allow (`evaluate/ik/homing.ts`) and restores the pins;
+ * a step that brings it no nearer, or loses a pin, is undone.
  */
 import { goHome, writeWayHome } from '../homing.ts';
 import { type HandProblem, IS_THERE } from './hand-problem.ts';
 
-/** Steps of a frame, each of so much at most: radians, factors, parts of the reach. */
+/** Steps per frame, and the maximum size of each: radians, factors, fractions of the reach. */
 const MAX_STEPS = 4;
 const LONGEST_STEP = 0.12;
-/** A way that is shorter than that is no way. */
+/** Below this distance the pose counts as home. */
 const IS_HOME = 1e-3;
-/** What of a step is left at least, once the pins are put right; less is none. */
+/** The fraction of a step that must remain after the pins are restored; else it counts as none. */
 const MIN_FRACTION = 0.1;
 /**
- * A hand out of reach draws the pose back by as much as it has gone, for ever: after so many frames that gained less than
- * so much of the distance it has come as near as it can.
+ * A hand out of reach pulls the pose back by as much as each step gains, forever. After this many frames that gain less
+ * than this fraction of the distance, the pose is as near as it can come.
  */
 const MAX_FUTILE_STEPS = 3;
 const MIN_GAIN = 1e-3;
-/** What of the iterations of a frame a step is counted as, beside those that put the pins right. */
+/** Iterations charged for a step, besides those that restore the pins. */
 const COST = 1;
 
 export class Homing {
   private readonly home: Float64Array;
   private readonly tried: Float64Array;
-  /** Whether there is more of the way than a frame has had room for. */
+  /** Whether the frame's budget ended before the pose was home. */
   isOnItsWay = false;
-  /** Where the hand was, how near the pose has come to home since it is there, and frames that brought it no nearer. */
+  /**
+   * The last hand position, the pose's smallest distance from home since, and the number of frames without progress.
+   */
   private readonly hand = new Float64Array(3).fill(Number.NaN);
   private nearest = Infinity;
   private inVain = 0;
-  /** What a step may be: halved where it was too bold. */
+  /** Factor of the step size, halved after a step that was too large. */
   private boldness = 1;
 
-  /** Home is the pose as it is now. */
+  /** Home is the current pose. */
   constructor(private readonly of: HandProblem) {
     this.home = of.dofs.slice();
     this.tried = of.dofs.slice();
   }
 
   /**
-   * @param spare iterations that are left alone
-   * @param isHere whether the pose has come to where the hand is: until then it may well go further from home
+   * @param spare iterations to keep in reserve
+   * @param isHere whether the pose has reached the hand; until then it may move away from home
    */
   come(spare: number, isHere: boolean): void {
     this.isOnItsWay = false;
@@ -61,7 +63,7 @@ export class Homing {
 
   private goOn(spare: number): void {
     const { of, home, tried } = this;
-    // What is out of reach takes many iterations each time: one step in a frame.
+    // Targets out of reach take many iterations each: one step per frame.
     const most = of.missing > IS_THERE * of.reach ? 1 : MAX_STEPS;
     for (let s = 0; s < most && of.left > spare; s++) {
       const way = writeWayHome(of.problem, of.dofs, home);
@@ -77,7 +79,7 @@ export class Homing {
       of.solve('drag');
       const isWorse = of.worstPin > Math.max(missed, IS_THERE * of.reach) + 1e-12;
       const hasLost = of.missing > Math.max(missing * (1 + 1e-3), IS_THERE * of.reach);
-      // What is put right by going back again would go on for ever, and nowhere.
+      // Stops steps that restoring the pins undoes; they would repeat forever without progress.
       const isNowhere = of.furthest(tried) < MIN_FRACTION * part * way || this.distance() > far * (1 - 1e-6);
       if (isWorse || hasLost || isNowhere) {
         of.dofs.set(tried);
@@ -92,7 +94,7 @@ export class Homing {
     }
   }
 
-  /** Another place of the hand is another try. */
+  /** Starts over if the hand has moved. */
   private lookAtHand(): void {
     const { hand } = this.of;
     if (hand.every((v, k) => v === this.hand[k])) return;
@@ -101,7 +103,7 @@ export class Homing {
     this.inVain = 0;
   }
 
-  /** Of the pose from home, squared, in unknowns. */
+  /** Squared distance of the pose from home, in solver variables. */
   private distance(): number {
     const { count, dof, scale } = this.of.problem.variables;
     let sum = 0;

@@ -1,12 +1,12 @@
 /**
- * How much of a character a DOF moves. Among all poses in which the pins are where they should be, the nearest is not the
- * one whose angles change least, but the one in which least of the body goes elsewhere: who pulls a hip wants the knees to
- * bend, not the whole person to fall over, which would be fewer degrees.
+ * How much of a character each DOF moves. Of all poses that satisfy the pins, the most natural is not the one with the
+ * smallest angles but the one that moves the least of the body: pulling a hip should bend the knees, not tip the whole
+ * person over, although that takes fewer degrees.
  *
  *     I_j = Σ over bones below j   length · (distance of the bone's middle from j's pivot)²
  *
- * the moment of inertia of what hangs on a joint, at rest, bones being as heavy as they are long. A joint's DOFs are as
- * much less willing as its I is beside the largest one.
+ * This is the moment of inertia of everything below a joint, at rest, with bones as heavy as they are long. A joint's
+ * DOFs are stiffer in proportion to its I relative to the largest.
  */
 import { boneEnds } from '../../../model/bone-ends.ts';
 import { restPose } from '../../../model/dofs.ts';
@@ -15,17 +15,17 @@ import type { Skeleton } from '../../../model/skeleton.ts';
 import { compileSkeleton, worldMatrices } from '../../kinematics.ts';
 import { pointAt } from '../set-up.ts';
 
-/** How much less willing than the tip of a finger that is which moves everything. */
+/** Stiffness of the DOF that moves everything, relative to a fingertip. */
 const MOST = 60;
 
-/** By the character's DOF, without morphs: at least 1. What carries the whole is as unwilling as the root's turn. */
+/** By DOF of the character, without morphs; at least 1. Root translation is as stiff as the root's rotation. */
 export const inertia = perObject((skeleton: Skeleton): Float64Array => {
   const compiled = compileSkeleton(skeleton);
   const { parent, firstDof, jointCount, travel } = compiled;
   const dofs = Float64Array.from(restPose(skeleton, 0));
   const world = new Float64Array(16 * jointCount);
   worldMatrices(compiled, dofs, world);
-  // Of a joint and all below: the mass, the mass times the place (3), the mass times the place squared.
+  // For a joint and its descendants: mass, mass times position (3), mass times squared position.
   const sums = new Float64Array(5 * jointCount);
   const add = (joint: number, end: readonly number[]) => {
     const start = world.subarray(16 * joint + 12, 16 * joint + 15);

@@ -1,23 +1,23 @@
 /**
- * Which locks keep the dragged point from the hand. A lock leaves no trace in the solution, for what is locked is no
- * unknown of it; so the pose is tried from where it is without any lock, and the locks that are in the way are those of
- * the joints that bend then, if the point comes nearer by that.
+ * Finds the locks that keep the dragged point from the hand. Locks leave no trace in the solution, since locked DOFs
+ * are not variables; so the problem is solved from the current pose without locks, and if the point comes nearer, the
+ * joints that then bend are the cause.
  */
 import { compileSkeleton } from '../../kinematics.ts';
 import { ikOf } from '../set-up.ts';
 import { HandProblem } from './hand-problem.ts';
 
-/** How much nearer the point has to come: part of the reach. */
+/** Fraction of the reach that the point must come nearer. */
 const NEARER = 0.01;
-/** A joint that bends by less than that part of the one that bends most is not in the way. */
+/** A joint that bends less than this fraction of the one that bends most is not a cause. */
 const BENDS = 0.25;
-/** Iterations of one try. */
+/** Iterations of one attempt. */
 const ENOUGH = 48;
 
 export class LockTrial {
   private readonly locked: readonly number[];
   private free: HandProblem | undefined;
-  /** What the last answer was about. */
+  /** The input of the cached answer. */
   private readonly pose: Float64Array;
   private readonly hand = new Float64Array(3).fill(Number.NaN);
   private found: readonly number[] = [];
@@ -29,7 +29,10 @@ export class LockTrial {
     this.pose = new Float64Array(of.dofs.length);
   }
 
-  /** The joints, the one that would bend most first. Asked for before every picture: worked out where the drag has gone on. */
+  /**
+   * The joints that block, the one that would bend most first. Called every frame; recomputed only when the drag has
+   * moved on.
+   */
   inTheWay(): readonly number[] {
     const { of, locked, pose, hand } = this;
     if (locked.length === 0 || of.missing <= NEARER * of.reach) return [];

@@ -21,31 +21,31 @@ import { Homing } from './homing.ts';
 import { LockTrial } from './lock-trial.ts';
 import { Shaking } from './shaking.ts';
 
-/** Part of the reach. */
+/** Fraction of the reach. */
 const LONGEST_STEP = 0.15;
-/** Steps of one move: past these it is a jump, and what leads there is coarser. */
+/** Steps of one movement; a longer one is a jump and is followed in coarser steps. */
 const MAX_STEPS = 8;
-/** Iterations of a frame. One takes some 20 µs for a wasp on six feet. */
+/** Iterations per frame. One takes about 20 µs for a wasp on six feet. */
 const MAX_ITERATIONS = 96;
-/** Of one solution, at most: see `solve`. */
+/** Maximum iterations per solve; see `solve`. */
 const ONE_SOLUTION = 24;
-/** What shaking a pose takes, at least. */
+/** Minimum iterations for shaking a pose. */
 const TO_SHAKE = 2 * ONE_SOLUTION;
-/** A pose moves at most so far in a frame, and so much further for each reach that the hand moves: radians, reaches. */
+/** The most a pose moves in a frame, plus this much per reach that the hand moves: radians, reaches. */
 const CALM = 0.08;
 const FOLLOWS = 5;
-/** Times that, where it takes as much to put the pins in order. */
+/** Multiplies that limit if restoring the pins needs it. */
 const MORE_FOR_PINS = 2;
-/** A settled pose that is nearer than that to the one that was dragged is taken: radians, factors, parts of the reach. */
+/** A settled pose is used if it differs from the dragged one by less: radians, factors, fractions of the reach. */
 const NO_JUMP = 0.01;
-/** A gap that one sees: part of the reach. */
+/** A visible gap: fraction of the reach. */
 const SEEN_GAP = 0.01;
-/** Frames that the release makes up for, where the hand was too fast for the last ones. */
+/** Extra frames that the release may use if the hand was too fast. */
 const CATCH_UP = 8;
 
-/** A pin, or what was dragged, that is not where it should be. */
+/** A pin or dragged point that is not at its target. */
 export interface Gap {
-  /** Into the setup's pins; as many as they are for a point that was no pin. */
+  /** Index into the setup's pins; their number for a point that is no pin. */
   readonly index: number;
   readonly joint: number;
   /** In the space of the world matrices. */
@@ -119,7 +119,7 @@ export class Pull {
     this.before = this.of.dofs.slice();
   }
 
-  /** The character's DOFs as the drag has them now. */
+  /** The character's DOFs at this point of the drag. */
   get dofs(): Float64Array {
     return this.of.dofs;
   }
@@ -128,7 +128,7 @@ export class Pull {
     return this.of.reach;
   }
 
-  /** What keeps the points from where they should be. */
+  /** Why points can't reach their targets. */
   get hindrance(): Hindrance {
     const { of, rootStays } = this;
     const { slots, pins } = of.problem;
@@ -164,7 +164,7 @@ export class Pull {
     const { of, before, shaking } = this;
     before.set(of.dofs);
     of.left = MAX_ITERATIONS;
-    // What had no room in the frame before has it in this one.
+    // What did not fit into the previous frame is done in this one.
     const spare = this.shakingWaits ? TO_SHAKE : 0;
     const way = this.follow(spare);
     this.shakingWaits = false;
@@ -179,14 +179,14 @@ export class Pull {
     this.calm(CALM + FOLLOWS * (way / of.reach));
   }
 
-  /** Whether the pose is still on its way to where the hand is: ask it to go there again with the next frame. */
+  /** Whether the pose is still moving towards the hand; if so, call `to` again in the next frame. */
   get isOnItsWay(): boolean {
     return this.isCalmed || this.shakingWaits || this.isBehind || this.homing.isOnItsWay;
   }
 
   /**
-   * The release: the last part of the way, where everything is nearly there and nothing jumps by it. What can't be had
-   * stays as the hand has left it: a better pose elsewhere would be a jump that nobody asked for.
+   * The release: finishes the movement if that is only a small change. What can't be satisfied stays as the hand left
+   * it: a better pose elsewhere would be an unexpected jump.
    */
   settle(): void {
     const { of } = this;
@@ -199,14 +199,14 @@ export class Pull {
     of.solve('drag');
   }
 
-  /** Whether the hand asks for more than a character can give whose root stays. */
+  /** Whether the hand asks for more than the character can do with its root fixed. */
   get wantsRoot(): boolean {
     const { of, rootStays } = this;
     if (!rootStays || of.missing <= SEEN_GAP * of.reach) return false;
     return gapCause(this.hindrance) === 'root';
   }
 
-  /** Every pin that is not where it should be. */
+  /** Every pin that is not at its target. */
   gaps(): Gap[] {
     const { problem, reach } = this.of;
     const { pins, slots } = problem;
@@ -218,7 +218,7 @@ export class Pull {
     return found;
   }
 
-  /** DOFs of the character that a limit keeps from bringing the pins nearer. */
+  /** DOFs of the character whose limits keep the pins from coming nearer. */
   binding(): readonly number[] {
     const { binding, bindingCount } = this.of.problem.result;
     return Array.from(binding.subarray(0, bindingCount));
@@ -238,13 +238,13 @@ export class Pull {
     return Math.hypot(...subtract(pointAt(toOwn, 0, to), pointAt(toOwn, 0, from)));
   }
 
-  /** Whether a frame had no room for all of the hand's way. */
+  /** Whether the frame's budget ended before the hand's destination. */
   private get isBehind(): boolean {
     const { hand } = this.of;
     return this.goal.some((v, k) => v !== hand[k]);
   }
 
-  /** In short steps, as far as there is room for them. @returns how far the hand has come */
+  /** In short steps, as far as the budget allows. @returns how far the hand has moved */
   private follow(spare: number): number {
     const { of, goal } = this;
     const [fromX, fromY, fromZ] = of.hand;
@@ -263,8 +263,8 @@ export class Pull {
   }
 
   /**
-   * Where a leg comes to its full length, the last millimetre of reach may be a body that leans far over. It gets there,
-   * but in more than one frame.
+   * When a leg reaches full length, the last millimetre may need the body to lean far over. That is allowed, but spread
+   * over several frames.
    */
   private calm(most: number): void {
     const { of } = this;
@@ -272,16 +272,16 @@ export class Pull {
     this.isCalmed = far > most;
     if (!this.isCalmed) return;
     this.goBack(most / far);
-    // In between the pins are not quite where they hold: they come first.
+    // In between, the pins are slightly off: restore them first.
     of.orderPins();
-    // Where a chain is all but straight, that may be as far again; by a hair the pins are not where they hold then.
+    // For an almost straight chain this may move as far again; then accept pins that are off by a hair.
     const again = of.furthest(this.before);
     if (again <= MORE_FOR_PINS * most) return;
     this.goBack(most / again);
     of.look();
   }
 
-  /** To the pose at the beginning of the frame, but for a part of the way. */
+  /** Back to the pose at the start of the frame, except for a fraction of the movement. */
   private goBack(part: number): void {
     const { before } = this;
     const { dofs } = this.of;

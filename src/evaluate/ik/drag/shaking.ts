@@ -1,20 +1,20 @@
 /**
- * Legs that are straight don't bend when a hip is pushed down on feet that hold: at first it changes their length by
- * nothing. So all is bent a little, one way and the other, and what comes of it is kept where it helps. The solver does
- * as much for one chain; here what is dragged could move, were it not for the pins. Asked again only after the hand has
- * gone on, and soon enough that little has been missed by then.
+ * Straight legs don't bend when a hip is pushed down on pinned feet: to first order their length does not change. So
+ * the whole pose is bent a little in either direction, and the result is kept if it helps. The solver does this for a
+ * single chain; here the dragged point could move if it weren't for the pins. Repeated only after the hand has moved,
+ * soon enough that little is missed.
  */
 import type { HandProblem } from './hand-problem.ts';
 
-/** A gap that is worth a try, and how far the hand goes between two: parts of the reach. */
+/** The gap that triggers an attempt, and the hand's movement between two: fractions of the reach. */
 const STUCK = 0.004;
-/** How far everything is bent for it: radians, parts of the reach. */
+/** How far everything is bent: radians, fractions of the reach. */
 const SHAKE = 0.02;
-/** What is left of the gap where it has helped. */
+/** The attempt helped if the gap shrinks to this fraction. */
 const HELPS = 0.8;
 
 export class Shaking {
-  /** Where the hand was when the pose was last shaken. */
+  /** Position of the hand when the pose was last shaken. */
   private readonly shakenAt = new Float64Array(3).fill(Infinity);
   private readonly stuck: Float64Array;
   private readonly helped: Float64Array;
@@ -24,7 +24,7 @@ export class Shaking {
     this.helped = new Float64Array(of.dofs.length);
   }
 
-  /** Whether the pose is stuck, and has not been shaken about here. */
+  /** Whether the pose is stuck and has not been shaken near here. */
   get isDue(): boolean {
     const { of, shakenAt } = this;
     const { hand, reach } = of;
@@ -41,7 +41,7 @@ export class Shaking {
     stuck.set(dofs);
     let least = HELPS * of.missing;
     let helps = false;
-    // Neither way is to have more of what is left than the other.
+    // Both directions get the same share of the budget.
     const half = of.left / 2;
     for (const way of [1, -1]) {
       dofs.set(stuck);
