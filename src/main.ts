@@ -1,4 +1,4 @@
-/** The page, put together: nothing but wiring. */
+/** The page's entry: nothing but wiring. */
 import { beginAutosave } from './app/autosave/begin.ts';
 import { savingMarks } from './app/autosave/saving-marks.ts';
 import { DiskHandles } from './app/disk-handles.ts';
@@ -48,7 +48,7 @@ const settings = rememberedSettings(
 );
 const sampleDisplay = new SampleDisplay(settings, store);
 
-/** What the page can do, when the rest of it is here. */
+/** What the page can do once everything is loaded. */
 let actions = (): readonly Action[] => [];
 
 const workbench: Workbench = {
@@ -100,7 +100,7 @@ transport.subscribe((now) => {
   viewport.setFramesPerSecond(now.framesPerSecond);
 });
 
-// What nobody caught is said in the page, not only in a console that few have open.
+// Uncaught errors are shown in the page, since few have the console open.
 window.addEventListener('error', ({ message }) => messages.note(`Something went wrong: ${message}`, 'error'));
 window.addEventListener('unhandledrejection', ({ reason }) =>
   messages.note(`Something went wrong: ${reason instanceof Error ? reason.message : String(reason)}`, 'error'),
@@ -117,7 +117,7 @@ const rest = restOfPage(root, opening, ({ mountWorkbench }) =>
 window.marrow = scriptingApi(workbench, opener, rest);
 void beginAutosave({ ...workbench, opener, worker, saving: savingMarks(unsaved, handles) }, opening);
 
-/** A character that walks, so that there is something to look at. */
+/** The opening example: a walking character. */
 function openSample() {
   return opener.open(
     async (signal) => {
@@ -128,7 +128,7 @@ function openSample() {
   );
 }
 
-/** Says so in the page where there is no WebGL2, and gives up. */
+/** Reports missing WebGL2 in the page and stops. */
 function viewportIn(element: HTMLElement): Viewport {
   try {
     return new Viewport(element, {

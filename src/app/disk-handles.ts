@@ -1,19 +1,19 @@
 /**
- * Where the files that are open lie: what saving in place and *Reload from disk* go by. Beside the document, for a
- * handle is no data of a character's, and undo does not move files.
+ * Where open files are on disk, for saving in place and *Reload from disk*. Not part of the document: handles are no
+ * data of a character, and undo doesn't move files.
  */
 import { type DiskFile, diskFileOf } from '../io/disk-files.ts';
 import type { GivenFile } from '../io/given.ts';
 import type { Character } from '../model/document.ts';
 import type { Part } from '../model/part.ts';
 
-/** One entry, plain: handles and files survive a structured clone. */
+/** One entry as plain data: handles and files survive a structured clone. */
 export type KeptDiskFile = readonly [path: string, file: DiskFile];
 
 export class DiskHandles {
   private readonly files = new Map<string, DiskFile>();
 
-  /** Takes down what was opened. A file of a path that came from elsewhere this time is not what it was. */
+  /** Registers opened files. A path opened from elsewhere replaces the old entry. */
   note(given: readonly GivenFile[]): void {
     for (const one of given) {
       const file = diskFileOf(one);
@@ -22,22 +22,22 @@ export class DiskHandles {
     }
   }
 
-  /** Whether a file of that path is known. */
+  /** Whether the file of that path is known. */
   has(path: string): boolean {
     return this.files.has(path);
   }
 
-  /** Where a part lies. */
+  /** The file of a part. */
   ofPart({ file }: Part): DiskFile | undefined {
     return file && this.files.get(file.path);
   }
 
-  /** @param path of a part's file, which has been saved there */
+  /** @param path of a part's file, which was saved there */
   set(path: string, file: DiskFile): void {
     this.files.set(path, file);
   }
 
-  /** Every file that a character came from or was saved to, each once; a zip stands for what is in it. */
+  /** Every file that a character was read from or saved to, each once; a zip for what it contains. */
   ofCharacter(character: Character): readonly DiskFile[] {
     return [...new Set(character.sources.flatMap(({ path }) => this.files.get(path) ?? this.zipOf(path) ?? []))];
   }

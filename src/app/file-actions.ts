@@ -1,4 +1,4 @@
-/** What the menus can do with files, over dialogs, drops, samples and the disk. */
+/** Actions on files in the menus, over dialogs, drops, examples and the disk. */
 import { pickFiles, pickFolder, readAgain } from '../io/disk-files.ts';
 import { fromDataTransfer } from '../io/given.ts';
 import { onDemand } from '../ui/state/on-demand.ts';
@@ -14,7 +14,7 @@ import type { Unsaved } from './unsaved.ts';
 interface Parts extends Pick<ReloadParts, 'store' | 'messages'> {
   readonly opener: Opener;
   readonly samples: Promise<readonly BundledExample[]>;
-  /** As a sample opens, with what it asks to be drawn. */
+  /** Switches the display to what an example asks for. */
   readonly showSample: (shows: SampleSwitches | undefined) => void;
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
@@ -29,7 +29,7 @@ export function fileActions(parts: Parts): FileActions {
     listed = list;
   });
   let saver: Saver | undefined;
-  /** With all that writes files, it is fetched when something is saved first. */
+  /** Loaded on the first save, with everything that writes files. */
   const saving = async (save: (saver: Saver) => Promise<void>) => {
     const module = await onDemand(parts.messages, 'File saving', () => import('./saver.ts'));
     if (!module) return;
@@ -41,12 +41,12 @@ export function fileActions(parts: Parts): FileActions {
     readAgain: (file, signal) => readAgain(file, document.baseURI, signal),
   };
   const take = (data: DataTransfer) => {
-    // Begun before anything is waited for: the browser takes the files back when the event is over.
+    // Read at once: the browser invalidates the files when the event is over.
     const files = fromDataTransfer(data);
     return opener.open(() => files);
   };
   return {
-    // The dialog is asked for before the opening takes its turn: nobody waits for a person to choose.
+    // The dialog runs before the opening takes its turn, so that it blocks no other.
     open: () => void pickFiles().then((files) => opener.open(() => files)),
     openFolder: () => void pickFolder().then((files) => opener.open(() => files)),
     openSample(id) {

@@ -1,12 +1,11 @@
 /**
- * The played range, and how it is counted, follow the clips: when other clips are shown (files opened, a take chosen or its range set, undo), a
- * range that was theirs becomes that of the new ones. A range that someone set by hand stays.
+ * The playback range and frame rate follow the clips: when other clips are shown (files opened, a take selected or its
+ * range set, undo), a range taken from the clips becomes that of the new ones. A range set by hand stays.
  *
- * Frames are counted as takes have them that come into an empty page, or in the place of all that was there, where they
- * have one rate. After that the rate is the person's, until a take is played alone.
+ * The frame rate is taken from takes opened into an empty page, or replacing everything, if they share one. After that
+ * it is the user's, until a take is played alone.
  *
- * Without a clip there is a range all the same, for poses want a time line to be keyed on; it is the one that was there
- * before the clips came.
+ * Without a clip there is still a range, since poses need a timeline to be keyed on: the one before the clips came.
  */
 import { sharedFrameRate } from '../edit/frame-rate.ts';
 import { countedAt, DEFAULT_PLAYBACK, type Playback } from '../edit/playback.ts';
@@ -24,7 +23,7 @@ export function followRange(store: Store, transport: Observable<Playback>): void
     const next = rangeOfClips(now.document);
     const was = clips;
     clips = next;
-    // What another character's time line was says nothing about this one's.
+    // The timeline of another character says nothing about this one's.
     const isOther =
       before.document.characters.length > 0 &&
       !now.document.characters.some((c) => findCharacter(before.document, c.id));
@@ -40,7 +39,7 @@ export function followRange(store: Store, transport: Observable<Playback>): void
   });
 }
 
-/** Nothing moves any more. Time stays where it is, in a range that it is in. */
+/** Nothing is animated any more. The time stays, clamped to the range. */
 function standStill(playback: Playback, was: Range | undefined, otherwise: Range, isOther: boolean): Playback {
   const range = isOther || sameRange(playback.range, was) ? otherwise : playback.range;
   const timeSeconds = isOther ? range[0] : Math.min(range[1], Math.max(range[0], playback.timeSeconds));

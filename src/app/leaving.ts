@@ -1,4 +1,4 @@
-/** What the browser shows of unsaved work: a mark in the title, and its question before the page is left. */
+/** How the browser shows unsaved work: a mark in the title, and a question before leaving the page. */
 import type { FileActions } from '../ui/state/workbench.ts';
 
 /** `• wasp_walk.anim – Marrow`; `• 3 files – Marrow`. */
@@ -8,7 +8,10 @@ export function titleFor(name: string, unsaved: readonly { readonly name: string
   return `• ${unsaved.length === 1 ? first.name : `${unsaved.length} files`} – ${name}`;
 }
 
-/** Keeps the title, and asks before leaving for as long as something is unsaved: no longer, for asking has a price. */
+/**
+ * Keeps the title up to date, and asks before leaving only while something is unsaved: a `beforeunload` listener has a
+ * price.
+ */
 export function markUnsaved({ unsaved }: Pick<FileActions, 'unsaved'>, page: Window): void {
   const name = page.document.title;
   const ask = (event: BeforeUnloadEvent) => event.preventDefault();

@@ -1,6 +1,6 @@
 /**
- * From files to the document: read in the worker, bound together, put in as one step, shown. One opening at a time;
- * the next waits, so that what is dropped last stands last.
+ * From files to the document: read in the worker, assembled, added as one step, shown. Files are opened one batch at a
+ * time, in the order in which they were dropped.
  */
 import { type Playback, play } from '../edit/playback.ts';
 import type { Store } from '../edit/store.ts';
@@ -24,21 +24,21 @@ export interface OpeningParts {
   readonly worker: WorkerClient;
 }
 
-/** What one opening brought into the document. */
+/** What one opening added to the document. */
 export interface OpenedFiles {
-  /** As given: a zip is one of them. */
+  /** As opened: a zip is one file. */
   readonly given: readonly GivenFile[];
-  /** What was read of them, in the document as these very objects. */
+  /** What was read from them: the same objects as in the document. */
   readonly files: readonly ParsedFile[];
 }
 
-/** Finds the files: they may have to be fetched, or folders walked, first. */
+/** Finds the files; may have to fetch them or walk folders first. */
 export type FindFiles = (signal: AbortSignal) => Promise<readonly GivenFile[]> | readonly GivenFile[];
 
 export interface OpenOptions {
-  /** The page's own first character: no undo step, and gone when anything is opened. */
+  /** The page's first character: no undo step, and replaced by anything that is opened. */
   readonly asOpeningSample?: boolean;
-  /** The character whose files are read again: what it shows stays shown, and its files are meant for it. */
+  /** The character whose files are reloaded: it keeps showing the same alternatives, and the files are for it. */
   readonly reloads?: string;
 }
 
@@ -51,19 +51,19 @@ export class Opener {
     this.parts = parts;
   }
 
-  /** Opens files; gives all that there is to say about them. Never rejects: what goes wrong is a diagnostic. */
+  /** Opens files and returns all diagnostics. Never rejects: failures are diagnostics too. */
   open(find: FindFiles, options: OpenOptions = {}): Promise<readonly Diagnostic[]> {
     return this.inTurn(() => this.openNow(find, options));
   }
 
-  /** Does something that must not happen while files are opened, as if it were an opening itself. */
+  /** Runs work that must not overlap with opening files, in the same queue. */
   inTurn<T>(work: () => Promise<T>): Promise<T> {
     const turn = this.last.then(work);
     this.last = turn.catch(() => undefined);
     return turn;
   }
 
-  /** Calls back after each opening that changed the document. Returns the way out. */
+  /** Calls back after each opening that changed the document. Returns an unsubscribe function. */
   subscribe(listener: (opened: OpenedFiles) => void): () => void {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -80,7 +80,7 @@ export class Opener {
       if (files.length === 0) return [];
       const output = await worker.run(
         'parse',
-        // Where they lie is nothing to the worker.
+        // The worker doesn't need the handles.
         { files: files.map(({ path, blob }) => ({ path, blob })) },
         {
           signal: abort.signal,
@@ -89,7 +89,7 @@ export class Opener {
       );
       for (const { skin, facts, morphs } of output.facts) adoptSkinFacts(skin, facts, morphs);
       const { store } = this.parts;
-      // Someone was quicker and has begun something of their own, which is no sample.
+      // The user has opened something meanwhile, which takes precedence over the example.
       if (options.asOpeningSample && store.document.characters.length > 0) return [];
       store.settle();
       const { reloads } = options;
@@ -102,7 +102,7 @@ export class Opener {
       const label = reloads === undefined ? result.label : result.label.replace(/^Open/, 'Reload');
       this.put(next, result.opened, label, options);
       if (isChange) for (const listener of this.listeners) listener({ given: files, files: output.files });
-      // Files that are well now have nothing to say any more.
+      // Clears the messages of files that are all right now.
       messages.report(
         diagnostics,
         output.files.map((f) => f.source.name),
@@ -133,17 +133,16 @@ export class Opener {
     if (options.asOpeningSample) {
       store.amend({ document: { ...document, isOpeningSample: true }, ...(selected && { selected }) });
     } else store.replace(label, { document, ...(selected && { selected }) });
-    // A part that was replaced keeps time and camera: someone is editing a file beside the page. What arrives for the
-    // first time may be of another size than what was there.
+    // A replaced part keeps time and camera: someone is editing a file on disk. New content may be of another size.
     if (opened.some((id) => hasGrown(findCharacter(before, id), findCharacter(document, id)))) viewport.frameAll();
-    // The range is that of the clips by now (`follow-range.ts`); what is new starts from its beginning.
+    // The range already follows the clips (`follow-range.ts`); new ones play from the start.
     if (opened.some((id) => hasNewClip(before, document, id))) {
       transport.update((now) => play({ ...now, timeSeconds: now.range[0], rate: Math.abs(now.rate) || 1 }));
     }
   }
 }
 
-/** Of alternatives that were there before and still are, those that were shown are. */
+/** Keeps the shown alternatives (skins, takes) if they still exist. */
 function showingTheSame(before: Document, after: Document): Document {
   const characters = after.characters.map((character) => {
     const was = findCharacter(before, character.id);
@@ -158,14 +157,14 @@ function showingTheSame(before: Document, after: Document): Document {
   return after === before ? after : { ...after, characters };
 }
 
-/** Whether a character is new, or has a kind of part that it had none of. */
+/** Whether a character is new, or has its first part of some kind. */
 function hasGrown(before: Character | undefined, after: Character | undefined): boolean {
   if (!before || !after) return true;
   const first = (was: readonly unknown[], is: readonly unknown[]) => was.length === 0 && is.length > 0;
   return before.skeleton === undefined || first(before.skins, after.skins) || first(before.clips, after.clips);
 }
 
-/** Whether a character plays a clip now that it did not have at all before. */
+/** Whether a character plays a clip that it didn't have before. */
 function hasNewClip(before: Document, after: Document, id: string): boolean {
   const clip = shownClipOf(after, id);
   if (!clip) return false;
@@ -178,7 +177,7 @@ function shownClipOf(document: Document, id: string) {
   return character && shownClip(character);
 }
 
-/** Names of the files that its characters came from. */
+/** Names of the files that the characters came from. */
 function filesOf({ characters }: Document): ReadonlySet<string> {
   return new Set(characters.flatMap((c) => c.sources.map((source) => source.name)));
 }

@@ -1,6 +1,6 @@
 /**
- * *Reload from disk*: the files of a character that someone changed beside the page are read again and take the place
- * of their parts, as one step. Where none has changed, what was edited here goes back to what its file has.
+ * *Reload from disk*: files of a character that changed on disk are read again and replace their parts, as one step. If
+ * none has changed, edits are reverted to what the files hold.
  */
 import type { Store } from '../edit/store.ts';
 import { DiskError, type DiskFile } from '../io/disk-files.ts';
@@ -20,17 +20,17 @@ export interface ReloadParts {
   readonly opener: Pick<Opener, 'open'>;
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
-  /** `readAgain` of `io/disk-files.ts`, for this page. */
+  /** `readAgain` of `io/disk-files.ts`. */
   readAgain(file: DiskFile, signal: AbortSignal): Promise<GivenFile>;
 }
 
-/** Whether a character has files that may be read again. The opening sample has none: it stands for no file. */
+/** Whether a character has files that can be read again. The opening example has none. */
 export function canReload({ store, handles }: Pick<ReloadParts, 'store' | 'handles'>, characterId: string): boolean {
   const character = findCharacter(store.document, characterId);
   return character !== undefined && !store.document.isOpeningSample && handles.ofCharacter(character).length > 0;
 }
 
-/** Gives all that there is to say, as opening does; never rejects. */
+/** Returns all diagnostics, as opening does; never rejects. */
 export async function reload(parts: ReloadParts, characterId: string): Promise<readonly Diagnostic[]> {
   const { store, messages, opener } = parts;
   const character = findCharacter(store.document, characterId);
@@ -58,7 +58,7 @@ export async function reload(parts: ReloadParts, characterId: string): Promise<r
   return [...failures, ...diagnostics];
 }
 
-/** The files to be read again, as they are now; what can't be read is told in `failures`. */
+/** The current files to be read; those that can't be read are listed in `failures`. */
 async function changedFiles(
   { handles, unsaved, readAgain }: ReloadParts,
   character: Character,
@@ -85,7 +85,7 @@ async function changedFiles(
   return found.filter(({ file }) => edited.has(file)).map(({ now }) => now);
 }
 
-/** The files whose parts were changed here and not saved. */
+/** The files whose parts have unsaved edits. */
 function editedFiles(character: Character, handles: DiskHandles, unsaved: Unsaved): ReadonlySet<DiskFile | undefined> {
   const parts = partsOf(character);
   const own = unsaved.current().filter(({ characterId }) => characterId === character.id);

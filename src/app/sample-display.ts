@@ -1,7 +1,7 @@
 /**
- * A sample may ask for something to be drawn that the page does not draw as it is set: the names of joints, where they
- * are what it is about. That holds for the sample alone: it is put back when another character opens or the sample goes,
- * unless a person has switched it meanwhile, and it is not remembered for the next visit.
+ * An example may switch on parts of the display, such as joint names if it is about them. That applies to the example
+ * only: the switches are restored when another character is opened or the example is removed, unless the user has
+ * changed them meanwhile, and they are not remembered for the next visit.
  */
 import type { Store } from '../edit/store.ts';
 import type { Display } from '../model/session.ts';
@@ -9,13 +9,13 @@ import type { Observable } from '../ui/kit/observable.ts';
 import type { Settings } from '../ui/state/settings.ts';
 
 const SWITCHES = ['names', 'bones', 'axes'] as const;
-/** Those of the page's switches that samples may ask for. */
+/** The switches that examples may ask for. */
 export type SampleSwitches = Readonly<Partial<Pick<Display, (typeof SWITCHES)[number]>>>;
 
 export class SampleDisplay {
-  /** What was switched for a sample, as it was before. */
+  /** Values before the example changed them. */
   private changed: SampleSwitches = {};
-  /** Its characters, by id; undefined until they are there. */
+  /** The example's characters, by id; undefined until they are loaded. */
   private own: ReadonlySet<string> | undefined;
 
   constructor(
@@ -35,7 +35,7 @@ export class SampleDisplay {
     });
   }
 
-  /** Called as each sample opens, before its characters are there, with what it asks for. */
+  /** Called when an example is opened, before its characters are loaded, with what it asks for. */
   show(asked: SampleSwitches = {}): void {
     this.own = undefined;
     this.settings.update((now) => {
@@ -47,9 +47,9 @@ export class SampleDisplay {
     });
   }
 
-  /** The settings without what was switched for a sample: as they are to be remembered. */
+  /** The settings without what an example changed, as they are to be remembered. */
   without(settings: Settings): Settings {
-    // What a person has switched back is as it was.
+    // What the user has switched back is no longer in `changed`.
     return { ...settings, display: { ...settings.display, ...this.changed } };
   }
 }

@@ -1,4 +1,4 @@
-/** The characters that come with the page: a list, and the files of one of them. */
+/** The examples that come with the page: their list, and the files of one. */
 import { fetchFiles } from '../io/address.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { SampleSwitches } from './sample-display.ts';
@@ -7,18 +7,18 @@ export interface BundledExample {
   readonly id: string;
   readonly label: string;
   readonly description: string;
-  /** Names beside `samples.json`. */
+  /** Names next to `samples.json`. */
   readonly files: readonly string[];
   readonly shows?: SampleSwitches;
 }
 
 const FOLDER = 'samples/';
 
-/** The samples, the opening one first. Empty where the page was published without them. */
+/** The examples, the opening one first. Empty if the page was published without them. */
 export async function listSamples(page: string): Promise<readonly BundledExample[]> {
   const response = await fetch(new URL(`${FOLDER}samples.json`, page)).catch(() => undefined);
   if (!response?.ok) return [];
-  // Our own file, made with the page and checked by its tests.
+  // Generated at build time and checked by tests.
   return (await response.json()) as BundledExample[];
 }
 

@@ -1,9 +1,9 @@
 /**
- * Saving: what changed, in place where the browser lets us, else where the person says, else as a download. What could
- * not be saved stays marked, and a message says why.
+ * Saves what changed: in place if the browser allows it, else to a location the user picks, else as a download. What
+ * could not be saved stays marked, with a message saying why.
  *
- * A browser opens one dialog for a click or a key. So of several files without a place each save asks about one, and
- * says which ones wait; giving up a dialog gives up the others too.
+ * Browsers open one dialog per click or key. So of several files without a location, each save asks about one and says
+ * which ones are left; cancelling the dialog cancels the others too.
  */
 import type { Store } from '../edit/store.ts';
 import { DiskError, type DiskFile, NotNowError } from '../io/disk-files.ts';
@@ -20,7 +20,7 @@ import type { Messages } from '../ui/state/messages.ts';
 import type { DiskHandles } from './disk-handles.ts';
 import type { Unsaved } from './unsaved.ts';
 
-/** What of `io` it takes, so that a test can stand in for browser and disk. */
+/** The part of `io` that saving needs, replaceable in tests. */
 export interface Disk {
   asksWhereToSave(): boolean;
   pickTarget(suggestedName: string): Promise<FileSystemFileHandle | undefined>;
@@ -30,7 +30,7 @@ export interface Disk {
 }
 
 interface DiskJob extends Job {
-  /** It holds parts, and is no file of theirs. */
+  /** A zip contains the parts, so it isn't their file. */
   readonly isZip?: true;
 }
 
@@ -38,34 +38,34 @@ export interface SaverParts {
   readonly store: Store;
   readonly unsaved: Unsaved;
   readonly handles: DiskHandles;
-  /** At which keys are sampled for motion capture; absent: 30. */
+  /** Frame rate at which keys are sampled for motion capture; absent: 30. */
   readonly framesPerSecond?: () => number;
   readonly messages: Pick<Messages, 'note' | 'report'>;
   readonly disk: Disk;
 }
 
-/** For this long a long file is written at a stretch; milliseconds. */
+/** Milliseconds of writing between two yields. */
 const STRETCH = 12;
 
 export class Saver {
   private last: Promise<void> = Promise.resolve();
-  /** Versions on disk that the person was told of: saving again means it. */
+  /** Versions on disk that the user was warned about: saving again overwrites them. */
   private readonly warnedOf = new Map<string, string>();
 
   constructor(private readonly parts: SaverParts) {}
 
-  /** Saves all that changed. Never rejects: what goes wrong is a message. */
+  /** Saves everything that changed. Never rejects: failures are messages. */
   saveChanged(): Promise<void> {
     return this.inTurn(async () => {
       const { store, unsaved, handles, messages } = this.parts;
       const jobs = changedFiles(store.document, unsaved.current(), (c) => poseToSave(c, unsaved.poseInFile(c)));
       if (jobs.length === 0) messages.note('Everything is saved. Use Save as to write copies.');
-      // All parts that a file holds lie in the same one.
+      // All parts of a file have the same location.
       await this.run(jobs, ({ holds: [first] }) => first && handles.ofPart(first.part));
     });
   }
 
-  /** Saves a character's parts of one kind as the files that the person chooses. Never rejects. */
+  /** Saves a character's parts of one kind as files that the user picks. Never rejects. */
   saveAs(characterId: string, kind: FormatKind): Promise<void> {
     return this.inTurn(async () => {
       const { store, messages, framesPerSecond } = this.parts;
@@ -76,7 +76,7 @@ export class Saver {
         const who = character?.name ?? 'The character';
         messages.note(`${who} has nothing to save as .${kind}.`, 'warning');
       }
-      // One dialog is a choice, ten are a nuisance.
+      // One dialog is fine, ten are not.
       await this.run(jobs, () => undefined, jobs.length === 1);
     });
   }
@@ -137,7 +137,7 @@ export class Saver {
         well.push(job.name);
         diagnostics.push(...written.diagnostics());
       } catch (error) {
-        // A dialog before it, or a long time, has used up the click: that is no fault of anyone's.
+        // A previous dialog or a long wait used up the click.
         if (error instanceof NotNowError) {
           dialogs = 'used up';
           remedy = hadDialog ? 'The browser asks for one file at a time. Save again.' : error.message;
@@ -151,15 +151,15 @@ export class Saver {
     }
     messages.report(diagnostics, well);
     const said = names.length ? [`Saved ${names.join(', ')}.`] : [];
-    // Who gives up the only one knows it.
+    // Cancelling the only dialog needs no message.
     if (left.length && (jobs.length > 1 || dialogs === 'used up')) said.push(`Not saved: ${left.join(', ')}.`);
     if (dialogs === 'used up') said.push(remedy);
-    // Where it did not ask at all, nobody has seen that anything was meant to happen.
+    // If no dialog appeared, the user can't know that one was needed.
     const severity = dialogs === 'used up' && names.length === 0 ? 'warning' : 'info';
     if (said.length) messages.note(said.join(' '), severity);
   }
 
-  /** Gives the name under which it was saved; undefined where the person gave up. */
+  /** Returns the name it was saved as; undefined if cancelled. */
   private async put(
     job: DiskJob,
     make: () => Promise<Blob>,
@@ -176,7 +176,7 @@ export class Saver {
     } else if (wantsDialog) {
       const handle = await disk.pickTarget(job.name);
       if (!handle) return undefined;
-      // After the dialog, which wants the key that was pressed to be fresh: a long file takes a while.
+      // After the dialog, which needs a recent click or key: writing a long file takes a while.
       content = await make();
       file = { handle, version: await disk.writeTo(handle, content) };
       savedAs = handle.name;
@@ -195,21 +195,21 @@ export class Saver {
     return savedAs;
   }
 
-  /** Of a part that was made here, which is listed and read again as what came from a file is. */
+  /** A source for a part created here, so that it is listed and reloaded like one from a file. */
   private newFile(characterId: string, part: Part, savedAs: string, bytes: number): SourceFile {
     const { store, handles } = this.parts;
     const format = formatKindOf(savedAs);
     const isKind = format !== undefined && KINDS[format].content === part.kind;
     const source = { name: savedAs, path: savedAs, bytes };
-    // Most parts are called after their file: one of another name would be read as another part.
+    // Most parts are named after their file: under another name it would be read as another part.
     const isOwn = isKind && (part.kind === 'skel' || part.kind === 'pose' || stemOf(source) === part.name);
     const name = isOwn ? savedAs : fileNameOf(part);
-    // By its path a file is known: two of one name, of which nobody knows where they lie, are kept apart.
+    // Files are identified by path: keep two of one name apart if their locations are unknown.
     const isOpen = store.document.characters.some(({ sources }) => sources.some(({ path }) => path === name));
     return { name, path: isOpen || handles.has(name) ? `${characterId}/${name}` : name, bytes };
   }
 
-  /** Gives the file's new version. */
+  /** Returns the file's new version. */
   private async overwrite(
     { holds, name }: Job,
     content: Blob,
@@ -230,7 +230,7 @@ export class Saver {
       return await disk.writeTo(handle, content);
     } catch (error) {
       if (!(error instanceof DiskError) || !error.isGone) throw error;
-      // Asking the same place again would fail for ever.
+      // That handle would fail again.
       const { handle: _gone, version: _old, ...rest } = target;
       for (const { part } of holds) if (part.file) handles.set(part.file.path, rest);
       throw new DiskError(`${error.message} Save again to choose another place.`);
@@ -244,8 +244,8 @@ function notSaved(error: unknown, name: string): Diagnostic {
 }
 
 /**
- * A long file as a Blob, made in stretches between which the page lives on. The browser keeps it, not the script: what is
- * in the script's memory at any time are some hundred pieces.
+ * A long file as a Blob, made in slices so that the page stays responsive. The browser stores it: the script holds only
+ * some hundred pieces at a time.
  */
 async function blobOf(pieces: Iterable<FilePiece>, type: string): Promise<Blob> {
   const parts: Blob[] = [];

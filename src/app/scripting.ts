@@ -1,6 +1,6 @@
 /**
- * The page from the console: `window.marrow`. Teachers and tests drive the workbench with it; it is built on the same
- * functions as the menus, so what a script does can be undone and what it reads is what is drawn.
+ * The page's console API: `window.marrow`, for teachers and tests. It uses the same functions as the menus, so what a
+ * script does can be undone, and what it reads is what is drawn.
  */
 import { finiteNumber } from '../edit/arguments.ts';
 import { COMMANDS_AT_HAND, FETCHED_IDS } from '../edit/commands/at-hand.ts';
@@ -20,12 +20,12 @@ import type { FrameStats } from '../view/viewport.ts';
 import type { GivenBlob } from '../worker/protocol.ts';
 import type { Opener } from './opening.ts';
 
-/** A file to open: the browser's own, or a name and what is in it. */
+/** A file to open: a browser File, or a name with its content. */
 export type ScriptFile =
   | File
   | { readonly name: string; readonly content: string | ArrayBuffer | Uint8Array<ArrayBuffer> };
 
-/** A character by its id, its name, its index, or an object with an id (what `characters` gives). */
+/** A character by id, name, index, or any object with an id (as in `characters`). */
 export type CharacterRef = string | number | { readonly id: string };
 
 export interface CharacterInfo {
@@ -48,7 +48,7 @@ export interface KeyInfo {
   readonly slopeOut: number;
 }
 
-/** A point that is held by inverse kinematics. */
+/** A pinned point. */
 export interface PinInfo {
   readonly id: number;
   readonly joint: number;
@@ -61,48 +61,48 @@ export interface PinInfo {
 }
 
 export interface MarrowApi {
-  /** Opens files as a drop of all of them at once would; gives what there is to say about them. */
+  /** Opens files like one drop of all of them; returns the diagnostics. */
   open(files: Iterable<ScriptFile> | ArrayLike<ScriptFile>): Promise<readonly Diagnostic[]>;
-  /** Shows a moment; also before and past the range. */
+  /** Sets the current time; may be outside the range. */
   seek(seconds: number): void;
   play(): void;
   pause(): void;
   characters(): readonly CharacterInfo[];
-  /** A list of 16 numbers, column-major, for each joint, in the character's own space (without its placement). */
+  /** 16 numbers per joint, column-major, in the character's own space (without its placement). */
   worldMatrices(character?: CharacterRef): number[][];
-  /** Where the End Sites are, in the file's order, in the character's own space. */
+  /** Positions of the End Sites, in file order, in the character's own space. */
   endSites(character?: CharacterRef): EndSitePosition[];
-  /** The points that are pinned, in the order in which they were made. */
+  /** Pins, in the order in which they were added. */
   pins(character?: CharacterRef): PinInfo[];
-  /** x y z of every vertex as drawn: morphed and skinned, in the character's own space. */
+  /** x y z per vertex as drawn: morphed and skinned, in the character's own space. */
   vertices(character?: CharacterRef): number[];
   /**
-   * Runs a command on the document (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …).
-   * `characterId`, `timeSeconds` and `playedRange` default to the selected character, the moment shown and the range.
-   * Commands for whole curves, samples, other characters' takes, pins and skeletons (`channels.…`, `samples.…`,
-   * `retarget.…`, `ik.…`, `rig.…`), and actions that use such, are fetched first: for those it gives a promise.
+   * Runs a command (`pose.setDofs`, `character.place` …) or an action of the menus (`view.frameAll` …). `characterId`,
+   * `timeSeconds` and `playedRange` default to the selected character, the current time and the playback range.
+   * Commands on whole curves, samples, other characters' takes, pins and skeletons (`channels.…`, `samples.…`,
+   * `retarget.…`, `ik.…`, `rig.…`), and actions that use them, are loaded on first use and return a promise.
    */
   run(commandId: string, args?: Readonly<Record<string, unknown>>): Promise<void> | undefined;
-  /** The keys of a channel of the shown clip: seconds of the clip, values, and the slopes that their tangents come to. */
+  /** Keys of a channel of the shown clip: seconds of the clip, values, and the slopes of their tangents. */
   keys(channel: number, character?: CharacterRef): KeyInfo[];
   /**
-   * Where on the page the curve editor draws a point of a channel, in CSS pixels; undefined where it does not show it.
+   * Position on the page, in CSS pixels, of a point of a channel in the curve editor; undefined if it isn't shown.
    * Seconds of the transport.
    */
   placeOf(channel: number, seconds: number, value: number): { readonly x: number; readonly y: number } | undefined;
-  /** Where on the page a point of a character's own space is drawn, in CSS pixels; undefined where it is not shown. */
+  /** Position on the page, in CSS pixels, of a point in a character's own space; undefined if it isn't visible. */
   pointOnPage(
     point: readonly [number, number, number],
     character?: CharacterRef,
   ): { readonly x: number; readonly y: number } | undefined;
-  /** Of the last picture drawn. */
+  /** Statistics of the last frame drawn. */
   stats(): FrameStats;
-  /** Names of the steps that undo and redo would take; absent where there is none. */
+  /** Labels of the next undo and redo steps; absent if there is none. */
   steps(): { readonly undo?: string | undefined; readonly redo?: string | undefined };
-  /** False where there is nothing to undo. */
+  /** False if there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;
-  /** A part as the text of the file of that name: `wasp.skel`. What writes files is fetched for it. */
+  /** The file of that name (`wasp.skel`) as text. The writers are loaded on first use. */
   save(name: string): Promise<string>;
 }
 
@@ -168,7 +168,7 @@ export function scriptingApi(
   };
 }
 
-/** What a console gives is not typed: anything else is refused with a sentence. */
+/** Console input is untyped: refuse anything else with a message. */
 function given(file: ScriptFile): GivenBlob {
   if (typeof file?.name !== 'string' || !(file instanceof Blob || 'content' in file)) {
     throw new TypeError('Each file must be a File, or an object with a name and content.');
@@ -253,7 +253,7 @@ function apply(
     ...args,
     ...(named === undefined && command.makesCharacter ? {} : { characterId: resolve(store, named).id }),
   };
-  // Arguments from the console can't be typed; each command refuses what it can't use.
+  // Console arguments are untyped; each command checks its own.
   store.apply(command, given as never);
 }
 
@@ -265,7 +265,9 @@ function asReference(value: unknown): CharacterRef | undefined {
   return typeof value === 'string' || typeof value === 'number' ? value : undefined;
 }
 
-/** The selected character's file of that name, or another's; else the selected character's first of that kind. */
+/**
+ * The selected character's file of that name, or another character's; else the selected character's first of that kind.
+ */
 async function saveByName(store: Store, name: string): Promise<string> {
   const kind = formatKindOf(name);
   if (!kind) throw new Error(`"${name}" must end in one of ${READABLE_EXTENSIONS.map((e) => `.${e}`).join(' ')}.`);

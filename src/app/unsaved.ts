@@ -1,4 +1,4 @@
-/** What is not saved (`project/save/saved-parts.ts`), as the page shows it: it follows the store. */
+/** Unsaved parts (`project/save/saved-parts.ts`) as observable state that follows the store. */
 import type { Store } from '../edit/store.ts';
 import type { Character } from '../model/document.ts';
 import { type ParsedFile, type SourceFile, sameName } from '../model/files.ts';
@@ -7,7 +7,7 @@ import { type SavedCharacter, SavedParts, type UnsavedPart } from '../project/sa
 import { type Observable, observable } from '../ui/kit/observable.ts';
 
 export class Unsaved {
-  /** Follows the document at the end of the task that changed it; `current` is up to date at any time. */
+  /** Updated at the end of the task that changed the document; `current` is always up to date. */
   readonly parts: Observable<readonly UnsavedPart[]> = observable<readonly UnsavedPart[]>([]);
   private readonly saved = new SavedParts();
   private isStale = false;
@@ -25,11 +25,12 @@ export class Unsaved {
   }
 
   /**
-   * These files were read into the document just now: what they hold is saved.
-   * @returns names of those that took the place of something unsaved
+   * These files were just read into the document: their content counts as saved.
+   *
+   * @returns names of those that replaced something unsaved
    */
   opened(files: readonly ParsedFile[]): readonly string[] {
-    // The list is that of before still: it follows at the end of the task.
+    // Still the previous list: it is updated at the end of the task.
     const unsavedBefore = this.parts.get();
     const replaced = files.filter(({ source }) => unsavedBefore.some((part) => sameName(part.name, source.name)));
     this.saved.opened(this.store.document, files);
@@ -38,7 +39,8 @@ export class Unsaved {
   }
 
   /**
-   * A part was written as it was then.
+   * A part was written in this state.
+   *
    * @param pose of the joints, as written; only for a skeleton
    */
   written(part: Part, pose: readonly number[] = []): void {
@@ -47,8 +49,8 @@ export class Unsaved {
   }
 
   /**
-   * A part that was made here is that file's from now on. That is no step of anyone's, and undoing what was done before
-   * the saving does not take the file off the disk: it stays the part's.
+   * Assigns a file to a part that was created here. Not an undo step: undoing earlier edits doesn't remove the file
+   * from disk, so the part keeps it.
    */
   setFile(characterId: string, { id, kind, name }: Part, source: SourceFile): void {
     const file = { kind, source, holds: name };
@@ -56,7 +58,7 @@ export class Unsaved {
     this.change(characterId, (c) => withFile(c, id, file));
   }
 
-  /** Its file is of that length now. */
+  /** The file has that length now. */
   setBytes(characterId: string, { id, file }: Part, bytes: number): void {
     if (!file || file.bytes === bytes) return;
     this.change(characterId, (c) => {
@@ -69,7 +71,7 @@ export class Unsaved {
     });
   }
 
-  /** The pose that the file of a character's skeleton has. */
+  /** The pose in a character's skeleton file. */
   poseInFile(character: Character): readonly number[] {
     return this.saved.poseInFile(character);
   }
@@ -78,7 +80,7 @@ export class Unsaved {
     return this.saved.snapshot(this.store.document);
   }
 
-  /** The marks of the document that the store has just taken over. */
+  /** Restores the marks of the document that the store has just taken over. */
   restore(characters: readonly SavedCharacter[]): void {
     this.saved.restore(this.store.document, characters);
     this.refreshSoon();
@@ -99,7 +101,7 @@ export class Unsaved {
     if (now.length !== before.length || !now.every((part, i) => isSame(part, before[i]))) this.parts.set(now);
   }
 
-  /** Undo may have led to before a part was saved first. */
+  /** Undo may have restored a part from before it was first saved. */
   private giveFilesBack(): void {
     for (const { id, parts = NO_MARKS } of this.store.document.characters) {
       mapMarks(parts, (mark) => {
@@ -110,7 +112,7 @@ export class Unsaved {
     }
   }
 
-  /** Changes a character without a step. */
+  /** Changes a character without an undo step. */
   private change(characterId: string, edit: (character: Character) => Character): void {
     const { document } = this.store;
     this.store.amend({

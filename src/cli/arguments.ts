@@ -5,7 +5,7 @@
  * `--` everything is a file. Node's own `parseArgs` calls a value with a minus ambiguous and refuses it.
  */
 
-/** Wrong usage, in a sentence: exit code 2. */
+/** Wrong usage: exit code 2. The message is a whole sentence. */
 export class UsageError extends Error {
   override readonly name = 'UsageError';
 }
@@ -15,14 +15,14 @@ export type OptionTypes = Readonly<Record<string, 'value' | 'flag'>>;
 
 export interface Arguments {
   readonly files: readonly string[];
-  /** What an option was given, the last time it was; undefined where it was not. */
+  /** The option's last value; undefined if it wasn't given. */
   value(name: string): string | undefined;
-  /** All that it was given, in order; none where it was not. */
+  /** All values of the option, in order; empty if it wasn't given. */
   values(name: string): readonly string[];
   flag(name: string): boolean;
 }
 
-/** @throws UsageError for an option that is not there, lacks its value or has one too many */
+/** @throws UsageError if an option is unknown, has no value, or is a flag with a value */
 export function parseArguments(args: readonly string[], types: OptionTypes): Arguments {
   const files: string[] = [];
   const values = new Map<string, string[]>();
@@ -63,17 +63,17 @@ function hint(types: OptionTypes): string {
   return names.length ? ` There are: ${names.join(', ')}.` : '';
 }
 
-/** Decimal, as in the files: no hex, no infinity, nothing after it. */
+/** Decimal, as in the files: no hex, no infinity, nothing after the number. */
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
-/** @throws UsageError where the text is no number that a double holds */
+/** @throws UsageError unless the text is a number that a double can hold */
 export function numberOf(option: string, text: string): number {
   const value = NUMBER.test(text.trim()) ? Number(text) : Number.NaN;
   if (!Number.isFinite(value)) throw new UsageError(`--${option} takes numbers; found "${text}".`);
   return value;
 }
 
-/** Numbers with commas between them; none for an empty text. @throws UsageError */
+/** Numbers separated by commas; an empty text has none. @throws UsageError */
 export function numbersOf(option: string, text: string): number[] {
   return text.trim() === '' ? [] : text.split(',').map((part) => numberOf(option, part));
 }

@@ -1,10 +1,9 @@
 /**
- * `marrow convert FILE… --to KIND`: everything given, into another format, each file beside the one that it came from or
- * in the same place below another folder.
+ * `marrow convert FILE… --to KIND`: converts everything given to another format, each file next to its source or at the
+ * same path below another folder.
  *
- * Motion capture is read one file at a time, so that a folder of any size takes no more memory than its largest take;
- * all other files are read together, for a skeleton and its clips are several. What is broken is reported, and the rest
- * goes on.
+ * Motion capture is read one file at a time, so that memory is bounded by the largest take; all other files are read
+ * together, since a skeleton and its clips are separate files. Broken files are reported and skipped.
  */
 import { mkdirSync, statSync } from 'node:fs';
 import { basename, dirname, join, relative, resolve, sep } from 'node:path';
@@ -20,18 +19,18 @@ import { writeOutput } from './write-output.ts';
 
 export interface ManyOptions extends ConversionOptions {
   readonly target: Target;
-  /** Folder for all that is written; absent: beside what was read. */
+  /** Output folder; absent: next to the source. */
   readonly out?: string;
-  /** Whether a file that is there may be replaced. */
+  /** Whether existing files may be overwritten. */
   readonly replaces: boolean;
 }
 
 /** One file written. */
 export interface WrittenFile {
-  /** From the caller's folder. */
+  /** Relative to the caller's folder. */
   readonly path: string;
   readonly bytes: number;
-  /** The files that it was made of. */
+  /** The source files. */
   readonly from: readonly string[];
 }
 
@@ -52,7 +51,7 @@ export async function convertMany(
 ): Promise<boolean> {
   const { files, missing } = findGiven(args, folder);
   const many = new Many(args, folder, options, progress);
-  // Of the rest, only what takes part: a folder holds read-mes and pictures too.
+  // Folders also hold readmes and pictures: take only files in known formats.
   const [takes, others] = [files.filter(isBvh), files.filter((file) => !isBvh(file) && formatOf(file.absolute))];
   const groups = [...takes.map((take) => [take.path]), others.map(({ path }) => path)].filter((g) => g.length > 0);
   if (missing.length) many.tell(loadFiles(missing, folder).diagnostics);
@@ -69,7 +68,7 @@ function isBvh({ absolute }: GivenPath): boolean {
 
 class Many {
   hasFailed = false;
-  /** Paths of this run: two files of one name are not written over each other. */
+  /** Paths written in this run: two sources of one name don't overwrite each other's output. */
   private readonly done = new Set<string>();
   private readonly folders: readonly string[];
 
@@ -101,7 +100,7 @@ class Many {
       this.tell([refusal('skeleton-missing', message, source?.name ?? character.name)]);
     }
     const posed = characters.filter(({ skeleton }) => skeleton);
-    // Roots of one file go together.
+    // Roots of one file stay in one file.
     const groups = posed.length > 1 && paths.length === 1 ? [posed] : posed.map((character) => [character]);
     for (const group of groups) {
       try {
@@ -147,7 +146,7 @@ class Many {
     return 'A file of this name already exists; --force replaces it.';
   }
 
-  /** Beside what was read, or at the same place below the folder asked for. */
+  /** Next to the source, or at the same path below the output folder. */
   private folderFor(read: string): string {
     const { out } = this.options;
     const own = dirname(read);
@@ -158,7 +157,7 @@ class Many {
   }
 }
 
-/** A clip's name may be anything; what would lead to another folder is no part of it. */
+/** A clip's name is free text; characters that separate folders are replaced. */
 function fileSystemName(name: string): string {
   return basename(name.replace(/[/\\:\0]/g, '_'));
 }

@@ -1,15 +1,15 @@
 /**
- * `npm start -- a.skel a.skin walk.anim`: a plugin for the development server that hands out exactly the files named
- * on the command line and opens the page with them.
+ * `npm start -- a.skel a.skin walk.anim`: a plugin for the development server that serves exactly the files named on
+ * the command line and opens the page with them.
  *
  *     /given/0/a.skel      file a.skel of the first folder that was named
- *     /given/1/a.skel      one of the same name from another folder: which files belong together is told by folder
+ *     /given/1/a.skel      a file of the same name from another folder: files of one folder belong together
  *
- * Without arguments: `test.skel`, `test.skin`, `test.anim` of the caller's folder where there are such, as the
- * assignment has it; else the plain page, which opens with its sample.
+ * Without arguments: `test.skel`, `test.skin`, `test.anim` of the caller's folder if present, as the assignment asks;
+ * else the plain page with its example.
  *
  * Addresses are looked up in a table, never resolved as paths, so nothing else can be reached. (Vite's own `/@fs/`
- * would serve them too, but needs their folders opened to the page, with everything in them.)
+ * would serve them too, but would expose whole folders to the page.)
  */
 import { createReadStream, existsSync, statSync } from 'node:fs';
 import { basename, delimiter, dirname, join } from 'node:path';
@@ -18,7 +18,7 @@ import { callersFolder, findGiven, type GivenPath } from './paths.ts';
 
 const DEFAULTS = ['test.skel', 'test.skin', 'test.anim'];
 
-/** Addresses below the server's root, decoded, and the files that they stand for. */
+/** Decoded addresses below the server's root, and their files. */
 export type GivenTable = ReadonlyMap<string, string>;
 
 export function givenFiles(): Plugin {
@@ -27,7 +27,7 @@ export function givenFiles(): Plugin {
     name: 'marrow-given-files',
     apply: 'serve',
     config(config) {
-      // Only `npm start` opens a browser; tests and a plain `vite` serve the page and nothing else.
+      // Only `npm start` opens a browser; tests and a plain `vite` serve nothing but the page.
       if (!config.server?.open) return undefined;
       const end = process.argv.indexOf('--');
       const args = end < 0 ? [] : process.argv.slice(end + 1);
@@ -46,22 +46,22 @@ export function givenFiles(): Plugin {
         const file = table.get(decoded(new URL(request.url ?? '/', 'http://localhost').pathname));
         const stats = file === undefined ? undefined : statSync(file, { throwIfNoEntry: false });
         if (file === undefined || !stats) return next();
-        // Read anew each time: someone may be editing it beside the page.
+        // Read on each request: the file may be edited meanwhile.
         response.writeHead(200, {
           'content-type': 'application/octet-stream',
           'content-length': stats.size,
           'cache-control': 'no-store',
-          // Tells *Reload from disk* which files changed.
+          // *Reload from disk* compares this to find changed files.
           etag: `"${stats.mtimeMs}-${stats.size}"`,
         });
-        // A file that went away meanwhile ends this answer, not the server.
+        // A file deleted meanwhile ends this response, not the server.
         createReadStream(file)
           .on('error', () => response.destroy())
           .pipe(response);
       });
       if (table.size === 0) return;
       const printUrls = server.printUrls;
-      // Where no browser opens, the address to go to is this one.
+      // Print the full address, for when no browser opens.
       server.printUrls = () => {
         printUrls();
         for (const url of server.resolvedUrls?.local ?? []) console.log(`  ➜  Files:   ${url}${queryOf(table)}`);
@@ -82,7 +82,7 @@ export function tableOf(files: readonly GivenPath[]): GivenTable {
   );
 }
 
-/** `?files=given/0/a.skel,given/0/b%2Cc.skin`: commas separate, so a name's own are encoded, with all else. */
+/** `?files=given/0/a.skel,given/0/b%2Cc.skin`: commas separate addresses, so those in names are encoded. */
 export function queryOf(table: GivenTable): string {
   const addresses = [...table.keys()].map((address) => address.slice(1).split('/').map(encodeURIComponent).join('/'));
   return `?files=${addresses.join(',')}`;
@@ -92,7 +92,7 @@ function defaultsIn(folder: string): string[] {
   return DEFAULTS.filter((name) => statSync(join(folder, name), { throwIfNoEntry: false })?.isFile());
 }
 
-/** A server or a container may have no browser to open; then the address that is printed has to do. */
+/** A server or container may have no browser: then the printed address has to do. */
 function canOpen(): boolean {
   if (process.platform !== 'linux' || process.env.BROWSER || process.env.WSL_DISTRO_NAME) return true;
   return (process.env.PATH ?? '').split(delimiter).some((folder) => existsSync(join(folder, 'xdg-open')));

@@ -1,22 +1,22 @@
-/** What a command talks to, so that tests can run it without a process of its own. */
+/** A command's environment, so that tests can run it in-process. */
 export interface CommandIo {
   /** Absolute; paths in arguments are relative to it. */
   readonly folder: string;
-  /** Results. Resolves when all of it is written, into a slow pipe too. */
+  /** Results. Resolves when everything is written, even into a slow pipe. */
   out(text: string): Promise<void>;
-  /** What people are told beside. */
+  /** Messages for people. */
   err(text: string): void;
 }
 
 /** 0, or 1 when a file has errors, 2 for wrong usage. */
 export type ExitCode = 0 | 1 | 2;
 
-/** One of the words after `marrow`. */
+/** A subcommand of `marrow`. */
 export interface CliCommand {
   readonly name: string;
-  /** Its arguments, as the usage line shows them. */
+  /** Arguments, as shown in the usage line. */
   readonly usage: string;
-  /** What it does, in a line. */
+  /** Summary in one line. */
   readonly summary: string;
   /** @throws UsageError */
   run(args: readonly string[], io: CommandIo): Promise<ExitCode>;

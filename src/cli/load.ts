@@ -1,6 +1,6 @@
 /**
- * Files from disk to models, through the same readers as the page's, a megabyte at a time: a file of any size takes
- * no more memory than its model.
+ * Files from disk to models, through the same readers as in the page, a megabyte at a time: memory is bounded by the
+ * model, not the file.
  */
 import { closeSync, openSync, readFileSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
@@ -14,12 +14,12 @@ import { findGiven, type GivenPath } from './paths.ts';
 
 const CHUNK_BYTES = 1 << 20;
 
-/** A file that was named, read or not. */
+/** A file named on the command line, read or not. */
 export interface LoadedFile {
   readonly name: string;
-  /** Told by the name; `unknown` for what Marrow does not read. */
+  /** By its name; `unknown` if Marrow doesn't read it. */
   readonly kind: FileKind | 'unknown';
-  /** Absent where the file has errors. */
+  /** Absent if the file has errors. */
   readonly content?: FileContent;
 }
 
@@ -34,7 +34,7 @@ export interface Loaded {
 
 /**
  * @param args files and folders, relative to `folder`
- * @throws UsageError where there are none
+ * @throws UsageError if there are none
  */
 export function loadFiles(args: readonly string[], folder: string): Loaded {
   if (args.length === 0) throw new UsageError('Give at least one file.');
@@ -100,7 +100,7 @@ function readText(path: string, bytes: number, name: string, format: Format): Om
   return value ? { content: value, diagnostics } : { diagnostics };
 }
 
-/** In a buffer of its own; Node's are slices of a shared one. */
+/** Copied to a buffer of its own: Node's may be slices of a shared pool. */
 function wholeFile(path: string): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(path));
 }

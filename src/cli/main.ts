@@ -1,12 +1,12 @@
 #!/usr/bin/env node
 /**
- * The command's entry: wires `run` to the process. The exit code is set rather than forced, because `process.exit`
- * cuts off what a pipe has not taken yet.
+ * The command's entry: wires `run` to the process. Sets `exitCode` instead of calling `process.exit`, which would cut
+ * off output still buffered for a pipe.
  */
 import { callersFolder } from './paths.ts';
 import { run } from './run.ts';
 
-// A reader that has seen enough (`| head`) is no error.
+// A pipe closed by its reader (`| head`) is no error.
 let closed = false;
 for (const stream of [process.stdout, process.stderr]) {
   stream.on('error', (error: NodeJS.ErrnoException) => {

@@ -1,12 +1,12 @@
 /**
- * Files named on a command line: relative to the caller's folder, a folder standing for all files in it. Shared by
- * the command and by `npm start -- a.skel a.skin`.
+ * Files named on a command line: relative to the caller's folder; a folder means all files in it. Shared by the command
+ * and `npm start -- a.skel a.skin`.
  */
 import { readdirSync, statSync } from 'node:fs';
 import { dirname, join, relative, resolve, sep } from 'node:path';
 
 export interface GivenPath {
-  /** From the caller's folder, `/` between folders: what files that belong together are told by. */
+  /** Relative to the caller's folder, `/` between folders: decides which files belong together. */
   readonly path: string;
   readonly absolute: string;
 }
@@ -14,16 +14,16 @@ export interface GivenPath {
 export interface GivenPaths {
   /** Each file once, in the order given. */
   readonly files: readonly GivenPath[];
-  /** Arguments for which there is nothing, as they were written. */
+  /** Arguments that match no file, as written. */
   readonly missing: readonly string[];
 }
 
-/** By name, numbers by value: `head2.morph` before `head10.morph`. */
+/** Natural order: `head2.morph` before `head10.morph`. */
 const byName = new Intl.Collator('en', { numeric: true });
 
 /**
- * The folder that paths are relative to: npm runs scripts in the package's own folder, and says in INIT_CWD where the
- * caller was. Asked only when it was npm that started this very script, for what a script starts inherits INIT_CWD.
+ * The folder that paths are relative to: npm runs scripts in the package's folder and passes the caller's as INIT_CWD.
+ * Used only if npm started this very script, since child processes inherit INIT_CWD.
  */
 export function callersFolder(script: string): string {
   const { INIT_CWD, npm_lifecycle_event, npm_package_json } = process.env;
@@ -31,7 +31,7 @@ export function callersFolder(script: string): string {
   return (byNpm && INIT_CWD) || process.cwd();
 }
 
-/** Finds what each argument names, without reading it. */
+/** Resolves each argument to files, without reading them. */
 export function findGiven(args: readonly string[], folder: string): GivenPaths {
   const files = new Map<string, GivenPath>();
   const missing: string[] = [];
@@ -46,7 +46,7 @@ export function findGiven(args: readonly string[], folder: string): GivenPaths {
   return { files: [...files.values()], missing };
 }
 
-/** All files below a folder, in natural order. Hidden ones are no one's character; links to folders are not followed. */
+/** All files below a folder, in natural order, without hidden ones. Links to folders are not followed. */
 function filesIn(folder: string): string[] {
   const entries = readdirSync(folder, { withFileTypes: true }).filter((entry) => !entry.name.startsWith('.'));
   entries.sort((a, b) => byName.compare(a.name, b.name));

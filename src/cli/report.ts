@@ -1,5 +1,5 @@
 /**
- * Diagnostics, for people:
+ * Diagnostics as text:
  *
  *     wasp.skel:12:9 error number-expected: Expected a number, found "1,5".
  *         offset 0 1,5 0
@@ -12,19 +12,19 @@ export function report(diagnostics: readonly Diagnostic[], io: CommandIo): void 
   for (const diagnostic of diagnostics) io.err(`${describe(diagnostic)}\n`);
 }
 
-/** Without a newline at its end. */
+/** Without a trailing newline. */
 export function describe({ file, line, column, severity, code, message, assumed, excerpt }: Diagnostic): string {
   const place = [file, line, column].slice(0, line > 0 ? (column > 0 ? 3 : 2) : 1).join(':');
   let text = `${place} ${severity} ${code}: ${message}${assumed === undefined ? '' : ` (${assumed})`}`;
   if (excerpt) {
-    // Tabs stay, so that the caret stands under its character however wide they are shown.
+    // Tabs are kept, so that the caret is below its character whatever their width.
     const indent = excerpt.text.slice(0, excerpt.caret).replace(/[^\t]/g, ' ');
     text += `\n    ${excerpt.text}\n    ${indent}^`;
   }
   return printable(text);
 }
 
-/** Control characters in a broken file must not reach the terminal as commands. */
+/** Control characters of a broken file must not reach the terminal. */
 function printable(text: string): string {
   let shown = '';
   for (const character of text) {
@@ -35,7 +35,7 @@ function printable(text: string): string {
   return shown;
 }
 
-/** The one way results leave: whole, on a line of its own. */
+/** Prints a result: one line of JSON. */
 export function printJson(value: unknown, io: CommandIo): Promise<void> {
   return io.out(`${JSON.stringify(value)}\n`);
 }

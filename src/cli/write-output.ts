@@ -1,15 +1,15 @@
 /**
- * Files that the command writes: beside their place and moved there whole, so that one may be written over what was
- * read, and there is never half a file.
+ * Writes output files atomically: to a temporary file next to the target, then renamed. A file may replace its own
+ * source, and is never half written.
  */
 import { closeSync, fstatSync, openSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 
-/** How many bytes were written; or why none were: then what was there is as it was. */
+/** Bytes written; or the reason for a failure, which leaves an existing file unchanged. */
 export type Written = { readonly bytes: number } | { readonly failure: string };
 
 /**
  * @param path absolute
- * @param pieces one after the other, a file of any size
+ * @param pieces written one after the other, so that a file may be of any size
  */
 export function writeOutput(path: string, pieces: Iterable<string | Uint8Array>): Written {
   const scratch = `${path}.${process.pid}.tmp`;

@@ -1,11 +1,11 @@
 /**
  * A skeleton as three.js's bones. A bone is its joint by index, so names may repeat and be empty.
  *
- * Bones stand in their true hierarchy, but their matrices are ours, in doubles: `matrix` (in the parent) and
- * `matrixWorld` (in the character's space, before any placement) are windows on two arrays, and three.js is kept from
- * walking them. 100 characters of 25 joints would otherwise be 2,500 calls and products a frame, for values that are known
- * already. Those in the character's space are filled each frame. Those in the parent are made when someone reads one:
- * nothing that is drawn does, and a crowd's would be as much to write as all the rest.
+ * Bones form the real hierarchy, but their matrices are ours, in doubles: `matrix` (in the parent) and `matrixWorld`
+ * (in the character's space, before any placement) are views of two arrays, and three.js doesn't update them. 100
+ * characters of 25 joints would otherwise cost 2,500 calls and products per frame for values that are already known.
+ * The matrices in the character's space are filled each frame; those in the parent only when read, which drawing never
+ * does.
  */
 import { Bone, type Matrix4 } from 'three';
 import { type CompiledSkeleton, compileSkeleton, localMatrices, worldMatrices } from '../evaluate/kinematics.ts';
@@ -16,16 +16,15 @@ import { hasBox } from '../model/boxes.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 
 /**
- * What reaches out from joints: boxes, and as boxes of no size the ends of bones, which come first. Around a centre in the
- * joint's space.
+ * Extents around joints: boxes, and bone ends as boxes of size 0, which come first. Centres are in the joint's space.
  */
 interface Reaches {
   readonly joints: Int32Array;
-  /** How many of them are ends of bones. */
+  /** How many of them are bone ends. */
   readonly endCount: number;
   /** x y z each. */
   readonly centres: Float64Array;
-  /** Half of each side. */
+  /** Half of each side, x y z. */
   readonly halves: Float64Array;
 }
 
@@ -44,12 +43,12 @@ function reachesOf({ joints }: Skeleton): Reaches {
     joints: Int32Array.from(all, ({ joint }) => joint),
     endCount,
     centres: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => (least + max[k]) / 2))),
-    // Boxes with min > max are drawn all the same.
+    // Boxes with min > max are drawn too.
     halves: Float64Array.from(all.flatMap(({ min, max }) => min.map((least, k) => Math.abs(max[k] - least) / 2))),
   };
 }
 
-/** A bone that is given both of its matrices. */
+/** A bone whose matrices are both set by us. */
 class PosedBone extends Bone {
   override matrixAutoUpdate = false;
   override matrixWorldAutoUpdate = false;
@@ -62,12 +61,12 @@ class PosedBone extends Bone {
 export class Bones {
   readonly bones: readonly Bone[];
   readonly compiled: CompiledSkeleton;
-  /** 16 numbers a joint, column-major: in the character's space. */
+  /** 16 numbers per joint, column-major, in the character's space. */
   readonly world: Float64Array;
 
   private readonly reaches: Reaches;
   private readonly ownLocal: Float64Array;
-  /** The pose whose matrices in the parents' space nobody has asked for yet. */
+  /** The pose whose parent-space matrices have not been computed yet. */
   private posed: Float64Array | undefined;
 
   constructor(skeleton: Skeleton) {
@@ -100,7 +99,9 @@ export class Bones {
     return this.bones[0];
   }
 
-  /** The box around all joints, their boxes and ends, as posed: least x y z and greatest x y z, in the character's space. */
+  /**
+   * Bounding box of all joints, their boxes and bone ends, as posed: min x y z and max x y z, in the character's space.
+   */
   bounds(out: Float64Array): void {
     const { world, reaches } = this;
     const { joints, endCount, centres, halves } = reaches;
@@ -159,8 +160,9 @@ export class Bones {
 
   /**
    * Poses the bones.
-   * @param dofs kept by reference, and to stay as they are until the next pose
-   * @param rotations those that came with the DOFs
+   *
+   * @param dofs kept by reference; must not change before the next pose
+   * @param rotations rotations sampled with the DOFs, if any
    */
   pose(dofs: Float64Array, rotations?: PoseRotations): void {
     worldMatrices(this.compiled, dofs, this.world, rotations);
@@ -174,8 +176,8 @@ export class Bones {
   }
 }
 
-/** Of joint `j` in `all`, for a matrix. */
+/** Matrix elements of joint `j` in `all`. */
 function elementsOf(all: Float64Array, j: number): Matrix4['elements'] {
-  // three.js types elements as a tuple, but only ever indexes them.
+  // three.js types elements as a tuple, but only indexes them.
   return all.subarray(16 * j, 16 * j + 16) as unknown as Matrix4['elements'];
 }

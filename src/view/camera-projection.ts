@@ -1,8 +1,8 @@
-/** From the world to pixels of the viewport, for one picture, whatever the camera. */
+/** Projects world points to pixels of the viewport, for one frame and either camera. */
 import { Matrix4, type OrthographicCamera, type PerspectiveCamera, Vector3 } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
 
-/** Of w: what is no further before the eye than that is behind it. */
+/** Points with a smaller clip w count as behind the camera. */
 const NEAREST = 1e-9;
 
 export class CameraProjection {
@@ -16,10 +16,10 @@ export class CameraProjection {
   private readonly ahead = new Vector3();
 
   /**
-   * Takes the camera as it is. Whether that is another view than before.
+   * Takes over the camera's current state. Returns whether the view has changed.
+   *
    * @param heightPx CSS pixels of the viewport
-   * @param widthPx by the camera where absent: asking the page for it in every frame would have it laid out anew in
-   *   every frame
+   * @param widthPx from the camera's aspect if absent: reading it from the page would force a layout every frame
    */
   look(
     camera: PerspectiveCamera | OrthographicCamera,
@@ -38,7 +38,7 @@ export class CameraProjection {
     return height !== this.height || width !== this.width || !before.equals(toClip);
   }
 
-  /** Writes x y from the viewport's left top to `out[o]`; NaN, and false, behind the viewer. */
+  /** Writes x y, from the viewport's top left, to `out[o]`; NaN, and false, behind the camera. */
   toPixels(x: number, y: number, z: number, out: Float64Array, o: number): boolean {
     const m = this.toClip.elements;
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
@@ -51,12 +51,12 @@ export class CameraProjection {
     return true;
   }
 
-  /** The same of a point. */
+  /** `toPixels` of a point. */
   project([x, y, z]: Vec3, out: Float64Array, o: number): boolean {
     return this.toPixels(x, y, z, out, o);
   }
 
-  /** From a point, of length 1. */
+  /** Unit vector from a point towards the camera. */
   towardsViewer([x, y, z]: Vec3): Vec3 {
     const { ahead, eye, camera } = this;
     if (camera && 'isOrthographicCamera' in camera) return [-ahead.x, -ahead.y, -ahead.z];
@@ -65,12 +65,14 @@ export class CameraProjection {
     return [dx / length, dy / length, dz / length];
   }
 
-  /** Length in the world of a CSS pixel, at a point; before the near plane and behind the viewer, that of the plane. */
+  /**
+   * World length of a CSS pixel at a point; in front of the near plane or behind the camera, that at the near plane.
+   */
   unitsPerPixel([x, y, z]: Vec3): number {
     return this.unitsPerPixelAt(x, y, z);
   }
 
-  /** The same of three numbers. */
+  /** `unitsPerPixel` of three numbers. */
   unitsPerPixelAt(x: number, y: number, z: number): number {
     const { camera } = this;
     if (!camera) return 1;
@@ -78,7 +80,7 @@ export class CameraProjection {
     return (2 * Math.max(this.depthAt(x, y, z), camera.near) * Math.tan((camera.fov * Math.PI) / 360)) / this.height;
   }
 
-  /** Along the line of sight, in units of the world. */
+  /** Depth along the view direction, in world units. */
   depthAt(x: number, y: number, z: number): number {
     const { ahead, eye } = this;
     return (x - eye.x) * ahead.x + (y - eye.y) * ahead.y + (z - eye.z) * ahead.z;

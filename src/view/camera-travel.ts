@@ -1,8 +1,8 @@
-/** A camera's short move from one view to another. A click on the way leaves it alone; a drag begins where it ends. */
+/** A short animated move of the camera. A click doesn't interrupt it; a drag starts from its end. */
 import { Vector3 } from 'three';
 import { easeOut, shortTurn } from '../math/framing.ts';
 
-/** Where a camera looks and from where; see `camera.ts`. */
+/** Camera target, direction and distance; see `camera.ts`. */
 export interface View {
   readonly target: Vector3;
   azimuth: number;
@@ -12,7 +12,7 @@ export interface View {
 
 export const newView = (): View => ({ target: new Vector3(), azimuth: 0, polar: 0, distance: 1 });
 
-/** CSS pixels: a press that went no further is a click. */
+/** CSS pixels: a press that moved no further is a click. */
 export const CLICK_PIXELS = 4;
 const MOVE_MS = 260;
 
@@ -20,12 +20,12 @@ export class CameraTravel {
   private leg: { readonly from: View; readonly to: View; startMs: number } | undefined;
   private readonly between = newView();
 
-  /** Where it is going; undefined where it stands still. */
+  /** The view it moves to; undefined if it isn't moving. */
   get goal(): View | undefined {
     return this.leg?.to;
   }
 
-  /** Both are the travel's own from now on. */
+  /** Takes over both views. */
   begin(from: View, to: View): void {
     this.leg = { from, to, startMs: 0 };
   }
@@ -34,31 +34,31 @@ export class CameraTravel {
     this.leg = undefined;
   }
 
-  /** Takes both ends along. */
+  /** Moves both ends along. */
   shift(by: Vector3): void {
     this.leg?.from.target.add(by);
     this.leg?.to.target.add(by);
   }
 
-  /** The view at a moment, until the next call; undefined where it stands still. At its end it stops. */
+  /** The view at a time, valid until the next call; undefined if it isn't moving. Ends the move when it is over. */
   at(nowMs: number): View | undefined {
     const { leg, between } = this;
     if (!leg) return undefined;
-    // Started by the first frame, so that a slow one doesn't swallow it.
+    // Starts with the first frame, so that a slow one doesn't swallow it.
     if (leg.startMs === 0) leg.startMs = nowMs;
     const { from, to, startMs } = leg;
     const t = easeOut((nowMs - startMs) / MOVE_MS);
     between.target.lerpVectors(from.target, to.target, t);
     between.azimuth = from.azimuth + shortTurn(from.azimuth, to.azimuth) * t;
     between.polar = from.polar + (to.polar - from.polar) * t;
-    // Evenly in factors: from far to near doesn't spend itself on the far half.
+    // Interpolated geometrically, so that zooming looks even.
     between.distance = from.distance * (to.distance / from.distance) ** t;
     if (t >= 1) this.leg = undefined;
     return between;
   }
 }
 
-/** Tells a drag from a click while the button or finger is down. */
+/** Tells a drag from a click while a button or finger is down. */
 export class PressWatch {
   private down: { readonly x: number; readonly y: number } | undefined;
 
@@ -66,7 +66,7 @@ export class PressWatch {
     this.down = { x: clientX, y: clientY };
   }
 
-  /** Whether the pointer has gone further than a click does. */
+  /** Whether the pointer has moved further than a click. */
   isDrag({ clientX, clientY, buttons }: Pick<PointerEvent, 'clientX' | 'clientY' | 'buttons'>): boolean {
     const { down } = this;
     return buttons !== 0 && down !== undefined && Math.hypot(clientX - down.x, clientY - down.y) > CLICK_PIXELS;

@@ -1,12 +1,12 @@
 /**
  * The camera: a perspective and an orthographic one that always show the same thing at the target, three.js's
- * OrbitControls for the hand, and short moves to where a command wants it.
+ * OrbitControls for input, and short animated moves for commands.
  *
  *     left drag orbits, middle or right drag (or Shift and left) pans, the wheel dollies towards the pointer;
  *     one finger orbits, two pan and zoom
  *
  * A view is a target, a direction from it (azimuth from +z towards +x, height above the ground, radians) and a
- * distance; an orthographic camera of half height h counts as standing h / tan(fov/2) away.
+ * distance; for an orthographic camera of half height h the distance is h / tan(fov/2).
  */
 import { type Box3, MOUSE, OrthographicCamera, PerspectiveCamera, Sphere, Spherical, TOUCH, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
@@ -24,8 +24,8 @@ import { Grid } from './grid.ts';
 export type ViewDirection = 'front' | 'back' | 'left' | 'right' | 'top' | 'bottom';
 
 /**
- * Azimuth and polar angle (from +y) that look from each side. A character's left is at +x when it faces +z. From above,
- * x is to the right and −z up; from below, x to the right and z up.
+ * Azimuth and polar angle (from +y) of each view. A character's left is at +x when it faces +z. From above, x is to the
+ * right and −z up; from below, x to the right and z up.
  */
 export const VIEW_DIRECTIONS: Readonly<Record<ViewDirection, readonly [azimuth: number, polar: number]>> = {
   front: [0, Math.PI / 2],
@@ -38,12 +38,12 @@ export const VIEW_DIRECTIONS: Readonly<Record<ViewDirection, readonly [azimuth: 
 
 const FOV_DEGREES = 32;
 const TAN_HALF_FOV = Math.tan((FOV_DEGREES * Math.PI) / 360);
-/** Room around what is framed, beside what a box from the joints has already. */
+/** Margin around what is framed, on top of the box computed from joints. */
 const MARGIN = 1.12;
-/** What lies over the picture leaves this much of its height at least. */
+/** At least this part of the height is assumed to be free of overlays. */
 const MIN_FREE = 0.6;
 
-/** Where the camera looks and from where, as plain data; see above. */
+/** Camera target, direction and distance as plain data; see above. */
 export interface CameraView {
   readonly target: Vec3;
   /** Radians; the polar angle from +y. */
@@ -54,7 +54,7 @@ export interface CameraView {
 
 export class CameraRig {
   readonly target: Vector3;
-  /** While a button or a finger is down, or the wheel turns. */
+  /** While a button or finger is down, or the wheel turns. */
   handling = false;
   private readonly perspective = new PerspectiveCamera(FOV_DEGREES, 1, 0.01, 100);
   private readonly orthographic = new OrthographicCamera();
@@ -70,7 +70,7 @@ export class CameraRig {
   private readonly axes = new Float64Array(12);
   private readonly sphere = new Sphere();
 
-  /** @param changed called whenever there is something new to draw */
+  /** @param changed called whenever a redraw is needed */
   constructor(
     element: HTMLElement,
     private readonly changed: () => void,
@@ -105,31 +105,31 @@ export class CameraRig {
     return this.travel.goal !== undefined;
   }
 
-  /** From the target; for an orthographic camera, of the perspective one that would show the same. */
+  /** Distance to the target; for an orthographic camera, that of the equivalent perspective one. */
   get distance(): number {
     if (this.shown === this.perspective) return this.shown.position.distanceTo(this.target);
     return distanceForHalfHeight(this.orthographic.top / this.orthographic.zoom, TAN_HALF_FOV);
   }
 
-  /** Length at the target that a CSS pixel shows. */
+  /** World length of a CSS pixel at the target. */
   get unitsPerPixel(): number {
     return (2 * this.distance * TAN_HALF_FOV) / this.heightPx;
   }
 
-  /** Which plane an orthographic camera looks straight at, if it does; the ground otherwise. */
+  /** The plane that an orthographic camera faces exactly, if any; otherwise the ground. */
   get plane(): 'ground' | 'front' | 'side' {
     if (this.shown === this.perspective) return 'ground';
     const m = this.shown.matrixWorld.elements;
     return Math.abs(m[10]) > 0.99999 ? 'front' : Math.abs(m[8]) > 0.99999 ? 'side' : 'ground';
   }
 
-  /** Where the camera stands, or is going. */
+  /** The current view, or the one being moved to. */
   get view(): CameraView {
     const { target, azimuth, polar, distance } = this.goal();
     return { target: [target.x, target.y, target.z], azimuth, polar, distance };
   }
 
-  /** Puts the camera there at once. */
+  /** Sets the view at once. */
   set view({ target, azimuth, polar, distance }: CameraView) {
     this.go({ target: new Vector3(...target), azimuth, polar, distance }, false);
   }
@@ -147,7 +147,7 @@ export class CameraRig {
     this.changed();
   }
 
-  /** Changes the kind of picture, not what is in it. */
+  /** Switches the projection and keeps what is in view. */
   setOrthographic(on: boolean): void {
     const next = on ? this.orthographic : this.perspective;
     if (next === this.shown) return;
@@ -159,9 +159,10 @@ export class CameraRig {
   }
 
   /**
-   * All of `box` in the picture, from where the camera looks now, or is about to.
-   * @param coveredTop CSS pixels at the top that something else lies over
-   * @param smoothly in a short move
+   * Frames `box`, from the current direction or the one being moved to.
+   *
+   * @param coveredTop CSS pixels at the top covered by overlays
+   * @param smoothly in a short animated move
    */
   frame(box: Box3, coveredTop: number, smoothly: boolean): void {
     if (box.isEmpty()) return;
@@ -177,12 +178,12 @@ export class CameraRig {
     this.go(to, smoothly);
   }
 
-  /** What so many CSS pixels are of the picture's height; at most what framing can do without. */
+  /** That many CSS pixels as a fraction of the height, limited so that framing keeps enough room. */
   partOfHeight(pixels: number): number {
     return Math.min(pixels / this.heightPx, 1 - MIN_FREE);
   }
 
-  /** A sphere of this radius around a point, in the picture. */
+  /** Frames a sphere. */
   frameSphere(centre: Vector3, radius: number, smoothly: boolean): void {
     const to = this.goal();
     to.target.copy(centre);
@@ -196,21 +197,21 @@ export class CameraRig {
     this.go(to, true);
   }
 
-  /** About the target, at once; radians, above 0: as if the camera went to the right. */
+  /** Orbits about the target, at once; radians, positive moves the camera to the right. */
   turn(azimuth: number): void {
     const to = this.goal();
     to.azimuth += azimuth;
     this.go(to, false);
   }
 
-  /** The first look at something: three quarters from the front, at once. */
+  /** The default view of something: three-quarter front, at once. */
   lookFirst(box: Box3, coveredTop: number): void {
     this.travel.stop();
     this.place({ ...this.read(newView()), azimuth: 0.6, polar: 1.32 });
     this.frame(box, coveredTop, false);
   }
 
-  /** Takes camera and target along, where what they follow went. */
+  /** Moves camera and target by the motion of what they follow. */
   shift(by: Vector3): void {
     this.shown.position.add(by);
     this.target.add(by);
@@ -218,14 +219,14 @@ export class CameraRig {
     this.shown.lookAt(this.target);
   }
 
-  /** Takes the target to a point in a short move, and the camera along. */
+  /** Moves the target to a point, and the camera with it, in a short animated move. */
   moveTo(at: Vector3): void {
     const to = this.goal();
     to.target.copy(at);
     this.go(to, true);
   }
 
-  /** One step of a move that is under way. */
+  /** Advances a running move. */
   tick(nowMs: number): void {
     const view = this.travel.at(nowMs);
     if (!view) return;
@@ -233,7 +234,7 @@ export class CameraRig {
     if (this.isMoving) this.changed();
   }
 
-  /** Near and far planes, and the limits of the hand, for content within `box`. Before each frame. */
+  /** Near and far planes, and dolly limits, for content within `box`. Call before each frame. */
   fitDepth(box: Box3, gridShown: boolean): void {
     const { distance, shown, perspective, orthographic, controls, sphere } = this;
     if (box.isEmpty()) sphere.set(this.target, distance);
@@ -263,12 +264,12 @@ export class CameraRig {
 
   private listen(element: HTMLElement): void {
     const { signal } = this.listening;
-    // Before whoever else takes the press, and before the controls: a drag is worked out from the view at its beginning.
+    // Before other listeners and the controls: a drag is computed from the view at its start.
     window.addEventListener(
       'pointerdown',
       (event) => {
         if (event.target !== element) return;
-        // A second finger never clicks.
+        // A second finger is never a click.
         if (event.isPrimary) this.press.press(event);
         else this.arrive();
       },
@@ -278,8 +279,8 @@ export class CameraRig {
       'pointermove',
       (event) => {
         if (this.isMoving && this.press.isDrag(event)) this.arrive();
-        // The controls' own notice of a change is for scenes of about a metre: a pan over a millimetre's character goes
-        // unnoticed.
+        // OrbitControls' change event assumes scenes of about a metre: it misses a pan on a character a millimetre
+        // tall.
         if (this.handling) this.changed();
       },
       { capture: true, signal },
@@ -287,13 +288,13 @@ export class CameraRig {
     element.addEventListener('wheel', () => this.arrive(), { capture: true, passive: true, signal });
   }
 
-  /** Ends a move that is under way where it was to end. */
+  /** Jumps to the end of a running move. */
   private arrive(): void {
     const { goal } = this.travel;
     if (goal) this.go(goal, false);
   }
 
-  /** How far an orthographic camera stands from its target; any distance shows the same. */
+  /** Distance of the orthographic camera to its target; it doesn't affect the image. */
   private get standOff(): number {
     return this.orthographic.position.distanceTo(this.target);
   }
@@ -308,7 +309,7 @@ export class CameraRig {
     return out;
   }
 
-  /** Where the camera is going, or is. */
+  /** The view being moved to, or the current one. */
   private goal(): View {
     const { goal } = this.travel;
     return goal ? { ...goal, target: goal.target.clone() } : this.read(newView());

@@ -1,24 +1,24 @@
 /**
- * Where the names of characters stand: over the middle of what their joints take up in the picture, above the highest of
- * them. The middle is the mean of all joints, for the highest one is a hand now and a head then, and a name that jumps
- * from one to the other can't be read.
+ * Where characters' names are placed: above the highest joint, centred on the mean of all joints. (The highest joint
+ * may be a hand now and a head then; a name jumping between them couldn't be read.)
  */
 import type { Matrix4 } from 'three';
 import type { DrawnSkeleton } from './drawn-skeletons.ts';
 
-/** CSS pixels. Of who is smaller than this, the name would be all that is seen. */
+/** CSS pixels. Smaller characters get no name, as it would cover them. */
 const MIN_HEIGHT = 22;
-/** From the highest joint to the middle of the name, and a share of the height for what a skull or a hat adds. */
+/** From the highest joint to the middle of the name, plus a part of the height for skull or hat. */
 const GAP = 11;
 const HEAD = 0.05;
-/** The page's tools are over the picture's upper edge: a name stays below them, before the face if it must. */
+/** Keeps names below the tools at the top of the viewport, in front of the face if necessary. */
 const MIN_Y = 56;
 /** Joints looked at; of more, every second or third. */
 const MAX_JOINTS = 48;
 
 /**
- * Writes x and y of the middle of the name, in CSS pixels, to `out`; false where it has no place in the picture. Of a
- * crowd it is the first one's. Allocates nothing.
+ * Writes x and y of the middle of the name, in CSS pixels, to `out`; false if it isn't in view. Uses the first
+ * placement. Allocates nothing.
+ *
  * @param positions x y z of each instance of the skeleton drawing
  */
 export function placeName(
@@ -41,7 +41,7 @@ export function placeName(
     const y = positions[o + 1];
     const z = positions[o + 2];
     const w = m[3] * x + m[7] * y + m[11] * z + m[15];
-    // Behind the camera: one stands in the midst of it.
+    // Behind the camera, for example when it is inside the character.
     if (!(w > 0)) return false;
     const down = (0.5 - (0.5 * (m[1] * x + m[5] * y + m[9] * z + m[13])) / w) * height;
     sum += ((0.5 * (m[0] * x + m[4] * y + m[8] * z + m[12])) / w + 0.5) * width;

@@ -1,14 +1,14 @@
 /**
- * One character in the picture: bones, skin, motion, and as many placements as the document gives it.
+ * One character in the scene: bones, skin, motion, and its placements.
  *
- *     after an edit     show()    identity tells what has to be built anew; a part that is the same object needs nothing
- *     every frame       seek()    mixer → DOFs → matrices → bone texture; fills what exists
+ *     after an edit     show()    rebuilds what changed; a part that is the same object needs nothing
+ *     every frame       seek()    mixer → DOFs → matrices → bone texture; no allocation
  *
  *     object ─┬─ placement ── mesh, wire, normals          all placements over the same buffers and the same bones
  *             ├─ placement ── …
  *             └─ root bone ── …                            in the character's own space
  *
- * A large skin is not there at once: `prepare` converts and uploads it in slices, and shows it when all of it is there.
+ * A large skin isn't shown at once: `prepare` converts and uploads it in slices, then shows it.
  */
 import {
   type Bone,
@@ -41,11 +41,11 @@ import { runInSlices } from './slices.ts';
 import { STAGE_THEMES, type ThemeName, type Tint } from './theme.ts';
 import { uploadInFrames } from './upload.ts';
 
-/** What a character has to say later on. */
+/** Callbacks of a character. */
 export interface CharacterEvents {
-  /** Something new can be seen: draw again. */
+  /** Something has changed: redraw. */
   redraw?(): void;
-  /** The skin's picture can't be decoded; the skin stays untextured. */
+  /** The skin's texture can't be decoded; the skin stays untextured. */
   textureFailed?(picture: Picture, message: string): void;
 }
 
@@ -58,9 +58,9 @@ const placedBox = new Box3();
 const vertex = new Vector3();
 
 export class CharacterView {
-  /** Everything of this character; stands at the scene's origin. */
+  /** Contains everything of this character; at the scene's origin. */
   readonly object = new Group();
-  /** Around the posed character in its own space: what three.js culls and sorts by. */
+  /** Bounds of the posed character in its own space, for three.js's culling and sorting. */
   readonly localBox = new Box3();
   private readonly localSphere = new Sphere();
   private shown: Character | undefined;
@@ -75,14 +75,14 @@ export class CharacterView {
   private boneSet: Bones | undefined;
   private groups: readonly Group[] = [];
   private skin: ShownSkin | undefined;
-  /** A skin on its way: run through at once, or bit by bit in `prepare`. */
+  /** A skin being built: at once, or in slices by `prepare`. */
   private building: Steps<void> | undefined;
   private preparing: Promise<void> | undefined;
   private skinLife = new AbortController();
   private picture: Picture | undefined;
   private texture: Texture | undefined;
 
-  /** @param renderer what `prepare` uploads to; without one it only converts */
+  /** @param renderer `prepare` uploads to it; without one it only converts */
   constructor(
     private readonly renderer?: WebGLRenderer,
     private readonly events: CharacterEvents = {},
@@ -90,7 +90,7 @@ export class CharacterView {
     this.object.matrixAutoUpdate = false;
   }
 
-  /** One a placement, in their order; their matrices are the placements'. */
+  /** One per placement, in order, with the placement's matrix. */
   get placements(): readonly Group[] {
     return this.groups;
   }
@@ -99,7 +99,7 @@ export class CharacterView {
     return this.boneSet?.bones ?? [];
   }
 
-  /** One a placement; none without a skin, or while a large one is on its way. */
+  /** One per placement; none without a skin, or while a large one is being prepared. */
   get skinnedMeshes(): readonly MarrowSkinnedMesh[] {
     return this.skin?.isShown ? this.skin.meshes : [];
   }
@@ -109,12 +109,12 @@ export class CharacterView {
     return this.player?.dofs ?? NO_NUMBERS;
   }
 
-  /** 16 numbers a joint, column-major, in the character's own space. */
+  /** 16 numbers per joint, column-major, in the character's own space. */
   get worldMatrices(): Float64Array {
     return this.boneSet?.world ?? NO_NUMBERS;
   }
 
-  /** Whether there is a skin that only `prepare` will show. */
+  /** Whether a skin is waiting for `prepare`. */
   get needsPreparing(): boolean {
     return this.skin !== undefined && !this.skin.isShown;
   }
@@ -125,7 +125,7 @@ export class CharacterView {
     this.skin?.setTint(this.tint && STAGE_THEMES[theme][this.tint]);
   }
 
-  /** Its skin in this colour instead of its own; undefined: as it is. */
+  /** Draws the skin in this colour; undefined: its own. */
   setTint(tint: Tint | undefined): void {
     if (tint === this.tint) return;
     this.tint = tint;
@@ -133,8 +133,9 @@ export class CharacterView {
   }
 
   /**
-   * After an edit.
-   * @param heatJoint the joint whose influence the heat map shows
+   * Call after an edit.
+   *
+   * @param heatJoint the joint whose weights the heat map shows
    */
   show(character: Character, display: Display, heatJoint: number | undefined): void {
     const before = this.shown;
@@ -183,8 +184,8 @@ export class CharacterView {
   }
 
   /**
-   * How far the character has been carried over the ground, x y z in the character's own space: what is cancelled in place.
-   * Scratch: read it before the next call. Zero where `inPlace` is false.
+   * Horizontal root motion so far, x y z in the character's own space, which *in place* cancels. Scratch: read it
+   * before the next call. Zero if `inPlace` is false.
    */
   travel(inPlace: boolean): Float64Array {
     const { boneSet, shown, dofs } = this;
@@ -193,34 +194,36 @@ export class CharacterView {
     if (boneSet && shown) {
       groundTravel(boneSet.compiled, shown.space, carrierOf(shown), dofs, boneSet.world, travelled);
     } else {
-      // Nothing but a root translation, and a skin that stands at it.
+      // Only a root translation, and a skin moved by it.
       travelled.set(dofs.subarray(0, 3));
       travelled[upAxis(shown?.space)] = 0;
     }
     return travelled;
   }
 
-  /** Stands still in the picture where it does now, however its root is moved; until it is told otherwise. */
+  /** Freezes the current root motion offset of *in place* while the root is edited, until released. */
   holdTravel(holds: boolean): void {
     this.heldTravel = undefined;
     if (holds) this.heldTravel = this.travel(true).slice();
     else if (this.shown && this.display?.inPlace) this.placeGroups(this.shown);
   }
 
-  /** Around all placements, in the scene's space, from the joints. Empty for a character without skin and skeleton. */
+  /**
+   * Bounds of all placements, in the scene's space, from the joints. Empty for a character without skin and skeleton.
+   */
   bounds(out: Box3): Box3 {
     out.makeEmpty();
     for (let p = 0; p < this.groups.length; p++) out.union(this.boundsAt(p, placedBox));
     return out;
   }
 
-  /** The same around one of them. */
+  /** Bounds of one placement. */
   boundsAt(placement: number, out: Box3): Box3 {
     const group = this.groups[placement];
     return group ? out.copy(this.localBox).applyMatrix4(group.matrix) : out.makeEmpty();
   }
 
-  /** The skin's vertices as they are drawn, x y z each, in the character's own space; empty without a skin. */
+  /** The skin's vertices as drawn, x y z each, in the character's own space; empty without a skin. */
   vertices(): Float64Array {
     if (this.building) runToEnd(this.building);
     const mesh = this.skin?.meshes[0];
@@ -237,10 +240,11 @@ export class CharacterView {
   }
 
   /**
-   * Brings what `show` left out: converts a large skin in slices, uploads it over several frames, compiles its shader
-   * aside, then shows it. Small skins are there already. Resolves early when the skin is replaced meanwhile. Asked for
-   * again on the way, it is the same preparation.
-   * @param onProgress how far it is, 0 to 1
+   * Completes what `show` postponed: converts a large skin in slices, uploads it over several frames, compiles its
+   * shader asynchronously, then shows it. Small skins are already done. Resolves early if the skin is replaced
+   * meanwhile. Repeated calls share one preparation.
+   *
+   * @param onProgress progress, 0 to 1
    */
   prepare(onProgress?: (done: number) => void): Promise<void> {
     const { skin } = this;
@@ -294,7 +298,7 @@ export class CharacterView {
     this.boneSet = character.skeleton && new Bones(character.skeleton);
     const root = this.boneSet?.root;
     if (!root) return;
-    // Nothing of a bone is drawn: invisible, they are not asked about in every pass of every frame.
+    // Bones draw nothing: invisible, they are skipped in every render pass.
     root.visible = false;
     this.object.add(root);
   }
@@ -331,7 +335,7 @@ export class CharacterView {
     this.skin = undefined;
   }
 
-  /** Decodes the picture that the skin's material names, if it is another one than before. */
+  /** Decodes the texture of the skin's material, if it has changed. */
   private retexture(character: Character, skin: Skin | undefined): void {
     const named = skin?.texcoords && skin.material?.texture;
     const picture = named ? character.textures.find((t) => sameName(t.name, baseName(named))) : undefined;
@@ -370,7 +374,7 @@ export class CharacterView {
     }
   }
 
-  /** The surface's shader, for the lights of the scene that the character is in. */
+  /** Compiles the surface's shader for the lights of its scene. */
   private async compileAside(renderer: WebGLRenderer): Promise<void> {
     const mesh = this.skin?.meshes[0];
     let scene = this.object.parent;
@@ -379,7 +383,7 @@ export class CharacterView {
   }
 }
 
-/** What building a skin takes, in vertices. */
+/** Cost of building a skin, in vertices. */
 function sizeOf(skin: Skin, morphs: readonly Morph[]): number {
   return morphs.reduce((sum, { positions, normals }) => {
     return sum + (positions.indices.length + normals.indices.length) / 4;

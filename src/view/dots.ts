@@ -1,20 +1,19 @@
 /**
- * Round markers of a size in pixels, dots or circles, one for each instance, with a thin ring around so that they read
- * on any ground.
- * Quads rather than WebGL points, whose largest size differs between machines.
+ * Round markers of a size in pixels, filled or hollow, one per instance, with a thin outline so that they are visible
+ * on any background. Quads rather than WebGL points, whose maximum size differs between GPUs.
  */
 import { BufferAttribute, BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
 import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
 
 export interface DotOptions {
-  /** Diameter in CSS pixels, ring included. */
+  /** Diameter in CSS pixels, outline included. */
   readonly size: number;
   readonly depthTest: boolean;
-  /** Open in the middle: a circle around what it marks, told apart from a dot at a glance. */
+  /** A circle around what it marks rather than a dot. */
   readonly hollow?: boolean;
 }
 
-/** Instances take place and visibility from their matrices: translation, and any scale that is not 0. */
+/** Position and visibility come from the instance matrices: translation, and any scale other than 0. */
 export function dots(capacity: number, options: DotOptions): InstancedMesh<BufferGeometry, ShaderMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 1, -1, 0, -1, 1, 0, 1, 1, 0]), 3));
@@ -60,7 +59,7 @@ function dotMaterial({ size, depthTest, hollow = false }: DotOptions): ShaderMat
         float soft = fwidth(r);
         float inside = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 0.5);
         float core = 1.0 - smoothstep(-soft, soft, r - 0.5 * size + 2.0);
-        // A hollow one: the colour 3 pixels wide, and the thin ring within as well as around.
+        // Hollow: a 3 pixel band of colour, outlined on both sides.
         core *= mix(1.0, smoothstep(-soft, soft, r - 0.5 * size + 5.0), hollow);
         inside *= mix(1.0, smoothstep(-soft, soft, r - 0.5 * size + 6.0), hollow);
         gl_FragColor = vec4(mix(ring, color, core), inside * mix(0.7, 1.0, core));

@@ -1,10 +1,11 @@
 /**
- * Which joint of which character an instance of the skeleton drawing is. A skeleton's nodes are its joints and, after
- * them, its End Sites and those tips of bones where no joint stands (`model/bone-ends.ts`), both called End Sites here; all kinds of shapes have an instance for each node:
+ * Which joint of which character an instance of the skeleton drawing is. A skeleton's nodes are its joints followed by
+ * its End Sites and the bone tips without a joint (`model/bone-ends.ts`), both called End Sites here; every kind of
+ * shape has an instance for each node:
  *
  *     character 0: placement 0: node 0 1 2 … placement 1: node 0 1 2 …   character 1: …
  *
- * An End Site stands for the joint that it ends: picked or hovered, it is that joint.
+ * Picking or hovering an End Site means the joint that it ends.
  */
 import { type JointSizes, jointSizes } from '../evaluate/shapes/joint-shapes.ts';
 import { boneEnds } from '../model/bone-ends.ts';
@@ -12,22 +13,22 @@ import { perObject } from '../model/per-object.ts';
 import type { Skeleton } from '../model/skeleton.ts';
 import type { Tint } from './theme.ts';
 
-/** A character's joints as they are to be drawn. The arrays live on: what they hold when it is drawn counts. */
+/** A character's joints to be drawn. The arrays are kept by reference and read when drawing. */
 export interface PosedSkeleton {
   readonly characterId: string;
-  /** The character's. */
+  /** The character's name. */
   readonly name?: string;
   readonly skeleton: Skeleton;
-  /** 16 a joint, in the character's space. */
+  /** 16 numbers per joint, in the character's space. */
   readonly world: Float64Array;
-  /** 16 a placement. */
+  /** 16 numbers per placement. */
   readonly placements: Float64Array;
   readonly hasSkin: boolean;
-  /** Its colour instead of the joints' own. */
+  /** Overrides the joints' own colours. */
   readonly tint?: Tint | undefined;
 }
 
-/** A skeleton with its place among the instances. */
+/** A skeleton with its range of instances. */
 export interface DrawnSkeleton extends PosedSkeleton {
   readonly sizes: JointSizes;
   readonly nodes: Nodes;
@@ -35,25 +36,25 @@ export interface DrawnSkeleton extends PosedSkeleton {
   readonly placementCount: number;
 }
 
-/** Whether an index means the same joint in both: else what is known by index, as what is under the pointer, is gone. */
+/** Whether joint indices mean the same joints in both. If not, state kept by index (such as hovering) is invalid. */
 export function haveSameJoints(a: Skeleton | undefined, b: Skeleton | undefined): boolean {
   if (a === b) return true;
   if (!a || !b || a.joints.length !== b.joints.length) return false;
   return a.joints.every(({ name, parent }, j) => name === b.joints[j].name && parent === b.joints[j].parent);
 }
 
-/** One joint of one placement. */
+/** One joint at one placement. */
 export interface JointRef {
   readonly characterId: string;
   readonly placement: number;
   readonly joint: number;
 }
 
-/** Joints first, then the ends of bones that no joint continues: End Sites, and tips. */
+/** Joints first, then End Sites. */
 export interface Nodes {
   readonly count: number;
   readonly jointCount: number;
-  /** Of each node the one that the bone to it starts from; -1 for a root. */
+  /** For each node, the one where its bone starts; -1 for a root. */
   readonly parents: Int32Array;
   /** The joint that each End Site ends. */
   readonly owners: Int32Array;
@@ -73,11 +74,11 @@ function nodesOf(skeleton: Skeleton): Nodes {
   };
 }
 
-/** `jointSizes`, once a skeleton. */
+/** `jointSizes`, cached per skeleton. */
 export const sizesFor = perObject((skeleton: Skeleton) => jointSizes(skeleton));
 export const nodesFor = perObject(nodesOf);
 
-/** Gives each skeleton its instances, one after the other. */
+/** Assigns each skeleton its instances, consecutively. */
 export function assignInstances(skeletons: readonly PosedSkeleton[]): DrawnSkeleton[] {
   let next = 0;
   return skeletons.map((posed) => {
@@ -94,7 +95,7 @@ export function instancesOf(drawn: readonly DrawnSkeleton[]): number {
   return last ? last.firstInstance + last.placementCount * last.nodes.count : 0;
 }
 
-/** The instance of a joint; -1 where there is none. */
+/** The instance of a joint; -1 if there is none. */
 export function instanceOf(
   drawn: readonly DrawnSkeleton[],
   characterId: string | undefined,
@@ -106,7 +107,7 @@ export function instanceOf(
   return found.firstInstance + placement * found.nodes.count + joint;
 }
 
-/** The skeleton that an instance is of, its placement and its node there. */
+/** An instance's skeleton, placement and node. */
 function nodeAt(drawn: readonly DrawnSkeleton[], instance: number) {
   for (const of of drawn) {
     const i = instance - of.firstInstance;
@@ -116,7 +117,7 @@ function nodeAt(drawn: readonly DrawnSkeleton[], instance: number) {
   return undefined;
 }
 
-/** Which joint an instance is, or ends. */
+/** The joint of an instance; for an End Site, the one that it ends. */
 export function jointAt(drawn: readonly DrawnSkeleton[], instance: number): JointRef | undefined {
   const found = nodeAt(drawn, instance);
   if (!found) return undefined;
@@ -126,14 +127,14 @@ export function jointAt(drawn: readonly DrawnSkeleton[], instance: number): Join
   return { characterId: of.characterId, placement, joint };
 }
 
-/** The joint that a drawn bone belongs to: it leads from there to the instance's own node. */
+/** The joint where the bone of an instance starts. */
 export function boneOwner(drawn: readonly DrawnSkeleton[], instance: number): JointRef | undefined {
   const found = nodeAt(drawn, instance);
   if (!found) return undefined;
   return { characterId: found.of.characterId, placement: found.placement, joint: ownerOf(found.of, found.node) };
 }
 
-/** The joint that the bone to a node starts from; the root's own. */
+/** The joint where the bone to a node starts; a root itself. */
 export function ownerOf({ nodes, skeleton }: DrawnSkeleton, node: number): number {
   if (node >= nodes.jointCount) return nodes.owners[node - nodes.jointCount];
   return Math.max(0, skeleton.joints[node].parent);

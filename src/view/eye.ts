@@ -1,8 +1,8 @@
 /**
- * Between points of the page and points of the scene, for what is done by dragging.
+ * Converts between points of the page and of the scene, for dragging.
  *
  *     client   CSS pixels of the page, as pointer events have them
- *     world    the scene: y up, where characters stand by their placements
+ *     world    the scene: y up, with placements applied
  */
 import { Plane, Raycaster, Vector2, Vector3 } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
@@ -11,15 +11,15 @@ import { CameraProjection } from './camera-projection.ts';
 
 export interface Ray {
   readonly origin: Vec3;
-  /** Of length 1. */
+  /** Unit length. */
   readonly direction: Vec3;
 }
 
-/** A point of the page, and how far from the camera it is that is seen there. NaN where that is behind the viewer. */
+/** A point on the page, and its distance from the camera. NaN if behind the camera. */
 export interface OnScreen {
   readonly x: number;
   readonly y: number;
-  /** Along the camera's line of sight, in units of the world; not in front of a perspective camera: 0 or less. */
+  /** Along the view direction, in world units; 0 or less if not in front of a perspective camera. */
   readonly depth: number;
 }
 
@@ -37,7 +37,7 @@ export class Eye {
     private readonly rig: CameraRig,
   ) {}
 
-  /** Where on the page a point of the world is. */
+  /** Projects a world point to the page. */
   toScreen(world: Vec3): OnScreen {
     const { projection, pixels } = this;
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
@@ -46,13 +46,13 @@ export class Eye {
     return { x: left + pixels[0], y: top + pixels[1], depth: projection.depthAt(...world) };
   }
 
-  /** What lies under a point of the page, from near to far. */
+  /** The ray under a point of the page, from near to far. */
   rayAt(clientX: number, clientY: number): Ray {
     const { ray } = this.cast(clientX, clientY);
     return { origin: ray.origin.toArray(), direction: ray.direction.toArray() };
   }
 
-  /** The point under a point of the page in the plane that faces the camera and goes through `anchor`. */
+  /** The point under the pointer in the camera-facing plane through `anchor`. */
   inPlaneOf(anchor: Vec3, clientX: number, clientY: number): Vec3 {
     const { camera } = this.rig;
     camera.updateMatrixWorld();
@@ -62,7 +62,7 @@ export class Eye {
     return hit ? hit.toArray() : anchor;
   }
 
-  /** `anchor` moved along the line of sight through it; above 0: away from the camera. */
+  /** `anchor` moved along its line of sight; positive: away from the camera. */
   inDepth(anchor: Vec3, distance: number): Vec3 {
     const { camera } = this.rig;
     const { ahead, point } = this;
@@ -73,7 +73,7 @@ export class Eye {
     return point.addScaledVector(ahead, distance).toArray();
   }
 
-  /** Length in the world, at `anchor`, that a CSS pixel shows. */
+  /** World length of a CSS pixel at `anchor`. */
   unitsPerPixel(anchor: Vec3): number {
     this.projection.look(this.rig.camera, this.canvas.clientHeight || 1);
     return this.projection.unitsPerPixel(anchor);

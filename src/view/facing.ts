@@ -1,17 +1,16 @@
 /**
- * Which way a skin's triangles and normals face, made consistent for lighting: real files wind all triangles inward, or
- * have normals here and there that point inward among good ones.
+ * Which way a skin's triangles and normals face, made consistent for lighting: some real files wind all triangles
+ * inward, or have stray normals that point inward.
  *
  *     triangles across an edge that only these two share are wound alike       (union-find, with the turn as parity)
  *     each such patch is wound so that Σ Nₜ · (n₁ + n₂ + n₃) ≥ 0             Nₜ: a triangle's area normal
- *     a vertex's normal is turned round where n · Σ Nₜ < 0                    over the triangles around it
+ *     a vertex's normal is flipped where n · Σ Nₜ < 0                    over the triangles around it
  *
- * Then a triangle seen from behind is seen from behind its normals, all over, and its corners agree: nothing changes
- * sides within a triangle. Signs only: normals stay the file's. They hold for the binding pose, and follow any pose.
+ * A triangle seen from behind is then seen from behind all its normals: the side never changes within a triangle. Only
+ * signs change: normals stay the file's. Computed in the binding pose, valid in any pose.
  *
- * Rejected: deciding for each pixel, by the normal there and the side seen, for a triangle with one bad corner is then
- * torn; winding as the file has it, for it may differ from triangle to triangle; normals computed anew, for the file's
- * are smooth where its author wanted.
+ * Rejected: deciding per pixel, which tears a triangle with one bad corner; the file's winding, which may differ from
+ * triangle to triangle; recomputed normals, which lose the author's smoothing.
  */
 import type { Steps } from '../evaluate/steps.ts';
 
@@ -19,16 +18,16 @@ import type { Steps } from '../evaluate/steps.ts';
 const STRIDE = 16384;
 
 export interface Facing {
-  /** The same triangles, each with the same last corner; the array given, where it is consistent as it is. */
+  /** The same triangles, each with the same last corner; the given array if it is already consistent. */
   readonly triangles: Uint32Array;
-  /** A number a vertex: 1 where its normal is to be turned round, else 0. */
+  /** One number per vertex: 1 if its normal is to be flipped, else 0. */
   readonly turned: Float32Array<ArrayBuffer>;
 }
 
 /**
  * @param triangles three vertices each
- * @param positions x y z a vertex
- * @param normals x y z a vertex, of any length
+ * @param positions x y z per vertex
+ * @param normals x y z per vertex, of any length
  */
 export function* facingOf(triangles: Uint32Array, positions: Float64Array, normals: Float64Array): Steps<Facing> {
   const vertices = positions.length / 3;
@@ -91,11 +90,11 @@ export function* facingOf(triangles: Uint32Array, positions: Float64Array, norma
   return { triangles: wound ?? triangles, turned };
 }
 
-/** Triangles in patches; each with whether it is wound the other way than the one that stands for its patch. */
+/** Union-find of triangles; each stores whether it is wound opposite to its patch's representative. */
 class Patches {
   private readonly parent: Uint32Array;
   private readonly differs: Uint8Array;
-  /** At most so many steps lead to it: the lower patch joins the higher, and no single `find` walks far. */
+  /** Union by rank, so that no `find` walks far. */
   private readonly height: Uint8Array;
 
   constructor(count: number) {
@@ -106,7 +105,7 @@ class Patches {
     this.height = new Uint8Array(count);
   }
 
-  /** The triangle that stands for the patch; `odd` is right for `t` after this. */
+  /** The patch's representative; `odd` then says whether `t` is wound opposite to it. */
   find(t: number): number {
     const { parent, differs } = this;
     let root = t;
@@ -130,7 +129,7 @@ class Patches {
     return this.differs[t] === 1;
   }
 
-  /** Makes one patch of two triangles'. One that is joined already, the other way round (a Möbius strip), stays. */
+  /** Joins two triangles' patches. If already joined with the other parity (a Möbius strip), nothing changes. */
   join(a: number, b: number, differ: boolean): void {
     const { parent, height } = this;
     let first = this.find(a);
@@ -143,7 +142,7 @@ class Patches {
   }
 }
 
-/** Edges are sorted by their lower vertex, as in `edgesOf`; those of one vertex are told apart by their upper ones. */
+/** Edges are bucketed by their lower vertex, as in `edgesOf`, and matched within a bucket by the upper one. */
 function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
   const all = triangles.length;
   const patches = new Patches(all / 3);
@@ -160,7 +159,7 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
     corner[filled[Math.min(triangles[i], triangles[next(i)])]++] = i;
     if (i % STRIDE === STRIDE - 1) yield 0.15 + (0.15 * i) / all;
   }
-  // For an upper vertex, of the edges from the lower vertex of now: whose they are, how many, and the last two.
+  // Per upper vertex, for edges of the current lower vertex: owner mark, count, and the last two edges.
   const mark = new Uint32Array(vertices);
   const times = new Uint32Array(vertices);
   const one = new Uint32Array(vertices);
@@ -180,11 +179,11 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
     for (let e = start[v]; e < start[v + 1]; e++) {
       const i = corner[e];
       const u = Math.max(triangles[i], triangles[next(i)]);
-      // An edge of three triangles says nothing, and neither does one of a triangle that is but a line.
+      // Edges of three triangles are ambiguous; those of degenerate triangles mean nothing.
       if (times[u] !== 2 || one[u] !== i || u === v) continue;
       const j = other[u];
-      // Neighbours run along their edge in opposite directions. The two sides of a sheet, which are drawn at one place
-      // and share normals, have to face the same way instead.
+      // Neighbours run along their edge in opposite directions. The two sides of a sheet share place and normals, so
+      // they have to face the same way instead.
       const isSheet = triangles[next(next(i))] === triangles[next(next(j))];
       patches.join(Math.floor(i / 3), Math.floor(j / 3), (triangles[i] === triangles[j]) !== isSheet);
     }
@@ -194,7 +193,7 @@ function* patchesOf(triangles: Uint32Array, vertices: number): Steps<Patches> {
   return patches;
 }
 
-/** Of three consecutive indices that are a triangle, the next one round. */
+/** The next of three consecutive indices that are a triangle. */
 function next(i: number): number {
   return i % 3 === 2 ? i - 2 : i + 1;
 }

@@ -1,6 +1,6 @@
 /**
- * What is to be framed. Everything, and what is only to be revealed, waits for the next picture: poses and sizes are
- * known by then, and however often it was asked for, the camera goes once. What is selected is gone to at once.
+ * What is to be framed. Framing everything, or revealing characters, waits for the next frame: poses and sizes are
+ * known by then, and several requests become one move. The selection is framed at once.
  */
 import { Box3, Vector3 } from 'three';
 import { hasBox } from '../model/boxes.ts';
@@ -12,14 +12,14 @@ import { type ShownCharacter, type ShownCharacters, vertexPosition } from './sho
 import type { SkeletonDrawing } from './skeleton-drawing.ts';
 import { isWellSeen } from './well-seen.ts';
 
-/** Of a vertex, what is shown around it, as a part of the character's size. */
+/** Around a vertex, frame this fraction of the character's size. */
 const AROUND_VERTEX = 0.06;
 
 export class Framer {
-  /** CSS pixels at the top of the picture that lie under something else. */
+  /** CSS pixels at the top of the viewport covered by overlays. */
   coveredTop = (): number => 0;
   private everything: 'no' | 'smoothly' | 'first look' = 'no';
-  /** Ids of what is to be framed where it is not seen well. */
+  /** Ids of what is to be framed unless well in view. */
   private revealing: readonly string[] = [];
   private readonly box = new Box3();
   private readonly ownBox = new Box3();
@@ -32,7 +32,7 @@ export class Framer {
     private readonly picked: PickedCopy,
   ) {}
 
-  /** Everything, from where one looks first. */
+  /** Frames everything in the default view. */
   lookFirst(): void {
     this.everything = 'first look';
   }
@@ -41,17 +41,17 @@ export class Framer {
     if (this.everything === 'no') this.everything = 'smoothly';
   }
 
-  /** These, unless they are well seen anyway. */
+  /** Frames these characters unless they are well in view. */
   reveal(characterIds: readonly string[]): void {
     this.revealing = characterIds;
   }
 
-  /** The camera stays where it is put, whatever was about to be framed as a whole. */
+  /** Cancels pending framing: the camera stays where it was put. */
   leave(): void {
     this.everything = 'no';
   }
 
-  /** The vertex or joint, of the copy that was picked, or the character; everything where that is not seen. */
+  /** Frames the vertex or joint of the picked instance, or the character; everything if that isn't visible. */
   frameSelection({ characterId, joint, vertex }: Selection): void {
     const { rig, box, point } = this;
     const entry = this.characters.seen(characterId);
@@ -70,7 +70,7 @@ export class Framer {
     } else rig.frame(box, this.coveredTop(), true);
   }
 
-  /** With each picture, before the camera moves on: starts the move that was asked for. */
+  /** Each frame, before the camera is updated: starts the requested move. */
   settle(playedRange: readonly [number, number], timeSeconds: number): void {
     const { rig, characters } = this;
     if (this.everything !== 'no' && !characters.content.isEmpty()) {
@@ -95,7 +95,7 @@ export class Framer {
   }
 }
 
-/** Of a sphere around a joint that shows it with its neighbours, in the world. */
+/** Radius around a joint that shows it with its neighbours, in the world. */
 function jointRadius({ character, placements }: ShownCharacter, copy: number, joint: number): number {
   const { skeleton } = character;
   if (!skeleton) return 1;

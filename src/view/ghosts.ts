@@ -1,11 +1,11 @@
 /**
- * Ghosts (onion skin): where the selected character was before and will be after the time shown, as translucent bones,
- * cool before and warm after, fainter the further away in time.
+ * Ghosts (onion skin): poses of the selected character before and after the current time, as translucent bones, cool
+ * before and warm after, fainter the further away in time.
  *
- *     now − 2·step   now − step   now   now + step   now + 2·step          none outside of the played range
+ *     now − 2·step   now − step   now   now + step   now + 2·step          none outside the playback range
  *
- * Two draw calls for all of them. They are posed anew in every frame: six ghosts of 70 joints are six poses and 420
- * matrices, a small part of a millisecond, so nothing is kept that could go stale while scrubbing.
+ * Two draw calls for all ghosts. They are posed every frame: six ghosts of 70 joints are 420 matrices, a fraction of a
+ * millisecond, so nothing is cached that could go stale while scrubbing.
  */
 import {
   Color,
@@ -29,19 +29,19 @@ import { fillBones, placementScale, placePoints } from './node-matrices.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 
-/** Opacity of the nearest ghost, and of the furthest that is asked for. */
+/** Opacity of the nearest and the furthest ghost. */
 const NEAR_OPACITY = 0.5;
 const FAR_OPACITY = 0.16;
-/** Nearer to the range's end than this still is in it; seconds. */
+/** Tolerance at the range's ends; seconds. */
 const SLACK = 1e-9;
 
-/** Seconds between two ghosts. @param framesPerSecond of clips that have no frames of their own */
+/** Seconds between two ghosts. @param framesPerSecond for clips without frames of their own */
 export function ghostStepSeconds(character: Character, display: Display, framesPerSecond: number): number {
   if (display.ghostStepIn === 'seconds') return display.ghostStep;
   return display.ghostStep * (shownClip(character)?.samples?.frameSeconds ?? 1 / framesPerSecond);
 }
 
-/** How many steps from now ghosts are, earliest first: −2 −1 1 2, without those outside of the range. */
+/** Steps from the current time, earliest first: −2 −1 1 2, without those outside the range. */
 export function ghostSteps(
   display: Display,
   timeSeconds: number,
@@ -61,7 +61,7 @@ export class Ghosts {
   readonly object = new Group();
   private readonly balls: InstancedMesh;
   private readonly bones: InstancedMesh;
-  /** r g b a of each instance, shared by both. */
+  /** r g b a per instance, shared by both meshes. */
   private tint = new InstancedBufferAttribute(new Float32Array(4), 4);
   private readonly before = new Color();
   private readonly after = new Color();
@@ -80,7 +80,7 @@ export class Ghosts {
     for (const mesh of [this.bones, this.balls]) {
       mesh.frustumCulled = false;
       mesh.matrixAutoUpdate = false;
-      // Over grid and trail, under the markers.
+      // Over grid and motion path, under the markers.
       mesh.renderOrder = 6;
       this.object.add(mesh);
     }
@@ -92,7 +92,7 @@ export class Ghosts {
     this.after.copy(rawColor(theme.ghostAfter));
   }
 
-  /** Every frame in which something moved. @param character whose ghosts are shown; undefined for none */
+  /** Call every frame in which something moved. @param character whose ghosts are shown; undefined for none */
   fill(
     character: Character | undefined,
     display: Display,
@@ -115,7 +115,7 @@ export class Ghosts {
     const carrier = carrierOf(character);
     let first = 0;
     for (const step of steps) {
-      // A hand-set pose stands at its own moment only, and is no part of the motion.
+      // Unkeyed changes apply at the current time only, so ghosts ignore them.
       poseAt(character, timeSeconds + step * stepSeconds, dofs);
       worldMatrices(compiled, dofs, world);
       if (display.inPlace) groundTravel(compiled, character.space, carrier, dofs, world, travel);
@@ -138,7 +138,7 @@ export class Ghosts {
   dispose(): void {
     for (const mesh of [this.balls, this.bones]) {
       mesh.geometry.dispose();
-      // One material, made above.
+      // One material, created above.
       (mesh.material as Material).dispose();
       mesh.dispose();
     }
@@ -154,7 +154,7 @@ export class Ghosts {
     this.tint = new InstancedBufferAttribute(new Float32Array(4 * instances), 4).setUsage(DynamicDrawUsage);
     for (const mesh of [this.balls, this.bones]) {
       const matrices = new InstancedBufferAttribute(new Float32Array(16 * instances), 16);
-      // What was there is given back, buffer and all.
+      // Frees the old buffers.
       mesh.dispose();
       mesh.instanceMatrix = matrices.setUsage(DynamicDrawUsage);
       mesh.geometry.setAttribute('tint', this.tint);
@@ -168,13 +168,13 @@ function opacityOf(step: number, furthest: number): number {
 }
 
 function matricesOf(mesh: InstancedMesh): Float32Array {
-  // Made as a Float32Array; its type says any array.
+  // Created as a Float32Array; three.js types it as any array.
   return mesh.instanceMatrix.array as Float32Array;
 }
 
 /**
- * A soft light from the camera, so that a ghost has a shape; depth is written, so that of balls and bones that overlap
- * only one is seen.
+ * A soft light from the camera, so that ghosts have shape. Writes depth, so that overlapping balls and bones don't
+ * blend twice.
  */
 function ghostMaterial(): ShaderMaterial {
   return new ShaderMaterial({
@@ -187,7 +187,7 @@ function ghostMaterial(): ShaderMaterial {
       void main() {
         vTint = tint;
         vec4 at = modelViewMatrix * (instanceMatrix * vec4(position, 1.0));
-        // Radii are alike on both axes across a bone, so its sides keep their direction without an inverse.
+        // Equal radii on both axes across a bone keep its normals' directions without an inverse.
         vNormal = mat3(modelViewMatrix) * (mat3(instanceMatrix) * normal);
         gl_Position = projectionMatrix * at;
       }

@@ -1,9 +1,9 @@
 /**
- * Numbers and axis letters standing in the scene at a fixed size on screen: one instanced quad a glyph, out of a
- * picture of all glyphs, one draw call for all of them. They are part of the scene, so a character in front hides them,
- * and a picture of the canvas has them. (Labels made of HTML float over everything.)
+ * Numbers and axis letters in the scene at a fixed size on screen: one instanced quad per glyph from a glyph atlas, one
+ * draw call for all. They are part of the scene, so characters occlude them and screenshots contain them. (HTML labels
+ * would float over everything.)
  *
- *     instance: where (x y z), offset of its glyph from there in CSS pixels (x y), which glyph, colour r g b a
+ *     instance: position (x y z), offset of the glyph in CSS pixels (x y), glyph index, colour r g b a
  */
 import {
   BufferAttribute,
@@ -21,7 +21,7 @@ import {
 import { LINE_RESOLUTION, rawColor } from './thick-lines.ts';
 
 const GLYPHS = '0123456789.-+exyz';
-/** CSS pixels of a glyph's cell: room for the tallest and its halo. */
+/** CSS pixels of a glyph's cell, halo included. */
 const CELL_WIDTH = 12;
 const CELL_HEIGHT = 18;
 const FONT_PX = 11;
@@ -54,7 +54,7 @@ export class Glyphs {
     this.object.matrixAutoUpdate = false;
   }
 
-  /** Draws the glyphs' picture for this many device pixels to a CSS pixel. */
+  /** Renders the atlas for a device pixel ratio. */
   setPixelRatio(ratio: number): void {
     if (ratio === this.pixelRatio) return;
     this.pixelRatio = ratio;
@@ -71,7 +71,7 @@ export class Glyphs {
     for (const c of '0123456789') digit = Math.max(digit, pen.measureText(c).width);
     for (let g = 0; g < GLYPHS.length; g++) {
       const own = pen.measureText(GLYPHS[g]).width;
-      // All digits as wide as the widest: columns of numbers then line up in any font.
+      // All digits are as wide as the widest, so that columns line up in any font.
       const width = GLYPHS[g] >= '0' && GLYPHS[g] <= '9' ? digit : own;
       this.advances[g] = width / ratio;
       const x = g * cell + 2 * ratio + (width - own) / 2;
@@ -102,7 +102,10 @@ export class Glyphs {
     this.count = 0;
   }
 
-  /** Writes `text` at a place, with its left middle `dx`, `dy` CSS pixels right of and above it. Unknown letters are left out. */
+  /**
+   * Writes `text` with its left middle `dx` right of and `dy` above a point (CSS pixels). Unknown characters are
+   * skipped.
+   */
   add(text: string, x: number, y: number, z: number, dx: number, dy: number, color: Color, opacity: number): void {
     let at = dx;
     for (let c = 0; c < text.length && this.count < this.capacity; c++) {
@@ -152,7 +155,7 @@ function glyphMaterial(): ShaderMaterial {
       varying vec4 vTint;
       void main() {
         vec4 p = projectionMatrix * (modelViewMatrix * vec4(place, 1.0));
-        // On whole device pixels: letters stay as sharp as they were drawn.
+        // Aligned to device pixels, to stay sharp.
         vec2 pixels = resolution * pixelRatio;
         vec2 corner = (p.xy / p.w * 0.5 + 0.5) * pixels + (offset.xy - vec2(2.0, 0.5 * cell.y)) * pixelRatio;
         corner = floor(corner + 0.5) + position.xy * cell * pixelRatio;

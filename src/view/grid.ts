@@ -1,11 +1,11 @@
 /**
- * The grid: lines one pixel wide at any scale, drawn by a shader on one quad, with the spacing written along its axes.
+ * The grid: one-pixel lines at any scale, drawn by a shader on one quad, with coordinates along its axes.
  *
  * Lines come from the distance to the nearest multiple of the spacing, measured in pixels through screen derivatives
  * (after Ben Golus, "The Best Darn Grid Shader (Yet)", 2023), and fade where they come closer than a few pixels, which
- * is what keeps the distance calm. Coordinates in the shader are relative to a multiple of the spacing near the camera's
- * target, so that floats hold out far from the origin. It lies on the ground; an orthographic view straight from the
- * front or side has it upright behind everything, as drawing tools do.
+ * prevents moiré in the distance. Coordinates in the shader are relative to a multiple of the spacing near the camera's
+ * target, so that floats stay precise far from the origin. It is on the ground; in an orthographic front or side view
+ * it is upright behind everything, as in other tools.
  */
 import {
   AddEquation,
@@ -28,29 +28,29 @@ import { Glyphs } from './glyphs.ts';
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 
-/** Which two axes the grid spans. */
+/** The two axes that the grid spans. */
 export type GridPlane = 'ground' | 'front' | 'side';
 
 /** Axis indices (u, v) of each plane. */
 const AXES: Readonly<Record<GridPlane, readonly [number, number]>> = { ground: [0, 2], front: [0, 1], side: [2, 1] };
 
-/** CSS pixels between labelled lines at the camera's target, at least. */
+/** Minimum CSS pixels between labelled lines at the camera's target. */
 const SPACING_PX = 92;
-/** How far labels go from the target, in spacings. */
+/** How far from the target lines are labelled, in spacings. */
 const LABEL_REACH = 7;
 
 export interface GridView {
   readonly target: Vector3;
   /** From the camera to its target. */
   readonly distance: number;
-  /** Length at the target that a CSS pixel shows. */
+  /** World length of a CSS pixel at the target. */
   readonly unitsPerPixel: number;
   readonly plane: GridPlane;
 }
 
 export class Grid {
   readonly object = new Group();
-  /** Of the labelled lines. */
+  /** Spacing of the labelled lines. */
   spacing = 1;
   private readonly quad: Mesh<BufferGeometry, ShaderMaterial>;
   private readonly glyphs = new Glyphs(512);
@@ -92,12 +92,12 @@ export class Grid {
     this.drawnFor.distance = Number.NaN;
   }
 
-  /** How far from the target lines are seen. */
+  /** Distance from the target at which lines have faded out. */
   static reach(distance: number): number {
     return 5 * distance;
   }
 
-  /** Every frame in which the camera moved. */
+  /** Call every frame in which the camera moved. */
   update({ target, distance, unitsPerPixel, plane }: GridView): void {
     const { drawnFor } = this;
     if (
@@ -128,7 +128,7 @@ export class Grid {
     uniforms.vColor.value.copy(this.axisColors[v]);
     const upright = plane !== 'ground';
     this.quad.material.depthTest = !upright;
-    // Before everything else, and so in the list of what is opaque; it blends all the same.
+    // Drawn before everything else, so in the opaque list; it still blends.
     this.quad.material.transparent = !upright;
     this.quad.renderOrder = upright ? -900 : -20;
 
@@ -149,7 +149,7 @@ export class Grid {
     this.glyphs.dispose();
   }
 
-  /** Numbers along both axes, or along the nearest labelled lines where the axes are out of sight. */
+  /** Labels both axes, or the nearest labelled lines if the axes are out of view. */
   private writeLabels(u: number, v: number, tu: number, tv: number): void {
     const { spacing, at, glyphs } = this;
     glyphs.begin();
@@ -165,14 +165,14 @@ export class Grid {
       at.fill(0);
       at[across] = acrossValue;
       for (let i = first; i <= last; i++) {
-        // One 0 for both axes.
+        // A single 0 for both axes.
         if (i === 0 && along === v && acrossValue === 0) continue;
         const value = i * spacing;
         const away = Math.abs(value - centre) / near;
         at[along] = value;
         glyphs.add(gridLabel(i, spacing), at[0], at[1], at[2], 4, -8, this.labelColor, 1 - away ** 3);
       }
-      // The axis's name, on the other side of its line, where the labels begin to fade.
+      // The axis's name, on the other side of its line, where labels begin to fade.
       const named = Math.floor((centre + 0.7 * near) / spacing);
       if (acrossValue === 0 && named > 0) {
         at[along] = named * spacing;
@@ -189,12 +189,12 @@ function gridMaterial(): ShaderMaterial {
     depthWrite: false,
     transparent: true,
     toneMapped: false,
-    // Spelt out, so that it blends in the opaque list too.
+    // Custom, so that it blends in the opaque list too.
     blending: CustomBlending,
     blendEquation: AddEquation,
     blendSrc: SrcAlphaFactor,
     blendDst: OneMinusSrcAlphaFactor,
-    // The canvas stays opaque: the page would show through its lines.
+    // Keeps the canvas opaque: the page would show through its lines.
     blendSrcAlpha: OneFactor,
     blendDstAlpha: OneMinusSrcAlphaFactor,
     polygonOffset: true,
@@ -231,13 +231,13 @@ function gridMaterial(): ShaderMaterial {
       uniform vec3 vColor;
       varying vec2 vAt;
 
-      // How much of this pixel lines \`every\` apart cover, for lines across u (.x) and v (.y).
+      // Coverage of this pixel by lines \`every\` apart, for lines across u (.x) and v (.y).
       vec2 lines(vec2 at, vec2 pixel, float every, float width) {
         vec2 cells = at / every;
         vec2 size = pixel / every;
         vec2 away = abs(fract(cells - 0.5) - 0.5) / size;
         vec2 cover = 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.5, away);
-        // Closer than 12 pixels they begin to fade, closer than 4 they are gone.
+        // Fade below 12 pixels, gone below 4.
         return cover * (1.0 - smoothstep(1.0 / 12.0, 1.0 / 4.0, size));
       }
 

@@ -1,13 +1,13 @@
 /**
- * The colours of the influence map: from a deep blue through violet and coral to a pale yellow. Lightness rises evenly
- * in OKLab, so that equal steps of influence look like equal steps, in grey and to colour-blind eyes too. (Rainbows
- * such as jet or turbo have bright bands in the middle that look like edges.)
+ * Colours of the joint weight heat map, from deep blue through violet and coral to pale yellow. Lightness is linear in
+ * OKLab, so that equal steps of weight look equal, in greyscale and to colour-blind eyes too. (Rainbow maps such as jet
+ * or turbo have bright bands that look like edges.)
  *
  * OKLab: B. Ottosson, "A perceptual color space for image processing", 2020.
  */
 import { DataTexture, LinearFilter, NearestFilter, RGBAFormat, SRGBColorSpace, UnsignedByteType } from 'three';
 
-/** Stops at equal distances, as OKLab lightness, chroma and hue in degrees. */
+/** Evenly spaced stops: OKLab lightness, chroma, and hue in degrees. */
 const STOPS: readonly (readonly [lightness: number, chroma: number, hue: number])[] = [
   [0.3, 0.09, 268],
   [0.43, 0.15, 292],
@@ -17,7 +17,7 @@ const STOPS: readonly (readonly [lightness: number, chroma: number, hue: number]
   [0.94, 0.09, 100],
 ];
 
-/** The colour of an influence of 0 (none) to 1 (all), as sRGB bytes; beyond, that of the end. */
+/** Colour of a weight from 0 to 1, as sRGB bytes; clamped outside. */
 export function heatColour(influence: number): [number, number, number] {
   const at = Math.min(1, Math.max(0, influence)) * (STOPS.length - 1);
   const i = Math.min(STOPS.length - 2, Math.floor(at));
@@ -50,7 +50,7 @@ function encode(x: number): number {
 const WIDTH = 256;
 let ramp: DataTexture | undefined;
 
-/** The ramp as a texture, 0 at the left; one for all. */
+/** The ramp as a shared texture, 0 at the left. */
 export function heatRamp(): DataTexture {
   if (ramp) return ramp;
   const bytes = new Uint8Array(4 * WIDTH);

@@ -1,6 +1,6 @@
 /**
- * One kind of shape (balls, say), drawn many times in one call: an instanced mesh that grows when it has to hold more,
- * the same once more where something covers it, and the material that draws ids in place of colours for picking.
+ * One kind of shape (balls, say), drawn many times in one call: an instanced mesh that grows as needed, optionally a
+ * second mesh for covered instances, and a material that draws ids for picking.
  */
 import {
   type BufferGeometry,
@@ -15,13 +15,13 @@ import {
 import { NodeMesh, type NodeShape } from './node-buffer.ts';
 import { ID_FRAGMENT } from './thick-lines.ts';
 
-/** Covered ones come after all that may cover them, and before the markers. */
+/** Covered instances are drawn after everything that may cover them, and before the markers. */
 const COVERED_ORDER = 15;
 
-/** A kind's mesh, made anew when it has to hold more; and the same once more where something covers it, if asked. */
+/** A kind's mesh, recreated to grow, and optionally one more for covered instances. */
 export class InstancedKind {
   mesh: InstancedMesh;
-  /** Drawn only where it is behind something opaque: bones show through a skin. */
+  /** Drawn only behind something opaque: bones show through a skin. */
   covered: InstancedMesh | undefined;
   private tint: InstancedBufferAttribute | undefined;
   private capacity = 0;
@@ -34,7 +34,7 @@ export class InstancedKind {
     parent: Group,
     private readonly coveredMaterial?: Material,
     private readonly lighter?: BufferGeometry,
-    /** Drawn from a `NodeBuffer`, which its owner fills; `matrices` then are none. */
+    /** If given, drawn from a `NodeBuffer`, which its owner fills, instead of `matrices`. */
     private readonly shape?: NodeShape,
   ) {
     this.mesh = this.create(1);
@@ -42,7 +42,7 @@ export class InstancedKind {
     this.cover();
   }
 
-  /** Room for `count` instances. */
+  /** Makes room for `count` instances. */
   resize(count: number): void {
     if (count > this.capacity) {
       const { parent, visible, castShadow, renderOrder, geometry } = this.mesh;
@@ -57,19 +57,19 @@ export class InstancedKind {
     if (this.covered) this.covered.count = count;
   }
 
-  /** All shapes that it may be drawn with. */
+  /** All its geometries. */
   get geometries(): readonly BufferGeometry[] {
     return this.lighter ? [this.geometry, this.lighter] : [this.geometry];
   }
 
-  /** Draws with fewer triangles, where there is a lighter shape. */
+  /** Draws with fewer triangles, if there is a lighter geometry. */
   setLight(isLight: boolean): void {
     const shape = (isLight && this.lighter) || this.geometry;
     this.mesh.geometry = shape;
     if (this.covered) this.covered.geometry = shape;
   }
 
-  /** Colour of one instance, sRGB for tinted lines. */
+  /** Colour of one instance; sRGB for tinted lines. */
   paint(instance: number, color: Color, opacity: number): void {
     if (this.tint) this.tint.setXYZW(instance, color.r, color.g, color.b, opacity);
     else this.mesh.setColorAt(instance, color);
@@ -82,7 +82,7 @@ export class InstancedKind {
   }
 
   get matrices(): Float32Array {
-    // Made by InstancedMesh as a Float32Array; its type says any array.
+    // InstancedMesh creates a Float32Array; its type says any array.
     return this.mesh.instanceMatrix.array as Float32Array;
   }
 
@@ -98,7 +98,7 @@ export class InstancedKind {
     this.coveredMaterial?.dispose();
   }
 
-  /** Makes the covered mesh anew, with the arrays of the mesh. */
+  /** Recreates the covered mesh with the mesh's arrays. */
   private cover(): void {
     if (!this.coveredMaterial) return;
     const before = this.covered;
@@ -119,7 +119,7 @@ export class InstancedKind {
     const { geometry, material, shape } = this;
     const mesh = shape ? new NodeMesh(geometry, material, count, shape) : new InstancedMesh(geometry, material, count);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    // Instances are all over the place: a sphere around the unit shape says nothing.
+    // Instances are anywhere: the unit shape's sphere means nothing.
     mesh.frustumCulled = false;
     mesh.matrixAutoUpdate = false;
     if (this.tinted) {
@@ -130,7 +130,7 @@ export class InstancedKind {
   }
 }
 
-/** Ids `firstId + instance` of instanced meshes. */
+/** Draws the ids `firstId + instance` of instanced meshes. */
 export function meshIdMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     toneMapped: false,

@@ -1,4 +1,4 @@
-/** Takes the camera along with the selected joint: to it when it is chosen, and as it moves from then on. */
+/** Makes the camera follow the selected joint: moves to it when it is selected, then along with it. */
 import { Vector3 } from 'three';
 import type { Character } from '../model/document.ts';
 import type { CameraRig } from './camera.ts';
@@ -14,10 +14,11 @@ export class JointFollower {
   private readonly point = new Vector3();
 
   /**
-   * Every frame in which something moved.
+   * Call every frame in which something moved.
+   *
    * @param character undefined: nothing is followed
    * @param copy index of its placement
-   * @param isHeld the camera stays where it is; it goes on later from where the joint is then
+   * @param isHeld the camera stays; following resumes from where the joint is then
    */
   follow(
     character: Pick<Character, 'id'> | undefined,
@@ -28,7 +29,7 @@ export class JointFollower {
     isHeld: boolean,
   ): void {
     const { point } = this;
-    // What the end of a drag brings is the drag's as well: another joint, or where the picture goes on.
+    // Changes at the end of a drag belong to the drag: the camera doesn't jump to another joint or position then.
     const stays = isHeld || this.wasHeld;
     this.wasHeld = isHeld;
     const characterId = character?.id;

@@ -1,4 +1,4 @@
-/** What marks the selected joint, on top of everything, in each placement: a dot, its axes, and the edges of its box. */
+/** Marks the selected joint on top of everything, at each placement: a dot, its axes, and the edges of its box. */
 import {
   type BufferAttribute,
   type BufferGeometry,
@@ -15,7 +15,7 @@ import { InstancedKind } from './instanced-kind.ts';
 import type { StageTheme } from './theme.ts';
 import { lineMaterial, rawColor } from './thick-lines.ts';
 
-/** How solid a joint behind a skin shows through, where it is selected. */
+/** Opacity of marks behind a skin. */
 const MARKER_OPACITY = 0.5;
 
 export class JointMarkers {
@@ -36,7 +36,7 @@ export class JointMarkers {
     this.dots.matrixAutoUpdate = false;
   }
 
-  /** @param count placements of the character whose joint is selected; 0 for none */
+  /** @param count placements of the selected joint's character; 0 for none */
   show(count: number, withBox: boolean): void {
     this.edges.resize(count);
     this.axes.resize(count);
@@ -48,7 +48,7 @@ export class JointMarkers {
     this.axes.mesh.visible = this.dots.visible = count > 0;
   }
 
-  /** Puts the marks of one placement on a joint whose matrix in the scene is `world[o …]`. */
+  /** Sets the marks of one placement to a joint with the scene matrix `world[o …]`. */
   fill(placement: number, joint: Joint, sizes: JointSizes, scale: number, world: Float64Array, o: number): void {
     const to = 16 * placement;
     sphereMatrix(world[o + 12], world[o + 13], world[o + 14], 1, this.dotMatrices, to);
@@ -63,7 +63,7 @@ export class JointMarkers {
     this.dots.instanceMatrix.needsUpdate = true;
   }
 
-  /** Takes the marks out of the picture while `draw` runs. */
+  /** Hides the marks while `draw` runs. */
   without(draw: () => void): void {
     const meshes = [this.edges.mesh, this.axes.mesh, this.dots];
     const before = meshes.map((mesh) => mesh.visible);
@@ -93,12 +93,12 @@ export class JointMarkers {
   }
 
   private get dotMatrices(): Float32Array {
-    // Made above as a Float32Array; its type says any array.
+    // Created above as a Float32Array; three.js types it as any array.
     return this.dots.instanceMatrix.array as Float32Array;
   }
 }
 
-/** Colours x, y and z on lines that are drawn with the colours of their segments. */
+/** Colours x, y and z of lines with segment colours. */
 export function paintAxes(axes: BufferGeometry, theme: StageTheme): void {
   const colors = [theme.axisX, theme.axisY, theme.axisZ].map(rawColor);
   const attribute: BufferAttribute | InterleavedBufferAttribute = axes.getAttribute('segmentColor');

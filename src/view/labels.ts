@@ -1,8 +1,8 @@
 /**
- * Names of joints and of characters, on a flat canvas over the picture: crisp at any scale, in any script, and without an
- * element a name. A name that would cover one already written is left out. The selected and the hovered joint's are
- * always there; then come those of characters, the selected one first and the others always in the same order, so that
- * dancers who pass each other do not take each other's names away and back; then joints, nearer ones first.
+ * Names of joints and characters, on a 2D canvas over the scene: crisp at any scale, in any script, without an element
+ * per name. A name that would overlap one already drawn is left out. The selected and the hovered joint's names are
+ * always drawn; then those of characters, the selected one first and the others in a fixed order, so that dancers who
+ * pass each other don't make names flicker; then joints, nearest first.
  */
 import { type Camera, Matrix4 } from 'three';
 import { jointName } from '../model/joint-name.ts';
@@ -14,17 +14,17 @@ import type { StageTheme } from './theme.ts';
 
 /** CSS pixels. */
 const LINE_HEIGHT = 15;
-/** Heights tried for a character's name; who stands in a crowd has none. */
+/** Positions tried for a character's name in a crowd before it is left out. */
 const NAME_LINES = 3;
-/** From a joint to its name. */
+/** Gap between a joint and its name. */
 const BESIDE = 8;
-/** Names written at once. */
+/** Maximum number of names at once. */
 const LIMIT = 120;
-/** Joints looked at; past these a picture of names is none. */
+/** Maximum number of joints considered. */
 const CANDIDATES = 4096;
-/** Longer names are cut. */
+/** Longer names are truncated. */
 const MAX_LETTERS = 40;
-/** Of a character's before a joint's. */
+/** Maximum length of the character's name before a joint's. */
 const MAX_BEFORE = 28;
 
 export class Labels {
@@ -43,7 +43,7 @@ export class Labels {
   private hovered = -1;
   private hoveredName: Name | undefined;
   private showsAll = false;
-  /** In the order of `drawn`; none where there is one character, or names are off. */
+  /** In the order of `drawn`; empty for a single character, or if names are off. */
   private characterNames: Name[] = [];
   private selectedCharacter = -1;
   private readonly place = new Float64Array(2);
@@ -78,7 +78,7 @@ export class Labels {
     this.sprites.setHalo(theme.labelHalo);
   }
 
-  /** After an edit. `hovered` is named too, wherever names are off. */
+  /** Call after an edit. `hovered` is labelled even if names are off. */
   show(drawn: readonly DrawnSkeleton[], display: Display, selection: Selection, hovered: JointRef | undefined): void {
     this.showsAll = display.names;
     this.drawn = drawn;
@@ -99,13 +99,13 @@ export class Labels {
     this.selectedCharacter = drawn.findIndex((d) => d.characterId === selection.characterId);
   }
 
-  /** Every frame. @param positions x y z of each instance of the skeleton drawing */
+  /** Call every frame. @param positions x y z of each instance of the skeleton drawing */
   draw(camera: Camera, positions: Float64Array): void {
     const { pen, theme } = this;
     const nothing = !this.showsAll && this.always.length === 0 && this.characterNames.length === 0;
     if (!theme || (nothing && !this.wrote)) return;
     pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
-    // A canvas that is cleared and gets nothing new may go on showing what it had in Chromium.
+    // Chromium may keep showing the old content of a canvas that is only cleared.
     this.canvas.style.visibility = nothing ? 'hidden' : '';
     this.wrote = !nothing;
     if (nothing) return;
@@ -115,7 +115,7 @@ export class Labels {
     for (const instance of this.always) this.writeAlways(instance, positions, theme);
     this.writeCharacters(positions, theme);
     if (!this.showsAll) return;
-    // The first skeleton of each character only: a crowd's names say the same a hundred times.
+    // Only the first instance of each character: a crowd would repeat the same names.
     let firstName = 0;
     let count = 0;
     for (const { firstInstance, skeleton } of this.drawn) {
@@ -127,7 +127,7 @@ export class Labels {
       }
       firstName += skeleton.joints.length;
     }
-    // Nearest first. Few enough to look for the next nearest each time.
+    // Nearest first; a selection sort will do for so few.
     for (let n = 0; n < count && this.written < LIMIT; n++) {
       let best = -1;
       for (let i = 0; i < count; i++) {
@@ -161,7 +161,7 @@ export class Labels {
     const { place } = this;
     if (!placeName(this.drawn[c], positions, this.toClip, this.width, this.height, place)) return;
     const name = this.characterNames[c];
-    // Where another's stands already, over it.
+    // Above a name that is already there.
     for (let line = 0; line < NAME_LINES; line++) {
       if (this.write(name, place[0] - name.width / 2, place[1] - line * LINE_HEIGHT, color, false)) return;
     }
@@ -175,7 +175,7 @@ export class Labels {
     this.write(name, this.screen[o] + BESIDE, this.screen[o + 1], color, true);
   }
 
-  /** Where an instance is on screen, into slot `to`; false where it is out of the picture. */
+  /** Writes an instance's screen position to slot `to`; false if it is out of view. */
   private project(positions: Float64Array, instance: number, to: number): boolean {
     const m = this.toClip.elements;
     const x = positions[3 * instance];
@@ -192,7 +192,7 @@ export class Labels {
     return true;
   }
 
-  /** Whether there was room for it. @param x of the first letter @param y of the middle of the line */
+  /** Returns whether there was room. @param x of the first letter @param y of the middle of the line */
   private write(name: Name, x: number, y: number, color: string, overOthers: boolean): boolean {
     const { text, width } = name;
     if (text === '' || this.written >= LIMIT) return false;
@@ -218,7 +218,7 @@ export class Labels {
     return this.sprites.name(cut(name, most));
   }
 
-  /** `rokoko-dance · LeftUpLeg` where there are several characters. */
+  /** `rokoko-dance · LeftUpLeg` if there are several characters. */
   private nameUnderPointer({ characterId, joint }: JointRef): Name | undefined {
     const drawn = this.drawn.find((d) => d.characterId === characterId);
     if (!drawn) return undefined;

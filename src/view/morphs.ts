@@ -1,29 +1,29 @@
 /**
  * A skin's morphs, in one of two ways:
  *
- *  - On the GPU, as three.js's own morph targets (differences of positions and normals), while they are few and small.
- *    three.js builds their texture in one loop over vertices × morphs before the first picture, and its shader has a
- *    uniform a morph and reads every one of them for every vertex.
- *  - Else summed on the CPU into the positions and normals themselves, when weights change. Any number of morphs;
- *    three.js's texture ends at 2,048, and uniforms well before. The differences are sorted by vertex, so that a sum is
- *    one pass over memory: 40 ms for a million vertices with three morphs of all of them. (A pass a morph over its own
- *    rows takes 110 ms; adding only what changed is faster, but keeps every error ever made.)
+ * - On the GPU, as three.js's own morph targets (differences of positions and normals), while they are few and small.
+ *   three.js builds their texture in one loop over vertices × morphs before the first frame, and its shader has a
+ *   uniform per morph and reads them all for every vertex.
+ * - Else summed on the CPU into positions and normals when weights change. Any number of morphs; three.js's texture
+ *   ends at 2,048, and uniforms well before. The differences are sorted by vertex, so that summing is one pass over
+ *   memory: 40 ms for a million vertices with three full morphs. (A pass per morph takes 110 ms; adding only changes is
+ *   faster, but accumulates rounding errors.)
  *
- * Either way `getVertexPosition` sees what is drawn.
+ * Either way `getVertexPosition` returns what is drawn.
  */
 import { BufferAttribute, type BufferGeometry } from 'three';
 import type { Steps } from '../evaluate/steps.ts';
 import type { Morph, MorphRows } from '../model/morph.ts';
 
-/** Weights are uniforms: WebGL2 promises 256 vectors of them, and materials need some. */
+/** Weights are uniforms: WebGL2 guarantees 256 vectors, and materials need some. */
 const MAX_ON_GPU = 128;
-/** Vertices × morphs whose texture three.js builds in a few milliseconds. */
+/** Vertices × morphs for which three.js builds its texture in a few milliseconds. */
 const LARGEST_ON_GPU = 200_000;
 
 export interface Morphing {
-  /** For `morphTargetInfluences`: kept up to date by `apply`; empty where the GPU knows of no morphs. */
+  /** For `morphTargetInfluences`, updated by `apply`; empty if summed on the CPU. */
   readonly influences: number[];
-  /** Takes over the weights, which are `values[first + m]` for morph m. */
+  /** Sets the weights to `values[first + m]` for morph m. */
   apply(values: Float64Array, first: number): void;
 }
 
@@ -31,7 +31,7 @@ export interface Morphing {
 const STRIDE = 16384;
 
 /**
- * @param positions x y z a vertex of the skin, in doubles
+ * @param positions x y z per vertex of the skin, in doubles
  * @param normals likewise
  */
 export function* morphing(
@@ -45,7 +45,7 @@ export function* morphing(
     return new TargetMorphing(geometry, positions, normals, morphs);
   }
   const rows = (of: 'positions' | 'normals') => morphs.map((m) => m[of]);
-  // Made as such in `skin-geometry.ts`; three.js's type allows interleaved ones too.
+  // Created as such in `skin-geometry.ts`; three.js's type allows interleaved ones too.
   const position = geometry.getAttribute('position') as BufferAttribute;
   const normal = geometry.getAttribute('normal') as BufferAttribute;
   return new SummedMorphing(morphs.length, [
@@ -105,15 +105,15 @@ class SummedMorphing implements Morphing {
   }
 }
 
-/** Morphs' differences to the base, sorted by vertex. */
+/** Differences of morphs to the base, sorted by vertex. */
 interface Differences {
-  /** Vertices that any morph moves, ascending. */
+  /** Vertices moved by any morph, ascending. */
   readonly vertices: Uint32Array;
-  /** One more than `vertices`: the i-th has the differences `start[i]` up to (not including) `start[i + 1]`. */
+  /** One longer than `vertices`: the i-th has the differences `start[i]` up to (not including) `start[i + 1]`. */
   readonly start: Uint32Array;
-  /** Whose difference it is. */
+  /** The morph of each difference. */
   readonly morphs: Uint32Array;
-  /** x y z each; floats, as the GPU would have them. */
+  /** x y z each; floats, as on the GPU. */
   readonly values: Float32Array;
 }
 
@@ -130,7 +130,7 @@ function* sortByVertex(morphs: readonly MorphRows[], base: Float64Array): Steps<
   }
   const vertices = new Uint32Array(moved);
   const start = new Uint32Array(moved + 1);
-  /** Where a vertex's next difference goes. */
+  /** Index of a vertex's next difference. */
   const next = counts;
   let i = 0;
   for (let v = 0; v < vertexCount; v++) {

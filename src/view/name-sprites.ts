@@ -1,20 +1,20 @@
 /**
- * Names as pictures. To write a text with a halo takes the browser as long as to copy ten: so each name is written once
- * in each of its colours, on a canvas that is never seen, and copied from there in every frame, pixel for pixel.
+ * Names as sprites. Drawing a text with a halo takes as long as copying ten: so each name is drawn once per colour on
+ * an offscreen canvas, and copied from there each frame, pixel for pixel.
  */
 import { Shelves } from './shelves.ts';
 
 const FONT = '500 11px system-ui, -apple-system, "Segoe UI", sans-serif';
-/** CSS pixels. Of a strip: a line of text with the halo's room above and below. */
+/** CSS pixels of a strip: a line of text with its halo. */
 const STRIP_HEIGHT = 20;
-/** Around the text, for its halo. */
+/** Margin around the text, for its halo. */
 const MARGIN = 4;
 const HALO_WIDTH = 3;
-/** CSS pixels. More than a frame has names, unless they are long; then the oldest make room. */
+/** CSS pixels. Larger than a frame's names, unless they are long; then the oldest are dropped. */
 const PICTURE_WIDTH = 1024;
 const PICTURE_HEIGHT = 512;
 
-/** A text, and where in the picture it is in which colour. */
+/** A text, and its sprite per colour. */
 export interface Name {
   readonly text: string;
   /** CSS pixels. */
@@ -24,7 +24,7 @@ export interface Name {
 
 interface Sprite {
   readonly color: string;
-  /** Of the picture that it is in: what has been cleared since has no sprites any more. */
+  /** Generation of the atlas that it is in: clearing the atlas invalidates its sprites. */
   generation: number;
   /** Device pixels. */
   x: number;
@@ -48,7 +48,7 @@ export class NameSprites {
     this.setRatio(1);
   }
 
-  /** Device pixels a CSS pixel. */
+  /** Device pixels per CSS pixel. */
   setRatio(ratio: number): void {
     this.ratio = ratio;
     this.canvas.width = Math.round(PICTURE_WIDTH * ratio);
@@ -62,7 +62,7 @@ export class NameSprites {
     this.clear();
   }
 
-  /** The name that is written for this text, which is the same for the same text. */
+  /** The name of this text; the same object for the same text. */
   name(text: string): Name {
     let name = this.known.get(text);
     if (!name) {
@@ -74,16 +74,17 @@ export class NameSprites {
   }
 
   /**
-   * Copies a name to a canvas, whose pen is in device pixels.
-   * @param left CSS pixels; of the first letter
-   * @param middle CSS pixels; of the line
+   * Copies a name to a canvas whose context is in device pixels.
+   *
+   * @param left of the first letter, CSS pixels
+   * @param middle of the line, CSS pixels
    */
   draw(pen: CanvasRenderingContext2D, name: Name, color: string, left: number, middle: number): void {
     const { ratio, shelves } = this;
     const width = this.widthOf(name);
     const height = shelves.shelfHeight;
     const sprite = this.spriteOf(name, color, width);
-    // To whole pixels, or it would be blurred.
+    // Aligned to device pixels, or it would be blurred.
     const x = Math.round((left - MARGIN) * ratio);
     const y = Math.round((middle - STRIP_HEIGHT / 2) * ratio);
     if (sprite) pen.drawImage(this.canvas, sprite.x, sprite.y, width, height, x, y, width, height);
@@ -122,14 +123,14 @@ export class NameSprites {
     pen.fillText(text, MARGIN, STRIP_HEIGHT / 2);
   }
 
-  /** What was copied from it stays where it was copied to. */
+  /** Clears the atlas; what was copied from it stays. */
   private clear(): void {
     const { pen, canvas } = this;
     this.generation++;
     this.shelves.clear();
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.clearRect(0, 0, canvas.width, canvas.height);
-    // A canvas of another size has forgotten these.
+    // Resizing a canvas resets these.
     pen.font = FONT;
     pen.textBaseline = 'middle';
     pen.lineJoin = 'round';

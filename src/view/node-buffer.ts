@@ -1,11 +1,11 @@
 /**
- * Balls and bones of all nodes in one small buffer: 8 floats a node, from which the vertex shader makes the matrices.
- * Written out on this side, they would be 32, to be made and to be brought to the GPU in every frame.
+ * Balls and bones of all nodes in one small buffer: 8 floats a node, from which the vertex shader builds the matrices.
+ * Built on the CPU, that would be 32 floats to compute and upload every frame.
  *
  *     nodeEnd    x y z of the node, radius of its ball
- *     nodeStart  x y z of where the bone to it starts, the bone's radius there
+ *     nodeStart  x y z of the start of its bone, the bone's radius there
  *
- * Materials and meshes stay those of three.js for instances: `instanceMatrix` in their shaders is this one's.
+ * Materials and meshes are three.js's instanced ones; `instanceMatrix` in their shaders is replaced.
  */
 import {
   type BufferGeometry,
@@ -22,7 +22,7 @@ import { boneMatrix, sphereMatrix } from '../evaluate/shapes/joint-shapes.ts';
 
 export type NodeShape = 'ball' | 'bone';
 
-/** Floats a node. */
+/** Floats per node. */
 export const NODE_STRIDE = 8;
 
 export class NodeBuffer {
@@ -30,11 +30,11 @@ export class NodeBuffer {
 
   /** 8 a node, as above. */
   get values(): Float32Array {
-    // Made below as a Float32Array; its type says any array.
+    // Created below as a Float32Array; three.js types it as any array.
     return this.buffer.array as Float32Array;
   }
 
-  /** Room for `count` nodes, and the buffer is what these shapes are drawn with. */
+  /** Makes room for `count` nodes and attaches the buffer to these geometries. */
   resize(count: number, geometries: readonly BufferGeometry[]): void {
     if (count > this.buffer.count) this.buffer = interleaved(count);
     for (const geometry of geometries) {
@@ -45,7 +45,7 @@ export class NodeBuffer {
     }
   }
 
-  /** To the GPU, when it is drawn next. */
+  /** Uploads with the next draw. */
   filled(): void {
     this.buffer.needsUpdate = true;
   }
@@ -57,11 +57,11 @@ function interleaved(count: number): InstancedInterleavedBuffer {
   return buffer;
 }
 
-/** Scratch, never escapes: where a bone starts and ends, as matrices of which only the place is read. */
+/** Scratch, never escapes: start and end of a bone, as matrices of which only the translation is read. */
 const ends = new Float64Array(32);
 const made = new Float32Array(16);
 
-/** Balls or bones: as many instances as `count` says, without matrices of their own. */
+/** Balls or bones: `count` instances without matrices of their own. */
 export class NodeMesh extends InstancedMesh {
   constructor(
     geometry: BufferGeometry,
@@ -74,7 +74,7 @@ export class NodeMesh extends InstancedMesh {
     this.customDepthMaterial = drawnByNodes(new MeshDepthMaterial(), shape);
   }
 
-  /** What the shader makes of the buffer. */
+  /** The matrix that the shader builds from the buffer. */
   override getMatrixAt(index: number, matrix: Matrix4): Matrix4 {
     const { nodeEnd, nodeStart } = this.geometry.attributes;
     for (let k = 0; k < 3; k++) {
@@ -116,7 +116,7 @@ const MATRICES: Readonly<Record<NodeShape, string>> = {
   `,
 };
 
-/** The material, for a `NodeMesh` of this shape. */
+/** Adapts the material for a `NodeMesh` of this shape. */
 export function drawnByNodes<M extends Material>(material: M, shape: NodeShape): M {
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = /* glsl */ `

@@ -1,6 +1,6 @@
 /**
- * Matrices of balls and bones for all nodes of one skeleton at one placement: what the skeleton drawing does in every
- * frame, and ghosts for every ghost. Allocates nothing.
+ * Matrices of balls and bones for all nodes of a skeleton at one placement, used by the skeleton drawing every frame
+ * and for every ghost. Allocates nothing.
  */
 import { boneMatrix, type JointSizes, sphereMatrix } from '../evaluate/shapes/joint-shapes.ts';
 import { multiplyAffine } from '../math/mat4.ts';
@@ -8,9 +8,10 @@ import type { Nodes } from './drawn-skeletons.ts';
 import { NODE_STRIDE } from './node-buffer.ts';
 
 /**
- * Writes the matrices of all joints in the scene to `out`, 16 each, and after them those of the End Sites, of which only
- * the place is written.
- * @param world 16 a joint, in the character's space
+ * Writes the scene matrices of all joints to `out`, 16 numbers each, followed by those of the End Sites, of which only
+ * the translation is written.
+ *
+ * @param world 16 numbers per joint, in the character's space
  */
 export function placeNodes(
   nodes: Nodes,
@@ -34,9 +35,10 @@ export function placeNodes(
 }
 
 /**
- * Writes where all joints and End Sites are in the scene, x y z each from node `first` on: all that balls and bones are
- * made of, and a third of the work.
- * @param world 16 a joint, in the character's space
+ * Writes the scene positions of all joints and End Sites, x y z each, from node `first` on: all that balls and bones
+ * need, at a third of the cost.
+ *
+ * @param world 16 numbers per joint, in the character's space
  */
 export function placePositions(
   { count, jointCount, owners, ends }: Nodes,
@@ -79,10 +81,7 @@ export function placePositions(
   }
 }
 
-/**
- * `placeNodes`, but of joints too only the place is written, which is all that balls and bones are made of: a third of
- * the work.
- */
+/** `placeNodes` with only translations for joints too, which is all that balls and bones need: a third of the cost. */
 export function placePoints(
   nodes: Nodes,
   placements: Float64Array,
@@ -113,7 +112,7 @@ function placePoint(m: Float64Array, p: number, x: number, y: number, z: number,
   out[o + 2] = m[p + 2] * x + m[p + 6] * y + m[p + 10] * z + m[p + 14];
 }
 
-/** A placement's scale, which balls and thicknesses take part in: the length of its x column. */
+/** A placement's uniform scale, applied to balls and thicknesses: the length of its x column. */
 export function placementScale(placements: Float64Array, p: number): number {
   const x = placements[p];
   const y = placements[p + 1];
@@ -122,8 +121,9 @@ export function placementScale(placements: Float64Array, p: number): number {
 }
 
 /**
- * Writes the ball of every node and the bone that leads to it, from instance `first` on.
- * @param world as `placeNodes` or `placePoints` gives it
+ * Writes the ball of every node and the bone to it, from instance `first` on.
+ *
+ * @param world from `placeNodes` or `placePoints`
  */
 export function fillBones(
   nodes: Nodes,
@@ -150,8 +150,9 @@ export function fillBones(
 }
 
 /**
- * `fillBones` for a `NodeBuffer`: the ball of every node and the bone that leads to it, from node `first` on.
- * @param positions as `placePositions` gives them
+ * `fillBones` for a `NodeBuffer`: the ball of every node and the bone to it, from node `first` on.
+ *
+ * @param positions from `placePositions`
  */
 export function fillNodes(
   { count, jointCount, parents }: Nodes,

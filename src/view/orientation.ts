@@ -1,6 +1,6 @@
 /**
- * The little cross of axes in the corner: how the camera is turned, and six buttons to look along an axis. HTML and SVG,
- * so that buttons have names and take the keyboard; touched only when the camera turned.
+ * The axis widget in the corner: shows the camera's orientation, with six buttons to look along an axis. HTML and SVG,
+ * so that buttons are accessible; updated only when the camera turns.
  *
  *     x right side … a button's place is the axis in the camera's space:  (m · e).xy,  behind where z is smaller
  */
@@ -9,7 +9,7 @@ import type { ViewDirection } from './camera.ts';
 import type { StageTheme } from './theme.ts';
 
 const SIZE = 76;
-/** From the middle to a button's. */
+/** From the centre to a button's centre. */
 const ARM = 27;
 const SVG = 'http://www.w3.org/2000/svg';
 
@@ -84,7 +84,7 @@ export class Orientation {
     this.last.fill(Number.NaN);
   }
 
-  /** Every frame: moves the arms where the camera turned. */
+  /** Call every frame: moves the arms if the camera turned. */
   update(camera: Camera): void {
     const m = camera.matrixWorldInverse.elements;
     let turned = false;

@@ -1,6 +1,6 @@
 /**
- * What tools draw over the picture (gizmos, pins): objects of the scene that come with their tool and go with it. The
- * viewport gives them each frame, and does not know what they are.
+ * What tools draw over the scene (gizmos, pins): objects that are added and removed with their tool. The viewport
+ * updates them each frame and doesn't know what they are.
  */
 import type { Object3D, OrthographicCamera, PerspectiveCamera, Scene } from 'three';
 import type { StageTheme } from './theme.ts';
@@ -8,7 +8,7 @@ import type { StageTheme } from './theme.ts';
 export interface Overlay {
   /** In the scene: world coordinates. */
   readonly object: Object3D;
-  /** Before each picture, when poses and camera are as they will be drawn. @param heightPx CSS pixels of the viewport */
+  /** Call before each frame, with poses and camera as they will be drawn. @param heightPx CSS pixels of the viewport */
   update(camera: PerspectiveCamera | OrthographicCamera, heightPx: number): void;
   setTheme(theme: StageTheme): void;
   dispose(): void;
@@ -19,7 +19,7 @@ export class Overlays {
 
   constructor(private readonly scene: Scene) {}
 
-  /** @returns takes it away again, and disposes of it */
+  /** @returns removes and disposes of it */
   add(overlay: Overlay, theme: StageTheme): () => void {
     this.list.add(overlay);
     this.scene.add(overlay.object);

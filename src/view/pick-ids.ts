@@ -1,6 +1,6 @@
 /**
- * What an ID render writes and how it is read back: every joint, bone and skin vertex that can be picked has a number,
- * drawn as a colour. Numbers are handed out in runs (one for the joints, one a skin), 0 is "nothing".
+ * Encodes ids for the picking render: every joint, bone and skin vertex that can be picked has a number, drawn as a
+ * colour. Numbers are assigned in runs (one for the joints, one per skin); 0 is "nothing".
  *
  *     colour = (id & 255, id >> 8 & 255, id >> 16 & 255, id >> 24) / 255        little end first
  */
@@ -11,12 +11,12 @@ export interface IdRun<T> {
   readonly what: T;
 }
 
-/** Hands out ids 1, 2, 3 …, at most 2³² − 1 of them. */
+/** Assigns ids 1, 2, 3 …, at most 2³² − 1 of them. */
 export class IdRuns<T> {
   private readonly runs: IdRun<T>[] = [];
   private next = 1;
 
-  /** The first of `count` ids that stand for `what`. */
+  /** Assigns `count` ids to `what` and returns the first. */
   add(count: number, what: T): number {
     const first = this.next;
     this.runs.push({ first, count, what });
@@ -42,13 +42,13 @@ export function encodeId(id: number): [number, number, number, number] {
 /** The id of pixel `index` of RGBA bytes. */
 export function decodeId(pixels: ArrayLike<number>, index: number): number {
   const i = 4 * index;
-  // A product for the last byte: shifting it would make the number negative.
+  // Multiplied, since shifting the last byte could make the number negative.
   return pixels[i] + (pixels[i + 1] << 8) + (pixels[i + 2] << 16) + pixels[i + 3] * 0x1000000;
 }
 
 /**
- * The id nearest the centre of a square picture that `accepts` takes, within `reach` pixels of the centre; 0 for none.
- * Equally near ones: the lower row, then the further left, always the same.
+ * The id nearest to the centre of a square image, within `reach` pixels, that `accepts` takes; 0 for none. Ties are
+ * resolved in a fixed order: the lower row, then the further left.
  */
 export function nearestId(
   pixels: ArrayLike<number>,

@@ -1,6 +1,6 @@
 /**
- * Which copy of a character is worked on: the one that was picked last in the picture. Lists, arrow keys and edits name
- * joints, which all copies share, and leave it as it is; another character begins with its first.
+ * Which instance of a character is edited: the last one picked in the viewport. Lists, arrow keys and edits name
+ * joints, which all instances share, and don't change it; another character starts with its first.
  */
 import type { Character } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
@@ -9,14 +9,14 @@ export class PickedCopy {
   private characterId: string | undefined;
   private placement = 0;
 
-  /** After each selection. */
+  /** Call after each selection. */
   follow({ characterId, placement }: Selection): void {
     if (characterId !== this.characterId) this.placement = 0;
     this.characterId = characterId;
     if (placement !== undefined) this.placement = placement;
   }
 
-  /** Index of its placement; the first where no other was picked, or that is gone. */
+  /** Index of the placement; 0 if none was picked, or it no longer exists. */
   of({ id, placements }: Pick<Character, 'id' | 'placements'>): number {
     return id === this.characterId && this.placement < placements.length ? this.placement : 0;
   }

@@ -1,13 +1,12 @@
 /**
- * What is under the pointer, by drawing ids in place of colours into a picture of a few pixels around it, and reading
- * those back: as exact as the drawing itself (skinning, morphs, hidden parts), and no ray ever walks a million triangles.
+ * Picking by drawing ids instead of colours into a few pixels around the pointer and reading them back: as exact as the
+ * rendering itself (skinning, morphs, hidden parts), without intersecting a million triangles.
  *
- *     joints   edges, faces, balls: one id a joint; bones: one id each, which stands for the joint they start from
- *     skins    one id a vertex: a triangle has the id of its last vertex (the one that flat shading takes)
+ *     joints   edges, faces, balls: one id per joint; bones: one id each, meaning the joint where they start
+ *     skins    one id per vertex: a triangle has the id of its last vertex (the provoking vertex of flat shading)
  *
- * From the last vertex the triangle is found among those that end in it, and the vertex picked is its corner nearest
- * the pointer. Drawing all vertices as points and taking the nearest was the alternative: on a coarse skin there is
- * none within reach, and on a fine one it draws a million points more.
+ * The triangle is found among those that end in that vertex, and its corner nearest the pointer is picked. Rejected:
+ * drawing all vertices as points. A coarse skin has none near the pointer, and a fine one would draw a million more.
  */
 import {
   type Camera,
@@ -31,7 +30,7 @@ import { ID_FRAGMENT } from './thick-lines.ts';
 export interface Hit {
   readonly characterId: string;
   readonly placement: number;
-  /** Of a hit on the skin: the joint with the largest weight on the vertex. */
+  /** For a hit on the skin: the joint with the largest weight on the vertex. */
   readonly joint?: number;
   readonly vertex?: number;
 }
@@ -50,14 +49,14 @@ export interface PickScene {
   readonly height: number;
   readonly skeletons: SkeletonDrawing;
   readonly skins: readonly DrawnSkin[];
-  /** A skin hides the joints in it; otherwise joints are picked through it. */
+  /** Whether skins hide the joints inside; otherwise joints are picked through them. */
   readonly skinsAreOpaque: boolean;
 }
 
-/** Side of the picture in CSS pixels: the pointer's, and this many on each side of it. */
+/** Side of the picking image in CSS pixels: the pointer's, and this many on each side. */
 const SLACK = 7;
 const SIZE = 2 * SLACK + 1;
-/** How near to a line or a small ball is near enough, CSS pixels. */
+/** Hit tolerance for lines and small balls, CSS pixels. */
 const JOINT_REACH = 5;
 const SKIN_REACH = 4;
 
@@ -74,12 +73,12 @@ export class Picker {
   });
   private readonly pixels = new Uint8Array(4 * SIZE * SIZE);
   private readonly runs = new IdRuns<Pickable>();
-  /** One a skin with more attachments than the attributes hold, one for all the others. */
+  /** One per skin with more attachments than the attributes hold, one for all others. */
   private readonly materials = new Map<unknown, ShaderMaterial>();
 
   constructor(private readonly renderer: WebGLRenderer) {}
 
-  /** @param x, y CSS pixels from the viewport's left top */
+  /** @param x, y CSS pixels from the viewport's top left */
   pick(scene: PickScene, x: number, y: number): Hit | undefined {
     if (scene.skinsAreOpaque) {
       this.draw(scene, x, y, true, true);
@@ -91,7 +90,7 @@ export class Picker {
     return this.skinHit(scene, x, y);
   }
 
-  /** Only joints, and skins where they hide them: cheap enough for each move of the pointer. */
+  /** Only joints, and skins that hide them: cheap enough for every pointer move. */
   pickJoint(scene: PickScene, x: number, y: number): JointRef | undefined {
     this.draw(scene, x, y, true, scene.skinsAreOpaque);
     return this.jointHit(scene);
@@ -134,7 +133,7 @@ export class Picker {
     }
   }
 
-  /** The mesh itself, in another material: what it is drawn with otherwise is back when this returns. */
+  /** Draws the mesh in another material and restores its own. */
   private drawSkin(skin: DrawnSkin, camera: Camera): void {
     const { mesh } = skin;
     const material = this.materialFor(mesh);
@@ -182,7 +181,7 @@ export class Picker {
   }
 }
 
-/** The joint that moves a vertex most: the largest weight, the first of equal ones; none where nothing does. */
+/** The joint with the largest weight on a vertex, the first if equal; undefined without weights. */
 export function heaviestJoint({ attachments }: Skin, vertex: number): number | undefined {
   if (!attachments) return 0;
   let best: number | undefined;
@@ -195,7 +194,7 @@ export function heaviestJoint({ attachments }: Skin, vertex: number): number | u
   return best;
 }
 
-/** The triangles that end in this vertex, as indices of their first corner in `triangles`. */
+/** Triangles that end in this vertex, as indices of their first corner in `triangles`. */
 export function trianglesEndingIn(triangles: ArrayLike<number>, vertex: number): number[] {
   const found: number[] = [];
   for (let t = 2; t < triangles.length; t += 3) if (triangles[t] === vertex) found.push(t - 2);
@@ -203,8 +202,8 @@ export function trianglesEndingIn(triangles: ArrayLike<number>, vertex: number):
 }
 
 /**
- * Of the triangles that end in `last`, the one under the pointer (or nearest to it), and of that the corner nearest to
- * the pointer on screen. `at` is the pointer in −1 … 1.
+ * Of the triangles that end in `last`, the one under the pointer (or nearest to it), and of its corners the one nearest
+ * to the pointer on screen. `at` is the pointer in −1 … 1.
  */
 function nearestCorner(mesh: MarrowSkinnedMesh, last: number, camera: Camera, aspect: number, at: Vector3): number {
   const { triangles } = mesh.gpu.skin;
@@ -229,7 +228,7 @@ function nearestCorner(mesh: MarrowSkinnedMesh, last: number, camera: Camera, as
   return best;
 }
 
-/** Of the origin to a triangle in the plane, either winding; 0 inside. */
+/** Distance from the origin to a triangle in the plane, either winding; 0 inside. */
 function distanceToTriangle([a, b, c]: readonly Vector3[]): number {
   const side = (p: Vector3, q: Vector3) => p.x * q.y - p.y * q.x;
   const s = [side(a, b), side(b, c), side(c, a)];
@@ -237,7 +236,7 @@ function distanceToTriangle([a, b, c]: readonly Vector3[]): number {
   return Math.min(toSegment(a, b), toSegment(b, c), toSegment(c, a));
 }
 
-/** Distance of the origin to a segment in the plane. */
+/** Distance from the origin to a segment in the plane. */
 function toSegment(p: Vector3, q: Vector3): number {
   const dx = q.x - p.x;
   const dy = q.y - p.y;
@@ -248,7 +247,7 @@ function toSegment(p: Vector3, q: Vector3): number {
 
 function skinIdMaterial(): ShaderMaterial {
   return new ShaderMaterial({
-    // Winding means nothing in real files.
+    // Real files have any winding.
     side: DoubleSide,
     toneMapped: false,
     uniforms: { firstId: { value: 1 } },

@@ -1,4 +1,4 @@
-/** A small picture of a character in a pose, on a canvas: see-through where nothing is, in two colours of the page. */
+/** A thumbnail of a character in a pose, on a canvas: transparent background, two colours of the page. */
 import { frontOf, look } from '../evaluate/shapes/look.ts';
 import { type Rgb, rasterise } from '../evaluate/shapes/rasterise.ts';
 import { type Posed, solidOf } from '../evaluate/shapes/solids.ts';
@@ -9,12 +9,13 @@ export interface ThumbnailColours {
   readonly bright: Rgb;
 }
 
-/** Pixels drawn for one that is shown, each way: edges are smooth then. */
+/** Supersampling per axis, for smooth edges. */
 const OVERSAMPLED = 2;
 
 /**
- * Draws it as large as the canvas is; false where there is nothing to draw.
- * @param values one for each of the character's DOFs
+ * Draws it at the canvas's size; false if there is nothing to draw.
+ *
+ * @param values one per DOF of the character
  */
 export function drawPose(
   canvas: HTMLCanvasElement,

@@ -4,18 +4,17 @@
  *
  *     transport's time ─► action.time ─► mixer.update(0) ─► our interpolant ─► evaluate/pose.ts ─► Dofs
  *
- * One track with as many values as there are DOFs is far cheaper than one a DOF: what a track costs in bindings, mixing
- * and calls is then paid once a character. Its keyframes are the channels' own, or the clip's samples, in doubles: the
- * interpolant reads those and not the floats that three.js keeps in a track, so tangents, steps and extrapolation are
- * exact at any time, before 0 and past the end too, and a take of 100,000 frames is not copied to be played. What the
- * clip leaves free (DOFs without a channel, a pose set by hand, limits) comes out of the same function that the command
- * line uses.
+ * One track for all DOFs is far cheaper than one per DOF: the cost of a track in bindings, mixing and calls is paid
+ * once per character. The interpolant reads the channels' own keys, or the clip's samples, in doubles rather than the
+ * floats of a three.js track. So tangents, steps and extrapolation are exact at any time, also before 0 and past the
+ * end, and a take of 100,000 frames isn't copied to be played. Everything else (DOFs without a channel, unkeyed
+ * changes, limits) is evaluated by the same function as on the command line.
  *
- * How it has to be done with three.js 0.187:
- *  - The property that a track drives needs `fromArray` and `toArray`; a bare typed array is replaced by a number.
- *  - `createInterpolant` is put on the instance: the constructor sets its own there, over any method.
- *  - A clip's duration must be above 0. Nothing else is made of it, or of the track's own time, for the transport wraps,
- *    bounces and stops by itself; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
+ * What three.js 0.187 requires:
+ * - The property that a track drives needs `fromArray` and `toArray`; a bare typed array is replaced by a number.
+ * - `createInterpolant` is put on the instance: the constructor sets its own there, hiding any method.
+ * - A clip's duration must be above 0. It is used for nothing else, nor is the track's own time: the transport itself
+ *   wraps, bounces and stops; `mixer.setTime`, `LoopOnce` and ping-pong would wrap, revert or invert the time.
  */
 import { type AnimationAction, AnimationClip, AnimationMixer, Interpolant, NumberKeyframeTrack, Object3D } from 'three';
 import { dofCountOf, type PoseSource, poseFrom, poseSource } from '../evaluate/pose.ts';
@@ -41,7 +40,7 @@ class Dofs {
   }
 }
 
-/** What a mixer is made for: three.js finds the track's property on it by name. */
+/** The mixer's root: three.js finds the track's property on it by name. */
 class Posed extends Object3D {
   readonly dofs: Dofs;
 
@@ -53,7 +52,7 @@ class Posed extends Object3D {
 
 const TRACK = '.dofs' satisfies `.${keyof Posed & string}`;
 
-/** Interpolates the keyframes of a character's channels; the mixer lends it the buffer. */
+/** Interpolates a character's channels; the mixer provides the buffer. */
 class PoseInterpolant extends Interpolant {
   constructor(
     times: Float32Array,
@@ -64,23 +63,23 @@ class PoseInterpolant extends Interpolant {
   }
 
   override evaluate(timeSeconds: number): Float64Array {
-    // The buffer is the constructor's above, or the mixer's, which is one of doubles too.
+    // The constructor's buffer above, or the mixer's, which holds doubles too.
     const out = this.resultBuffer as Float64Array;
     poseFrom(this.player.source, timeSeconds, out, this.player.rotations);
     return out;
   }
 
-  /** Of no use: `evaluate` is ours. */
+  /** Never called: `evaluate` is overridden. */
   override interpolate_(): Float64Array {
     return this.evaluate(0);
   }
 }
 
-/** Plays one character. Made anew when its DOFs or its clip change; anything else is seen without. */
+/** Plays one character. Recreated when its DOFs or clip change; other edits need nothing. */
 export class PosePlayer {
-  /** Of the character whose pose and clip are read. It holds the compiled clip, or each frame might have to make it. */
+  /** Source of pose and clip. Keeps the compiled clip alive, so that frames don't have to recompile it. */
   source: PoseSource;
-  /** Those that samples gave to the joints at that time, beside `dofs`; undefined where no samples drive the character. */
+  /** Sampled rotations of joints at that time, beside `dofs`; undefined unless samples drive the character. */
   rotations: PoseRotations | undefined;
   /** Each DOF's value at the time of the last `seek`, in the order of `model/dofs.ts`. */
   readonly dofs: Float64Array;
@@ -93,7 +92,7 @@ export class PosePlayer {
     this.rotations = rotationsFor(this.source);
     const { count } = this.source;
     const track = new NumberKeyframeTrack(TRACK, [0], new Float32Array(count));
-    // three.js declares the three methods it puts here one by one; it only ever calls this one.
+    // three.js assigns this method per instance; it calls no other.
     Object.assign(track, { createInterpolant: () => new PoseInterpolant(track.times, track.values, this) });
     const clip = shownClip(character);
     const duration = clip ? clip.range[1] - clip.range[0] : 0;
@@ -104,7 +103,7 @@ export class PosePlayer {
     this.action = this.mixer.clipAction(this.clip).play();
   }
 
-  /** Replaced after an edit that keeps DOFs and clip. */
+  /** Replace after an edit that keeps DOFs and clip. */
   set character(character: Character) {
     this.source = poseSource(character);
     this.rotations = rotationsFor(this.source);
@@ -114,7 +113,7 @@ export class PosePlayer {
     return this.source.character;
   }
 
-  /** Whether this can go on playing the character after an edit. */
+  /** Whether it can play the edited character. */
   fits(character: Character): boolean {
     return dofCountOf(character) === this.dofs.length && shownClip(character) === shownClip(this.character);
   }

@@ -1,16 +1,16 @@
-/** Where in a picture strips of one height find room: on shelves, from the left, the next one below. */
+/** Packs strips of one height into an image: shelf by shelf, from the left. */
 export class Shelves {
   private x = 0;
   private y = 0;
 
-  /** All in pixels of the picture. */
+  /** Pixels of the image. */
   constructor(
     readonly width: number,
     readonly height: number,
     readonly shelfHeight: number,
   ) {}
 
-  /** Writes x and y of the corner of a strip to `out`; false where there is no room left, or never was. */
+  /** Writes x and y of a strip's corner to `out`; false if it doesn't fit. */
   place(width: number, out: Float64Array): boolean {
     if (width > this.width) return false;
     const fits = this.x + width <= this.width;
@@ -24,7 +24,7 @@ export class Shelves {
     return true;
   }
 
-  /** All room is free again. */
+  /** Frees all space. */
   clear(): void {
     this.x = 0;
     this.y = 0;

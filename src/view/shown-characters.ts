@@ -1,7 +1,7 @@
 /**
- * The characters in the picture, each with its view and the matrices of its placements: which came, went or changed
- * after an edit, where they are in a frame. Hidden ones are kept and posed, for their numbers can be read; whatever is
- * drawn, picked or framed goes through `visible`.
+ * The characters of the scene, each with its view and placement matrices: which were added, removed or changed by an
+ * edit, and where they are in a frame. Hidden ones are kept and posed, since their values can be read; only `visible`
+ * ones are drawn, picked or framed.
  */
 import { Box3, type Group, Vector3 } from 'three';
 import { placementMatrix } from '../evaluate/placements.ts';
@@ -15,24 +15,24 @@ import type { Tints } from './theme.ts';
 export interface ShownCharacter {
   readonly view: CharacterView;
   character: Character;
-  /** 16 a placement: see `placements.ts`. */
+  /** 16 numbers per placement: see `placements.ts`. */
   placements: Float64Array;
-  /** Whose they are; undefined where they change with the pose. */
+  /** The character they were computed for; undefined if they change with the pose. */
   placedFor: Character | undefined;
 }
 
-/** Of the played range, looked at when everything is framed. */
+/** Times of the playback range that framing everything considers. */
 const FRAMED_MOMENTS = 16;
-/** Framing leaves a character's motion at most so much more room than it takes now. */
+/** Motion enlarges the framed box to at most this multiple of its current size. */
 const MAX_ROOM = 3;
 
 export class ShownCharacters {
   private readonly byId = new Map<string, ShownCharacter>();
-  /** The same, as a list: walking it allocates nothing. */
+  /** The same as a list, since iterating it allocates nothing. */
   all: readonly ShownCharacter[] = [];
-  /** Those that are not hidden. */
+  /** Those that aren't hidden. */
   visible: readonly ShownCharacter[] = [];
-  /** Around all that is visible, as of the last `place`. */
+  /** Bounds of everything visible, as of the last `place`. */
   readonly content = new Box3();
   private readonly room = new Box3();
   private readonly box = new Box3();
@@ -42,8 +42,8 @@ export class ShownCharacters {
 
   /**
    * @param parent of the views' objects
-   * @param create makes the view of a character that is new
-   * @param prepare is given each whose skin is not there yet
+   * @param create makes the view of a new character
+   * @param prepare called for each whose skin isn't ready yet
    */
   constructor(
     private readonly parent: Group,
@@ -55,15 +55,16 @@ export class ShownCharacters {
     return id === undefined ? undefined : this.byId.get(id);
   }
 
-  /** One that can be seen. */
+  /** The entry if it is visible. */
   seen(id: string | undefined): ShownCharacter | undefined {
     const entry = this.get(id);
     return entry?.character.isHidden ? undefined : entry;
   }
 
   /**
-   * After an edit.
-   * @param everything characters that did not change are shown anew too
+   * Call after an edit.
+   *
+   * @param everything refresh unchanged characters too
    */
   show(document: Document, display: Display, selection: Selection, timeSeconds: number, everything: boolean): void {
     const { byId } = this;
@@ -96,7 +97,7 @@ export class ShownCharacters {
     for (let i = 0; i < this.all.length; i++) this.all[i].view.seek(timeSeconds);
   }
 
-  /** The skeletons that can be seen, to be drawn. */
+  /** The visible skeletons, to be drawn. */
   posedSkeletons(tints: Tints): PosedSkeleton[] {
     const posed: PosedSkeleton[] = [];
     for (const { view, character, placements } of this.visible) {
@@ -109,7 +110,7 @@ export class ShownCharacters {
     return posed;
   }
 
-  /** Every frame in which something moved: matrices of the placements, and the box around everything. */
+  /** Call every frame in which something moved: computes placement matrices and the bounds of everything. */
   place(inPlace: boolean): void {
     const { content, box, visible } = this;
     content.makeEmpty();
@@ -128,8 +129,8 @@ export class ShownCharacters {
   }
 
   /**
-   * Around everything, or these, at all moments played, as far as a few of them tell: who walks about is not framed out of the
-   * picture. Who walks far away would make dots of all, and counts where it stands.
+   * Bounds of everything, or of `these`, over the playback range, sampled at a few times, so that walking characters
+   * stay in frame. One that walks far away would shrink everything: it counts where it is now.
    */
   roomOfMotion([start, end]: readonly [number, number], timeSeconds: number, these = this.visible): Box3 {
     const { room, box, own, size } = this;
@@ -157,7 +158,7 @@ export class ShownCharacters {
   }
 }
 
-/** Where a skin's vertex is drawn, in the world; false where there is none. */
+/** World position of a skin's vertex as drawn; false if there is none. */
 export function vertexPosition(
   { view, character, placements }: ShownCharacter,
   vertex: number,

@@ -1,6 +1,6 @@
 /**
- * A skin as it is shown: its data on the GPU, its morphs, its materials, and for each placement one mesh and the lines
- * that go with it. Matrices and bounds are there at once; what takes a while with a large skin is a generator.
+ * A skin in the scene: its GPU data, morphs, materials, and for each placement a mesh with its lines. Matrices and
+ * bounds are available at once; what takes long for a large skin is a generator.
  */
 import { type Box3, BufferAttribute, type BufferGeometry, type Group, type Sphere, type Texture } from 'three';
 import { posedBounds, type SkinBounds, skinBounds } from '../evaluate/bounds.ts';
@@ -17,19 +17,19 @@ import type { SkinTheme } from './skin-theme.ts';
 import { ExactSkeleton, MarrowSkinnedMesh, type SkinGpu, SkinnedLines } from './skinning.ts';
 import { runInSlices } from './slices.ts';
 
-/** Up to so many vertices a skin is built, and its wire made, at once: a few milliseconds. */
+/** Skins and their wireframes are built at once up to this many vertices: a few milliseconds. */
 export const BUILT_AT_ONCE = 40_000;
 /** Length of the lines that show normals, as a part of the skin's diagonal. */
 const NORMAL_LENGTH = 0.015;
 
-/** Everything that `build` brings. */
+/** The result of `build`. */
 interface Built {
   readonly gpu: SkinGpu;
   readonly morphing: Morphing;
   readonly materials: SkinMaterials;
 }
 
-/** What a placement shows of the skin. */
+/** The skin's objects at one placement. */
 interface Placed {
   readonly group: Group;
   readonly mesh: MarrowSkinnedMesh;
@@ -39,7 +39,7 @@ interface Placed {
 
 export class ShownSkin {
   readonly bounds: SkinBounds;
-  /** Called when something can be seen that was asked for earlier. */
+  /** Called when something requested earlier becomes visible. */
   onLater: () => void = () => {};
   private readonly compiled: CompiledSkin;
   private readonly skeleton: ExactSkeleton;
@@ -50,7 +50,7 @@ export class ShownSkin {
   private tint: string | undefined;
   private isRevealed = false;
   private readonly ended = new AbortController();
-  /** Edges as lines; all geometries are over the same vertices. */
+  /** Edges as lines; all geometries share the vertices. */
   private wire: BufferGeometry | undefined;
   private wireIsComing = false;
   private normals: BufferGeometry | undefined;
@@ -59,8 +59,8 @@ export class ShownSkin {
   private influenceShown: number | undefined;
 
   /**
-   * @param bones the character's; none where it has no skeleton, and the skin is left as it is for good
-   * @param sphere around the posed character in its own space, and kept so by the owner; likewise `box`
+   * @param bones the character's; undefined without a skeleton: the skin is then never deformed
+   * @param sphere around the posed character in its own space, kept up to date by the owner; likewise `box`
    */
   constructor(
     readonly skin: Skin,
@@ -76,7 +76,7 @@ export class ShownSkin {
     this.skeleton = new ExactSkeleton([...(bones?.bones ?? [])], matrixCount, inverseBindings);
   }
 
-  /** Converts everything for the GPU. Nothing is drawn before it has run through, and `reveal` was called. */
+  /** Converts everything for the GPU. Nothing is drawn before it has finished and `reveal` was called. */
   *build(): Steps<void> {
     const { skin, compiled, skeleton } = this;
     const isPosed = this.bones !== undefined;
@@ -97,19 +97,19 @@ export class ShownSkin {
     return this.placed.map((p) => p.mesh);
   }
 
-  /** W·B⁻¹, 16 a joint, as `evaluate/deform.ts` gives them; undefined where nothing moves the skin. */
+  /** W·B⁻¹, 16 numbers per joint, from `evaluate/deform.ts`; undefined if nothing moves the skin. */
   get matrices(): Float64Array | undefined {
     return this.bones && this.skeleton.matrices;
   }
 
-  /** What has to be on the GPU before a picture; undefined until it is built. */
+  /** What must be on the GPU before it is drawn; undefined until it is built. */
   get uploads(): { readonly geometry: BufferGeometry; readonly textures: readonly Texture[] } | undefined {
     if (!this.built) return undefined;
     const { geometry, attachmentTexture } = this.built.gpu;
     return { geometry, textures: [attachmentTexture, this.texture].filter((t) => t !== undefined) };
   }
 
-  /** One mesh a group. */
+  /** One mesh per group. */
   place(groups: readonly Group[]): void {
     this.unplace();
     const { built } = this;
@@ -126,13 +126,13 @@ export class ShownSkin {
     this.refresh();
   }
 
-  /** Takes part in the picture from now on. */
+  /** Shows the skin from now on. */
   reveal(): void {
     this.isRevealed = true;
     this.refresh();
   }
 
-  /** @param heatJoint whose influence the heat map shows */
+  /** @param heatJoint the joint whose weights the heat map shows */
   show(display: Display, heatJoint: number | undefined): void {
     this.display = display;
     this.heatJoint = heatJoint;
@@ -156,21 +156,22 @@ export class ShownSkin {
     this.refresh();
   }
 
-  /** Whether it can go on with these: the same morphs, and other bones, but not none in place of some. */
+  /** Whether it can be kept with these: the same morphs, and bones in both cases or in neither. */
   fits(morphs: readonly Morph[], bones: Bones | undefined): boolean {
     if ((bones === undefined) !== (this.bones === undefined)) return false;
     return morphs.length === this.morphs.length && morphs.every((m, i) => m === this.morphs[i]);
   }
 
-  /** After an edit of the skeleton: the skin's own matrices stay as many as it has bindings. */
+  /** Call after an edit of the skeleton: the skin keeps as many matrices as it has bindings. */
   setBones(bones: Bones | undefined): void {
     this.bones = bones;
     this.skeleton.bones = [...(bones?.bones ?? [])];
   }
 
   /**
-   * Every frame, after the bones; allocates nothing.
-   * @param firstMorph where in `dofs` the morphs' weights begin
+   * Call every frame, after the bones; allocates nothing.
+   *
+   * @param firstMorph index in `dofs` of the first morph's weight
    */
   pose(dofs: Float64Array, firstMorph: number): void {
     const { bones, built, normals } = this;
@@ -180,7 +181,7 @@ export class ShownSkin {
     }
     built?.morphing.apply(dofs, firstMorph);
     if (built && normals) {
-      // Morphs summed on the CPU change the surface's buffers; the lines' own are of the same arrays.
+      // Morphs summed on the CPU change the surface's buffers; the lines share those arrays.
       follow(normals, built.gpu.geometry, 'position');
       follow(normals, built.gpu.geometry, 'normal');
     }
@@ -192,7 +193,7 @@ export class ShownSkin {
     this.skeleton.dispose();
     const { built } = this;
     if (!built) return;
-    // Together, for they share buffers.
+    // Together, since they share buffers.
     for (const geometry of [built.gpu.geometry, this.wire, this.normals]) geometry?.dispose();
     built.gpu.attachmentTexture?.dispose();
     built.materials.dispose();
@@ -205,7 +206,7 @@ export class ShownSkin {
     this.placed = [];
   }
 
-  /** Makes what is drawn what is asked for. */
+  /** Applies what is requested to the objects. */
   private refresh(): void {
     const { display, built } = this;
     if (!display || !built) return;
@@ -269,7 +270,7 @@ export class ShownSkin {
     if (this.influence && this.influenceShown === this.heatJoint) return;
     this.influence ??= new BufferAttribute(new Float32Array(vertexCount(this.skin)), 1);
     gpu.geometry.setAttribute('influence', this.influence);
-    // Made above, of floats.
+    // Created above, with floats.
     influenceOf(this.skin, this.heatJoint, this.influence.array as Float32Array);
     this.influence.needsUpdate = true;
     this.influenceShown = this.heatJoint;
@@ -291,9 +292,9 @@ function surfaceMaterial(materials: SkinMaterials, style: SkinStyle): MarrowSkin
   }
 }
 
-/** Has a buffer uploaded when the one that it shares its array with changes. */
+/** Uploads a buffer when the one it shares its array with changes. */
 function follow(lines: BufferGeometry, surface: BufferGeometry, name: 'position' | 'normal'): void {
-  // Neither is interleaved: both are made in `skin-geometry.ts`.
+  // Neither is interleaved: both are created in `skin-geometry.ts`.
   const copy = lines.attributes[name] as BufferAttribute;
   copy.version = (surface.attributes[name] as BufferAttribute).version;
 }

@@ -1,9 +1,9 @@
 /**
- * Joints of all characters together: a kind (box edges, box faces, balls, bones, axes) is one instanced mesh, so that
- * 50 characters of 70 joints cost one draw call a kind. Instance i is the same joint or End Site in every kind: see
- * `drawn-skeletons.ts`.
+ * Joints of all characters together: each kind (box edges, box faces, balls, bones, axes) is one instanced mesh, so
+ * that 50 characters of 70 joints cost one draw call per kind. Instance i is the same joint or End Site in every kind:
+ * see `drawn-skeletons.ts`.
  *
- * `show` after an edit decides what there is and its colours, `fill` in every frame only writes matrices.
+ * `show` after an edit sets instances and colours; `fill` every frame only writes matrices.
  */
 import {
   BoxGeometry,
@@ -37,7 +37,7 @@ import { fillNodes, placementScale, placeNodes, placePositions } from './node-ma
 import type { StageTheme } from './theme.ts';
 import { lineIdMaterial, lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
-/** Whether skins in this style hide the joints within. */
+/** Whether skins in this style hide the joints inside. */
 export function isOpaque(style: SkinStyle): boolean {
   return style === 'solid' || style === 'textured' || style === 'heat';
 }
@@ -56,18 +56,18 @@ function boxEdges(): number[] {
   return points;
 }
 
-/** From y = 0, radius 1, to y = 1, tapering; open, for its ends are in the balls. */
+/** From y = 0, radius 1, to y = 1, tapered; open, since the ends are inside the balls. */
 function boneGeometry(sides: number): BufferGeometry {
   return new CylinderGeometry(0.45, 1, 1, sides, 1, true).translate(0, 0.5, 0);
 }
 
 /**
- * From so many joints and End Sites on, balls and bones are drawn with a third of the triangles: so many are seen small
- * or a few at a time, and seventeen takes would be half a million triangles.
+ * From this many joints and End Sites on, balls and bones have a third of the triangles: that many are small on screen,
+ * and seventeen takes would be half a million triangles.
  */
 const MANY_BALLS = 400;
 
-/** How solid bones and axes that are shown under a skin show through. */
+/** Opacity of bones and axes shown through a skin. */
 const COVERED_OPACITY = 0.55;
 
 export class SkeletonDrawing {
@@ -83,7 +83,7 @@ export class SkeletonDrawing {
   private readonly nodes = new NodeBuffer();
   private readonly markers: JointMarkers;
   private readonly axisColors: BufferGeometry;
-  /** Of each of `drawn`, whether its boxes and its bones are shown: asked in every frame, it is known from the edit on. */
+  /** Per entry of `drawn`: whether boxes and bones are shown. Cached, since every frame asks. */
   private withBoxes: readonly boolean[] = [];
   private withBones: readonly boolean[] = [];
   private scratch = new Float64Array(0);
@@ -122,7 +122,7 @@ export class SkeletonDrawing {
     this.markers = new JointMarkers(object, segmentsGeometry(boxEdges()), axes);
   }
 
-  /** After an edit: which skeletons there are, what of them is drawn, and what is selected. */
+  /** Call after an edit: sets which skeletons there are, what is drawn of them, and what is selected. */
   show(skeletons: readonly PosedSkeleton[], display: Display, selection: Selection, theme: StageTheme): void {
     this.drawn = assignInstances(skeletons);
     this.instanceCount = instancesOf(this.drawn);
@@ -147,14 +147,14 @@ export class SkeletonDrawing {
       if (kind.mesh.visible) kind.resize(this.instanceCount);
       if (kind.covered) kind.covered.visible = kind.mesh.visible && this.isCovered;
       kind.mesh.receiveShadow = display.shadow && kind.mesh.material instanceof MeshStandardMaterial;
-      // On the ground nobody misses the balls' part of the shadow.
+      // The balls' part of the shadow isn't noticeable.
       kind.mesh.castShadow = kind.mesh.receiveShadow && !(isLight && kind === balls);
     }
     this.markers.show(this.selected?.placementCount ?? 0, display.boxes !== 'hidden');
     this.paint();
   }
 
-  /** Marks the joint under the pointer. Whether that changed anything. */
+  /** Highlights the joint under the pointer. Returns whether that changed anything. */
   hover(ref: JointRef | undefined): boolean {
     const now = this.hovered;
     if (now?.characterId === ref?.characterId && now?.placement === ref?.placement && now?.joint === ref?.joint) {
@@ -165,7 +165,7 @@ export class SkeletonDrawing {
     return true;
   }
 
-  /** Every frame in which a joint moved: matrices of all that is shown. Allocates nothing. */
+  /** Call every frame in which a joint moved: writes all matrices. Allocates nothing. */
   fill(): void {
     const { edges, faces, balls } = this.kinds;
     for (let d = 0; d < this.drawn.length; d++) {
@@ -192,7 +192,7 @@ export class SkeletonDrawing {
     const scale = placementScale(placements, 16 * p);
     const { joint } = selection;
     const isMarked = joint !== undefined && joint < jointCount && drawn.characterId === selection.characterId;
-    // Balls and bones say where joints are, everything else how they are turned too.
+    // Balls and bones need positions only, everything else orientations too.
     placePositions(nodes, placements, 16 * p, drawn.world, positions, first);
     if (drawsBoxes || isMarked || axes.mesh.visible) placeNodes(nodes, placements, 16 * p, drawn.world, world);
     if (balls.mesh.visible) {
@@ -219,7 +219,7 @@ export class SkeletonDrawing {
     }
   }
 
-  /** Where a joint is drawn; false where there is no such joint. Needs a `fill` after the last `show`. */
+  /** World position of a joint as drawn; false if there is no such joint. Needs a `fill` after the last `show`. */
   positionOf(characterId: string, placement: number, joint: number, out: Vector3): boolean {
     const instance = instanceOf(this.drawn, characterId, placement, joint);
     if (instance < 0) return false;
@@ -227,19 +227,19 @@ export class SkeletonDrawing {
     return true;
   }
 
-  /** Which joint an instance is, or ends. */
+  /** The joint of an instance; for an End Site, the one that it ends. */
   jointAt(instance: number): JointRef | undefined {
     return jointAt(this.drawn, instance);
   }
 
-  /** The joint that a drawn bone belongs to: it leads from there to the instance's own joint or End Site. */
+  /** The joint where the bone of an instance starts. */
   boneOwner(instance: number): JointRef | undefined {
     return boneOwner(this.drawn, instance);
   }
 
   /**
-   * Draws with ids instead of colours while `draw` runs. Balls, edges and faces are `firstId + instance`, bones
-   * `firstBoneId + instance`. `wholeBoxes`: the inside of a wire box counts as the box.
+   * Draws ids instead of colours while `draw` runs. Balls, edges and faces are `firstId + instance`, bones `firstBoneId
+   * + instance`. `wholeBoxes`: the inside of a wire box counts as the box.
    */
   withIds(firstId: number, firstBoneId: number, wholeBoxes: boolean, draw: () => void): void {
     const { edges, faces, balls, bones, axes } = this.kinds;
@@ -269,7 +269,7 @@ export class SkeletonDrawing {
     }
   }
 
-  /** Pixels that the lines of an ID picture spread over: its size and theirs. */
+  /** Sets the resolution by which lines of the ID image compute their width, in pixels. */
   setIdResolution(width: number, height: number): void {
     this.kinds.edges.idMaterial?.uniforms.resolution.value.set(width, height);
   }
@@ -288,7 +288,7 @@ export class SkeletonDrawing {
     return this.asksForBoxes(drawn) && hasBoxes(drawn.skeleton);
   }
 
-  /** Where boxes are asked for, a skeleton is drawn as bones too if a joint has no box, or they are a cloud of cubes. */
+  /** With boxes on, bones are still drawn if a joint has no box, or most boxes are default cubes. */
   private drawsBones(drawn: PosedSkeleton): boolean {
     if (this.display.bones) return true;
     const { skeleton } = drawn;
@@ -312,14 +312,13 @@ export class SkeletonDrawing {
     this.markers.setTheme(theme);
   }
 
-  /** Colours of all instances: what is selected, what is under the pointer, and the rest. */
+  /** Sets the colours of all instances: selected, hovered, and others. */
   private paint(): void {
     const { theme, display, hovered, selection } = this;
     if (!theme) return;
     const { edges, faces, balls, bones } = this.kinds;
     const line = rawColor(theme.boxEdge);
-    // Edges of solid boxes only help to tell their faces apart.
-    // And where a skin covers them, what sticks out of it is beside the point.
+    // Edges of solid boxes only separate their faces; edges sticking out of a skin are secondary.
     const opacity = theme.boxEdgeOpacity * (display.boxes === 'solid' || this.isCovered ? 0.5 : 1);
     const colors = {
       box: new Color(theme.box),
@@ -345,7 +344,7 @@ export class SkeletonDrawing {
           if (faces.mesh.visible) faces.paint(i, colors[mark ?? tint ?? 'box'], 1);
           if (!balls.mesh.visible) continue;
           const boneMark = n === 0 ? undefined : markOf(ownerOf(drawn, n));
-          // The ball of an End Site goes with the bone that it ends.
+          // The ball of an End Site is coloured like its bone.
           balls.paint(i, colors[(n < nodes.jointCount ? mark : boneMark) ?? tint ?? 'bone'], 1);
           bones.paint(i, colors[boneMark ?? tint ?? 'bone'], 1);
         }

@@ -1,14 +1,14 @@
 /**
- * A skin's data as the GPU takes it: doubles become floats, and attachments of any number become
+ * A skin's data for the GPU: doubles become floats, and any number of attachments becomes
  *
- *     skinIndex, skinWeight     the first four; what is missing has weight 0
+ *     skinIndex, skinWeight     the first four; missing ones have weight 0
  *     attachmentTexture         all past the fourth, one texel (joint, weight) each, vertex after vertex
- *     attachmentRange           where in it a vertex begins and ends
+ *     attachmentRange           a vertex's range in it
  *
- * A vertex without attachments hangs on the identity that ends the bone matrices; so do all without a skeleton. A skin
- * without any attachments hangs on the root.
+ * A vertex without attachments is bound to the identity at the end of the bone matrices; so are all vertices without a
+ * skeleton. A skin without any attachments is bound to the root.
  *
- * Triangles are wound consistently, and `turned` says which normals disagree with that: see `facing.ts`.
+ * Triangles are wound consistently, and `turned` marks normals that disagree with that: see `facing.ts`.
  */
 import {
   BufferAttribute,
@@ -23,13 +23,13 @@ import type { Steps } from '../evaluate/steps.ts';
 import { type Skin, vertexCount } from '../model/skin.ts';
 import { facingOf } from './facing.ts';
 
-/** How many attachments the attributes hold. */
+/** Attachments that the attributes hold. */
 const IN_ATTRIBUTES = 4;
 /** Vertices or edges between two yields: under a millisecond's work. */
 const STRIDE = 16384;
-/** Texels a row of the attachment texture: the least that WebGL2 promises as a texture's size. */
+/** Texels per row of the attachment texture: the maximum texture size that WebGL2 guarantees. */
 const ATTACHMENT_ROW = 2048;
-/** Above this, three.js would read Uint16 indices wrongly, and takes integers for other than `vec4`. */
+/** Above this, Uint16 indices don't fit, and three.js treats integers as such for `vec4` only. */
 const LARGEST_SHORT = 0xffff;
 
 export interface PackedSkin {
@@ -38,7 +38,7 @@ export interface PackedSkin {
 }
 
 /**
- * @param normals x y z a vertex
+ * @param normals x y z per vertex
  * @param identity index of the identity among the bone matrices
  * @param isPosed whether there is a skeleton
  */
@@ -50,14 +50,14 @@ export function* packSkin(skin: Skin, normals: Float64Array, identity: number, i
   const facing = facingOf(skin.triangles, skin.positions, normals);
   let step = facing.next();
   for (; !step.done; step = facing.next()) yield 0.3 + 0.3 * step.value;
-  // The model's own array, where it is consistent: three.js only reads it.
+  // The model's own array if it is consistent: three.js only reads it.
   geometry.setIndex(new BufferAttribute(step.value.triangles, 1));
   geometry.setAttribute('turned', new BufferAttribute(step.value.turned, 1));
   const attachmentTexture = yield* packAttachments(skin, identity, isPosed, geometry);
   return { geometry, attachmentTexture };
 }
 
-/** @param done how far the whole work is */
+/** @param done progress of the whole work */
 function* floatsOf(doubles: Float64Array, done: number): Steps<Float32Array<ArrayBuffer>> {
   const floats = new Float32Array(doubles.length);
   for (let i = 0; i < doubles.length; i += STRIDE) {
@@ -120,10 +120,10 @@ function* packAttachments(
 }
 
 /**
- * The triangles' edges as pairs of vertices, each edge once. (three.js's `wireframe` lists an edge once a triangle, in
- * one loop that blocks the page for 2 million triangles.)
+ * The triangles' edges as pairs of vertices, each edge once. (three.js's `wireframe` lists an edge once per triangle,
+ * in one loop that blocks the page for 2 million triangles.)
  *
- * Edges are sorted by their lower vertex in two passes; those of one vertex are told apart by marking the upper ones.
+ * Edges are bucketed by their lower vertex in two passes; duplicates are found by marking the upper ones.
  */
 export function* edgesOf(triangles: Uint32Array, vertices: number): Steps<Uint32Array<ArrayBuffer>> {
   const start = new Uint32Array(vertices + 1);
@@ -159,12 +159,12 @@ export function* edgesOf(triangles: Uint32Array, vertices: number): Steps<Uint32
   return pairs.slice(0, count);
 }
 
-/** Of three consecutive indices that are a triangle, the next one round. */
+/** The next of three consecutive indices that are a triangle. */
 function afterInTriangle(i: number): number {
   return i % 3 === 2 ? i - 2 : i + 1;
 }
 
-/** Another geometry over the same vertices, drawn as lines. Both must be disposed of together: they share buffers. */
+/** A geometry over the same vertices, drawn as lines. Dispose of both together: they share buffers. */
 export function wireGeometry(surface: BufferGeometry, edges: Uint32Array<ArrayBuffer>): BufferGeometry {
   const geometry = new BufferGeometry();
   for (const [name, attribute] of Object.entries(surface.attributes)) geometry.setAttribute(name, attribute);
@@ -174,11 +174,11 @@ export function wireGeometry(surface: BufferGeometry, edges: Uint32Array<ArrayBu
   return geometry;
 }
 
-/** A line a vertex: two corners, `gl_VertexID` 0 at the surface and 1 at the tip; the vertex is the instance. */
+/** A line per vertex, which is the instance: `gl_VertexID` 0 at the surface and 1 at the tip. */
 export function normalsGeometry(surface: BufferGeometry): InstancedBufferGeometry {
   const geometry = new InstancedBufferGeometry();
   for (const [name, attribute] of Object.entries(surface.attributes)) {
-    // A buffer of its own on the GPU, for how often a buffer advances belongs to it; here it is the same array.
+    // Its own GPU buffer, since the divisor belongs to the buffer; the array is shared.
     geometry.setAttribute(name, new InstancedBufferAttribute(attribute.array, attribute.itemSize));
   }
   geometry.morphAttributes = surface.morphAttributes;
@@ -188,7 +188,7 @@ export function normalsGeometry(surface: BufferGeometry): InstancedBufferGeometr
   return geometry;
 }
 
-/** How much a joint moves each vertex: the sum of its weights there. */
+/** A joint's weight on each vertex: the sum of its attachments there. */
 export function influenceOf(skin: Skin, joint: number | undefined, out: Float32Array): void {
   out.fill(0);
   const { attachments } = skin;

@@ -1,9 +1,9 @@
 /**
- * What skins are drawn with. Every material skins exactly, draws both sides, and lights by the file's normals turned
- * toward the viewer; see `skinning.ts`.
+ * Materials of skins. Each skins exactly, draws both sides, and is lit by the file's normals turned toward the viewer;
+ * see `skinning.ts`.
  *
- * Each character has materials of its own, for its picture, its attachments past the fourth and the length of its
- * normals; what is compiled for them is shared by all.
+ * Each character has its own materials, for its texture, its attachments past the fourth and the length of its normals;
+ * compiled programs are shared.
  */
 import {
   Color,
@@ -21,7 +21,7 @@ import { heatRamp } from './heat.ts';
 import type { SkinTheme } from './skin-theme.ts';
 import { type SkinGpu, withExactSkinning } from './skinning.ts';
 
-/** The materials of one skin. Made when first asked for. */
+/** The materials of one skin, created on first use. */
 export class SkinMaterials {
   private readonly made = new Map<string, Material>();
   private texture: Texture | undefined;
@@ -37,13 +37,16 @@ export class SkinMaterials {
     for (const [name, material] of this.made) this.paint(name, material);
   }
 
-  /** A colour for the whole skin; undefined: its own. Influence and normals keep theirs: they say something. */
+  /**
+   * A colour for the whole skin; undefined: its own. Heat map and normals ignore it, since their colours mean
+   * something.
+   */
   setTint(tint: string | undefined): void {
     this.tint = tint;
     for (const [name, material] of this.made) this.paint(name, material);
   }
 
-  /** The picture of the textured skin; without one it is drawn as the solid skin is. */
+  /** The skin's texture; without one the textured style looks like the solid one. */
   setTexture(texture: Texture | undefined): void {
     this.texture = texture;
     const material = this.made.get('textured');
@@ -75,7 +78,7 @@ export class SkinMaterials {
   }
 
   normals(): ShaderMaterial {
-    // `normalLines` makes a ShaderMaterial, and a name stands for one kind of material.
+    // `normalLines` creates a ShaderMaterial, and a name always means the same kind of material.
     return this.get('normals', normalLines) as ShaderMaterial;
   }
 
@@ -125,7 +128,7 @@ export class SkinMaterials {
   }
 }
 
-/** How much of a skin's colour is its tint: shape and picture are to be seen all the same. */
+/** Share of the tint in a skin's colour, so that shape and texture stay visible. */
 const TINT_PART = 0.6;
 const scratch = new Color();
 
@@ -134,12 +137,12 @@ function dye(colour: Color, own: string, tint: string | undefined): void {
   if (tint) colour.lerp(scratch.set(tint), TINT_PART);
 }
 
-/** Matt, with just enough gloss to tell a ridge from a stripe. */
+/** Matte, with just enough gloss to tell a ridge from a stripe. */
 function clay(): MeshStandardMaterial {
   return new MeshStandardMaterial({ side: DoubleSide, roughness: 0.72, metalness: 0 });
 }
 
-/** The influence as a colour, still lit a little, so that the shape can be read. */
+/** The weight as a colour, slightly lit, so that the shape is readable. */
 function heat(): MeshStandardMaterial {
   const material = new MeshStandardMaterial({ side: DoubleSide, roughness: 1, metalness: 0 });
   material.onBeforeCompile = (shader) => {
@@ -154,18 +157,18 @@ function heat(): MeshStandardMaterial {
         // From the centre of the first texel to that of the last.
         '\tdiffuseColor.rgb = texture2D( heatRamp, vec2( clamp( vInfluence, 0.0, 1.0 ) * ( 255.0 / 256.0 ) + 0.5 / 256.0, 0.5 ) ).rgb;',
       )
-      // Half as if it glowed: the colour means something, and shade would darken it.
+      // Half emissive: shading would darken colours that mean something.
       .replace('#include <emissivemap_fragment>', '\ttotalEmissiveRadiance += 0.45 * diffuseColor.rgb;');
   };
   return material;
 }
 
-/** Edges of the mesh, without light. */
+/** Edges of the mesh, unlit. */
 function wire(): LineBasicMaterial {
   return new LineBasicMaterial({ transparent: true });
 }
 
-/** Clear head on and denser toward its edges, like glass; bones show through. */
+/** Clear head-on and denser towards its silhouette, like glass; bones show through. */
 function xray(): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
@@ -209,7 +212,10 @@ void main() {
   });
 }
 
-/** A line from each vertex along its normal: see `normalsGeometry`. Morphs go by the instance, which is the vertex. */
+/**
+ * A line from each vertex along its normal: see `normalsGeometry`. Morphs are indexed by the instance, which is the
+ * vertex.
+ */
 function normalLines(): ShaderMaterial {
   const byInstance = (text: string) => text.replaceAll('gl_VertexID', 'gl_InstanceID');
   return new ShaderMaterial({

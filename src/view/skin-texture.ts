@@ -1,13 +1,13 @@
 /**
- * A skin's picture, from the bytes of its file: BMP, PNG, JPEG or WebP, as the browser decodes them (off the main
- * thread). `v` runs up and coordinates wrap; pictures have their first row on top, so v is turned round in the
- * texture's transform. (`imageOrientation: 'flipY'` and `flipY` do not work alike in all browsers.)
+ * A skin's texture, from the bytes of its file: BMP, PNG, JPEG or WebP, decoded by the browser off the main thread. `v`
+ * runs up and coordinates wrap; images start at the top row, so v is flipped in the texture's transform.
+ * (`imageOrientation: 'flipY'` and `flipY` don't work the same in all browsers.)
  */
 import { LinearMipmapLinearFilter, RepeatWrapping, SRGBColorSpace, Texture } from 'three';
 import type { Texture as Picture } from '../model/files.ts';
 import { perObject } from '../model/per-object.ts';
 
-/** Decoded once for each picture, whatever shows it. */
+/** Decoded once per image. */
 const decoded = perObject((picture: Picture) =>
   createImageBitmap(new Blob([picture.bytes], { type: picture.mime }), {
     premultiplyAlpha: 'none',
@@ -15,7 +15,7 @@ const decoded = perObject((picture: Picture) =>
   }),
 );
 
-/** @throws DOMException where the bytes are no picture that the browser knows. */
+/** @throws DOMException if the browser can't decode the bytes */
 export async function skinTexture(picture: Picture): Promise<Texture> {
   const texture = new Texture(await decoded(picture));
   texture.name = picture.name;

@@ -1,4 +1,4 @@
-/** The colours of skins, for both themes: sRGB as CSS has them, before light falls on them. */
+/** Colours of skins for both themes: CSS sRGB, before lighting. */
 import type { ThemeName } from './theme.ts';
 
 export interface SkinTheme {
@@ -7,7 +7,7 @@ export interface SkinTheme {
   readonly wire: string;
   readonly wireOpacity: number;
   readonly xray: string;
-  /** Of the x-ray's skin seen head on, and at its edges. */
+  /** Opacity of the x-ray skin seen head-on, and at its silhouette. */
   readonly xrayFacing: number;
   readonly xrayEdge: number;
   /** Lines along the normals. */

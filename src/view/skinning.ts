@@ -3,22 +3,22 @@
  *
  *     v′ = Σ wᵢ · Mᵢ · v          n′ = normalised Σ wᵢ · Mᵢ⁻ᵀ · n          Mᵢ = Wᵢ · Bᵢ⁻¹
  *
- * three.js's own is right for 1 to 4 attachments and rigid Mᵢ only. What is different here:
+ * three.js's own skinning is right only for 1 to 4 attachments and rigid Mᵢ. The differences:
  *
- *  - Bone matrices Mᵢ are in the character's space: `bindMatrix` is the identity and the mesh's `matrixWorld` is the
- *    placement, so one bone texture serves every placement, and weights that don't sum to 1 scale about the
- *    character's own origin, on the GPU and in `getVertexPosition` alike.
- *  - The bone texture has one matrix more than there are joints, the identity. A vertex without attachments hangs on
- *    it and stays where it is; three.js sends it to the origin.
- *  - The first four attachments are in the attributes `skinIndex` and `skinWeight`; further ones, any number of them,
- *    are pairs (joint, weight) in a texture, in which a vertex has the range `attachmentRange`. Shaders know of it only
- *    where a skin has such vertices.
- *  - Normals are turned by the inverse transpose, which is the cofactor matrix over the determinant.
- *  - `applyBoneTransform` does the same sums in doubles.
+ * - Bone matrices Mᵢ are in the character's space: `bindMatrix` is the identity and the mesh's `matrixWorld` is the
+ *   placement, so one bone texture serves every placement, and weights that don't sum to 1 scale about the character's
+ *   own origin, on the GPU and in `getVertexPosition` alike.
+ * - The bone texture has one matrix more than there are joints, the identity. A vertex without attachments is bound to
+ *   it and doesn't move; three.js moves it to the origin.
+ * - The first four attachments are in the attributes `skinIndex` and `skinWeight`; further ones, any number of them,
+ *   are pairs (joint, weight) in a texture, of which a vertex has the range `attachmentRange`. Only shaders of skins
+ *   with such vertices read it.
+ * - Normals are turned by the inverse transpose, which is the cofactor matrix over the determinant.
+ * - `applyBoneTransform` computes the same in doubles.
  *
- * Rejected: two more pairs of attributes (eight attachments, and 9 occur), summing all in the texture (a dependent
- * fetch more for the usual four), and matrices relative to the root (exact far away from the origin in floats too, but
- * wrong where weights don't sum to 1).
+ * Rejected: two more pairs of attributes (eight attachments, but 9 occur), all attachments in the texture (another
+ * dependent fetch for the usual four), and matrices relative to the root (exact far from the origin in floats too, but
+ * wrong if weights don't sum to 1).
  */
 import {
   type Bone,
@@ -44,27 +44,27 @@ import {
 import { setIdentity } from '../math/mat4.ts';
 import type { Attachments, Skin } from '../model/skin.ts';
 
-/** A skin as the GPU has it: made once, shared by every placement and every way of drawing it. */
+/** A skin on the GPU: created once, shared by all placements and materials. */
 export interface SkinGpu {
   readonly skin: Skin;
   readonly geometry: BufferGeometry;
   readonly skeleton: ExactSkeleton;
-  /** Without a skeleton a skin is left as it is, whatever its weights sum to. */
+  /** Without a skeleton a skin isn't deformed, whatever its weights sum to. */
   readonly isPosed: boolean;
-  /** Attachments past the fourth, where there are any: see `skin-geometry.ts`. */
+  /** Attachments past the fourth, if any: see `skin-geometry.ts`. */
   readonly attachmentTexture: DataTexture | undefined;
 }
 
-/** A skeleton whose bone matrices are given, in doubles, and which ends in the identity. */
+/** A skeleton whose bone matrices are given, in doubles, and end with the identity. */
 export class ExactSkeleton extends Skeleton {
-  /** Mᵢ, 16 numbers a joint, column-major, in the character's space; after the last joint's, the identity. */
+  /** Mᵢ, 16 numbers per joint, column-major, in the character's space; the identity after the last joint. */
   readonly matrices: Float64Array;
   override boneMatrices: Float32Array;
   override boneTexture: DataTexture;
 
   /**
-   * @param jointCount at least as many as the skin's attachments speak of
-   * @param inverseBindings 16 numbers a joint, for whoever exports this; bones past its end get the identity
+   * @param jointCount at least as many as the skin's attachments refer to
+   * @param inverseBindings 16 numbers per joint, for exporters; bones past its end get the identity
    */
   constructor(bones: Bone[], jointCount: number, inverseBindings: Float64Array) {
     super(
@@ -82,25 +82,25 @@ export class ExactSkeleton extends Skeleton {
     this.upload();
   }
 
-  /** Which matrix is the identity. */
+  /** Index of the identity matrix. */
   get identityIndex(): number {
     return this.matrices.length / 16 - 1;
   }
 
-  /** Makes the GPU's matrices those in `matrices`, when it draws next. */
+  /** Uploads `matrices` with the next draw. */
   upload(): void {
     this.boneMatrices.set(this.matrices);
     this.boneTexture.needsUpdate = true;
   }
 
-  /** three.js asks for this before it draws; `upload` has done it. */
+  /** Called by three.js before drawing; `upload` has already done it. */
   override update(): void {}
 
   override computeBoneTexture(): this {
     return this;
   }
 
-  /** Frees the texture on the GPU. (three.js would forget the texture as well, and then fail on its null.) */
+  /** Frees the texture on the GPU. (three.js would set it to null, and then fail on that.) */
   override dispose(): void {
     this.boneTexture.dispose();
   }
@@ -111,8 +111,8 @@ const point = new Vector4();
 /** One placement of a skin. */
 export class MarrowSkinnedMesh extends SkinnedMesh<BufferGeometry, Material> {
   /**
-   * @param sphere around the posed character, in its own space; kept by reference and up to date by its owner, so that
-   * three.js never walks the vertices and never culls by where the character was before
+   * @param sphere around the posed character, in its own space; kept by reference and updated by its owner, so that
+   *   three.js neither iterates over the vertices nor culls by an old position
    */
   constructor(
     readonly gpu: SkinGpu,
@@ -141,7 +141,7 @@ export class MarrowSkinnedMesh extends SkinnedMesh<BufferGeometry, Material> {
   }
 }
 
-/** Σ wᵢ · Mᵢ · v in place, w kept as it is. Without attachments at all a skin hangs on the root, joint 0. */
+/** Σ wᵢ · Mᵢ · v in place, w kept as it is. A skin without attachments is bound to the root, joint 0. */
 function transformBy(attachments: Attachments | undefined, vertex: number, matrices: Float64Array, v: Vector4): void {
   const { x, y, z, w } = v;
   const first = attachments ? attachments.start[vertex] : 0;
@@ -160,7 +160,7 @@ function transformBy(attachments: Attachments | undefined, vertex: number, matri
   v.set(sx, sy, sz, w);
 }
 
-/** Lines that follow a skin as its surface does. three.js skins whatever says `isSkinnedMesh` and has a skeleton. */
+/** Lines that follow a skin like its surface. three.js skins anything with `isSkinnedMesh` and a skeleton. */
 export class SkinnedLines extends LineSegments<BufferGeometry, Material> {
   readonly isSkinnedMesh = true;
   readonly skeleton: ExactSkeleton;
@@ -175,7 +175,7 @@ export class SkinnedLines extends LineSegments<BufferGeometry, Material> {
     this.matrixAutoUpdate = false;
   }
 
-  /** Picking goes by the surface. */
+  /** Only the surface is picked. */
   override raycast(): void {}
 }
 
@@ -194,7 +194,7 @@ mat4 getBoneMatrix( const in float i ) {
 		texelFetch( boneTexture, ivec2( x + 3, y ), 0 ) );
 }
 
-// m to the power of -T, times n. A matrix that flattens has no inverse; its cofactors still turn normals rightly.
+// m⁻ᵀ · n up to a factor. A singular matrix has no inverse; its cofactors still give the right direction.
 vec3 turnNormal( const in mat4 m, const in vec3 n ) {
 	vec3 a = m[ 0 ].xyz;
 	vec3 b = m[ 1 ].xyz;
@@ -225,7 +225,7 @@ const forEachMore = (body: string) => /* glsl */ `
 	}
 `;
 
-/** three.js's chunks that know of skinning, as they are here. */
+/** three.js's skinning chunks, replaced. */
 function skinningChunks(more: boolean): Readonly<Record<string, string>> {
   return {
     skinning_pars_vertex: `
@@ -261,19 +261,18 @@ ${BONE_MATRIX}${more ? MORE_ATTACHMENTS : ''}
 }
 
 /**
- * Lighting by the file's normals, turned toward the viewer. `facing.ts` has made corners agree with the side that a
- * triangle is wound for, so which side is seen decides, once for a whole triangle, as in three.js; only where a matrix
- * mirrors, the other side it is. What then still leans away from the viewer, as smooth normals do near a silhouette, is
- * bent back to where it is just not seen from behind, which is continuous: no pixel is dark, and nothing jumps within a
- * triangle. Where there is no normal (zero length, or neighbours that cancel out) the geometric one is taken, which is
- * what the position's derivatives over the screen give.
+ * Lighting by the file's normals, turned toward the viewer. `facing.ts` has made normals agree with the winding, so the
+ * visible side decides, once per triangle, as in three.js; under a mirroring matrix, the other side. Smooth normals
+ * that still point away from the viewer, near a silhouette, are bent back until just perpendicular to the view, which
+ * is continuous: no pixel is dark, and nothing jumps within a triangle. Without a normal (zero length, or neighbours
+ * that cancel out) the geometric one is used, from the position's screen-space derivatives.
  *
- * Rejected: deciding in each pixel by the geometric normal, which tears a triangle that has one bad corner; turning
- * round all that leans away, which gives silhouettes speckles lit from the wrong side.
+ * Rejected: deciding per pixel by the geometric normal, which tears a triangle with one bad corner; flipping every
+ * normal that points away, which gives silhouettes speckles lit from the wrong side.
  */
 const LIGHTING_CHUNKS: Readonly<Record<string, string>> = {
   normal_pars_vertex: /* glsl */ `${ShaderChunk.normal_pars_vertex}
-// 1 where the normal disagrees with how its triangles are wound; 0 where a geometry does not have it.
+// 1 if the normal disagrees with the winding of its triangles; 0 if a geometry doesn't have it.
 attribute float turned;
 `,
   normal_vertex: edited('normal_vertex', [
@@ -283,13 +282,13 @@ attribute float turned;
 	vNormal = transformedLength > 0.0 ? transformedNormal / transformedLength : vec3( 0.0 );
 	vNormal *= 1.0 - 2.0 * turned;
 #ifdef USE_SKINNING
-	// What mirrors turns windings round, but no normals.
+	// Mirroring flips windings, but not normals.
 	if ( determinant( mat3( boneMatX ) ) < 0.0 ) vNormal = - vNormal;
 #endif`,
     ],
   ]),
   normal_pars_fragment: /* glsl */ `${ShaderChunk.normal_pars_fragment}
-// A normal of any length turned toward the viewer; position is the negative of that in the space of the view.
+// A normal of any length turned toward the viewer; position is the negative of that in view space.
 vec3 turnedToViewer( const in vec3 normal, const in vec3 position, const in float face ) {
 	vec3 towardViewer = isOrthographic ? vec3( 0.0, 0.0, 1.0 ) : normalize( position );
 	float normalLength = length( normal );
@@ -308,7 +307,7 @@ vec3 turnedToViewer( const in vec3 normal, const in vec3 position, const in floa
   ]),
 };
 
-/** A chunk of three.js with some of it replaced. @throws Error where three.js has changed and does not have it. */
+/** A three.js chunk with replacements. @throws Error if three.js has changed and no longer contains the text */
 function edited(chunk: keyof typeof ShaderChunk, edits: readonly (readonly [was: string, is: string])[]): string {
   let text: string = ShaderChunk[chunk];
   for (const [was, is] of edits) {
@@ -319,9 +318,9 @@ function edited(chunk: keyof typeof ShaderChunk, edits: readonly (readonly [was:
 }
 
 /**
- * Makes any material skin exactly, and shade by normals turned toward the viewer: one for the surface, lines, shadow
- * (`customDepthMaterial`), an ID render. A shader of one's own includes three.js's chunks for skinning and morphs.
- * A material made for a skin with an `attachmentTexture` serves that skin only; without one it serves all such skins.
+ * Makes any material skin exactly, and shade by normals turned toward the viewer: surface, lines, shadow
+ * (`customDepthMaterial`), ID render. Custom shaders include three.js's chunks for skinning and morphs. A material
+ * created for a skin with an `attachmentTexture` serves that skin only; without one it serves all such skins.
  */
 export function withExactSkinning<M extends Material>(
   material: M,
@@ -334,7 +333,7 @@ export function withExactSkinning<M extends Material>(
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     before.call(material, shader, renderer);
     for (const [name, text] of Object.entries(chunks)) {
-      // It alone has no `vViewPosition`; and it is for looking at normals, not for light.
+      // It alone has no `vViewPosition`; and it shows normals, without lighting.
       if (name === 'normal_fragment_begin' && material instanceof MeshNormalMaterial) continue;
       const include = `#include <${name}>`;
       shader.vertexShader = shader.vertexShader.replaceAll(include, text);

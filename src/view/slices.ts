@@ -1,19 +1,17 @@
-/**
- * Long work on the main thread in slices of a few milliseconds, so that the page stays responsive.
- */
+/** Runs long work on the main thread in slices of a few milliseconds, so that the page stays responsive. */
 import type { Steps } from '../evaluate/steps.ts';
 
-/** Milliseconds at a stretch: half of what a frame at 60 Hz has, and far from a task that is felt. */
+/** Milliseconds per slice: half a frame at 60 Hz, so that no delay is felt. */
 const BUDGET_MS = 8;
 
-/** Bit by bit. Gives undefined when `signal` aborts it. */
+/** Runs `work` in slices. Resolves to undefined when `signal` aborts it. */
 export async function runInSlices<T>(
   work: Steps<T>,
   signal: AbortSignal,
   onProgress?: (done: number) => void,
 ): Promise<T | undefined> {
   for (;;) {
-    // First of all too: whoever asks for the work has often just done some.
+    // Also before the first slice: the caller has often just done some work.
     await breathe();
     const until = performance.now() + BUDGET_MS;
     let at = 0;
@@ -28,8 +26,8 @@ export async function runInSlices<T>(
 }
 
 /**
- * Lets the page answer what has come meanwhile, and draw. By a message, which is as soon as can be: a timer waits for
- * four milliseconds, or for a second in a tab in the background.
+ * Yields to events and drawing. By a message, which returns soonest: a timer waits four milliseconds, or a second in a
+ * background tab.
  */
 function breathe(): Promise<void> {
   return new Promise((resolve) => {
@@ -42,7 +40,7 @@ function breathe(): Promise<void> {
   });
 }
 
-/** The next frame, or soon where none are drawn: a tab in the background, Node. */
+/** The next frame, or soon if none are drawn: in a background tab, or in Node. */
 export function nextFrame(): Promise<void> {
   return new Promise((resolve) => {
     if (typeof requestAnimationFrame === 'undefined') {

@@ -1,15 +1,14 @@
 /**
- * What characters stand on and in: background, lights and the shadow on the ground.
+ * The scene around characters: background, lights and the shadow on the ground.
  *
- *     key    warm, from the left above, the one that throws a shadow
- *     rim    cool, from behind on the right: draws the outline
+ *     key    warm, from above left, casts the shadow
+ *     rim    cool, from behind right: lights the outline
  *     sky    soft from above, warm from the ground
- *     fill   faint, from wherever the camera is: no side of a character is unreadable
+ *     fill   faint, from the camera: no side of a character is too dark
  *
- * The shadow is soft the way contact shadows are: where what throws it is close to the ground it is dark and has an
- * edge, from higher up it is wide and faint. Both come from the one shadow map, sampled narrow and wide; samples that
- * ask only for what is far above the ground tell the two apart. The map is fitted to the characters, so their size
- * doesn't matter.
+ * The shadow hardens on contact: casters close to the ground give a dark, sharp shadow, higher ones a wide and faint
+ * one. Both come from one shadow map, sampled narrow and wide, the wide samples only from casters far above the ground.
+ * The map is fitted to the characters, so their size doesn't matter.
  */
 import {
   type Box3,
@@ -34,18 +33,18 @@ import {
 import type { StageTheme } from './theme.ts';
 import { rawColor } from './thick-lines.ts';
 
-/** Towards each light. */
+/** Directions towards the lights. */
 const KEY = new Vector3(-0.24, 1, 0.72).normalize();
 const RIM = new Vector3(0.62, 0.55, -0.85).normalize();
 
-/** Pixels along a side of the shadow map. */
+/** Side of the shadow map in pixels. */
 const SHADOW_MAP = 2048;
-/** The fitted size changes in steps of this, so that edges don't crawl while a character moves. */
+/** The fitted size changes in these steps, so that edges don't crawl while a character moves. */
 const SIZE_STEP = 1.2;
 
 export class Stage {
   readonly scene = new Scene();
-  /** Characters go here. */
+  /** Parent of the characters. */
   readonly content = new Group();
   private readonly key = new DirectionalLight('#ffe9d0', 2.3);
   private readonly rim = new DirectionalLight('#aecbff', 1.9);
@@ -90,7 +89,7 @@ export class Stage {
     this.key.castShadow = on;
   }
 
-  /** Before each frame: the faint light comes from the camera. */
+  /** Call before each frame: moves the fill light to the camera. */
   light(camera: Camera): void {
     const { fill } = this;
     fill.target.position.set(0, 0, 0);
@@ -98,8 +97,8 @@ export class Stage {
   }
 
   /**
-   * Fits the shadow to `box`, what throws it, in the world. The map is a square across the light, in the depth from
-   * the nearest of the box to where the light meets the ground under it.
+   * Fits the shadow to `box`, its caster, in the world. The map is a square perpendicular to the light, in the depth
+   * from the box's nearest point to where the light meets the ground below it.
    */
   fitShadow(box: Box3): void {
     const { key, ground, sphere, centre } = this;
@@ -110,14 +109,14 @@ export class Stage {
     ground.visible = true;
     box.getBoundingSphere(sphere);
     const radius = SIZE_STEP ** Math.ceil(Math.log(Math.max(sphere.radius, 1e-9) * 1.08) / Math.log(SIZE_STEP));
-    // The middle moves by whole texels across the light, for the same reason.
+    // Snapped to whole texels, for the same reason.
     const texel = (2 * radius) / SHADOW_MAP;
     const a = Math.round(sphere.center.dot(this.right) / texel) * texel;
     const b = Math.round(sphere.center.dot(this.up) / texel) * texel;
     centre.set(0, 0, 0).addScaledVector(this.right, a).addScaledVector(this.up, b);
     centre.addScaledVector(KEY, sphere.center.dot(KEY));
 
-    // The box's highest point's shadow is this far from it, at most; ground below everything gets none of it.
+    // Maximum horizontal distance of the shadow of the box's highest point; ground below that gets none.
     const fall = Math.max(0, centre.y + radius) / KEY.y;
     const camera = key.shadow.camera;
     camera.left = camera.bottom = -radius;
@@ -130,14 +129,14 @@ export class Stage {
     key.shadow.normalBias = 2.5 * texel;
     key.shadow.bias = -texel / camera.far;
 
-    // Where the light through the box's middle meets the ground.
+    // Where the light through the box's centre meets the ground.
     const reach = radius / KEY.y;
     const down = centre.y / KEY.y;
     ground.position.copy(centre).addScaledVector(KEY, -down);
     ground.position.y = 0;
     ground.scale.setScalar(2.3 * reach);
     const shader = ground.material.userData.uniforms;
-    // How far above the ground counts as far, as a part of the map's depth: half a "foot" of the box's height.
+    // Height above the ground that counts as far, as a part of the map's depth: half a "foot" of the box's height.
     shader.lifted.value = (0.07 * radius) / KEY.y / camera.far;
   }
 
@@ -150,7 +149,7 @@ export class Stage {
   }
 }
 
-/** A gradient behind everything, a little lighter where one looks, dithered so that it shows no steps. */
+/** A gradient behind everything, slightly lighter in the centre, dithered against banding. */
 function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3));
@@ -186,7 +185,7 @@ function createBackground(): Mesh<BufferGeometry, ShaderMaterial> {
   return mesh;
 }
 
-/** three.js's shadow on glass, with our own sampling in place of its mask. */
+/** three.js's ShadowMaterial with our own shadow sampling. */
 function createShadowMaterial(): ShadowMaterial {
   const material = new ShadowMaterial({
     depthWrite: false,

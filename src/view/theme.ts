@@ -1,9 +1,9 @@
 /**
- * The colours of everything drawn in the viewport, for both themes. Anything that is read or followed by eye (axes,
- * labels, what is selected) has a contrast of at least 4.5:1 with both ends of the background; tests measure it.
+ * The colours of everything drawn in the viewport, for both themes. Everything that is read or followed by eye (axes,
+ * labels, selection) has a contrast of at least 4.5:1 with both ends of the background; tests measure it.
  *
- * Colours are sRGB as CSS has them. Lines, labels and background are put on screen as they stand; lit surfaces go
- * through three.js's colour management and tone mapping.
+ * Colours are sRGB as CSS has them. Lines, labels and background are drawn unchanged; lit surfaces go through
+ * three.js's colour management and tone mapping.
  */
 export type ThemeName = 'light' | 'dark';
 
@@ -27,7 +27,7 @@ export interface StageTheme {
   readonly axisZ: string;
   /** Numbers on the grid, names of joints. */
   readonly label: string;
-  /** Around labels, so that they read on top of anything. */
+  /** Outline of labels, so that they are readable on anything. */
   readonly labelHalo: string;
   /** Joints and bones, lit. */
   readonly bone: string;
@@ -38,21 +38,21 @@ export interface StageTheme {
   readonly boxEdgeOpacity: number;
   readonly selected: string;
   readonly selectedLabel: string;
-  /** The circle around a picked vertex, and a DOF's handle that goes by no axis: the accent. */
+  /** The circle around a picked vertex, and a DOF's handle without an axis: the accent. */
   readonly vertex: string;
   readonly hovered: string;
-  /** Points that are held, and the way from one to where it should be. */
+  /** Pins, and the gaps to their targets. */
   readonly pin: string;
   readonly pinGap: string;
-  /** Ghosts: earlier than now cool, later warm. */
+  /** Ghosts: earlier ones cool, later ones warm. */
   readonly ghostBefore: string;
   readonly ghostAfter: string;
-  /** Two characters that are compared, their skins too: what the list of takes has beside their names. */
+  /** Two compared characters, with their skins: the colours beside their names in the list of takes. */
   readonly comparedFirst: string;
   readonly comparedSecond: string;
   readonly shadow: string;
   readonly shadowOpacity: number;
-  /** Strength of all lights together: light surroundings need a little more. */
+  /** Strength of all lights: light surroundings need a little more. */
   readonly exposure: number;
 }
 

@@ -1,13 +1,13 @@
 /**
- * Lines of a width in pixels. WebGL draws lines one pixel wide at most, so each segment is a quad, spread on screen by
- * its vertex shader:
+ * Lines with a width in pixels. WebGL lines are one pixel wide, so each segment is a quad, expanded on screen by its
+ * vertex shader:
  *
  *        corner (0,1) ┌───────────┐ (1,1)
  *               start ·           · end      ends reach half a width further, so that corners meet and
  *              (0,−1) └───────────┘ (1,−1)   a segment without length is still a dot
  *
- * A whole list of segments is one geometry, drawn once for each instance. (three.js's LineSegments2 makes an instance
- * of each segment instead, which leaves none for "this box, a thousand times".)
+ * A whole list of segments is one geometry, drawn once per instance. (three.js's LineSegments2 uses instances for
+ * segments, which leaves none for "this box, a thousand times".)
  */
 import {
   BufferAttribute,
@@ -19,12 +19,12 @@ import {
   Vector2,
 } from 'three';
 
-/** Shared by all line materials; the stage keeps it up to date. Drawing buffer, in CSS pixels. */
+/** Shared by all line materials and updated by the stage: size of the drawing buffer in CSS pixels. */
 export const LINE_RESOLUTION = { value: new Vector2(1, 1) };
 
 /**
- * @param points x y z of start and end, 6 numbers a segment
- * @param colors r g b a segment, 0–1, instead of one colour for all
+ * @param points x y z of start and end, 6 numbers per segment
+ * @param colors r g b per segment, 0–1, instead of one colour for all
  */
 export function segmentsGeometry(points: ArrayLike<number>, colors?: ArrayLike<number>): BufferGeometry {
   const count = points.length / 6;
@@ -70,7 +70,7 @@ const SPREAD = /* glsl */ `
     #endif
     vec4 a = projectionMatrix * (toView * vec4(position, 1.0));
     vec4 b = projectionMatrix * (toView * vec4(segmentEnd, 1.0));
-    // What lies before the near plane has no direction on screen: cut it off.
+    // Points in front of the near plane have no position on screen: clip.
     float da = a.z + a.w;
     float db = b.z + b.w;
     if (da < 0.0 && db > 0.0) a = mix(a, b, da / (da - db));
@@ -91,11 +91,11 @@ export interface LineOptions {
   readonly width: number;
   readonly color?: string;
   readonly opacity?: number;
-  /** Towards the viewer, as part of the depth range: keeps lines on a surface in front of it. */
+  /** Moves lines towards the viewer, as a part of the depth range, so that they stay in front of a surface. */
   readonly lift?: number;
-  /** Takes a segment's own colour. */
+  /** Uses a colour per segment. */
   readonly segmentColors?: boolean;
-  /** Takes an instance's own colour and opacity, the instanced attribute `tint` (sRGB). */
+  /** Uses a colour and opacity per instance, the instanced attribute `tint` (sRGB). */
   readonly tinted?: boolean;
 }
 
@@ -112,7 +112,7 @@ export function lineMaterial(options: LineOptions, more: ShaderMaterialParameter
       resolution: LINE_RESOLUTION,
       width: { value: options.width },
       lift: { value: options.lift ?? 0 },
-      // Raw sRGB: lines are put on screen as the theme names them.
+      // Raw sRGB: lines are drawn exactly in the theme's colours.
       color: { value: rawColor(options.color ?? '#ffffff') },
       opacity: { value: options.opacity ?? 1 },
     },
@@ -180,7 +180,7 @@ export const ID_FRAGMENT = /* glsl */ `
   }
 `;
 
-/** A theme's colour as it is written, for materials that put it on screen unchanged. */
+/** A theme colour unchanged, for materials that output it as it is. */
 export function rawColor(css: string): Color {
   return new Color().setStyle(css, 'srgb-linear');
 }

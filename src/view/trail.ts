@@ -1,6 +1,6 @@
 /**
- * The path of one joint over the played range, as a line through space: sampled once when the joint, the character or
- * the range changes, not while it plays.
+ * The motion path of one joint over the playback range: sampled when the joint, the character or the range changes, not
+ * while playing.
  */
 import { BufferGeometry, DynamicDrawUsage, InstancedBufferAttribute, InstancedMesh, type ShaderMaterial } from 'three';
 import { compileSkeleton, worldMatrices } from '../evaluate/kinematics.ts';
@@ -12,13 +12,13 @@ import { shownClip } from '../model/document.ts';
 import type { StageTheme } from './theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from './thick-lines.ts';
 
-/** Samples a second of the range, and at most. */
+/** Samples per second of the range, and at most. */
 const SAMPLES_PER_SECOND = 60;
 const MAX_SAMPLES = 1500;
 
 /**
- * Where a joint is at `count` moments from `start` to `end` (seconds of the transport), x y z each, in the character's
- * space. `inPlace` takes the root's travel over the ground out, as the picture does.
+ * Positions of a joint at `count` times from `start` to `end` (seconds of the transport), x y z each, in the
+ * character's space. `inPlace` subtracts the root's horizontal motion, as when drawing.
  */
 export function samplePath(
   character: Character,
@@ -60,7 +60,7 @@ export class Trail {
     this.object.material.uniforms.color.value.copy(rawColor(theme.selected));
   }
 
-  /** Shows the joint's path, or nothing. `range` in seconds of the transport; the clip's own without one. */
+  /** Shows the joint's path, or nothing. `range` in seconds of the transport; default: the clip's own. */
   show(
     character: Character | undefined,
     joint: number | undefined,

@@ -1,7 +1,7 @@
 /**
- * Large buffers to the GPU one a frame. three.js uploads all of a geometry's attributes when it first draws it, in one
- * task; but it knows a buffer by its attribute, whatever geometry that is in. So each attribute is shown to it alone,
- * in a geometry of its own that draws nothing, and the real geometry then finds all of them there.
+ * Uploads large buffers one per frame. three.js uploads all of a geometry's attributes in one task when it is first
+ * drawn; but it tracks buffers by attribute, not geometry. So each attribute is first rendered alone, in a geometry
+ * that draws nothing, and the real geometry then finds all of them uploaded.
  */
 import {
   BufferGeometry,
@@ -18,7 +18,7 @@ import {
 } from 'three';
 import { nextFrame } from './slices.ts';
 
-/** Resolves when all is on the GPU, or `signal` has aborted. */
+/** Resolves when everything is on the GPU, or `signal` has aborted. */
 export async function uploadInFrames(
   renderer: WebGLRenderer,
   geometry: BufferGeometry,
@@ -28,7 +28,7 @@ export async function uploadInFrames(
 ): Promise<void> {
   const target = new WebGLRenderTarget(1, 1);
   const camera = new Camera();
-  // Attributes are uploaded for whatever is in view, even if its material is not drawn; an index only to be drawn with.
+  // Attributes are uploaded for everything in view, even with an invisible material; an index only when drawn.
   const unseen = new PointsMaterial({ visible: false });
   const drawn = new MeshBasicMaterial();
   const steps: (() => void)[] = Object.entries(geometry.attributes).map(([name, attribute]) => () => {
@@ -54,7 +54,7 @@ export async function uploadInFrames(
       await nextFrame();
     }
   } finally {
-    // Not the geometries: that would free the very buffers that were uploaded.
+    // Not the geometries: that would free the uploaded buffers.
     target.dispose();
     unseen.dispose();
     drawn.dispose();
@@ -63,7 +63,7 @@ export async function uploadInFrames(
 
 function render(renderer: WebGLRenderer, object: Points | Mesh, camera: Camera, target: WebGLRenderTarget): void {
   object.frustumCulled = false;
-  // Else three.js looks for one to sort by.
+  // Else three.js computes one, for sorting.
   object.geometry.boundingSphere = new Sphere();
   const scene = new Scene();
   scene.add(object);

@@ -1,4 +1,4 @@
-/** The circle around the picked vertex of a skin, in each placement of its character. */
+/** The circle around the picked vertex of a skin, at each placement of its character. */
 import { InstancedBufferAttribute, Vector3 } from 'three';
 import { dots } from './dots.ts';
 import { type ShownCharacter, vertexPosition } from './shown-characters.ts';
@@ -19,7 +19,7 @@ export class VertexMarker {
     this.object.material.uniforms.ring.value.copy(rawColor(theme.labelHalo));
   }
 
-  /** Marks a vertex where it is drawn now; nothing where there is none. */
+  /** Marks a vertex where it is drawn now; hides the mark if there is none. */
   mark(entry: ShownCharacter | undefined, vertex: number | undefined): void {
     const { object, point } = this;
     const count = entry && vertex !== undefined ? entry.character.placements.length : 0;

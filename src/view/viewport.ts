@@ -1,10 +1,10 @@
 /**
- * The picture of the document: everything three.js, behind one class. Two paths:
+ * Draws the document: everything three.js, behind one class. Two paths:
  *
- *     after an edit     show()    compares identities: which characters came, went or changed
- *     every frame       seek()    poses what is there; draw() fills matrices and draws, once, when something changed
+ *     after an edit     show()    compares identities: which characters were added, removed or changed
+ *     every frame       seek()    poses characters; draw() fills matrices and draws, only if something changed
  *
- * It gives back facts (what was hit, where joints are), never edits: it can't see how documents change.
+ * It reports facts (what was hit, where joints are) and never edits the document.
  */
 import { Box3, SRGBColorSpace, Vector3, WebGLRenderer } from 'three';
 import type { Vec3 } from '../math/vec3.ts';
@@ -35,13 +35,13 @@ import { VertexMarker } from './vertex-marker.ts';
 
 export type { Hit } from './picking.ts';
 
-/** What is known of a character as it is drawn now. */
+/** Values of a character as drawn now. */
 export interface CharacterFacts {
-  /** Every DOF (see `model/dofs.ts`), clamped. Filled anew by each `seek`: copy what is to be kept. */
+  /** Every DOF (see `model/dofs.ts`), clamped. Overwritten by each `seek`: copy what you keep. */
   readonly dofs: Float64Array;
   /**
-   * 16 numbers a joint, column-major, in the character's own space: for drawing, and not to be written to. Filled anew by
-   * each `seek`: copy what is to be kept.
+   * 16 numbers per joint, column-major, in the character's own space. Read-only. Overwritten by each `seek`: copy what
+   * you keep.
    */
   readonly worlds: Float64Array;
   /** A copy of `worlds`. */
@@ -51,7 +51,7 @@ export interface CharacterFacts {
 }
 
 export interface ViewportEvents {
-  /** A skin's picture can't be decoded; it is drawn without. */
+  /** A skin's texture can't be decoded; the skin is drawn untextured. */
   textureFailed?(characterId: string, texture: Texture, message: string): void;
 }
 
@@ -62,7 +62,7 @@ export interface FrameStats {
 }
 
 const MAX_PIXELS_PER_PIXEL = 2;
-/** Above this many triangles the pointer's every move would be felt: joints in skins then light up on a click only. */
+/** Above this many triangles hover picking would be slow: joints inside skins are then picked on click only. */
 const HOVER_TRIANGLES = 300_000;
 
 export class Viewport {
@@ -81,7 +81,7 @@ export class Viewport {
   private readonly orientation: Orientation;
   private readonly picker: Picker;
   private readonly overlays: Overlays;
-  /** Between points of the page and of the scene. */
+  /** Converts between points of the page and of the scene. */
   readonly eye: Eye;
   private readonly resizing: ResizeObserver;
   private readonly characters: ShownCharacters;
@@ -100,19 +100,20 @@ export class Viewport {
   private height = 0;
   private queued = 0;
   private disposed = false;
-  /** Something moved, or came or went, since the last frame. */
+  /** Poses or the set of characters have changed since the last frame. */
   private posesChanged = true;
   private hovered: JointRef | undefined;
   private isPointerTaken = false;
-  /** Drags that hold the picture still. */
+  /** Number of drags that pause following. */
   private holds = 0;
   private pointer: { x: number; y: number } | undefined;
   private readonly box = new Box3();
   private readonly point = new Vector3();
 
   /**
-   * Fills `container`, whatever its size becomes.
-   * @throws Error where the browser has no WebGL2
+   * Fills `container` at any size.
+   *
+   * @throws Error if the browser has no WebGL2
    */
   constructor(
     container: HTMLElement,
@@ -123,7 +124,7 @@ export class Viewport {
     this.canvas = renderer.domElement;
     this.canvas.style.cssText = 'display:block;position:absolute;inset:0;width:100%;height:100%;touch-action:none';
     renderer.outputColorSpace = SRGBColorSpace;
-    // Counted over a whole frame, which is more than one pass.
+    // Counted over a whole frame, which has several passes.
     renderer.info.autoReset = false;
     this.stage = new Stage(renderer);
     this.picker = new Picker(renderer);
@@ -149,7 +150,7 @@ export class Viewport {
     this.listen();
   }
 
-  /** After an edit: what the document, the selection and the switches of the display say now. */
+  /** Call after an edit, with the current document, selection and display. */
   show(document: Document, selection: Selection, display: Display, tints = NO_TINTS): void {
     const before = this.document;
     const { characters } = this;
@@ -165,8 +166,8 @@ export class Viewport {
     characters.show(document, display, selection, this.timeSeconds, everything);
     this.tints = tints;
     for (const { view, character } of characters.all) view.setTint(tints.get(character.id));
-    // The first to come into an empty picture, or in the place of everything before, are looked at from where one
-    // looks first; what comes beside others is left to whoever brought it.
+    // The first characters, or ones that replace everything, get the default view. Framing of further ones is up to the
+    // caller.
     if (!known && document.characters.length > 0) this.framer.lookFirst();
     this.rig.setOrthographic(display.orthographic);
     this.stage.setShadow(display.shadow);
@@ -177,7 +178,7 @@ export class Viewport {
     this.requestRender();
   }
 
-  /** Poses every character at a time of the transport. Facts are right at once; the picture follows. */
+  /** Poses every character at a time of the transport. Values are right at once; drawing follows. */
   seek(timeSeconds: number): void {
     this.timeSeconds = timeSeconds;
     this.characters.seek(timeSeconds);
@@ -185,7 +186,7 @@ export class Viewport {
     this.requestRender();
   }
 
-  /** Draws with the next frame of the browser; however often it is asked, once. */
+  /** Requests a redraw with the next frame; several requests draw once. */
   requestRender(): void {
     if (this.queued === 0 && !this.disposed) this.queued = requestAnimationFrame(this.draw);
   }
@@ -199,7 +200,7 @@ export class Viewport {
     return hit && { ...hit, characterId: characterIdOf(hit.characterId) };
   }
 
-  /** Marks a joint as the one under the pointer, as a row of a list may ask for; undefined for none. */
+  /** Highlights a joint as if under the pointer, for rows of lists; undefined for none. */
   hover(joint: JointRef | undefined): void {
     if (!this.skeletons.hover(joint)) return;
     this.hovered = joint;
@@ -207,31 +208,31 @@ export class Viewport {
     this.requestRender();
   }
 
-  /** Says whether the pointer is a tool's: no joint lights up under it meanwhile. */
+  /** Whether a tool has captured the pointer: no joint is highlighted meanwhile. */
   takePointer(isTaken: boolean): void {
     this.isPointerTaken = isTaken;
     if (isTaken) this.hover(undefined);
   }
 
-  /** Says how many CSS pixels at the top lie under something else, whenever something is about to be framed. */
+  /** Sets the function that returns how many CSS pixels at the top are covered by overlays, for framing. */
   keepClear(coveredTop: () => number): void {
     this.framer.coveredTop = coveredTop;
   }
 
-  /** Everything there is. */
+  /** Frames everything. */
   frameAll(): void {
     this.framer.frameAll();
     this.requestRender();
   }
 
-  /** The selected vertex or joint, of the copy that was picked, or the character; else everything. */
+  /** Frames the selected vertex or joint of the picked instance, or the character; else everything. */
   frameSelection(selection: Selection): void {
     this.update();
     this.framer.frameSelection(selection);
     this.requestRender();
   }
 
-  /** Frames these characters with the next picture, with room for their motion, unless they are well seen anyway. */
+  /** Frames these characters with the next frame, with room for their motion, unless they are well in view. */
   reveal(...characterIds: readonly string[]): void {
     this.framer.reveal(characterIds);
     this.requestRender();
@@ -241,12 +242,12 @@ export class Viewport {
     this.rig.lookFrom(side);
   }
 
-  /** Where the camera stands, or is going. */
+  /** The current view, or the one being moved to. */
   get cameraView(): CameraView {
     return this.rig.view;
   }
 
-  /** Puts the camera there at once, whatever was about to be framed. */
+  /** Sets the view at once and cancels pending framing. */
   set cameraView(view: CameraView) {
     this.framer.leave();
     this.rig.view = view;
@@ -268,7 +269,7 @@ export class Viewport {
     this.requestRender();
   }
 
-  /** Seconds of the transport that are played: what a trail covers, and what framing everything leaves room for. */
+  /** Playback range in seconds of the transport: covered by motion paths and by framing everything. */
   setPlayedRange(range: readonly [number, number]): void {
     if (range[0] === this.playedRange[0] && range[1] === this.playedRange[1]) return;
     this.playedRange = range;
@@ -277,7 +278,7 @@ export class Viewport {
     this.requestRender();
   }
 
-  /** What a frame is where a character's clip has no frames of its own: for ghosts that are frames apart. */
+  /** Frame rate for clips without frames of their own: for ghosts that are frames apart. */
   setFramesPerSecond(framesPerSecond: number): void {
     if (framesPerSecond === this.framesPerSecond) return;
     this.framesPerSecond = framesPerSecond;
@@ -297,7 +298,7 @@ export class Viewport {
     return { drawCalls: calls, triangles };
   }
 
-  /** Draws what a tool has over the picture. Returns the way out, which disposes of it. */
+  /** Adds a tool's overlay. Returns a function that removes and disposes of it. */
   addOverlay(overlay: Overlay): () => void {
     const remove = this.overlays.add(overlay, STAGE_THEMES[this.themeName]);
     this.requestRender();
@@ -308,8 +309,8 @@ export class Viewport {
   }
 
   /**
-   * From a character's own space to the world, column-major, as the next picture has it; undefined where it is not
-   * shown. Filled anew by each picture: copy what is to be kept.
+   * From a character's own space to the world, column-major, as in the next frame; undefined if it isn't shown.
+   * Overwritten each frame: copy what you keep.
    */
   placementOf(characterId: string, placement: number): Float64Array | undefined {
     const entry = this.characters.seen(characterId);
@@ -317,20 +318,20 @@ export class Viewport {
     return entry?.placements.subarray(16 * placement, 16 * placement + 16);
   }
 
-  /** How far a copy of a character reaches along the scene's axes, as drawn now; undefined where nothing is. */
+  /** Size of an instance of a character along the scene's axes, as drawn now; undefined if nothing is drawn. */
   sizeOf(characterId: string, placement: number): Vec3 | undefined {
     const box = this.characters.get(characterId)?.view.boundsAt(placement, this.box);
     return box && !box.isEmpty() ? box.getSize(this.point).toArray() : undefined;
   }
 
-  /** Which of a character's copies is worked on, as an index into its placements. */
+  /** The instance of a character that is edited, as an index into its placements. */
   pickedCopy(character: Pick<Character, 'id' | 'placements'>): number {
     return this.picked.of(character);
   }
 
   /**
-   * For a drag: what carries the character over the ground is cancelled as it is now, even if it is dragged about, and
-   * the camera follows no joint, until the way out that comes back is called. Only *in place* cancels anything.
+   * For drags: freezes the root motion offset of *in place*, even while the root is dragged, and pauses following of
+   * joints. Returns a function that ends both.
    */
   holdTravel(characterId: string): () => void {
     const view = this.characters.get(characterId)?.view;
@@ -347,19 +348,19 @@ export class Viewport {
     };
   }
 
-  /** Where a vertex of a character's skin is drawn, in the world; undefined where there is none. */
+  /** World position of a skin's vertex as drawn; undefined if there is none. */
   vertexAt(characterId: string, vertex: number, placement: number): Vec3 | undefined {
     const entry = this.characters.seen(characterId);
     this.update();
     return entry && vertexPosition(entry, vertex, placement, this.point) ? this.point.toArray() : undefined;
   }
 
-  /** Turns the view about its target; radians, above 0: as if the camera went to the right. */
+  /** Orbits about the target; radians, positive moves the camera to the right. */
   turnView(azimuth: number): void {
     this.rig.turn(azimuth);
   }
 
-  /** Length between the labelled lines of the grid, as last drawn. */
+  /** Spacing of the labelled grid lines, as last drawn. */
   get gridSpacing(): number {
     return this.grid.spacing;
   }
@@ -391,7 +392,7 @@ export class Viewport {
         this.posesChanged = true;
         this.requestRender();
       },
-      // Nobody waits for it: an error is the page's, as one thrown while drawing would be.
+      // Not awaited: errors are reported like those thrown while drawing.
       (error: unknown) => reportError(error),
     );
   }
@@ -399,7 +400,7 @@ export class Viewport {
   private listen(): void {
     const { canvas } = this;
     const { signal } = this.listening;
-    // three.js asks for the context back, and makes everything anew when it comes; then it only has to be drawn.
+    // three.js recreates everything when the context is restored; it only has to be drawn again.
     canvas.addEventListener(
       'webglcontextrestored',
       () => {
@@ -438,7 +439,7 @@ export class Viewport {
     this.grid.setPixelRatio(ratio);
     this.labels.resize(width, height, ratio);
     this.rig.resize(width, height);
-    // At once: a canvas is empty after a change of size, and would flash.
+    // Draw at once: a resized canvas is empty, and would flash.
     if (this.document) this.draw(performance.now());
   }
 
@@ -447,7 +448,7 @@ export class Viewport {
     const posed = this.characters.posedSkeletons(this.tints);
     const ofHovered = (all: readonly PosedSkeleton[]) =>
       all.find(({ characterId }) => characterId === hovered?.characterId)?.skeleton;
-    // By its index another joint would light up.
+    // Its index would highlight another joint.
     if (hovered && !haveSameJoints(ofHovered(skeletons.drawn), ofHovered(posed))) {
       this.hovered = undefined;
       skeletons.hover(undefined);
@@ -464,7 +465,7 @@ export class Viewport {
     this.trail.show(trail ? entry?.character : undefined, joint, this.playedRange, inPlace);
   }
 
-  /** Matrices of what is drawn, from the poses as they are. */
+  /** Updates the matrices of everything drawn from the current poses. */
   private update(): void {
     if (!this.posesChanged) return;
     this.posesChanged = false;
@@ -478,7 +479,7 @@ export class Viewport {
     this.fillGhosts();
   }
 
-  /** Of the character that is selected; of the only one where none is. */
+  /** Ghosts of the selected character, or of the only one if none is selected. */
   private fillGhosts(): void {
     const { characters, selection, display, ghosts, playedRange, timeSeconds, framesPerSecond } = this;
     const { visible } = characters;
@@ -486,7 +487,7 @@ export class Viewport {
     ghosts.fill(display.ghosts ? entry?.character : undefined, display, timeSeconds, playedRange, framesPerSecond);
   }
 
-  /** Every frame that has something new. An arrow, for it is handed to the browser each time. */
+  /** Draws a frame if anything has changed. An arrow function, since it is passed to requestAnimationFrame. */
   private readonly draw = (nowMs: number): void => {
     cancelAnimationFrame(this.queued);
     this.queued = 0;
@@ -530,7 +531,7 @@ export class Viewport {
     return this.display.boxes !== 'hidden' || this.display.bones;
   }
 
-  /** Lights up the joint under the pointer, with the frame that its move asked for. */
+  /** Highlights the joint under the pointer, once per frame. */
   private hoverPointer(): void {
     const { pointer } = this;
     this.pointer = undefined;

@@ -1,19 +1,19 @@
-/** Whether one sees well enough what one wants to look at, or the camera has to go there. */
+/** Whether something is well in view, or the camera has to move. */
 import { type Box3, type Camera, PerspectiveCamera, Vector3 } from 'three';
 
-/** The picture reaches from −1 to 1 both ways. */
+/** The view spans −1 to 1 both ways. */
 const MIDDLE = 0.5;
 const EDGE = 1.1;
-/** What is smaller than a third of the picture's height is looked at from nearer. */
+/** Smaller than a third of the view's height counts as too small. */
 const MIN_SIZE = 2 / 3;
 
 /**
- * The figure is in the picture as a whole and no smaller than a third of it; and where it goes has its centre in the
- * middle part. Who lies down is as large as it is long.
+ * The character is fully in view and at least a third of its height, and the centre of its motion is near the middle. A
+ * lying character counts by its length.
  *
- * @param figure around it as it stands, in the world; not empty
- * @param room around it at all moments played
- * @param covered part of the picture's height, at its top, that something else lies over
+ * @param figure bounds of its current pose, in the world; not empty
+ * @param room bounds of its motion over the playback range
+ * @param covered part of the view's height, at its top, covered by overlays
  */
 export function isWellSeen(figure: Box3, room: Box3, camera: Camera, covered = 0): boolean {
   camera.updateMatrixWorld();
@@ -33,7 +33,7 @@ export function isWellSeen(figure: Box3, room: Box3, camera: Camera, covered = 0
   return Math.max((right - left) * aspect, high - low) >= MIN_SIZE;
 }
 
-/** From the world into the picture, in place; false for what is behind the camera. */
+/** Projects from world to clip coordinates, in place; false if behind the camera. */
 function project(at: Vector3, camera: Camera): boolean {
   at.applyMatrix4(camera.matrixWorldInverse);
   if (camera instanceof PerspectiveCamera && at.z > -camera.near) return false;

@@ -1,10 +1,9 @@
 /**
- * Keeps the page's work in the browser, and offers what an earlier page left behind.
+ * Keeps the page's work in the browser, and offers to restore what an earlier page left behind.
  *
- * Each page has a session of its own, under an id that is drawn at its start, and holds that session's lock for as long
- * as it lives: two pages never write the same records, and a session that nobody holds is one whose page is gone.
- * Nothing is kept of what the page showed by itself, for it will do so again. Where the browser has no store, or no room
- * left in it, that is said once, and everything else goes on.
+ * Each page has its own session under a random id and holds that session's lock while it is open: two pages never write
+ * the same records, and an unlocked session is one whose page is closed. What the page opened by itself is not kept,
+ * since it will be opened again. If the browser has no storage, or no room left, a message says so once.
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
@@ -37,30 +36,30 @@ export interface AutosaveParts {
   readonly opener: Pick<Opener, 'subscribe' | 'inTurn'>;
   readonly worker: Pick<WorkerClient, 'run'>;
   readonly saving: SavingMarks;
-  /** Undefined where the browser has none. */
+  /** Undefined if the browser has no storage. */
   readonly sessions: SessionStore | undefined;
   readonly locks: SessionLocks | undefined;
 }
 
-/** The time from the page's beginning to its autosave's. */
+/** What happened before autosave started. */
 export interface TimeBefore {
-  /** What the page began with: it comes by itself, and will again, so it need not be kept. */
+  /** The page's initial document. It is opened again on each start, so it isn't kept. */
   readonly own: Document;
   readonly opened: readonly OpenedFiles[];
 }
 
-/** What saving knows beside the document, as plain data. */
+/** The state of saving that is not in the document, as plain data. */
 export interface SavingMarks {
   snapshot(): unknown;
   restore(kept: unknown): void;
-  /** Calls back when there is something else to be kept. */
+  /** Calls back when the snapshot has changed. */
   subscribe(listener: () => void): void;
 }
 
-/** As the page tells it, for tests and for whoever looks closely: `<html data-autosave="kept">`. */
+/** Shown as `<html data-autosave="kept">`, for tests. */
 export type AutosaveState = 'nothing' | 'pending' | 'kept' | 'failed';
 
-/** After a failure, the next try waits so long. */
+/** Delay before retrying after a failure. */
 const RETRY_MS = 30_000;
 
 export class Autosave {
@@ -68,15 +67,15 @@ export class Autosave {
   private readonly origins = new Origins(Date.now() * 1000);
   private readonly offers: KeptOffers | undefined;
   private keeper: Keeper | undefined;
-  /** Held from the first change on. */
+  /** Requested on the first change. */
   private lock: Promise<(() => void) | undefined> | undefined;
   private isHeld = false;
   private last: SessionState | undefined;
   private marksChanged = false;
-  /** What the page showed by itself. */
+  /** The document that the page opened by itself. */
   private own: Document | undefined;
   private hasComplained = false;
-  /** Not before then: the last try failed. */
+  /** No save before this time, since the last one failed. */
   private retryAtMs = 0;
 
   constructor(
@@ -112,13 +111,13 @@ export class Autosave {
     this.changed();
   }
 
-  /** Looks for what earlier pages left behind. */
+  /** Looks for sessions left by earlier pages. */
   async offer(): Promise<void> {
-    // A store that can't be read can't be written either, which is said when there is something to keep.
+    // If the store can't be read it can't be written either; that is reported when there is something to save.
     await this.offers?.find(this.keeper?.id ?? '').catch(() => undefined);
   }
 
-  /** Something may be another: looked at when it is time. */
+  /** Something may have changed: compared when it is time to save. */
   changed(): void {
     if (!this.isWorthKeeping && !this.keeper?.isStored) return;
     if (this.isWorthKeeping) this.offers?.setAside();
@@ -127,17 +126,17 @@ export class Autosave {
     if (this.isWorthKeeping) void this.hold();
   }
 
-  /** Someone did something that may have moved the camera. */
+  /** Input that may have moved the camera. */
   touched(): void {
     if (this.isWorthKeeping) this.rhythm.changed();
   }
 
-  /** A button or a finger goes down, or up. */
+  /** A mouse button or finger went down or up. */
   hand(isDown: boolean): void {
     this.rhythm.hand(isDown);
   }
 
-  /** The page may be gone in a moment. */
+  /** Saves without waiting, since the page may be closing. */
   saveAtOnce(): void {
     const { keeper } = this;
     const state = this.state();
@@ -176,7 +175,7 @@ export class Autosave {
     }
     if (!this.isWorthKeeping) {
       this.last = undefined;
-      // What could not be removed is offered once more, and no worse than that.
+      // If removing fails, the session is only offered once more.
       await keeper.remove().catch(() => undefined);
       this.tell('nothing');
       return;
@@ -198,7 +197,7 @@ export class Autosave {
     );
   }
 
-  /** Waits for a save that is under way, and tells how it went. Never rejects. */
+  /** Waits for a running save and reports its result. Never rejects. */
   private async settle(keeper: Keeper, state: SessionState, saving: Promise<void>): Promise<void> {
     this.marksChanged = false;
     try {
@@ -232,7 +231,7 @@ export class Autosave {
         () => {
           this.isHeld = this.lock === lock;
         },
-        // Whoever waits for it hears of it, now or with the next try.
+        // Reported to whoever awaits the save, now or on the next try.
         () => {
           this.lock = undefined;
         },
@@ -241,7 +240,7 @@ export class Autosave {
     return this.lock;
   }
 
-  /** Goes on with another session. */
+  /** Continues in another session. */
   private async restore(id: string): Promise<void> {
     const { opener, locks, messages } = this.parts;
     await opener.inTurn(async () => {
@@ -283,7 +282,7 @@ export class Autosave {
 
   private async takeOver(session: ReadSession, lock: () => void): Promise<void> {
     const { keeper: before, lock: lockBefore, isWorthKeeping: wasWork } = this;
-    // Putting it back changes everything: none of that is to be written under the old id.
+    // Restoring changes everything: none of it may be written under the old id.
     this.keeper = session.keeper();
     this.lock = Promise.resolve(lock);
     this.isHeld = true;
@@ -293,13 +292,13 @@ export class Autosave {
     this.marksChanged = false;
     this.rhythm.clear();
     this.tell('kept');
-    // What was open instead can be had back by undo, and goes on under the session taken over.
+    // What was open can be restored by undo, and belongs to the restored session now.
     await before?.remove().catch(() => undefined);
     (await lockBefore?.catch(() => undefined))?.();
   }
 }
 
-/** A page that is being closed may hold its lock a little longer. */
+/** A closing page may hold its lock a little longer. */
 const LOCK_PATIENCE_MS = 1000;
 
 const FULL =
@@ -309,7 +308,7 @@ const NO_STORE =
   'This browser does not let the page protect your work from a crash or reload. Everything else works; ' +
   'save your files often.';
 
-/** No more than different from all others; `randomUUID` is not there on plain http. */
+/** Only has to be unique; `randomUUID` is missing on plain http. */
 function newId(): string {
   return Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join('-');
 }

@@ -1,14 +1,12 @@
 /**
- * How a page comes by its autosave: a script of its own, fetched when the first picture is there, or with the first
- * change if that is earlier. Until then is taken down what it has to know of the time before.
+ * Starts autosave: a script of its own, loaded after the first frame or on the first change, whichever is earlier.
+ * Until then, what happens is recorded.
  */
 import { onDemand, whenIdle } from '../../ui/state/on-demand.ts';
 import type { OpenedFiles } from '../opening.ts';
 import type { AutosaveParts } from './autosave.ts';
 
-/**
- * @param opening what the page begins with: it comes by itself, and will again, so it need not be kept
- */
+/** @param opening opens the page's initial document, which isn't kept since it is opened again on each start */
 export async function beginAutosave(
   parts: Omit<AutosaveParts, 'sessions' | 'locks'>,
   opening: Promise<unknown>,

@@ -1,14 +1,14 @@
-/** The way back from what was kept to a session: the inverse of `encode.ts`. */
+/** Decodes a kept session: the inverse of `encode.ts`. */
 import type { ParsedFile } from '../../model/files.ts';
 import { type Encoded, isNumbers, NUMBERS_TYPES, type StorableNumbers, type StoredNumbers } from './encode.ts';
 import { formerColumn, inPresentForm } from './former-channels.ts';
 
-/** A session that can't be had back, in a sentence. */
+/** A session that can't be restored; the message is a whole sentence. */
 export class RestoreError extends Error {
   override readonly name = 'RestoreError';
 }
 
-/** The places in pieces that a tree refers to, each node once. */
+/** Places in pieces that a tree refers to, each node once. */
 export function storedNumbers(tree: Encoded): readonly StoredNumbers[] {
   const found = new Set<StoredNumbers>();
   const seen = new Set<unknown>();
@@ -23,17 +23,18 @@ export function storedNumbers(tree: Encoded): readonly StoredNumbers[] {
   return [...found];
 }
 
-/** An array to be filled with what the pieces hold. */
+/** An array to be filled from the pieces. */
 export function emptyNumbers({ type, bytes }: StoredNumbers): StorableNumbers {
   const Type = NUMBERS_TYPES[type];
   return new Type(bytes / Type.BYTES_PER_ELEMENT);
 }
 
 /**
- * The value that a tree stands for. What was shared is shared again; parts of files are the files' own.
+ * The value that a tree encodes. Shared values are shared again; parts of files are the files' own objects.
+ *
  * @param files those that `part`s refer to, read again
  * @param arrays one for each of `storedNumbers`
- * @throws RestoreError where a file has no such part
+ * @throws RestoreError if a file has no such part
  */
 export function decode(
   tree: Encoded,
@@ -74,7 +75,7 @@ function partOf(file: ParsedFile, path: readonly (string | number)[]): unknown {
   for (const key of path) {
     const at: unknown = value;
     if (typeof at !== 'object' || at === null) throw changed(file);
-    // Own properties only; what they hold is looked at before the next step.
+    // Own properties only; the value is checked in the next step.
     value = Object.hasOwn(at, key) ? (at as Record<string | number, unknown>)[key] : formerColumn(at, key);
     if (value === undefined) throw changed(file);
   }

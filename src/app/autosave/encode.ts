@@ -1,12 +1,12 @@
 /**
- * A session as data to keep: a tree of plain values in which
+ * A session as data to be stored: a tree of plain values in which
  *
  *     what came from a file      is the file and a path in it
  *     a typed array              is a place in the store's pieces
  *     everything else            is itself
  *
- * so that what stands for a skin of 100 MB is a dozen words. Values that the session shares are one node here, and
- * structured cloning keeps that: they are shared again when they are read.
+ * so that a skin of 100 MB takes a dozen words. A value shared in the session is one node, and structured cloning
+ * preserves that: decoded, it is shared again.
  */
 import type { OriginFile, Origins, PathKey } from './origins.ts';
 
@@ -19,20 +19,20 @@ export type Encoded =
   | StorableNumbers
   | { readonly is: 'object'; readonly of: Readonly<Record<string, Encoded>> }
   | { readonly is: 'list'; readonly of: readonly Encoded[] }
-  /** A list of nothing but numbers, texts and the like: as it is. */
+  /** A list of primitives only, stored as it is. */
   | { readonly is: 'plain'; readonly of: readonly unknown[] }
-  /** Index into the head's files, and the way from there. */
+  /** Index into the head's files, and the path in that file. */
   | { readonly is: 'part'; readonly file: number; readonly path: readonly PathKey[] }
   | StoredNumbers
-  /** Anything else that the browser can clone: a handle of a file, say. */
+  /** Anything else that can be cloned: a file handle, for example. */
   | { readonly is: 'other'; readonly of: unknown };
 
-/** A typed array in the store's pieces: it begins in one and runs on in those numbered after it. */
+/** A typed array in the store's pieces: starts in one and continues in those numbered after it. */
 export interface StoredNumbers {
   readonly is: 'numbers';
   readonly type: NumbersType;
   piece: number;
-  /** Bytes. */
+  /** Bytes into the first piece. */
   offset: number;
   readonly bytes: number;
 }
@@ -47,14 +47,14 @@ export type StorableNumbers =
 export const NUMBERS_TYPES = { Float64Array, Float32Array, Uint32Array, Int32Array, Uint8Array } as const;
 export type NumbersType = keyof typeof NUMBERS_TYPES;
 
-/** Arrays below this are kept in the tree: finding a place for them would cost more. */
+/** Smaller arrays stay in the tree: placing them would cost more. */
 export const SMALL_BYTES = 256;
 
 export interface EncodedSession {
   readonly tree: Encoded;
-  /** What `part`s refer to by index. */
+  /** Indexed by `part`s. */
   readonly files: readonly OriginFile[];
-  /** Arrays to be kept in pieces, each once, with the node that stands for it; its place is yet to be filled in. */
+  /** Arrays to be stored in pieces, each once, with its node, whose place is not set yet. */
   readonly arrays: ReadonlyMap<StorableNumbers, StoredNumbers>;
 }
 
@@ -109,10 +109,10 @@ class Encoder {
 
   private numbers(array: StorableNumbers): Encoded {
     if (array.byteLength < SMALL_BYTES) {
-      // Cloning a window of a buffer would clone all of the buffer.
+      // Cloning a view would clone its whole buffer.
       return array.byteLength === array.buffer.byteLength ? array : array.slice();
     }
-    // The constructors are those of the table, by their own names.
+    // Constructor names are the keys of the table.
     const type = array.constructor.name as NumbersType;
     const node: StoredNumbers = { is: 'numbers', type, piece: 0, offset: 0, bytes: array.byteLength };
     this.arrays.set(array, node);

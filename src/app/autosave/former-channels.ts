@@ -1,10 +1,10 @@
 /**
- * Channels in sessions that earlier versions kept. Those had no kind: a channel without keys had columns without
- * numbers, followed the samples where they had a column for it, and else stayed at its `rest`.
+ * Channels in sessions kept by earlier versions. They had no kind: a channel without keys had empty columns, followed
+ * the samples if they had a column for it, and else stayed at its `rest`.
  */
 import { type Channel, type ChannelClip, followingSamples, NO_KEYS } from '../../model/clip.ts';
 
-/** A decoded object as this version has it: the object itself, unless it is a channel, or a clip, of earlier versions. */
+/** A decoded object in the present form: the object itself, unless it is a channel or clip of an earlier version. */
 export function inPresentForm(value: Readonly<Record<string, unknown>>): object {
   if (isFormerChannel(value)) return channelOf(value);
   if (!isClip(value)) return value;
@@ -12,7 +12,7 @@ export function inPresentForm(value: Readonly<Record<string, unknown>>): object 
   return channels === value.channels ? value : { ...value, channels };
 }
 
-/** What earlier versions had at a path that leads into a channel without keys: its empty columns. */
+/** What earlier versions had at a path into a channel without keys: its empty columns. */
 export function formerColumn(value: object, key: string | number): unknown {
   const isWithoutKeys = 'extrapolateIn' in value && 'kind' in value && value.kind !== 'keys';
   return isWithoutKeys ? NO_KEYS[key as keyof typeof NO_KEYS] : undefined;

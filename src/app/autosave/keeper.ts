@@ -1,7 +1,6 @@
 /**
- * Writes one session into the store, again and again: each time only what the store does not hold yet. Saves follow
- * each other; one that is made because the page is about to go does not wait, and takes nothing for granted that an
- * earlier one has not finished.
+ * Writes one session into the store, each time only what the store doesn't hold yet. Saves run one after the other,
+ * except the last one of a closing page: it doesn't wait, and relies on nothing that a running save has not finished.
  */
 import { SessionLostError, type SessionStore, type SessionWrite } from '../../io/session-store.ts';
 import { type Encoded, encode } from './encode.ts';
@@ -11,29 +10,29 @@ import type { Given, Origins } from './origins.ts';
 import { StoredPieces } from './pieces.ts';
 import { cardOf, type KeptState, SESSION_VERSION, type SessionState } from './session-state.ts';
 
-/** The session's own record. */
+/** The session's record. */
 export interface SessionHead {
   /** Absent: 1. */
   readonly version?: number;
-  /** What the tree's `part`s refer to. */
+  /** Indexed by the tree's `part`s. */
   readonly files: readonly HeadFile[];
   readonly tree: Encoded;
 }
 
 export interface HeadFile {
-  /** Id of the kept file. */
+  /** Id of the stored file. */
   readonly given: number;
-  /** `source.path` of the file in it. */
+  /** `source.path` of the file read from it. */
   readonly path: string;
 }
 
-/** More than this to write makes a long task of a save that does not wait. */
+/** Writing more than this at once would block a closing page for too long. */
 const MAX_AT_ONCE_BYTES = 8 << 20;
 
 export class Keeper {
   readonly pieces = new StoredPieces();
   readonly files = new KeptFiles();
-  /** Whether the store has anything of the session. */
+  /** Whether the store holds anything of the session. */
   isStored = false;
   private last: Promise<unknown> = Promise.resolve();
 
@@ -43,19 +42,19 @@ export class Keeper {
     private readonly origins: Origins,
   ) {}
 
-  /** Rejects with what IndexedDB says; the store then holds what it held before. */
+  /** Rejects with IndexedDB's error; the store is then unchanged. */
   save(state: SessionState, savedAtMs: number): Promise<void> {
     const turn = this.last.then(() => this.saveNow(state, savedAtMs));
     this.last = turn.catch(() => undefined);
     return turn;
   }
 
-  /** Without waiting for anything: the page is about to go. */
+  /** Saves without waiting, since the page may be closing. */
   saveAtOnce(state: SessionState, savedAtMs: number): Promise<void> {
     return this.write(state, savedAtMs, true);
   }
 
-  /** The session is not wanted any more. */
+  /** Deletes the session from the store. */
   remove(): Promise<void> {
     const turn = this.last.then(async () => {
       if (!this.isStored) return;
@@ -72,7 +71,7 @@ export class Keeper {
     } catch (error) {
       if (isFull(error)) throw error;
       if (error instanceof SessionLostError) {
-        // Someone cleared the browser's data: all of it once more.
+        // The browser's data was cleared: write everything again.
         this.forget();
         await this.write(state, savedAtMs, false);
       } else await this.writeWithoutFiles(state, savedAtMs, error);
@@ -80,8 +79,8 @@ export class Keeper {
   }
 
   /**
-   * A file that was changed or removed on disk since it was opened can't be copied any more. What came out of it is
-   * still here: it is kept as if it had been made here.
+   * A file that was changed or removed on disk after opening can't be copied any more. Its content is still in memory:
+   * it is kept as if created here.
    */
   private async writeWithoutFiles(state: SessionState, savedAtMs: number, reason: unknown): Promise<void> {
     const missing = this.files.missing(this.encode(state).given);
@@ -90,7 +89,7 @@ export class Keeper {
     try {
       await this.write(state, savedAtMs, false);
     } catch (error) {
-      // It was not the files.
+      // The files weren't the cause.
       for (const given of missing) this.origins.setKeepable(given, true);
       throw error;
     }
@@ -140,7 +139,7 @@ export class Keeper {
   }
 }
 
-/** Whether the store has no room left. */
+/** Whether the store is out of space. */
 export function isFull(error: unknown): boolean {
   return error instanceof DOMException && error.name === 'QuotaExceededError';
 }

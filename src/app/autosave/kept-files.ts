@@ -2,7 +2,7 @@
 import type { KeptFile } from '../../io/session-store.ts';
 import type { Given } from './origins.ts';
 
-/** What a save has to do about files. Call `done` or `failed` when it is known how it went. */
+/** What a save has to do about files. Call `done` or `failed` with its outcome. */
 export interface FilePlan {
   readonly puts: readonly KeptFile[];
   readonly gone: readonly number[];
@@ -10,7 +10,7 @@ export interface FilePlan {
   failed(): void;
 }
 
-/** As of pieces: see `pieces.ts`. A file that is wanted again after it was doomed, as undo may, is put again. */
+/** Like `pieces.ts`. A doomed file that is needed again, for example after undo, is put again. */
 export class KeptFiles {
   private readonly states = new Map<number, 'writing' | 'stored' | 'doomed'>();
 
@@ -34,17 +34,17 @@ export class KeptFiles {
     };
   }
 
-  /** Those of the files that a save would have to put. */
+  /** The files that a save would have to put. */
   missing(needed: ReadonlySet<Given>): readonly Given[] {
     return [...needed].filter(({ id }) => this.states.get(id) !== 'stored');
   }
 
-  /** A file that is in the store already. */
+  /** Registers a file that is in the store already. */
   adopt(id: number): void {
     this.states.set(id, 'stored');
   }
 
-  /** Everything stored is gone. */
+  /** The store was cleared. */
   forget(): void {
     this.states.clear();
   }

@@ -1,6 +1,6 @@
 /**
- * Sessions that pages left behind, as the person is asked about them. The newest are offered; what is older than a month
- * or than the five newest is dropped.
+ * Sessions left behind by earlier pages, as offered to the user. All but the five newest, and those older than a month,
+ * are dropped.
  */
 import type { SessionLocks } from '../../io/session-locks.ts';
 import type { SessionCard, SessionStore } from '../../io/session-store.ts';
@@ -10,9 +10,9 @@ import { READABLE_VERSIONS } from './session-state.ts';
 
 export const MAX_KEPT = 5;
 export const LONGEST_KEPT_MS = 30 * 24 * 3600 * 1000;
-/** A page that is being reloaded may hold its session's lock for a moment yet. */
+/** A page that is reloading may hold its session's lock a moment longer. */
 const LOCK_PATIENCE_MS = 2000;
-/** Until then a discarded session can be had back. */
+/** A discarded session can be restored for this long. */
 const SECOND_THOUGHTS_MS = 10_000;
 
 export class KeptOffers {
@@ -29,7 +29,7 @@ export class KeptOffers {
     private readonly onRestore: (id: string) => Promise<void>,
   ) {}
 
-  /** Looks for sessions that nobody holds, and offers them. Rejects where the store can't be read. */
+  /** Finds sessions that no page holds, and offers them. Rejects if the store can't be read. */
   async find(ownId: string): Promise<void> {
     const now = Date.now();
     const cards = (await this.sessions.list()).filter((card) => card.id !== ownId);
@@ -41,7 +41,7 @@ export class KeptOffers {
         const tooMany = this.works.filter((other) => other.savedAtMs > card.savedAtMs).length >= MAX_KEPT;
         try {
           if (tooMany || now - card.savedAtMs > LONGEST_KEPT_MS) await this.sessions.remove(card.id);
-          // Another version's may be read by that version.
+          // Sessions of another version may be read by that version.
           else if (READABLE_VERSIONS.includes(card.version)) this.add(card);
         } finally {
           lock();
@@ -50,7 +50,7 @@ export class KeptOffers {
     );
   }
 
-  /** Something else is being worked on. */
+  /** Hides the offer, since something else is being worked on. */
   setAside(): void {
     if (this.isAside) return;
     this.isAside = true;
@@ -91,13 +91,13 @@ export class KeptOffers {
     });
   }
 
-  /** It is being worked on from now on; the others can still be asked for. */
+  /** That session is being restored; the others stay available. */
   taken(id: string): void {
     this.isPutOff = true;
     this.drop(id);
   }
 
-  /** A session that can't be offered any more. */
+  /** Removes a session that can't be offered any more. */
   drop(id: string): void {
     this.works = this.works.filter((work) => work.id !== id);
     this.show();
@@ -126,7 +126,7 @@ export class KeptOffers {
     this.show();
   }
 
-  /** What was discarded goes for good, unless someone else has taken it up meanwhile. */
+  /** Deletes discarded sessions for good, except those that another page has taken meanwhile. */
   private forget(): void {
     clearTimeout(this.timer);
     const { discarded } = this;

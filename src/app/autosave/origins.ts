@@ -1,25 +1,24 @@
 /**
- * Which values of the document came out of which opened file. A document shares everything that was not edited with
- * what was read, by identity; so a value that is known here need not be kept again: the file is, and the way to it.
+ * Which values of the document come from which opened file. The document shares everything unedited with what was read,
+ * by identity; so a value found here need not be stored: the file and the path to it are enough.
  *
- * Known are the parts of a file at every depth: of a skeleton one joint of which has other limits, all other joints
- * still are the file's.
+ * Parts of a file are known at every depth: after one joint's limits are edited, all other joints are still the file's.
  */
 import type { KeptFile } from '../../io/session-store.ts';
 import type { ParsedFile } from '../../model/files.ts';
 import type { GivenBlob } from '../../worker/protocol.ts';
 
-/** A file as it was given; as it is kept. */
+/** An opened file, as stored. */
 export type Given = KeptFile;
 
-/** One of the files read of what was given: a zip holds several. */
+/** A file read from an opened one; a zip holds several. */
 export interface OriginFile {
   readonly given: Given;
   /** `source.path`. */
   readonly path: string;
 }
 
-/** A step of the way from a file to a part of it; that of the file itself has no `key`. */
+/** A step on the path from a file to a part of it; the file itself has no `key`. */
 interface Origin {
   readonly file: OriginFile;
   readonly up: Origin | undefined;
@@ -29,23 +28,23 @@ interface Origin {
 export type PathKey = string | number;
 
 export class Origins {
-  /** Holds on to nothing of the files: parts that nobody uses any more may go. */
+  /** Weak: doesn't keep unused parts of files alive. */
   private readonly known = new WeakMap<object, Origin>();
-  /** Given files whose Blobs can't be kept: all that came from them is kept as if it were made here. */
+  /** Opened files whose Blobs can't be stored: everything from them is kept as if created here. */
   private readonly unkeepable = new WeakSet<Given>();
 
-  /** @param nextId given files are counted from here on: above the ids of all that may be adopted */
+  /** @param nextId first id for opened files: above the ids of all that may be adopted */
   constructor(private nextId = 1) {}
 
-  /** Files were opened. */
+  /** Registers opened files. */
   learn(given: readonly GivenBlob[], files: readonly ParsedFile[]): void {
     const opening = this.nextId;
-    // Where a file lies on disk, and what else is known of it, is no part of what is read again.
+    // The path on disk and the like aren't needed to read the file again.
     const all = given.map(({ path, blob }): Given => ({ id: this.nextId++, opening, given: { path, blob } }));
     this.adopt(all, files);
   }
 
-  /** The same for files that were kept, and have their ids already. */
+  /** Registers files that were kept and have ids already. */
   adopt(given: readonly Given[], files: readonly ParsedFile[]): void {
     for (const file of files) {
       const found = givenOf(file, given);
@@ -58,7 +57,7 @@ export class Origins {
     else this.unkeepable.add(given);
   }
 
-  /** Where a value came from: its file, and the keys that lead to it from there. */
+  /** Where a value came from: its file, and the path of keys in it. */
   find(value: object): { readonly file: OriginFile; readonly path: readonly PathKey[] } | undefined {
     const origin = this.known.get(value);
     if (!origin || this.unkeepable.has(origin.file.given)) return undefined;
@@ -68,7 +67,7 @@ export class Origins {
   }
 
   private walk(value: object, origin: Origin): void {
-    // What two files share is found in the first.
+    // A value shared by two files belongs to the first.
     if (this.known.has(value)) return;
     this.known.set(value, origin);
     if (ArrayBuffer.isView(value)) return;
@@ -80,7 +79,7 @@ export class Origins {
   }
 }
 
-/** The one given file that a file was read of; none where that is not certain. */
+/** The opened file that a file was read from; undefined if that is ambiguous. */
 export function givenOf(file: ParsedFile, given: readonly Given[]): Given | undefined {
   const { path } = file.source;
   const fitting = given.filter((g) => g.given.path === path || path.startsWith(`${g.given.path}/`));

@@ -1,22 +1,22 @@
 /**
- * Where each typed array lies among the pieces of the store. Arrays never change, so one that has a place is never
- * written again; a save writes those that have none, and deletes the pieces that nobody needs any more.
+ * Where each typed array is stored among the pieces of the store. Arrays are immutable, so one that has a place is
+ * never written again; a save writes those without a place and deletes pieces that are no longer needed.
  *
- *     large array      ▒▒▒▒ ▒▒▒▒ ▒▒     pieces of its own: they go when it goes
- *     small arrays     ▒|▒▒|▒|▒         one piece for all that are new in a save
+ *     large array      ▒▒▒▒ ▒▒▒▒ ▒▒     its own pieces, deleted with it
+ *     small arrays     ▒|▒▒|▒|▒         one piece for all new ones of a save
  *
- * A piece of small arrays is kept as long as one of them is needed. Where less than half of it is, the rest moves into
- * the next save's piece, as a log is compacted: what is stored stays below twice what is needed. (A record an array
- * would be thousands for a clip of a hundred channels, each with its cost.)
+ * A piece of small arrays is kept as long as one of them is needed. If less than half of it is needed, the rest moves
+ * into the next save's piece, as in log compaction: storage stays below twice what is needed. (One record per array
+ * would be thousands for a clip of a hundred channels, each with its overhead.)
  */
 import type { PiecePut } from '../../io/session-store.ts';
 import type { StorableNumbers, StoredNumbers } from './encode.ts';
 
 /** Copied in about a millisecond. */
 export const PIECE_BYTES = 1 << 20;
-/** Arrays from here on have pieces of their own. */
+/** Arrays of at least this size have their own pieces. */
 export const LARGE_BYTES = 1 << 18;
-/** More pieces of small arrays than these, and those that are mostly empty are put together. */
+/** With more pieces of small arrays than this, mostly empty ones are compacted. */
 const MAX_SCRAPS = 32;
 const SCRAP_BYTES = PIECE_BYTES / 4;
 
@@ -29,11 +29,11 @@ interface Place {
 interface Piece {
   readonly bytes: number;
   readonly isLarge: boolean;
-  /** `doomed`: to be deleted by every save from now on, until one that does so has succeeded. */
+  /** `doomed`: every save tries to delete it, until one has succeeded. */
   state: 'writing' | 'stored' | 'doomed';
 }
 
-/** What a save has to do about pieces. Call `done` or `failed` when it is known how it went. */
+/** What a save has to do about pieces. Call `done` or `failed` with its outcome. */
 export interface PiecePlan {
   readonly puts: readonly PiecePut[];
   readonly gone: readonly number[];
@@ -47,10 +47,10 @@ export class StoredPieces {
   private nextId = 1;
 
   /**
-   * Gives each array its place, in the node that stands for it.
+   * Gives each array a place, written into its node.
    *
-   * May be called while an earlier save is still under way: nothing is built on what is not stored for certain, and
-   * nothing that the earlier one deletes is needed.
+   * May be called while an earlier save is running: the plan relies on nothing that isn't stored for certain, and needs
+   * nothing that the earlier save deletes.
    */
   plan(arrays: ReadonlyMap<StorableNumbers, StoredNumbers>): PiecePlan {
     const needed = new Set<number>();
@@ -84,14 +84,14 @@ export class StoredPieces {
         }
         for (const id of gone) this.pieces.delete(id);
       },
-      // What was to be deleted may still be there: it stays doomed.
+      // Pieces to be deleted may still be there: they stay doomed.
       failed: () => {
         for (const { id } of puts) this.pieces.delete(id);
       },
     };
   }
 
-  /** An array that was read back from its place. */
+  /** Registers an array that was read back. */
   adopt(array: StorableNumbers, place: Place): void {
     this.places.set(array, place);
     for (const id of piecesOf(place)) {
@@ -101,12 +101,12 @@ export class StoredPieces {
     }
   }
 
-  /** A piece that is stored, but nobody's. */
+  /** Registers a stored piece that nothing uses. */
   adoptWaste(id: number): void {
     if (!this.pieces.has(id)) this.add(id, { bytes: 0, isLarge: true, state: 'doomed' });
   }
 
-  /** Everything stored is gone. */
+  /** The store was cleared. */
   forget(): void {
     this.pieces.clear();
   }
@@ -123,7 +123,7 @@ export class StoredPieces {
     return place;
   }
 
-  /** Pieces of small arrays that are more air than arrays. */
+  /** Pieces of small arrays that are mostly unused. */
   private wornPieces(arrays: Iterable<StorableNumbers>): ReadonlySet<number> {
     const used = new Map<number, number>();
     for (const array of arrays) {
@@ -189,13 +189,13 @@ export class StoredPieces {
   }
 }
 
-/** The pieces that a place reaches over. */
+/** The pieces that a place extends over. */
 export function piecesOf({ piece, offset, bytes }: Place): readonly number[] {
   const count = Math.max(1, Math.ceil((offset + bytes) / PIECE_BYTES));
   return Array.from({ length: count }, (_, i) => piece + i);
 }
 
-/** Copies what one of its pieces holds into an array that lies at this place. */
+/** Copies the part of an array that is in one of its pieces. */
 export function fill(array: StorableNumbers, place: Place, piece: number, bytes: Uint8Array): void {
   const target = bytesOf(array);
   if (piece === place.piece) target.set(bytes.subarray(place.offset, place.offset + place.bytes), 0);

@@ -1,4 +1,4 @@
-/** Puts a kept session into the page. */
+/** Restores a kept session into the page. */
 import { DEFAULT_PLAYBACK, type Playback } from '../../edit/playback.ts';
 import type { Store } from '../../edit/store.ts';
 import type { Observable } from '../../ui/kit/observable.ts';
@@ -15,18 +15,17 @@ interface PutBackParts {
 }
 
 /**
- * Document, selection, time, timeline and camera. It stands still: what played when the page went would run away from
- * the moment that was looked at.
+ * Restores document, selection, time, timeline and camera. Playback is paused: it would run away from the current time.
  *
- * @param asStep what is open now is work too: undo brings it back
+ * @param asStep what is open now is work too, and undo restores it
  */
 export function putBack(state: SessionState, parts: PutBackParts, asStep: boolean): void {
   const { store, transport, timeline, viewport, saving } = parts;
   const { document, selection } = state;
-  // What a newer page knows beside has its default.
+  // Fields that the record doesn't have get their defaults.
   const then: Playback = { ...DEFAULT_PLAYBACK, ...state.transport, playing: false };
-  // Before the document: what was set by hand and not keyed is gone at any other moment. And after, for the played
-  // range follows the clips.
+  // Once before the document, since unkeyed changes would be lost when the time changes; and again after it, since the
+  // playback range follows the clips.
   transport.set(then);
   store.adopt(asStep ? 'Restore session' : undefined, { document, selection });
   saving.restore(state.saving);

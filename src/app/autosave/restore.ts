@@ -1,6 +1,6 @@
 /**
- * Reads a kept session: its files through the worker as when they were opened, its arrays out of their pieces, and puts
- * together what was there. All of it or nothing: the document is not touched here.
+ * Reads a kept session: its files through the worker as when they were opened, and its arrays from their pieces. All or
+ * nothing; the document isn't touched here.
  */
 import { adoptSkinFacts } from '../../evaluate/bounds.ts';
 import { type KeptFile, SessionLostError, type SessionStore } from '../../io/session-store.ts';
@@ -28,11 +28,11 @@ interface Opening {
 
 export interface ReadSession {
   readonly state: SessionState;
-  /** Who goes on with the session: it knows what the store holds already. */
+  /** A keeper to continue the session, which knows what the store already holds. */
   keeper(): Keeper;
 }
 
-/** Throws a `RestoreError`, or what the store or the worker have to say. */
+/** Throws a `RestoreError`, or the error of the store or worker. */
 export async function readSession(
   id: string,
   store: SessionStore,
@@ -42,7 +42,7 @@ export async function readSession(
 ): Promise<ReadSession> {
   const content = await store.read(id);
   if (!content) throw new RestoreError('The session no longer exists.');
-  // Our own record, of the version that its card tells.
+  // Written by Marrow, in the version that its card names.
   const head = content.head as SessionHead;
   const openings = await readOpenings(head, content.files, worker, options);
   const files = head.files.map(({ given, path }) => {

@@ -1,24 +1,24 @@
 /**
- * When to save: a while after the last change, and under steady changes every few seconds. Not with a hand on the
- * mouse, for what is being dragged is half done and the moment is a bad one to be late in; but not never either.
+ * When to save: shortly after the last change, and every few seconds during continuous changes. Not during a drag,
+ * whose state is half done and where a delay would be felt; but a drag doesn't postpone saving for ever.
  */
 
 const QUIET_MS = 800;
 const MAX_MS = 5000;
-/** A hand that stays down so long holds up nothing. */
+/** A longer drag no longer postpones saving. */
 const PATIENCE_MS = 30_000;
 
 export class Rhythm {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private firstMs: number | undefined;
   private handIsDown = false;
-  /** Due, but for the hand. */
+  /** Due, but postponed by a drag. */
   private isHeldUp = false;
 
-  /** @param due called when it is time; not again before the next change */
+  /** @param due called when it is time to save; not again before the next change */
   constructor(private readonly due: () => void) {}
 
-  /** Whether a change waits to be saved. */
+  /** Whether a change is waiting to be saved. */
   get isPending(): boolean {
     return this.firstMs !== undefined;
   }
@@ -29,7 +29,7 @@ export class Rhythm {
     this.wait(Math.min(QUIET_MS, this.firstMs + MAX_MS - now));
   }
 
-  /** Waits so long before the next try: the last one failed. */
+  /** Schedules a retry after a failed save. */
   changedLater(milliseconds: number): void {
     this.firstMs = performance.now() + milliseconds - MAX_MS;
     this.wait(milliseconds);
@@ -40,7 +40,7 @@ export class Rhythm {
     if (!isDown && this.isHeldUp) this.wait(0);
   }
 
-  /** It is being saved, or need not be. */
+  /** Saved, or no longer needed. */
   clear(): void {
     clearTimeout(this.timer);
     this.firstMs = undefined;

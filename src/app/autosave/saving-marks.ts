@@ -1,4 +1,4 @@
-/** What saving knows of the session: which parts are as their files have them, and where the files lie. */
+/** The session's state of saving: which parts equal their files, and where those files are. */
 import type { DiskHandles, KeptDiskFile } from '../disk-handles.ts';
 import type { Unsaved } from '../unsaved.ts';
 import type { SavingMarks } from './autosave.ts';
@@ -8,7 +8,7 @@ export function savingMarks(unsaved: Unsaved, handles: DiskHandles): SavingMarks
   return {
     snapshot: (): KeptMarks => ({ saved: unsaved.snapshot(), disk: handles.entries().flatMap(keptFile) }),
     restore(kept) {
-      // Our own snapshot, or none.
+      // Written by `snapshot`, or undefined.
       const { saved, disk } = (kept ?? {}) as Partial<KeptMarks>;
       if (saved) unsaved.restore(saved);
       if (disk) handles.restore(disk);
@@ -19,7 +19,7 @@ export function savingMarks(unsaved: Unsaved, handles: DiskHandles): SavingMarks
   };
 }
 
-/** A file without a handle or address can only be read as it was, which is no place to read it anew from. */
+/** A file without a handle or address can't be read again from anywhere. */
 function keptFile([key, { file: _, ...rest }]: KeptDiskFile): readonly KeptDiskFile[] {
   return rest.handle || rest.address !== undefined ? [[key, rest]] : [];
 }

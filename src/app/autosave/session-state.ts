@@ -1,6 +1,6 @@
 /**
- * What is kept of a page's work: all that someone would have to do again. The undo history is not, for it may be many
- * times the document; display and panels are remembered for all pages together (`ui/state/settings.ts`).
+ * What is kept of a page's work: everything that someone would have to redo. The undo history is left out, since it may
+ * be many times the document's size; display and panels are remembered for all pages together (`ui/state/settings.ts`).
  */
 import type { Playback } from '../../edit/playback.ts';
 import type { CardCharacter, SessionCard } from '../../io/session-store.ts';
@@ -18,25 +18,25 @@ export interface SessionState {
   readonly transport: Playback;
   readonly timeline: TimelineView;
   readonly camera: CameraView;
-  /** What saving has to know: which parts differ from their files, and where those are. Plain data. */
+  /** State of saving: which parts differ from their files, and where those are. Plain data. */
   readonly saving?: unknown;
 }
 
-/** What saving has to know: which parts differ from their files, and where those are. */
+/** State of saving: which parts differ from their files, and where those are. */
 export interface KeptMarks {
   readonly saved: readonly SavedCharacter[];
   readonly disk: readonly KeptDiskFile[];
 }
 
-/** What is written: the state, and what would take long to work out again. */
+/** What is written: the state, and what would take long to compute again. */
 export interface KeptState extends SessionState {
-  /** Earlier pages kept none. */
+  /** Absent in sessions of earlier versions. */
   readonly knownSkins?: readonly KnownSkin[];
 }
 
-/** Of the records' form and of everything in them. */
+/** Version of the records' format, with everything in them. */
 export const SESSION_VERSION = 2;
-/** Those that can be read: others may be by the page that wrote them. */
+/** Versions that can be read; others are left to the pages that wrote them. */
 export const READABLE_VERSIONS: readonly number[] = [1, SESSION_VERSION];
 
 export function cardOf(id: string, { document }: SessionState, savedAtMs: number): SessionCard {
@@ -50,7 +50,9 @@ export function cardOf(id: string, { document }: SessionState, savedAtMs: number
   return { id, version: SESSION_VERSION, savedAtMs, characters };
 }
 
-/** Whether nothing is to be kept anew. While something plays, its time alone is nothing; of `saving` others know. */
+/**
+ * Whether nothing has to be saved. Time alone is ignored while playing; changes of `saving` are reported separately.
+ */
 export function isSameState(a: SessionState, b: SessionState): boolean {
   return (
     a.document === b.document &&

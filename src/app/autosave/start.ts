@@ -1,9 +1,9 @@
-/** Autosave in a page: what it has to hear of the window, and what the page shows of it. */
+/** Autosave in a page: its window events, and what the page shows of it. */
 import { sessionLocks } from '../../io/session-locks.ts';
 import { sessionStore } from '../../io/session-store.ts';
 import { Autosave, type AutosaveParts, type TimeBefore } from './autosave.ts';
 
-/** @param before what happened since the page began */
+/** @param before what happened since the page was loaded */
 export function startAutosave(
   parts: Omit<AutosaveParts, 'sessions' | 'locks'>,
   before: TimeBefore,
@@ -21,11 +21,11 @@ export function startAutosave(
   page.addEventListener('pointerdown', () => autosave.hand(true), options);
   page.addEventListener('pointerup', up, options);
   page.addEventListener('pointercancel', up, options);
-  // What was dragged as a thing (a row of a list, a file) ends without a pointer.
+  // A drag and drop (a row of a list, a file) ends without a pointer event.
   page.addEventListener('dragend', up, options);
   page.addEventListener('wheel', () => autosave.touched(), options);
   page.addEventListener('keyup', () => autosave.touched(), options);
-  // The last that a page is certain to hear of, on a phone above all.
+  // The last event that a page is certain to get, above all on phones.
   page.document.addEventListener('visibilitychange', () => {
     if (page.document.visibilityState === 'hidden') autosave.saveAtOnce();
   });

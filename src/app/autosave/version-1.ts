@@ -1,6 +1,6 @@
 /**
- * Sessions that were kept before parts had an identity: there, which file a part came from was told by names, and a part
- * was saved where it was the very object that had been read or written.
+ * Sessions kept before parts had an identity: a part's file was found by name, and a part counted as saved if it was
+ * the very object that had been read or written.
  */
 import { partsOf } from '../../model/character-parts.ts';
 import { type Character, isBvh } from '../../model/document.ts';
@@ -10,7 +10,7 @@ import { UNMARKED } from '../../model/part.ts';
 import type { SavedCharacter } from '../../project/save/saved-parts.ts';
 import type { KeptMarks, KeptState } from './session-state.ts';
 
-/** What version 1 kept of saving. */
+/** Saving state of version 1. */
 interface Saving1 {
   readonly marks?: {
     readonly characters: readonly {
@@ -22,10 +22,10 @@ interface Saving1 {
   readonly disk?: KeptMarks['disk'];
 }
 
-/** The state as it is kept now. */
+/** The state in the present form. */
 export function fromVersion1(state: KeptState): KeptState {
   const { document } = state;
-  // Its own record, of that version.
+  // Written by version 1.
   const { marks, disk = [] } = (state.saving ?? {}) as Saving1;
   const characters = document.characters.map(withMarks);
   const saved = characters.map((character): SavedCharacter => {
@@ -74,7 +74,7 @@ function sourceOf(
   return fits.length === 1 ? fits[0] : undefined;
 }
 
-/** What a session shares, it shares again when it is restored. */
+/** Values shared in a session are shared again when restored. */
 function isSameContent(kept: object, { kind, content }: Part): boolean {
   if (kind === 'bvh') {
     const take: Partial<typeof content> = kept;

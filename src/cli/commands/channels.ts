@@ -1,4 +1,4 @@
-/** `marrow channels`: an animation's channels at given times, as they are: no skeleton, no limits. */
+/** `marrow channels`: values of an animation's channels at given times, without skeleton or limits. */
 import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { hasErrors } from '../../model/diagnostic.ts';

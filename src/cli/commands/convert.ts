@@ -1,7 +1,7 @@
 /**
- * `marrow convert IN… OUT`: writes OUT in the format of its name, from whatever IN holds of that kind, or from what can
- * become it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its clip. A `.rig` is made, where none
- * is given, of the names of the files that are.
+ * `marrow convert IN… OUT`: writes OUT in the format of its extension, from content of that kind in IN, or from what
+ * can be converted to it: `.skel` and `.anim` from motion capture, `.bvh` from any skeleton and its clip. Without a
+ * `.rig` in IN, one is written that names the given files.
  *
  * `marrow convert IN… --to KIND`: everything in IN, files and folders, into files of their own (`convert-many.ts`).
  */
@@ -135,7 +135,7 @@ function pick(files: readonly ParsedFile[], format: Format, out: string, options
       ),
     };
   const [only] = fitting;
-  // A rate asks for other frames than the file has.
+  // Another frame rate means resampling: the frames can't be copied as they are.
   if (only && (kind !== 'bvh' || options.framesPerSecond === undefined)) {
     if (only.kind === 'skel') return skelInForm(only.skeletons, only.source.name, out);
     return { output: kind === 'bvh' ? bvhAgain(only, out) : textOutput(out, () => only) };
@@ -155,8 +155,8 @@ function tooMany({ label }: Format, names: readonly string[], out: string): Diag
 }
 
 /**
- * Skeletons in the form that the name asks for. `.skel` may be either form: it stays what it was, unless the file that
- * was read had the other ending.
+ * Skeletons with the joint types that the extension asks for. A `.skel` may use either; its joints are converted only
+ * if the input had the other extension.
  */
 function skelInForm(skeletons: readonly Skeleton[], source: string, out: string): Picked {
   if (!isAxisAngleName(out)) {
@@ -176,7 +176,7 @@ function isAxisAngleName(name: string): boolean {
   return formatKindOf(name) === 'axskel';
 }
 
-/** All roots, frames as they were read. */
+/** All roots, with the frames exactly as read. */
 function bvhAgain(file: ParsedFile, out: string): Output {
   const figures = file.kind === 'bvh' ? file.figures : [];
   return bvhOutput(
@@ -185,7 +185,7 @@ function bvhAgain(file: ParsedFile, out: string): Output {
   );
 }
 
-/** What the files, put together, are in that format; undefined where they hold nothing that could be it. */
+/** The assembled files in that format; undefined if they hold nothing that can be converted to it. */
 function convertedTo(
   target: Target,
   files: readonly ParsedFile[],
@@ -217,7 +217,7 @@ function convertedTo(
     }
     return { output: bvhOutput(`${stem(out)}.bvh`, figures) };
   }
-  // One kind alone: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
+  // One kind only: `--to skel` writes skeletons with their clips. A `.skel` may have several roots.
   const skeletons = characters.flatMap((character) => skelOf(character) ?? []);
   if (target === 'skel' && skeletons.length && (files.length === 1 || isAxisAngleName(out))) {
     return skelInForm(skeletons, files[0].source.name, out);
@@ -239,7 +239,7 @@ function stem(name: string): string {
   return stemOf({ name, path: name, bytes: 0 });
 }
 
-/** A rig that names the files given. */
+/** A rig that names the given files. */
 function rigOf(files: readonly ParsedFile[], out: string): Picked {
   const named = (kind: FileKind) => files.filter((file) => file.kind === kind).map((file) => file.source.name);
   const [skeletons, skins, morphs, animations] = (['skel', 'skin', 'morph', 'anim'] as const).map(named);

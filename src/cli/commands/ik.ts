@@ -1,7 +1,7 @@
 /**
- * `marrow ik`: the pose in which points of joints are where they should be, or as near as can be, starting at
+ * `marrow ik`: the pose that brings points of joints to their targets, or as close as possible, starting from
  *
- *     the file's own pose  ←  --dofs
+ *     the file pose  ←  --dofs
  *
  * within the joints' limits. As in `marrow pose`: doubles, radians, the character's own space.
  */
@@ -50,17 +50,17 @@ export const ik: CliCommand = {
   },
 };
 
-/** What a `--pin` says, before the skeleton is known. */
+/** A parsed `--pin`, before the skeleton is known. */
 interface AskedPin {
   readonly text: string;
   readonly target: Vec3;
   readonly weight: number;
-  /** All before the `=`: a joint, and a point of it or none. */
+  /** The part before the `=`: a joint, optionally with a point. */
   readonly what: string;
 }
 
 function readPin(text: string): AskedPin {
-  // The last one: a name may hold any, numbers hold none.
+  // The last one: a name may contain `=`, numbers don't.
   const equals = text.lastIndexOf('=');
   if (equals < 0) throw new UsageError(`--pin takes JOINT=x,y,z; "${text}" has no "=".`);
   const numbers = numbersOf('pin', text.slice(equals + 1));
@@ -83,7 +83,7 @@ function resolvePin(skeleton: Skeleton, { what, target, weight, text }: AskedPin
   return { joint, point: [x, y, z], target, weight };
 }
 
-/** `#index`, or a name that only one joint has. */
+/** `#index`, or a name that is unique in the skeleton. */
 function jointCalled({ name: skeleton, joints }: Skeleton, called: string): number {
   if (/^#\d+$/.test(called)) {
     const index = Number(called.slice(1));
@@ -100,16 +100,16 @@ function jointCalled({ name: skeleton, joints }: Skeleton, called: string): numb
 }
 
 interface Posed {
-  /** Of the joints, as `marrow pose --dofs` takes them. */
+  /** Of all joints, in the order that `marrow pose --dofs` takes. */
   readonly dofs: readonly number[];
-  /** Where the character is carried to, as `marrow pose` prints it. */
+  /** Root translation, as `marrow pose` prints it. */
   readonly root: readonly number[];
   readonly iterations: number;
   readonly pins: readonly {
-    /** Its index. */
+    /** Index of the joint. */
     readonly joint: number;
     readonly position: readonly number[];
-    /** How far that is from where it should be. */
+    /** Distance from the target. */
     readonly residual: number;
   }[];
 }

@@ -1,4 +1,4 @@
-/** `marrow info`: what is in files, what is wrong with them, and what belongs together. */
+/** `marrow info`: what files contain, their problems, and which of them belong together. */
 import { keysOf } from '../../model/clip.ts';
 import { hasErrors } from '../../model/diagnostic.ts';
 import { type Character, type Document, EMPTY_DOCUMENT } from '../../model/document.ts';
@@ -22,7 +22,7 @@ export const info: CliCommand = {
     const loaded = loadFiles(given.files, io.folder);
     const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
-    // A folder is a name for what is in it.
+    // A folder counts by its content.
     if (loaded.all.length === 0) {
       diagnostics.push(refusal('nothing-found', 'There is no readable file here.', given.files.join(' ')));
     }
@@ -82,7 +82,7 @@ function counts(content: FileContent): Record<string, unknown> {
     case 'bvh': {
       const { figures } = content;
       const joints = figures.flatMap(({ skeleton }) => skeleton.joints);
-      // The same for all figures that have any: a row holds the channels of all roots.
+      // The same for all roots of a capture: a frame holds the channels of all of them.
       const samples = figures.find(({ clip }) => clip?.samples)?.clip?.samples;
       const range = samples && rangeOfSamples(samples);
       return {
@@ -123,7 +123,7 @@ function describeCharacter({ name, skeleton, skins, morphs, clips, sources }: Ch
   };
 }
 
-/** `wasp.skel   skel   joints 19, dofs 57, roots 1`, and what became of the files. */
+/** `wasp.skel   skel   joints 19, dofs 57, roots 1`, then the characters and files left unused. */
 function asText(files: readonly FileFacts[], { characters, unused }: Document): string {
   const width = Math.max(...files.map((f) => f.name.length));
   const lines = files.map(({ name, kind, loaded, ...rest }) => {

@@ -1,7 +1,8 @@
 /**
- * `marrow pose`: joints, and with `--vertices` the skin, of each character that the files make, at a pose built from
+ * `marrow pose`: joints, and with `--vertices` the skin, of each character assembled from the files, in a pose built
+ * from
  *
- *     the files' own pose  ←  --time or --frame (the animation)  ←  --root, --dofs, --morphs     each overriding what is before
+ *     the file pose  ←  --time or --frame (the animation)  ←  --root, --dofs, --morphs     each overriding the ones before
  *
  * and clamped to the joints' limits. All in doubles, radians, and the character's own space.
  */
@@ -38,7 +39,7 @@ export const pose: CliCommand = {
     const opened = openFiles(EMPTY_DOCUMENT, loaded.files, loaded.broken);
     const diagnostics = [...loaded.diagnostics, ...opened.diagnostics];
     const { characters } = opened.document;
-    // Told first: that a file is broken explains why a list does not fit.
+    // Reported first: a broken file explains why a list doesn't match.
     report(diagnostics, io);
     if (!hasErrors(diagnostics)) {
       checkCounts(characters, asked);
@@ -51,10 +52,10 @@ export const pose: CliCommand = {
   },
 };
 
-/** Undefined for what the command line leaves to the animation or the files. */
+/** Undefined: not given, so left to the animation or the files. */
 interface Asked {
   readonly time: number | undefined;
-  /** From 0, of the samples. */
+  /** Sample index, from 0. */
   readonly frame: number | undefined;
   readonly root: readonly number[] | undefined;
   readonly dofs: readonly number[] | undefined;
@@ -83,7 +84,7 @@ function readAsked(given: Arguments): Asked {
   };
 }
 
-/** A list goes to every character that has any such DOF; one of another length is a mistake. */
+/** A list applies to every character with such DOFs; a list of another length is an error. */
 function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked): void {
   const check = (
     option: string,
@@ -108,7 +109,7 @@ function checkCounts(characters: readonly Character[], { dofs, morphs }: Asked):
   check('morphs', 'morphs', morphs, (c) => c.morphs.length);
 }
 
-/** A frame is one of every character that is sampled. */
+/** A frame applies to every sampled character. */
 function checkFrame(characters: readonly Character[], { frame }: Asked): void {
   if (frame === undefined) return;
   const sampled = characters.filter((c) => shownClip(c)?.samples);
@@ -120,13 +121,13 @@ function checkFrame(characters: readonly Character[], { frame }: Asked): void {
   }
 }
 
-/** The time that was asked for, in seconds of the character's clip. */
+/** Time in seconds of the character's clip. */
 function timeOf(character: Character, { time, frame }: Asked): number | undefined {
   const samples = shownClip(character)?.samples;
   return frame !== undefined && samples ? samples.startSeconds + frame * samples.frameSeconds : time;
 }
 
-/** Where files have errors, what remains of them may not be what the lists were meant for. */
+/** After errors, the rest of a file may not match the given lists. */
 function fits(character: Character, { dofs, morphs, frame = 0 }: Asked): boolean {
   const matches = (list: readonly number[] | undefined, count: number) =>
     list === undefined || count === 0 || count === list.length;
@@ -137,17 +138,17 @@ function fits(character: Character, { dofs, morphs, frame = 0 }: Asked): boolean
 
 interface PosedCharacter {
   readonly name: string;
-  /** The root's translation. */
+  /** Root translation. */
   readonly root: readonly number[];
   readonly joints: readonly PosedJoint[];
-  /** Where bones end that no joint ends; absent where there are none. */
+  /** Positions of End Sites: ends of bones without a joint there. Absent if there are none. */
   readonly endSites?: readonly EndSitePosition[];
   readonly morphs: readonly { readonly name: string; readonly weight: number }[];
-  /** x y z a vertex. */
+  /** x y z per vertex. */
   readonly positions?: readonly number[];
-  /** x y z a vertex, of length 1. */
+  /** x y z per vertex, unit length. */
   readonly normals?: readonly number[];
-  /** Around the skin, or the joints where there is none; null where there is nothing. */
+  /** Box around the skin, or around the joints without one; null if there is neither. */
   readonly bounds: { readonly min: readonly number[]; readonly max: readonly number[] } | null;
 }
 
@@ -157,11 +158,11 @@ interface PosedJoint {
   /** -1 for the root. */
   readonly parent: number;
   readonly type: string;
-  /** After clamping. */
+  /** Clamped to the limits. */
   readonly dofs: readonly number[];
-  /** 16 numbers, column-major. */
+  /** World matrix: 16 numbers, column-major. */
   readonly world: readonly number[];
-  /** Where its bone ends; absent where it has none of its own. */
+  /** Tip of its bone; absent if it has none of its own. */
   readonly tip?: readonly number[];
 }
 
@@ -201,7 +202,7 @@ function poseValues(character: Character, asked: Asked): Float64Array {
   const { root, dofs, morphs } = asked;
   const time = timeOf(character, asked);
   const values = new Float64Array(dofCountOf(character));
-  // Without a time the animation has no say.
+  // Without a time the animation is ignored.
   poseAt(time === undefined ? { ...character, shownClip: -1 } : character, time ?? 0, values);
   const { skeleton } = character;
   const own = rootDofCount(skeleton);
@@ -211,7 +212,7 @@ function poseValues(character: Character, asked: Asked): Float64Array {
   if (!skeleton) return values;
   const compiled = compileSkeleton(skeleton);
   applyConstraints(compiled, values, true);
-  // A root that moves by itself has its own say over where it is, within its limits; the translation is added to that.
+  // A root joint with translation DOFs sets its own position within its limits; `--root` is added to it.
   if (root && !own) {
     compiled.travel.forEach((dof, k) => {
       values[dof] += root[k];
@@ -220,7 +221,7 @@ function poseValues(character: Character, asked: Asked): Float64Array {
   return values;
 }
 
-/** The DOFs of the root translation, where there is no skeleton to ask. */
+/** DOFs of the root translation for a character without a skeleton. */
 const ROOT = [0, 1, 2];
 
 function deformed(character: Character, values: Float64Array, firstMorph: number, world: Float64Array | undefined) {

@@ -1,10 +1,10 @@
-/** What the gizmo's pens share: what is in hand, and how that changes a colour. */
+/** Shared by the gizmo's pens: active and hovered handles, and their colours. */
 import { type HandleId, sameHandle } from '../../evaluate/handles/joint-handles.ts';
 import type { StageTheme } from '../theme.ts';
 import type { Shape } from './shapes.ts';
 
 export interface GizmoState {
-  /** The DOF that dragging the bone turns. */
+  /** The DOF that dragging the bone rotates. */
   readonly active: HandleId | undefined;
   readonly hovered: HandleId | undefined;
   readonly dragged: DraggedHandle | undefined;
@@ -12,17 +12,17 @@ export interface GizmoState {
 
 export interface DraggedHandle {
   readonly id: HandleId;
-  /** The DOF's value at the press. */
+  /** The DOF's value when the drag began. */
   readonly from: number;
-  /** Which of its limits stops it. */
+  /** The limit that it has hit, if any. */
   readonly stop: 'min' | 'max' | undefined;
 }
 
-/** Of one shape. */
+/** Appearance of one shape. */
 export interface Look {
   readonly isActive: boolean;
   readonly isDragged: boolean;
-  /** Dragged, or under the pointer. */
+  /** Dragged, or hovered. */
   readonly isLit: boolean;
   readonly color: string;
 }
@@ -35,7 +35,7 @@ export function lookOf({ id, hue }: Shape, { active, hovered, dragged }: GizmoSt
   return { isActive: sameHandle(id, active), isDragged, isLit, color: isLit ? theme.selected : own };
 }
 
-/** A dot with a dark rim. */
+/** A dot with a dark outline. */
 export function drawKnob(
   pen: CanvasRenderingContext2D,
   x: number,
@@ -53,5 +53,5 @@ export function drawKnob(
   pen.stroke();
 }
 
-/** How far a tick goes to either side of its line: CSS pixels. */
+/** Half length of a tick: CSS pixels. */
 export const TICK = 7;

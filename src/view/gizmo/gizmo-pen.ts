@@ -1,9 +1,9 @@
 /**
  * How a gizmo looks:
  *
- *     ring       in its axis' colour, the far half faint; the DOF in hand is thicker, and has a needle to where it stands
- *     limits     what can't be reached is dashed and faint; the ends of the range are ticks on the DOF in hand
- *     dragged    orange, with what was swept since the press filled in; at a limit its tick is the warning's colour
+ *     ring       in its axis' colour, the far half faint; the active DOF is thicker, with a needle at its value
+ *     limits     unreachable parts are dashed and faint; the active DOF has ticks at its limits
+ *     dragged    orange, with the swept sector filled; at a limit its tick has the warning colour
  */
 import { sameHandle } from '../../evaluate/handles/joint-handles.ts';
 import type { StageTheme } from '../theme.ts';
@@ -39,7 +39,7 @@ export class GizmoPen {
     pen.translate(-left, -top);
     pen.lineCap = pen.lineJoin = 'round';
     const { dragged } = state;
-    // What is dragged is alone with the DOF in hand: nothing else is in the way of what is looked at.
+    // While dragging, only the dragged handle is drawn.
     const shown = layout.shapes.filter(({ id }) => !dragged || sameHandle(id, dragged.id));
     for (const shape of shown) if (shape.form === 'disc') this.disc(layout, shape, state, theme);
     for (const shape of shown) if (shape.form === 'ring') rings.draw(shape, state, theme, true);

@@ -1,16 +1,14 @@
 /**
- * The gizmo of a joint: what can be taken hold of, drawn over the picture.
+ * The gizmo of a joint: its handles, drawn over the scene.
  *
- * three.js's own (TransformControls) lacks what a joint needs. It turns about the axes of one object, and a joint's DOFs
- * turn about axes of their own, each gimbal ring by those applied after it: there would have to be one for each DOF, on a
- * proxy whose x is that axis, of some fifty meshes. A ring of it that is seen face on turns by the pointer's way along
- * one line, so that it stands still under half of the hands that take it, and the pointer leaves the place that it took
- * hold of. Nothing can be said of limits, or of what a drag has swept. Its manners are kept: red, green and blue rings,
- * arrows and boxes of the same size at any distance, the far half of a ring out of the way, a ring around them all for
- * the line of sight.
+ * Not three.js's TransformControls: it rotates about the axes of one object, while each of a joint's DOFs has its own
+ * axis, so it would take one (of some fifty meshes) per DOF, each on a proxy. Its rings seen face on rotate by pointer
+ * motion along one line, so that the pointer doesn't stay on the spot it grabbed. And it shows neither limits nor the
+ * swept angle. Its conventions are kept: red, green and blue rings, arrows and boxes of constant size on screen, the
+ * far half of rings faint, an outer ring for the view axis.
  *
- * Drawn on a flat canvas as labels are: it is over everything anyway, its lines are smooth, and no picture that is taken
- * of the scene has it in it. The canvas is as large as the gizmo and no larger.
+ * Drawn on a 2D canvas, as labels are: it is always on top anyway, its lines are antialiased, and it isn't in saved
+ * pictures of the scene. The canvas is only as large as the gizmo.
  */
 import { Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { HandleId, JointHandles } from '../../evaluate/handles/joint-handles.ts';
@@ -27,25 +25,25 @@ const MAX_PIXELS_PER_PIXEL = 2;
 
 export interface GizmoSource {
   /**
-   * What there is to take hold of now; asked before each picture, and the same as before where nothing of it has changed.
-   * Undefined: nothing is drawn.
+   * The handles; asked before each frame, and the same object if nothing about them has changed. Undefined: nothing is
+   * drawn.
    */
   handles(): JointHandles | undefined;
   state(): GizmoState;
 }
 
 export class JointGizmo implements Overlay {
-  /** Nothing of it is in the scene. */
+  /** Empty: the gizmo isn't in the scene. */
   readonly object = new Group();
   private readonly canvas = document.createElement('canvas');
   private readonly pen: GizmoPen | undefined;
   private readonly projection = new CameraProjection();
-  /** What is laid out. */
+  /** What the layout was computed for. */
   private handles: JointHandles | undefined;
   private layout: Layout | undefined;
   private ratio = 0;
 
-  /** @param container the element that the viewport fills */
+  /** @param container the element that contains the viewport */
   constructor(
     private readonly container: HTMLElement,
     private readonly source: GizmoSource,
@@ -56,7 +54,7 @@ export class JointGizmo implements Overlay {
     this.canvas.hidden = true;
     const context = this.canvas.getContext('2d');
     this.pen = context ? new GizmoPen(context, SIDE) : undefined;
-    // Beneath what else stands over the picture: its labels and axes come after it.
+    // Below the labels and the axis widget, which follow it.
     container.querySelector('canvas')?.after(this.canvas);
   }
 
@@ -75,21 +73,21 @@ export class JointGizmo implements Overlay {
       this.ratio = ratio;
       canvas.width = canvas.height = Math.round(SIDE * ratio);
     }
-    // On whole pixels of the screen, or its lines would be blurred.
+    // Aligned to device pixels, or its lines would be blurred.
     const snap = (at: number) => Math.round((at - SIDE / 2) * ratio) / ratio;
     const [left, top] = [snap(layout.pivot[0]), snap(layout.pivot[1])];
     canvas.style.transform = `translate(${left}px, ${top}px)`;
     pen.draw(layout, this.source.state(), left, top, ratio);
   }
 
-  /** What is under a point of the page, as last drawn. */
+  /** The handle under a point of the page, as last drawn. */
   at(clientX: number, clientY: number, slack = 0): HandleId | undefined {
     if (!this.layout) return undefined;
     const { left, top } = this.container.getBoundingClientRect();
     return handleAt(this.layout, clientX - left, clientY - top, slack);
   }
 
-  /** Of the rings as last drawn, CSS pixels. */
+  /** Radius of the rings as last drawn, CSS pixels. */
   get radius(): number {
     return this.layout?.radius ?? RING_PIXELS;
   }

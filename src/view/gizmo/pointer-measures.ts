@@ -1,22 +1,23 @@
 /**
- * How far a drag has gone: from places of the pointer to radians about an axis, or lengths along one. Each measure counts
- * from one place to the next, whole turns and all, so that what is dragged can go slower than the pointer, or snap.
+ * Converts pointer positions of a drag to radians about an axis or lengths along one. Each measure returns the change
+ * since the last position, counting whole turns, so that a drag can be slowed down or snapped.
  */
 import { add, cross, dot, scaled, subtract, unit, type Vec3 } from '../../math/vec3.ts';
 import type { Eye } from '../eye.ts';
 
-/** What is asked of the camera. */
+/** The camera functions needed. */
 export type Sight = Pick<Eye, 'toScreen' | 'rayAt' | 'inPlaneOf' | 'unitsPerPixel'>;
 
-/** What the way from one place to the next comes to; the first place is told when it is made. */
+/** The change from the last position to this one; the first position is given when the measure is created. */
 export type Measure = (x: number, y: number) => number;
 
-/** A ring seen from nearer its edge than this is turned along its edge: the plane it lies in is all but a line. */
+/** A ring seen closer to its edge than this is rotated along its edge, as its plane is almost a line. */
 const EDGE_ON = 0.2;
 
 /**
- * Radians about an axis through a centre. The pointer stays where it took hold of the ring, from whichever side it is
- * seen; on edge, it goes along the ring's line on the screen.
+ * Radians about an axis through a centre. The pointer stays on the spot of the ring that it grabbed, from either side;
+ * edge-on, it moves along the ring's line on screen.
+ *
  * @param size the ring's radius in the world
  */
 export function turnMeasure(sight: Sight, axis: Vec3, centre: Vec3, size: number, x: number, y: number): Measure {
@@ -36,7 +37,7 @@ export function turnMeasure(sight: Sight, axis: Vec3, centre: Vec3, size: number
   };
 }
 
-/** From the centre to where the ray meets the plane across the axis; undefined where it doesn't. */
+/** From the centre to where the ray hits the plane perpendicular to the axis; undefined if it doesn't. */
 function inPlane(sight: Sight, axis: Vec3, centre: Vec3, x: number, y: number): Vec3 | undefined {
   const { origin, direction } = sight.rayAt(x, y);
   const speed = dot(direction, axis);
@@ -45,13 +46,13 @@ function inPlane(sight: Sight, axis: Vec3, centre: Vec3, x: number, y: number): 
   return t > 0 ? subtract(add(origin, direction, t), centre) : undefined;
 }
 
-/** The half that faces the viewer moves along axis × eye. */
+/** The half facing the viewer moves along axis × eye. */
 function alongEdge(sight: Sight, axis: Vec3, centre: Vec3, size: number, eye: Vec3, x: number, y: number): Measure {
   const along = unit(cross(axis, eye)) ?? [1, 0, 0];
   const from = onScreen(sight, centre);
   const to = onScreen(sight, add(centre, along, size));
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-  // As many pixels as the radius are a radian.
+  // A radian takes as many pixels as the radius.
   const square = dx * dx + dy * dy || 1;
   let [lastX, lastY] = [x, y];
   return (nextX, nextY) => {
@@ -61,7 +62,10 @@ function alongEdge(sight: Sight, axis: Vec3, centre: Vec3, size: number, eye: Ve
   };
 }
 
-/** Radians about the line of sight through a centre: as a hand turns a wheel that faces it, leftwards above 0. */
+/**
+ * Radians about the line of sight through a centre, like turning a wheel that faces the viewer; positive:
+ * counterclockwise.
+ */
 export function viewTurnMeasure(sight: Sight, centre: Vec3, x: number, y: number): Measure {
   const [cx, cy] = onScreen(sight, centre);
   let last = Math.atan2(cy - y, x - cx);
@@ -74,7 +78,7 @@ export function viewTurnMeasure(sight: Sight, centre: Vec3, x: number, y: number
   };
 }
 
-/** Length in the world along an axis: the point of its line that is nearest to the pointer's. */
+/** World length along an axis: the point on it nearest to the pointer's ray. */
 export function slideMeasure(sight: Sight, axis: Vec3, centre: Vec3, x: number, y: number): Measure {
   const place = (atX: number, atY: number): number | undefined => {
     const { origin, direction } = sight.rayAt(atX, atY);
@@ -114,9 +118,9 @@ export function diagonalMeasure(x: number, y: number): Measure {
   };
 }
 
-/** The turn of a ball that is rolled under the pointer. */
+/** Rotation of a ball rolled under the pointer. */
 export interface Roll {
-  /** Of length 1, in the world. */
+  /** Unit length, in the world. */
   readonly axis: Vec3;
   /** Radians. */
   readonly angle: number;
@@ -143,7 +147,7 @@ export function rollMeasure(
   };
 }
 
-/** An axis of the world, for turning about the line of sight: towards the viewer. */
+/** A world axis towards the viewer, for rotating about the line of sight. */
 export function lineOfSight(sight: Sight, centre: Vec3): Vec3 {
   return scaled(sight.rayAt(...onScreen(sight, centre)).direction, -1);
 }
@@ -153,7 +157,7 @@ function onScreen(sight: Sight, point: Vec3): [number, number] {
   return [x, y];
 }
 
-/** The same turn, by the shorter way. */
+/** The same rotation within ±π. */
 function shortest(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
 }

@@ -1,4 +1,4 @@
-/** Rings: what of them is behind, what limits leave of them, where the DOF stands and what a drag has swept. */
+/** Draws rings: far half, limits, the DOF's value, the swept sector. */
 import type { StageTheme } from '../theme.ts';
 import { type DraggedHandle, drawKnob, type GizmoState, lookOf, TICK } from './gizmo-look.ts';
 import { hasArc, isAllowed, type Shape } from './shapes.ts';
@@ -8,7 +8,7 @@ const FAINT = 0.28;
 export class RingPen {
   constructor(private readonly pen: CanvasRenderingContext2D) {}
 
-  /** Its pieces behind, or those in front with all that stands on it. */
+  /** Draws the far pieces, or the near ones with everything on them. */
   draw(shape: Shape, state: GizmoState, theme: StageTheme, behind: boolean): void {
     const { id, points, isBehind, step, range } = shape;
     const { isActive, isDragged, isLit, color } = lookOf(shape, state, theme);
@@ -17,13 +17,13 @@ export class RingPen {
     const inReach = (i: number) => !limited || isAllowed(range, (i + 0.5) * step);
     if (!behind) {
       if (isDragged && id.kind === 'dof') this.swept(shape, state.dragged, theme);
-      // A dark line beside a light one: over any skin it can be told.
+      // A dark line beside a light one is visible on any skin.
       this.pieces(points, (i) => !isBehind[i] && inReach(i), width + 2, theme.labelHalo, 0.45);
     }
     const alpha = behind ? FAINT : id.kind === 'view' && !isLit ? 0.6 : 1;
     const own = (i: number) => isBehind[i] === behind;
     this.pieces(points, (i) => own(i) && inReach(i), behind ? 1.25 : width, color, alpha);
-    // Out of reach: every other piece, which reads as dashes.
+    // Beyond the limits: every other piece, which looks dashed.
     if (limited) this.pieces(points, (i) => own(i) && !inReach(i) && i % 2 === 0, 1.5, color, behind ? 0.2 : 0.4);
     if (behind || id.kind !== 'dof' || !(isActive || isLit)) return;
     if (limited) {
@@ -59,7 +59,7 @@ export class RingPen {
     pen.globalAlpha = 1;
   }
 
-  /** From where the DOF was at the press to where it stands. */
+  /** The sector from the DOF's value at the press to the current one. */
   private swept(shape: Shape, dragged: DraggedHandle | undefined, theme: StageTheme): void {
     const { pen } = this;
     if (!dragged) return;
@@ -84,7 +84,7 @@ export class RingPen {
     pen.globalAlpha = 1;
   }
 
-  /** Across the ring, where a limit is. */
+  /** A tick across the ring at a limit. */
   private tick(shape: Shape, angle: number, isStop: boolean, color: string, theme: StageTheme): void {
     const [x, y] = placeOn(shape, angle);
     const [cx, cy] = centreOf(shape);
@@ -105,7 +105,7 @@ export class RingPen {
     }
   }
 
-  /** From the middle to where the DOF stands, along the bone. */
+  /** From the centre to the DOF's value, along the bone. */
   private needle(shape: Shape, color: string, theme: StageTheme): void {
     const { pen } = this;
     const [x, y] = placeOn(shape, 0);
@@ -121,13 +121,13 @@ export class RingPen {
   }
 }
 
-/** Of a ring on the screen: the middle of two points that lie opposite. */
+/** Centre of a ring on screen: the middle of two opposite points. */
 function centreOf({ points }: Shape): [number, number] {
   const half = (points.length / 2 - 1) / 2;
   return [(points[0] + points[2 * half]) / 2, (points[1] + points[2 * half + 1]) / 2];
 }
 
-/** A place on a ring, an angle from its mark on. */
+/** The point of a ring at an angle from its mark. */
 function placeOn({ points, step }: Shape, angle: number): [number, number] {
   const count = points.length / 2 - 1;
   const at = (((angle / step) % count) + count) % count;

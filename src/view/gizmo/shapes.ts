@@ -1,6 +1,5 @@
 /**
- * Handles as they lie on the screen: lines of points, which of them are behind, and what is under the pointer. Sizes are
- * pixels, whatever the distance.
+ * Handles on screen: polylines, which parts are on the far side, and hit testing. Sizes are in pixels at any distance.
  *
  *     ring         64 pieces, the first at the mark (where the bone points), by the right-hand rule
  *     arrow, box   from the middle outwards along the axis
@@ -11,26 +10,26 @@ import { add, cross, dot, scaled, unit, type Vec3 } from '../../math/vec3.ts';
 
 /** CSS pixels. */
 export const RING_PIXELS = 90;
-/** Of it, where rings are there too: outside of them. */
+/** As a part of the radius, if there are rings too: outside of them. */
 const ARROW_PART = 1.25;
 const VIEW_RING_PART = 1.2;
-/** The ball within the rings: between the two is nothing, so that the rings are met alone. */
+/** The ball inside the rings; the gap between is empty, so that the rings are easy to hit. */
 export const BALL_PART = 0.86;
 const PIECES = 64;
-/** How near is near enough. */
+/** Hit tolerance. */
 const REACH_PIXELS = 7;
-/** What lies behind is met by those who mean it. */
+/** Far sides take more precise aim. */
 const BACK_REACH_PIXELS = 3;
-/** An axis shorter than this on the screen points at the viewer: there is no dragging along it. */
+/** An axis shorter than this on screen points at the viewer and can't be dragged along. */
 const SHORTEST_PIXELS = 14;
 
-/** How points of the world come to the screen. */
+/** Projects world points to the screen. */
 export interface Projection {
-  /** CSS pixels from the left top of the viewport, written to `out`; false where that is behind the viewer. */
+  /** CSS pixels from the viewport's top left, written to `out`; false if behind the viewer. */
   project(point: Vec3, out: Float64Array, o: number): boolean;
-  /** From a point towards the viewer, of length 1. */
+  /** Unit vector from a point towards the viewer. */
   towardsViewer(point: Vec3): Vec3;
-  /** Length in the world of a CSS pixel, at a point. */
+  /** World length of a CSS pixel at a point. */
   unitsPerPixel(point: Vec3): number;
   /** CSS pixels. */
   readonly width: number;
@@ -42,19 +41,19 @@ export interface Shape {
   readonly form: 'ring' | 'arrow' | 'box' | 'diamond' | 'disc';
   /** x y each. */
   readonly points: Float64Array;
-  /** Of each piece between two points, whether it is behind; a ring that faces the viewer has nothing behind. */
+  /** For each piece between two points, whether it is on the far side; never for a ring that faces the viewer. */
   readonly isBehind: readonly boolean[];
-  /** Undefined: of no DOF alone. */
+  /** Undefined: not one DOF's. */
   readonly hue: Hue | undefined;
   readonly range: HandleRange;
-  /** Points at the viewer: it is drawn faintly, and can't be dragged. */
+  /** Points at the viewer: drawn faintly, can't be dragged. */
   readonly isAway: boolean;
-  /** Radians from one point of a ring to the next; of an arrow the DOF from its first to its last point. */
+  /** Radians from one point of a ring to the next; for an arrow, the DOF's change from its first to its last point. */
   readonly step: number;
 }
 
 export interface Layout {
-  /** On the screen. */
+  /** On screen. */
   readonly pivot: readonly [number, number];
   readonly radius: number;
   readonly shapes: readonly Shape[];
@@ -62,7 +61,7 @@ export interface Layout {
 
 const FREE: HandleRange = { value: 0, min: -Infinity, max: Infinity };
 
-/** Undefined where the joint is behind the viewer. */
+/** Undefined if the joint is behind the viewer. */
 export function layOut(joint: JointHandles, view: Projection): Layout | undefined {
   const at = new Float64Array(2);
   if (!view.project(joint.pivot, at, 0)) return undefined;
@@ -85,7 +84,7 @@ function ring(handle: Handle, view: Projection, pixels: number): Shape | undefin
   const size = pixels * view.unitsPerPixel(centre);
   const side = cross(axis, mark);
   const eye = view.towardsViewer(centre);
-  // Almost face on, nothing of it is behind.
+  // Almost face-on, no part is on the far side.
   const faces = Math.abs(dot(axis, eye)) > 0.96;
   const points = new Float64Array(2 * (PIECES + 1));
   const isBehind: boolean[] = [];
@@ -107,7 +106,7 @@ function straight(handle: Handle, view: Projection, pixels: number, hasRings: bo
   const points = new Float64Array(4);
   if (!view.project(centre, points, 0)) return undefined;
   if (kind === 'grow') {
-    // It has no axis: up to the right, whatever the view.
+    // Uniform scale has no axis: up to the right in any view.
     const out = (hasRings ? ARROW_PART : 0.8) * pixels * Math.SQRT1_2;
     points.set([points[0] + out, points[1] - out], 2);
     return { id, form: 'box', points, isBehind: [false], hue: undefined, range, isAway: false, step: size };
@@ -116,7 +115,7 @@ function straight(handle: Handle, view: Projection, pixels: number, hasRings: bo
   let from = centre;
   let to = add(centre, axis, length);
   if (kind === 'shear') {
-    // What lies on the arm goes along the axis: the handle is there, and goes with it.
+    // A shear's handle is on its arm and moves along the axis with the value.
     const far = shearPart(handle) * size;
     const out = scaled(unit(arm ?? [0, 1, 0]) ?? [0, 1, 0], far);
     const goes = (far / (Math.hypot(...(arm ?? [0, 1, 0])) || 1)) * reach * range.value;
@@ -131,12 +130,14 @@ function straight(handle: Handle, view: Projection, pixels: number, hasRings: bo
   return { id, form, points, isBehind: [false], hue, range, isAway: across < SHORTEST_PIXELS, step };
 }
 
-/** How far out on its arm a shear's handle is, as a part of a ring's radius: two share an arm, and are apart on it. */
+/**
+ * Distance of a shear's handle along its arm, as a part of a ring's radius. Two share an arm, so they are kept apart.
+ */
 export function shearPart({ hue }: Pick<Handle, 'hue'>): number {
   return hue === 'other' ? 1 : 1 - 0.3 * hue;
 }
 
-/** Pixels that an axis of that length has on the screen. */
+/** Length of an axis in pixels on screen. */
 function acrossOnScreen(from: Vec3, axis: Vec3, size: number, view: Projection): number {
   const ends = new Float64Array(4);
   if (!view.project(from, ends, 0) || !view.project(add(from, axis, size), ends, 2)) return 0;
@@ -154,8 +155,9 @@ function circle(id: HandleId, form: 'ring' | 'disc', at: Float64Array, radius: n
 }
 
 /**
- * What is under a point of the viewport: the nearest line, in front before behind, and last the ball within them.
- * @param slack further away than the mouse: a finger
+ * The handle under a point of the viewport: the nearest line, near sides before far ones, and last the ball inside.
+ *
+ * @param slack extra tolerance, for touch
  */
 export function handleAt(layout: Layout, x: number, y: number, slack = 0): HandleId | undefined {
   let found: HandleId | undefined;
@@ -166,7 +168,7 @@ export function handleAt(layout: Layout, x: number, y: number, slack = 0): Handl
     for (let i = 0; i < isBehind.length; i++) {
       const reach = (isBehind[i] ? BACK_REACH_PIXELS : REACH_PIXELS) + slack;
       let distance = distanceTo(points, 2 * i, x, y);
-      // An arrow is taken by its head first, and not at all in the middle, where all of them meet.
+      // Arrows are hit at the head first, and not near the centre, where they all meet.
       if (shape.form !== 'ring') distance = toHandle(points, x, y, distance);
       if (distance > reach) continue;
       const rank = distance + (isBehind[i] ? REACH_PIXELS : 0);
@@ -181,7 +183,7 @@ export function handleAt(layout: Layout, x: number, y: number, slack = 0): Handl
   return ball && Math.hypot(x - px, y - py) <= BALL_PART * layout.radius ? ball.id : undefined;
 }
 
-/** Half the handle's head, in pixels. */
+/** Half the size of a handle's head, in pixels. */
 const HEAD_PIXELS = 6;
 const MIDDLE_PIXELS = 16;
 
@@ -197,15 +199,15 @@ function distanceTo(points: Float64Array, o: number, x: number, y: number): numb
   return Math.hypot(x - ax - t * (bx - ax), y - ay - t * (by - ay));
 }
 
-/** Whether a ring has limits to be shown: a range that is less than a whole turn. */
+/** Whether a ring has limits to show: a range of less than a full turn. */
 export function hasArc({ min, max }: HandleRange): boolean {
   return Number.isFinite(min) && Number.isFinite(max) && max - min < 2 * Math.PI;
 }
 
-/** Whether a place on a ring, an angle from its mark, is one that the DOF may come to. */
+/** Whether the DOF can reach an angle from the ring's mark. */
 export function isAllowed({ value, min, max }: HandleRange, angle: number): boolean {
   const turn = 2 * Math.PI;
-  // The first place of that kind from the lower end on.
+  // The first equivalent angle from the lower limit on.
   const from = value + angle - min;
   return from - turn * Math.floor(from / turn) <= max - min;
 }

@@ -1,4 +1,4 @@
-/** Arrows and boxes, with how far limits let them go. */
+/** Draws arrows and boxes, with the limits of their range. */
 import type { StageTheme } from '../theme.ts';
 import { type DraggedHandle, type GizmoState, lookOf, TICK } from './gizmo-look.ts';
 import type { Shape } from './shapes.ts';
@@ -51,7 +51,7 @@ export class StraightPen {
     pen.globalAlpha = 1;
   }
 
-  /** How far a length may go along its arrow, where limits hold it: dashes, with a tick at either end that is near. */
+  /** The range of a limited length along its arrow: dashed, with a tick at each end that is near. */
   private rail(
     { points, range, step, form }: Shape,
     dragged: DraggedHandle | undefined,

@@ -1,6 +1,6 @@
 /**
- * A quad that is drawn many times in one draw, each time with numbers of its own; how many there are is said anew for each
- * picture. It is over everything, and nothing of it is culled.
+ * Instanced quads with per-instance attributes, in one draw; the count is set anew each frame. Drawn over everything,
+ * never culled.
  */
 import {
   BufferAttribute,
@@ -11,18 +11,18 @@ import {
   type ShaderMaterial,
 } from 'three';
 
-/** Instances that there is room for at first. */
+/** Initial capacity. */
 const FIRST_ROOM = 16;
 
 export class InstancedQuads<Name extends string> {
   readonly mesh: Mesh<InstancedBufferGeometry, ShaderMaterial>;
-  /** Numbers of all instances, as many for each as `sizes` says. Other arrays after each `add`, where it took more room. */
+  /** Attributes of all instances, with `sizes` numbers each. `add` may replace the arrays to grow. */
   readonly numbers: Record<Name, Float32Array>;
   private readonly names: readonly Name[];
   private capacity = 0;
 
   /**
-   * @param corners x y of the four, as the shader has them in `position`
+   * @param corners x y of the four, `position` in the shader
    * @param sizes attributes of an instance, 1 to 4 numbers each
    */
   constructor(
@@ -31,9 +31,9 @@ export class InstancedQuads<Name extends string> {
     material: ShaderMaterial,
     renderOrder: number,
   ) {
-    // Object.keys gives strings; they are the record's own.
+    // Object.keys returns strings; these are the record's own keys.
     this.names = Object.keys(sizes) as Name[];
-    // Filled for each of the names right here.
+    // Filled for each name right here.
     this.numbers = Object.fromEntries(this.names.map((name) => [name, new Float32Array(0)])) as Record<
       Name,
       Float32Array
@@ -48,12 +48,12 @@ export class InstancedQuads<Name extends string> {
     this.mesh.renderOrder = renderOrder;
   }
 
-  /** None, until some are added. */
+  /** Removes all instances. */
   clear(): void {
     this.mesh.geometry.instanceCount = 0;
   }
 
-  /** One more. @returns its index; its numbers are to be written */
+  /** Adds an instance. @returns its index; the caller writes its attributes */
   add(): number {
     const { geometry } = this.mesh;
     const i = geometry.instanceCount;
@@ -62,7 +62,7 @@ export class InstancedQuads<Name extends string> {
     return i;
   }
 
-  /** All of them are written. */
+  /** Uploads everything written. */
   filled(): void {
     const { geometry } = this.mesh;
     this.mesh.visible = geometry.instanceCount > 0;
@@ -77,7 +77,7 @@ export class InstancedQuads<Name extends string> {
     this.mesh.material.dispose();
   }
 
-  /** Twice the room. A buffer of another size is another buffer: the old ones are let go. */
+  /** Doubles the capacity. A larger buffer is a new buffer, so the old ones are disposed of. */
   private grow(): void {
     const { geometry } = this.mesh;
     this.capacity = Math.max(FIRST_ROOM, 2 * this.capacity);

@@ -1,7 +1,7 @@
 /**
- * Lines between two points of the world, of a width in pixels and over everything, whole or dashed: all in one draw.
- * Each is an instance of one quad (`thick-lines.ts` draws one list of lines many times; here there are few, and other
- * ones in each picture).
+ * Lines between two world points, with a width in pixels, over everything, solid or dashed: all in one draw, each an
+ * instance of one quad. (`thick-lines.ts` draws one list of lines many times; here there are few, and others every
+ * frame.)
  */
 import { DoubleSide, type Mesh, ShaderMaterial } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -72,7 +72,7 @@ function lineMaterial(): ShaderMaterial {
           gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
           return;
         }
-        // What lies before the near plane has no direction on screen: cut it off.
+        // Points in front of the near plane have no position on screen: clip.
         if (da < 0.0) a = mix(a, b, da / (da - db));
         if (db < 0.0) b = mix(b, a, db / (db - da));
         vec2 from = a.xy / a.w * 0.5 * resolution;
@@ -80,7 +80,7 @@ function lineMaterial(): ShaderMaterial {
         float size = length(to - from);
         vec2 along = size > 1e-4 ? (to - from) / size : vec2(1.0, 0.0);
         vec2 at = mix(from, to, position.x) + vec2(-along.y, along.x) * position.y * 0.5 * abs(look.w);
-        // Flat on the screen, so that dashes are of one length all the way.
+        // Flat on screen, so that dashes are equally long.
         vAlong = position.x * size;
         gl_Position = vec4(at / (0.5 * resolution), 0.0, 1.0);
       }

@@ -1,12 +1,12 @@
 /**
- * Markers of a size in pixels, over everything, told apart by shape: all of them in one draw.
+ * Markers with a size in pixels, over everything, distinguished by shape, all in one draw.
  *
  *     round     a pin that holds a position            square   one that holds the orientation too
  *     ring      where a click would pin                dot      a point that could be pinned
- *     lock      a joint that does not bend             stiff    one that bends unwillingly
+ *     lock      a joint that does not bend             stiff    one with stiffness
  *
- * What lies behind the picture's surfaces is faint: all is drawn faintly over everything, and once more where nothing is
- * in front of it. A joint lies within its limb, so a mark is taken to be nearer than it is, by as much as the limb covers.
+ * Covered marks are faint: all are drawn faintly over everything, and again where nothing is in front of them. A joint
+ * is inside its limb, so marks are moved towards the viewer by about a limb's radius.
  *
  * Quads rather than WebGL points, as in `dots.ts`.
  */
@@ -18,7 +18,7 @@ import { InstancedQuads } from './instanced-quads.ts';
 const SHAPES = ['round', 'square', 'ring', 'dot', 'lock', 'stiff'] as const;
 export type MarkShape = (typeof SHAPES)[number];
 
-/** r g b of 0 to 1, sRGB, as they are put on screen. */
+/** sRGB, 0 to 1. */
 export interface MarkColor {
   readonly r: number;
   readonly g: number;
@@ -27,7 +27,7 @@ export interface MarkColor {
 
 const CORNERS = [-1, -1, 1, -1, -1, 1, 1, 1];
 
-/** How much of its opacity a mark has that is covered. */
+/** Opacity factor of covered marks. */
 const COVERED = 0.35;
 
 export class PinMarks {
@@ -53,10 +53,9 @@ export class PinMarks {
 
   /**
    * @param at in the world
-   * @param sizePx CSS pixels across, without the thin halo
-   * @param fill 0 to 1: how much of its inside has its colour
-   * @param cover what lies no further in front of it than that does not cover it, in units of the world; Infinity: nothing
-   *   does
+   * @param sizePx diameter in CSS pixels, without the thin halo
+   * @param fill 0 to 1: how much of its inside is coloured
+   * @param cover surfaces up to this far in front don't cover it, in world units; Infinity: nothing covers it
    */
   add(
     at: Vec3,
@@ -92,7 +91,7 @@ export class PinMarks {
   }
 }
 
-/** @param uncovered what has nothing in front of it, instead of all, and then all that is faint */
+/** @param uncovered draws only what nothing covers; else everything, faintly */
 function markMaterial(uncovered: boolean): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
@@ -118,7 +117,7 @@ function markMaterial(uncovered: boolean): ShaderMaterial {
         vAt = position.xy * (0.5 * look.y + 2.5);
         vec4 seen = modelViewMatrix * vec4(at, 1.0);
         vec4 p = projectionMatrix * seen;
-        // Its place on the screen stays, and its depth is that of a nearer point.
+        // Keeps its screen position, with the depth of a nearer point.
         vec4 nearer = projectionMatrix * (seen + vec4(0.0, 0.0, look.w, 0.0));
         bool isBefore = look.w < 0.0 || nearer.w <= 0.0;
         p.z = isBefore ? -0.9999 * p.w : max(nearer.z / nearer.w, -0.9999) * p.w;
@@ -140,7 +139,7 @@ function markMaterial(uncovered: boolean): ShaderMaterial {
       float disc(vec2 p, float r) { return length(p) - r; }
       float ring(vec2 p, float r, float width) { return abs(length(p) - r + 0.5 * width) - 0.5 * width; }
 
-      // How far it is from the edge of the shape, pixels, below 0 inside: of all of it, and of what has its colour.
+      // Signed distance to the edge in pixels, negative inside: of the whole shape, and of its coloured part.
       void main() {
         int shape = int(vLook.x + 0.5);
         float r = 0.5 * vLook.y;

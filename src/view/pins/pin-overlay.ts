@@ -1,7 +1,6 @@
 /**
- * What inverse kinematics draws over the picture: pins, gaps that are left, points that could be pinned, joints that are
- * locked. Three draws, whatever there is of them. Who knows what there is paints it anew before each picture, for pins go
- * with their joints.
+ * What inverse kinematics draws over the scene: pins, gaps to their targets, points that could be pinned, locked
+ * joints. Three draws in all. Its owner repaints it before each frame, since pins move with their joints.
  */
 import { type Color, Group } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -18,14 +17,12 @@ export type PinColor = (typeof COLORS)[number];
 export interface MarkLook {
   readonly shape: MarkShape;
   readonly color: PinColor;
-  /** CSS pixels across. */
+  /** Diameter in CSS pixels. */
   readonly size: number;
-  /** 0 to 1: how much of its inside has its colour; all where absent. */
+  /** 0 to 1: how much of its inside is coloured; absent: all. */
   readonly fill?: number;
   readonly opacity?: number;
-  /**
-   * Faint where something covers it that is further in front of it than that, in units of the world; absent: never.
-   */
+  /** Faint if a surface is further in front of it than this, in world units; absent: never. */
   readonly cover?: number;
 }
 
@@ -49,7 +46,7 @@ export class PinOverlay implements Overlay {
     },
   };
 
-  /** @param paint what there is now; asked before each picture */
+  /** @param paint draws the current marks; called before each frame */
   constructor(private readonly paint: (painter: PinPainter) => void) {
     this.object.add(this.lines.mesh, this.marks.object);
   }

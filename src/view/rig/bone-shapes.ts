@@ -1,6 +1,6 @@
 /**
- * The bones of rig mode: long octahedra, thick near the joint that they start from, so that one sees which way they go.
- * Unlit and seen through everything, for what they show is where joints are, inside of a skin too.
+ * Bones of rig mode: octahedra, thick near the start, so that their direction is visible. Unlit and drawn over
+ * everything, since they show where joints are inside a skin.
  */
 import { BufferAttribute, BufferGeometry, Color, type Group, MeshBasicMaterial } from 'three';
 import { boneMatrix } from '../../evaluate/shapes/joint-shapes.ts';
@@ -8,9 +8,9 @@ import { InstancedKind } from '../instanced-kind.ts';
 import type { StageTheme } from '../theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 
-/** Where along the bone it is thickest. */
+/** Position along the bone where it is thickest. */
 const WAIST = 0.14;
-/** Its thickness, as part of its length, and at most in CSS pixels. */
+/** Thickness, as a part of its length, and its maximum in CSS pixels. */
 const SHARE = 0.09;
 const MAX_PIXELS = 9;
 
@@ -69,8 +69,9 @@ export class BoneShapes {
   }
 
   /**
-   * Instance `i` from one node of `world` to another (indices of nodes).
-   * @param perPixel length in the world of a CSS pixel there
+   * Sets instance `i` to run from one node of `world` to another (node indices).
+   *
+   * @param perPixel world length of a CSS pixel there
    */
   place(i: number, world: Float64Array, from: number, to: number, perPixel: number): void {
     const [a, b] = [16 * from + 12, 16 * to + 12];

@@ -1,4 +1,4 @@
-/** The box of the selected joint: its edges, and on each face a dot to take hold of. */
+/** The box of the selected joint: its edges, and a handle on each face. */
 import { Group, Mesh } from 'three';
 import { boxMatrix } from '../../evaluate/shapes/joint-shapes.ts';
 import { hasBox } from '../../model/boxes.ts';
@@ -9,12 +9,12 @@ import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { colorDots, type Dots, disposeDots, putDot, rigDots } from './rig-dots.ts';
 import { AXES } from './rig-screen.ts';
 
-/** A box that is smaller than this on the screen has no handles: they would be one upon the other. CSS pixels. */
+/** Boxes smaller than this on screen have no handles, as they would overlap. CSS pixels. */
 const MIN_BOX = 26;
 
 export class BoxHandles {
   readonly object = new Group();
-  /** x y of each face's handle, −x +x −y +y −z +z; NaN where it is not drawn. */
+  /** x y of each face's handle, −x +x −y +y −z +z; NaN if it isn't drawn. */
   readonly screen = new Float64Array(12).fill(Number.NaN);
   private readonly faces: readonly Dots[] = AXES.map(() => rigDots(2, 10, 46));
   private readonly edges = new Mesh(
@@ -79,7 +79,7 @@ export class BoxHandles {
 const BOX = new Float32Array(16);
 const AT = new Float64Array(3);
 
-/** Writes where the handle of a face is, −x +x −y +y −z +z, in the world. */
+/** Writes the world position of a face's handle; faces −x +x −y +y −z +z. */
 function facePoint(world: Float64Array, o: number, { min, max }: Box, face: number, out: Float64Array): void {
   const p = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2];
   p[face >> 1] = (face & 1 ? max : min)[face >> 1];

@@ -1,4 +1,4 @@
-/** The joint that a click would add, with the bone that would lead to it. */
+/** Preview of the joint that a click would add, with its bone. */
 import { Group, Mesh } from 'three';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { StageTheme } from '../theme.ts';
@@ -6,7 +6,7 @@ import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { colorDots, disposeDots, putDot, rigDots } from './rig-dots.ts';
 
 export interface AddedJoint {
-  /** The joint that it would hang on. */
+  /** Its parent. */
   readonly from: number;
   /** In the world. */
   readonly at: Vec3;
@@ -39,7 +39,7 @@ export class GhostJoint {
     const o = 16 * adds.from + 12;
     const [x, y, z] = [world[o], world[o + 1], world[o + 2]];
     const [dx, dy, dz] = [adds.at[0] - x, adds.at[1] - y, adds.at[2] - z];
-    // The segment lies along y: only that column counts.
+    // The segment is along y: only that column matters.
     bone.matrix.set(1, dx, 0, x, 0, dy, 0, y, 0, dz, 1, z, 0, 0, 0, 1);
   }
 

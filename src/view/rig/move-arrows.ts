@@ -1,6 +1,6 @@
 /**
- * Three arrows at the selected joint, along which it can be moved; of one length on the screen, whatever the distance.
- * Ours rather than three.js's TransformControls: these only ever move, and the page's own router gives them the pointer.
+ * Three arrows that move the selected joint, of constant size on screen. Not three.js's TransformControls: these only
+ * move, and the page's own router gives them the pointer.
  */
 import { ConeGeometry, Group, Mesh, MeshBasicMaterial, Vector3 } from 'three';
 import type { CameraProjection } from '../camera-projection.ts';
@@ -8,17 +8,17 @@ import type { StageTheme } from '../theme.ts';
 import { lineMaterial, rawColor, segmentsGeometry } from '../thick-lines.ts';
 import { AXES, type Axis } from './rig-screen.ts';
 
-/** CSS pixels from the joint to an arrow's tip, and to where it begins. */
+/** CSS pixels from the joint to an arrow's tip and start. */
 const LENGTH = 78;
 const START = 16;
-/** An arrow that points at the viewer, or away, is a dot: nothing to take hold of. */
+/** Arrows shorter than this on screen point at the viewer or away, and are hidden. */
 const MIN_PIXELS = 14;
 
 const UP = new Vector3(0, 1, 0);
 
 export class MoveArrows {
   readonly object = new Group();
-  /** x y of start and tip of each, 4 an axis; NaN where it is not drawn. */
+  /** x y of start and tip of each, 4 numbers per axis; NaN if not drawn. */
   readonly screen = new Float64Array(12).fill(Number.NaN);
   private readonly arrows: readonly Arrow[];
   private readonly direction = new Vector3();
@@ -39,8 +39,8 @@ export class MoveArrows {
   }
 
   /**
-   * @param at matrix in the world whose translation they stand at, in `at[o …]`
-   * @param along matrix whose columns they point along, in `along[a …]`
+   * @param at world matrix, in `at[o …]`, whose translation is their origin
+   * @param along matrix, in `along[a …]`, whose columns are their directions
    */
   place(projection: CameraProjection, at: Float64Array, o: number, along: Float64Array, a: number): void {
     const [x, y, z] = [at[o + 12], at[o + 13], at[o + 14]];
@@ -97,7 +97,7 @@ export class MoveArrows {
   }
 }
 
-/** One along +y, from `START` to 1. */
+/** An arrow along +y, from `START` to 1. */
 class Arrow {
   readonly object = new Group();
   private readonly line = lineMaterial({ width: 2 }, { depthTest: false, depthWrite: false });

@@ -1,4 +1,4 @@
-/** Dots of rig mode: over everything, in places that are other ones with each picture. */
+/** Dots of rig mode: over everything, with new positions each frame. */
 import type { BufferGeometry, InstancedMesh, ShaderMaterial } from 'three';
 import { sphereMatrix } from '../../evaluate/shapes/joint-shapes.ts';
 import { dots } from '../dots.ts';
@@ -7,7 +7,7 @@ import { rawColor } from '../thick-lines.ts';
 
 export type Dots = InstancedMesh<BufferGeometry, ShaderMaterial>;
 
-/** @param size CSS pixels across */
+/** @param size diameter in CSS pixels */
 export function rigDots(count: number, size: number, renderOrder: number, hollow = false): Dots {
   const mark = dots(count, { size, depthTest: false, hollow });
   mark.matrixAutoUpdate = false;
@@ -15,9 +15,9 @@ export function rigDots(count: number, size: number, renderOrder: number, hollow
   return mark;
 }
 
-/** Instance `i` at the place in `at[o …]`. */
+/** Moves instance `i` to the point in `at[o …]`. */
 export function putDot(mark: Dots, i: number, at: ArrayLike<number>, o: number): void {
-  // Made as a Float32Array, by `dots` and by three.js; its type says any array.
+  // Created as a Float32Array by `dots` and three.js; its type says any array.
   sphereMatrix(at[o], at[o + 1], at[o + 2], 1, mark.instanceMatrix.array as Float32Array, 16 * i);
 }
 

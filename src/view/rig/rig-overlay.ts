@@ -1,7 +1,7 @@
 /**
- * What rig mode draws over everything: the skeleton with a handle at each joint, arrows at the selected one and handles
- * on the faces of its box, and the joint that a click would add. It shows where things are and says where it drew them
- * (`screen`); what is taken hold of, and what becomes of it, is the tool's.
+ * What rig mode draws over everything: the skeleton with a handle at each joint, arrows at the selected one, handles on
+ * the faces of its box, and a preview of the joint that a click would add. It draws and reports screen positions
+ * (`screen`); input is the tool's.
  */
 import { Group, InstancedBufferAttribute, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -17,15 +17,15 @@ import { MoveArrows } from './move-arrows.ts';
 import { colorDots, type Dots, disposeDots, putDot, rigDots } from './rig-dots.ts';
 import { type RigPart, type RigScreen, samePart } from './rig-screen.ts';
 
-/** What is to be seen. */
+/** What to draw. */
 export interface RigPicture {
   readonly skeleton: Skeleton;
-  /** 16 a joint, in the character's space, as they stand now. */
+  /** 16 numbers per joint, in the character's space, as posed now. */
   world(): Float64Array | undefined;
   /** From the character's space to the world. */
   placement(): Float64Array | undefined;
   readonly selected: number | undefined;
-  /** Along which the arrows point: those of the parent's space, or the world's. */
+  /** Space of the arrows' directions: the parent's or the world's. */
   readonly axes: 'parent' | 'world';
   readonly withArrows: boolean;
 }
@@ -36,7 +36,7 @@ export class RigOverlay implements Overlay {
   readonly object = new Group();
   private readonly bones: BoneShapes;
   private readonly joints = rigDots(1, 9, 45);
-  /** The selected one, and the one under the pointer. */
+  /** The selected joint, and the hovered one. */
   private readonly selected = rigDots(1, 12, 47);
   private readonly hot = rigDots(1, 14, 48);
   private readonly ghost = new GhostJoint();
@@ -50,10 +50,10 @@ export class RigOverlay implements Overlay {
   private nodes = new Float64Array(0);
   private starts = new Int32Array(0);
   private theme: StageTheme | undefined;
-  /** Of the last picture; what is asked before the next one is worked out with them. */
+  /** Of the last frame; queries before the next one use them. */
   private camera: PerspectiveCamera | OrthographicCamera | undefined;
   private heightPx = 1;
-  /** Another picture was shown than the one that was drawn. */
+  /** The picture has changed since it was drawn. */
   private isBehind = false;
 
   constructor() {
@@ -63,7 +63,7 @@ export class RigOverlay implements Overlay {
     this.hideAll();
   }
 
-  /** After an edit, or another selection; undefined: there is nothing to be rigged. */
+  /** Call after an edit or a change of selection; undefined: nothing to rig. */
   show(picture: RigPicture | undefined): void {
     if (!haveSameJoints(this.picture?.skeleton, picture?.skeleton)) this.light(undefined);
     this.picture = picture;
@@ -85,7 +85,7 @@ export class RigOverlay implements Overlay {
     this.paint();
   }
 
-  /** Lights up what is under the pointer. Whether that changed anything. */
+  /** Highlights the part under the pointer. Returns whether that changed anything. */
   light(part: RigPart | undefined): boolean {
     if (samePart(part, this.under)) return false;
     this.under = part;
@@ -94,12 +94,15 @@ export class RigOverlay implements Overlay {
     return true;
   }
 
-  /** Where a click would add a joint to one; undefined: nowhere. */
+  /** Preview of the joint that a click would add; undefined: none. */
   showGhost(adds: AddedJoint | undefined): void {
     this.adds = adds;
   }
 
-  /** As drawn, or about to be after a change or a turn of the camera: hands may be quicker than pictures. Undefined where nothing is. */
+  /**
+   * As drawn, or as it will be after a change or a camera move, since input may be faster than frames. Undefined if
+   * nothing is drawn.
+   */
   get screen(): RigScreen | undefined {
     const { camera, heightPx } = this;
     if (camera && (this.projection.look(camera, heightPx) || this.isBehind)) this.update(camera, heightPx);
@@ -118,7 +121,7 @@ export class RigOverlay implements Overlay {
     this.object.visible = picture !== undefined && from !== undefined && placement !== undefined;
     if (!picture || !from || !placement) return;
     const nodes = nodesFor(picture.skeleton);
-    // Another document may be in the making: its matrices come with its picture.
+    // Another document may be about to be shown: its matrices come with its frame.
     if (from.length < 16 * nodes.jointCount) {
       this.object.visible = false;
       return;

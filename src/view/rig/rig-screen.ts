@@ -1,16 +1,16 @@
 /**
- * Where the handles of rig mode are on the screen, as last drawn: what the pointer is over is decided from this, so that
- * a hand gets what it sees. CSS pixels from the viewport's left top; what is not seen is NaN.
+ * Screen positions of rig mode's handles, as last drawn. Hit testing uses these, so that users hit what they see. CSS
+ * pixels from the viewport's top left; NaN for what isn't visible.
  */
 export type Axis = 0 | 1 | 2;
 export const AXES: readonly Axis[] = [0, 1, 2];
 
-/** Something of the overlay that a hand can take or pick. */
+/** A part of the overlay that can be hovered, picked or dragged. */
 export type RigPart =
   | { readonly kind: 'joint'; readonly joint: number }
-  /** A bone stands for the joint that it starts from. */
+  /** A bone means the joint where it starts. */
   | { readonly kind: 'bone'; readonly joint: number }
-  /** Of the three that move the selected joint. */
+  /** One of the three that move the selected joint. */
   | { readonly kind: 'arrow'; readonly axis: Axis }
   /** Of the selected joint's box. */
   | { readonly kind: 'face'; readonly axis: Axis; readonly side: 'min' | 'max' };
@@ -25,12 +25,12 @@ export function samePart(a: RigPart | undefined, b: RigPart | undefined): boolea
 
 export interface RigScreen {
   readonly jointCount: number;
-  /** x y of each joint, and after them of the ends of bones that no joint continues. */
+  /** x y of each joint, followed by the bone ends without a joint. */
   readonly nodes: Float64Array;
-  /** For each node, the joint that the bone to it starts from; -1 where none leads to it. */
+  /** For each node, the joint where its bone starts; -1 without one. */
   readonly starts: Int32Array;
   readonly selected: number | undefined;
-  /** x y of the start and the tip of each arrow, 4 an axis. */
+  /** x y of the start and tip of each arrow, 4 numbers per axis. */
   readonly arrows: Float64Array;
   /** x y of each face's handle: −x +x −y +y −z +z. */
   readonly faces: Float64Array;
