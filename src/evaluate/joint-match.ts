@@ -1,25 +1,25 @@
 /**
- * Which joint of one skeleton is which of another: those of the same name below joints that are each other's. Siblings
- * may stand in another order, as they do where two programs wrote one figure; of siblings with one name the first ones
- * go together, then the second ones.
+ * Matches the joints of two skeletons: those with the same name whose parents match. Siblings may be in any order, as
+ * in exports of one figure by two programs; of siblings with the same name, the first match, then the second, and so
+ * on.
  *
- * No guessing: `LeftArm` and `L_UpperArm` may be the same limb, but a distance between them would be that of two rigs,
- * not of two motions. That is retargeting's.
+ * No guessing: `LeftArm` and `L_UpperArm` may be the same limb, but their distance would compare two rigs, not two
+ * motions. That is left to retargeting.
  */
 import type { Skeleton } from '../model/skeleton.ts';
 
 export interface JointMatch {
-  /** Joints of the first skeleton that have another, ascending. */
+  /** Joints of the first skeleton that have a match, ascending. */
   readonly first: readonly number[];
-  /** Theirs in the second, one for each of `first`. */
+  /** Their matches in the second, one for each of `first`. */
   readonly second: readonly number[];
-  /** Joints that the other skeleton has none for. */
+  /** Joints without a match in the other skeleton. */
   readonly onlyFirst: readonly number[];
   readonly onlySecond: readonly number[];
 }
 
 export function matchJoints(a: Skeleton, b: Skeleton): JointMatch {
-  // Names may hold any character; a key made of one and a number is unique all the same, for the number comes first.
+  // Names may contain any character; the key is still unique, since the number comes first.
   const key = (parent: number, name: string) => `${parent} ${name}`;
   const free = new Map<string, number[]>();
   b.joints.forEach(({ parent, name }, j) => {
@@ -33,7 +33,7 @@ export function matchJoints(a: Skeleton, b: Skeleton): JointMatch {
   const second: number[] = [];
   a.joints.forEach(({ parent, name }, j) => {
     const above = parent < 0 ? -1 : partner[parent];
-    // A parent without a partner leaves the whole limb without.
+    // Without a match for the parent there is none for the limb.
     const found = parent >= 0 && above < 0 ? undefined : free.get(key(above, name))?.shift();
     if (found === undefined) return;
     partner[j] = found;
@@ -49,7 +49,7 @@ export function matchJoints(a: Skeleton, b: Skeleton): JointMatch {
   };
 }
 
-/** Whether both have the same joints, whatever their order. */
+/** Whether both have the same joints, in any order. */
 export function isSameSkeleton({ onlyFirst, onlySecond }: JointMatch): boolean {
   return onlyFirst.length === 0 && onlySecond.length === 0;
 }

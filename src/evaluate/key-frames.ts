@@ -1,11 +1,10 @@
 /**
- * The rate of a clip of keys, where its keys say one: those of motion capture that was made into keys come at every frame,
- * and sampled at that rate they are what they were.
+ * Finds the frame rate of a keyed clip, if its keys have one: motion capture converted to keys has a key at every
+ * frame, and sampling it at that rate gives the original.
  *
- * A rate is said where one channel has keys at even times over the whole range, and all other keys are at some of these
- * times. Keys that somebody set, once a second or so, are even too, but sampled by them alone a curve would lose what it
- * does in between. So a rate counts from 10 a second on where the curves go straight from key to key, and from 23 on
- * (film's 23.976) where they don't.
+ * A clip has a rate if one channel has evenly spaced keys over the whole range, and all other keys are at some of these
+ * times. Keys set by hand, one per second or so, are evenly spaced too, but sampling at them would lose the curve in
+ * between. So a rate counts from 10 per second if curves are straight between keys, and from 23 (film's 23.976) if not.
  */
 import { type ChannelClip, type KeyedChannel, LINEAR } from '../model/clip.ts';
 import { perObject } from '../model/per-object.ts';
@@ -13,10 +12,10 @@ import type { Frames } from './bake.ts';
 
 const MIN_STRAIGHT = 10;
 const MIN_CURVED = 23;
-/** Times may be off their frame by this part of one: what decimals of a file leave. */
+/** Tolerance of times, as a fraction of a frame: covers the rounding of decimals in files. */
 const SAME_FRAME = 1e-4;
 
-/** The frames that all keys of a clip are at; undefined where it has samples, or no such rate. Found once for a clip. */
+/** The frames of all keys of a clip; undefined if it has samples or no such rate. Cached per clip. */
 export const keyFrames = perObject(find);
 
 function find({ channels, range, samples }: ChannelClip): Frames | undefined {
@@ -41,7 +40,7 @@ function find({ channels, range, samples }: ChannelClip): Frames | undefined {
   return keyed.every(({ times }) => times === longest.times || times.every(isFrame)) ? frames : undefined;
 }
 
-/** The frame time that gives these times to the last bit, where there is one; else what they have on average. */
+/** The frame duration that reproduces these times exactly, if any; otherwise their average. */
 function evenTimes(times: Float64Array): Frames | undefined {
   const frameCount = times.length;
   const [startSeconds, last] = [times[0], times[frameCount - 1]];

@@ -3,8 +3,8 @@
  *
  *     local L = T(offset) · J(φ)        world W = W_parent · L        root: L = T(offset + root translation) · J(φ)
  *
- * Everything here takes the character's whole list of DOFs (`model/dofs.ts`): root translation, joints, morphs.
- * Matrices are 16 numbers a joint, column-major, in the character's own space (before its placement).
+ * All functions take the character's complete list of DOFs (`model/dofs.ts`): root translation, joints, morphs.
+ * Matrices are 16 numbers per joint, column-major, in the character's own space (before its placement).
  */
 import { multiplyAffine } from '../math/mat4.ts';
 import { writeRotation } from '../math/quaternion.ts';
@@ -18,38 +18,38 @@ import type { JointMotion } from './motions/motion.ts';
 import { jointMotion } from './motions.ts';
 import type { PoseRotations } from './pose-rotations.ts';
 
-/** A skeleton ready to be posed. Joints are in depth-first pre-order, so a subtree is one contiguous range. */
+/** A skeleton ready for posing. Joints are in depth-first pre-order, so a subtree is a contiguous range. */
 export interface CompiledSkeleton {
   readonly jointCount: number;
-  /** Of all joints together, without root translation and morphs. */
+  /** Of all joints, without root translation and morphs. */
   readonly dofCount: number;
   /** -1 for the root; otherwise smaller than the joint's own index. */
   readonly parent: Int32Array;
-  /** Joints `j` up to (not including) `subtreeEnd[j]` are j and all below it. */
+  /** Joints `j` up to (excluding) `subtreeEnd[j]` are j and its descendants. */
   readonly subtreeEnd: Int32Array;
-  /** Index in the character's list of each joint's first DOF; one more than there are joints. */
+  /** Index of each joint's first DOF in the character's list; one more than the number of joints. */
   readonly firstDof: Int32Array;
-  /** The DOFs that carry the character along x, y and z: the root translation, or the root joint's own. */
+  /** The DOFs that move the character along x, y and z: root translation, or the root joint's own. */
   readonly travel: Int32Array;
-  /** Whether there is a root translation before the joints' DOFs. */
+  /** Whether root translation precedes the joints' DOFs. */
   readonly hasRootTranslation: boolean;
-  /** x y z a joint; 0 where the joint's own DOFs replace it. */
+  /** x y z per joint; 0 where the joint's own DOFs replace it. */
   readonly offsets: Float64Array;
-  /** Limits of each joint DOF, in order (`firstDof[0]` is the first); infinite where crossed. */
+  /** Limits of each joint DOF, in order (`firstDof[0]` is the first); infinite if min > max. */
   readonly lower: Float64Array;
   readonly upper: Float64Array;
-  /** Which of them any limit holds: none of motion capture's, whose limits are those that mean none. */
+  /** The DOFs that have limits; none for motion capture, whose limits mean unlimited. */
   readonly limited: Int32Array;
   readonly motions: readonly JointMotion[];
-  /** Three a joint that is T(t)·R of three angles: those DOFs, in the order in which they are applied; else −1. */
+  /** Three per joint of the form T(t)·R with three angles: those DOFs, in order of application; else −1. */
   readonly turns: Int32Array;
-  /** Three a joint: its DOFs along x, y and z; −1 where it has none. */
+  /** Three per joint: its DOFs along x, y and z; −1 for none. */
   readonly slides: Int32Array;
-  /** DOFs that follow others, each after the one that it follows. */
+  /** Linked DOFs, each after the one that it follows. */
   readonly couples: readonly DofCouple[];
 }
 
-/** The skeleton's compiled form, made once for each skeleton. */
+/** The skeleton's compiled form, cached. */
 export const compileSkeleton = perObject(compile);
 
 function compile(skeleton: Skeleton): CompiledSkeleton {
@@ -135,17 +135,17 @@ export function applyConstraints(skeleton: CompiledSkeleton, dofs: Float64Array,
   }
 }
 
-/** Each joint's matrix in its parent's space. */
+/** Each joint's matrix relative to its parent. */
 export function localMatrices(skeleton: CompiledSkeleton, dofs: Float64Array, out: Float64Array): void {
   for (let j = 0; j < skeleton.jointCount; j++) writeLocal(skeleton, j, dofs, out, 16 * j);
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const local = new Float64Array(16);
 
 /**
  * Each joint's matrix in the character's space.
- * @param rotations those that came with the DOFs, of joints of the same skeleton
+ * @param rotations those that came with the DOFs, for joints of the same skeleton
  */
 export function worldMatrices(
   skeleton: CompiledSkeleton,
@@ -164,7 +164,7 @@ export function worldMatrices(
       multiplyAffine(world, 16 * above, local, 0, world, 16 * j);
     } else {
       writeLocal(skeleton, j, dofs, world, 16 * j);
-      // Of all joints only the root takes its sines and cosines in vain.
+      // Only the root computes sines and cosines that are not used.
       if (keepsRotation) {
         const g = 8 * j;
         writeRotation(given[g + 3], given[g + 4], given[g + 5], given[g + 6], world, 16 * j, 4);
@@ -173,7 +173,7 @@ export function worldMatrices(
   }
 }
 
-/** Whether the joint's angles are those that its rotation came with. */
+/** Whether the joint's angles are still those of its stored rotation. */
 function hasAnglesOf({ turns }: CompiledSkeleton, j: number, dofs: Float64Array, given: Float64Array): boolean {
   const first = turns[3 * j];
   return (
@@ -184,10 +184,7 @@ function hasAnglesOf({ turns }: CompiledSkeleton, j: number, dofs: Float64Array,
   );
 }
 
-/**
- * W = W_parent · L of a joint whose rotation is given: most joints of a crowd are such, and their local matrices are
- * nowhere written.
- */
+/** W = W_parent · L for a joint with a given rotation: most joints of a crowd. Its local matrix is never written. */
 function turnWorld(
   { parent, offsets, slides }: CompiledSkeleton,
   j: number,

@@ -1,9 +1,9 @@
-/** How long the units of files are. */
+/** Lengths of file units. */
 import type { LengthUnit, Space } from '../model/document.ts';
 
 const INCH = 0.0254;
 
-/** Metres that 1 of a unit is; `own` is said by the space itself. */
+/** Metres per unit; for `own` the space itself has the value. */
 export const METRES: Readonly<Record<Exclude<LengthUnit, 'own'>, number>> = {
   asIs: 1,
   metres: 1,
@@ -14,7 +14,7 @@ export const METRES: Readonly<Record<Exclude<LengthUnit, 'own'>, number>> = {
   cmu: INCH / 0.45,
 };
 
-/** Metres that 1 in the character's own space stands for. */
+/** Metres per unit of the character's own space. */
 export function metresPerUnit({ unit, metres }: Space): number {
   return unit === 'own' ? (metres ?? 1) : METRES[unit];
 }

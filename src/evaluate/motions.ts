@@ -1,9 +1,9 @@
 /**
- * How each kind of joint moves: one rule a kind, from a motion to the matrix J(φ) of its DOFs, and to its derivative
- * with respect to each of them.
+ * How each joint type moves: one rule per type, from a motion to the matrix J(φ) of its DOFs and its derivative with
+ * respect to each of them.
  *
- * All else about a kind is in its record (`model/joint-types.ts`). A short cut past the rule for the most common kind was
- * tried: it gained nothing, since calls to one and the same function are inlined anyway.
+ * Everything else about a type is in its record (`model/joint-types.ts`). A fast path for the most common type gains
+ * nothing, since calls of a single function are inlined anyway.
  */
 import type { Motion } from '../model/skeleton.ts';
 import { prismaticMotion, screwMotion } from './motions/axis.ts';
@@ -35,9 +35,9 @@ const MOTION_RULES: Rules = {
 const TRANSLATIONAL = productOf(['tx', 'ty', 'tz'].map(factorOf));
 const FIXED = productOf([]);
 
-/** The rule of one joint. */
+/** The rule of a joint. */
 export function jointMotion(motion: Motion): JointMotion {
-  // Each rule takes its own kind, and is looked up by it.
+  // Each rule takes the kind that it is stored under.
   const rule = MOTION_RULES[motion.kind] as (motion: Motion) => JointMotion;
   return rule(motion);
 }

@@ -1,46 +1,45 @@
 /**
- * Joints of three Euler angles between two frames that are near to each other, as those of a capture nearly always are:
- * the same slerp and the same way back to angles as in `sampled-rotations.ts`, written out so that a crowd can play. What
- * it gains: all sines and cosines of a row at once; the series of `math/slerp.ts`, of which all but the powers of
- * cos θ − 1 depends on the part of the way alone, and so is the same for all joints; angles that change by little; and no
- * number that goes by way of an array or of a call.
+ * Interpolates joints of three Euler angles between two close frames, which are nearly all in a capture: the same slerp
+ * and conversion to angles as in `sampled-rotations.ts`, inlined so that a crowd can play. It gains from computing all
+ * sines and cosines of a row at once; from the series of `math/slerp.ts`, whose terms, except for the powers of cos θ −
+ * 1, are the same for all joints; from small changes of angles; and from keeping numbers out of arrays and calls.
  *
- * From the angles of the frame to those of the rotation q between, with the vectors of `math/euler.ts`:
+ * From the angles of the frame to those of the rotation q in between, with the vectors of `math/euler.ts`:
  *
  *     half sum, half difference     change by atan(cross product / dot product) of the frame's vector and that of q
  *     β                             changes by asin(sin β_q · cos β − cos β_q · sin β)
  *     sin β_q, cos β_q              are (d² − s²) / 2 and s·d, of the lengths s and d of the two vectors of q
  *
- * Polynomials are written so that few of their steps wait for each other, and cut short where the rest is below the last
- * digit: half of the time went there.
+ * Polynomials are arranged to shorten chains of dependent operations, and truncated below the last digit: half of the
+ * time was spent there.
  */
 import type { Samples } from '../model/samples.ts';
 import { HalfAngles } from './half-angles.ts';
 import type { PoseRotations } from './pose-rotations.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 
-/** Of the series of slerp, and the least of cos θ − 1 for which so many are exact. */
+/** Terms of the slerp series, and the minimum of cos θ − 1 for which they are exact. */
 const TERMS = 7;
 const NEAR = -0.02;
-/** From here on four terms are. */
+/** From here on four terms are enough. */
 const VERY_NEAR = -0.0003;
-/** The most that one of the angles above changes by. */
+/** Maximum change of one of the angles above. */
 const SMALL = 0.1;
-/** The sum of the squares of all three, from which shorter series will do. */
+/** Below this sum of all three squares, shorter series are enough. */
 const VERY_SMALL = 4e-4;
-/** The square of a vector's length where β is a degree from gimbal lock. */
+/** Squared length of a vector one degree from gimbal lock. */
 const BESIDE_LOCK = 1e-4;
 
-/** Scratch, as all that follows. */
+/** Scratch, here and below. */
 const fromRow = new HalfAngles();
 const toRow = new HalfAngles();
 const ownTerms = new Float64Array(TERMS);
 const nextTerms = new Float64Array(TERMS);
 
 /**
- * Makes ready what all rotations have in common.
- * @param row the one before the time
- * @param part of the way to the next one
+ * Computes what all rotations have in common.
+ * @param row the frame before the time
+ * @param part fraction of the way to the next frame
  */
 export function readRows(
   { values, scales }: Samples,
@@ -57,9 +56,9 @@ export function readRows(
 }
 
 /**
- * Writes the DOFs of rotation number `r`, after `readRows`. One at a time, for a loop around all this is at times run in
- * a version of it that the browser made half-way through, and is half as fast.
- * @returns false, and nothing written, where its angles are not near
+ * Writes the DOFs of rotation `r`, after `readRows`. One rotation per call: a loop around all this sometimes runs in a
+ * version compiled on-stack, at half the speed.
+ * @returns false, writing nothing, if the frames are not close
  */
 export function nearEuler(
   { eulerJoints, eulerDofs, eulerSigns, eulerAxes }: SampledJoints,
@@ -81,7 +80,7 @@ export function nearEuler(
   const y0 = cx * sy * cz + sx * cy * sz;
   const z0 = cx * cy * sz - sx * sy * cz;
   const w0 = cx * cy * cz + sx * sy * sz;
-  // Of β of the frame.
+  // Of the frame's β.
   const sine = 2 * sy * cy;
   const cosine = cy * cy - sy * sy;
 
@@ -130,8 +129,8 @@ export function nearEuler(
   const u = sum * sum;
   const v = difference * difference;
   const t = beta * beta;
-  // Written so that NaN is far away. Beyond ±90° of β its cosine is negative; beside them one vector has hardly a
-  // direction. A dot product is negative where a vector turns by more than a quarter.
+  // Written so that NaN counts as far. Beyond β = ±90° the cosine is negative; close to it one vector has hardly a
+  // direction. A dot product is negative if a vector turns by more than a quarter.
   const isNear =
     e > NEAR &&
     a * a + b * b + c * c < 0.25 &&
@@ -154,7 +153,7 @@ export function nearEuler(
   let alpha = 2 * from[i];
   let middle = 2 * from[i + 1];
   let gamma = 2 * from[i + 2];
-  // What stands still keeps the very angles of the file.
+  // Joints at rest keep exactly the angles of the file.
   if (a !== 0 || b !== 0 || c !== 0) {
     alpha += sum - difference;
     middle += beta;
@@ -178,7 +177,9 @@ export function nearEuler(
   return true;
 }
 
-/** Σ aₖ·(cos θ − 1)ᵏ is the weight of one of the two rotations; these are aₖ for a part of the way from the other one. */
+/**
+ * Σ aₖ·(cos θ − 1)ᵏ is the weight of one of the two rotations; these are aₖ for a fraction of the way from the other.
+ */
 function writeTerms(t: number, out: Float64Array): void {
   out[0] = t;
   for (let k = 1; k < TERMS; k++) out[k] = (out[k - 1] * (t * t - k * k)) / (k * (2 * k + 1));

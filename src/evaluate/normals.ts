@@ -1,9 +1,9 @@
 /**
- * A skin's normals: the file's own, or computed where it has none.
+ * A skin's normals: the file's own, or computed ones.
  *
  *     n = normalised Σ over the vertex's triangles (b − a) × (c − a)
  *
- * The cross product's length is twice the area, so that large triangles count for more.
+ * The cross product's length is twice the area, so large triangles weigh more.
  */
 import { normalizeAt } from '../math/vec3.ts';
 import { perObject } from '../model/per-object.ts';
@@ -11,17 +11,17 @@ import { type Skin, vertexCount } from '../model/skin.ts';
 
 const computed = perObject(({ positions, triangles }: Skin) => computeNormals(positions, triangles));
 
-/** x y z a vertex: as the file gives them, of any length; computed ones have length 1, and are computed once. */
+/** x y z per vertex: the file's own, of any length, or computed ones, normalised and cached. */
 export function normalsOf(skin: Skin): Float64Array {
   return skin.normals ?? computed(skin);
 }
 
-/** Takes over normals that `computeNormals` gave elsewhere, in a worker. */
+/** Adopts normals that `computeNormals` returned elsewhere, in a worker. */
 export function adoptNormals(skin: Skin, normals: Float64Array): void {
   if (normals.length === 3 * vertexCount(skin)) computed.adopt(skin, normals);
 }
 
-/** Area-weighted normals. A vertex of no triangle, or of triangles that cancel out, points up. */
+/** Area-weighted normals. A vertex without triangles, or whose triangles cancel out, points up. */
 export function computeNormals(positions: Float64Array, triangles: Uint32Array): Float64Array {
   const normals = new Float64Array(positions.length);
   for (let t = 0; t + 2 < triangles.length; t += 3) {

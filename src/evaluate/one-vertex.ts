@@ -1,6 +1,6 @@
 /**
- * One vertex deformed, exactly as the whole skin would be: a skin of this vertex alone goes through the same evaluation.
- * Deforming a million vertices to read one was the alternative.
+ * Deforms a single vertex exactly as in the whole skin, by evaluating a skin of only this vertex instead of deforming
+ * up to a million to read one.
  */
 import type { Morph, MorphRows } from '../model/morph.ts';
 import type { Skin } from '../model/skin.ts';
@@ -9,14 +9,16 @@ import { blendMorphs, compileSkin, deform } from './deform.ts';
 export interface OneVertex {
   /** x y z. */
   readonly position: Float64Array;
-  /** x y z, of length 1. Undefined where the file has no normals: those are made from all triangles around it. */
+  /**
+   * x y z, normalised. Undefined if the file has no normals, since those are computed from all surrounding triangles.
+   */
   readonly normal: Float64Array | undefined;
 }
 
 /**
- * Makes what deforms one vertex, again and again.
+ * Makes a function that deforms one vertex repeatedly.
  * @returns takes the character's DOFs, of which the morph weights are the last, and the joints' world matrices, 16 each
- * (undefined without a skeleton); gives arrays that the next call fills anew
+ * (undefined without a skeleton); returns arrays that the next call overwrites
  */
 export function vertexDeformer(
   skin: Skin,
@@ -47,7 +49,7 @@ function skinOfOne(skin: Skin, vertex: number): Skin {
   return {
     name,
     positions: own(positions),
-    // With a normal of any kind nothing is computed from the triangles, which are not here.
+    // With any normal given, none is computed from the triangles, which are missing here.
     normals: normals ? own(normals) : Float64Array.of(0, 1, 0),
     triangles: new Uint32Array(0),
     bindings,
@@ -61,7 +63,7 @@ function skinOfOne(skin: Skin, vertex: number): Skin {
   };
 }
 
-/** All of its rows, for a file may list a vertex twice. */
+/** All of its rows, since a file may list a vertex twice. */
 function rowsOfOne({ indices, values }: MorphRows, vertex: number): MorphRows {
   const rows: number[] = [];
   for (let row = indices.indexOf(vertex); row >= 0; row = indices.indexOf(vertex, row + 1)) {

@@ -3,13 +3,13 @@
  *
  *     P = T(position) · Rz·Ry·Rx(turn) · S(scale) · [ T(0, lift, 0) · S(metres per unit) · Up ] · T(−travel)
  *
- * In brackets: the character's space (`evaluate/space.ts`), left out where it has none. The last factor is there only
- * "in place": it takes the travel over the ground out of the picture (`evaluate/travel.ts`), and leaves pose and document alone.
+ * In brackets: the character's space (`evaluate/space.ts`), omitted if it has none. The last factor is only used "in
+ * place": it cancels the travel over the ground (`evaluate/travel.ts`) without changing pose or document.
  */
 import { DEFAULT_SPACE, type Placement, type Space } from '../model/document.ts';
 import { metresPerUnit } from './metres.ts';
 
-/** What is cancelled where nothing is. */
+/** For placements that cancel no travel. */
 export const NO_TRAVEL: Float64Array = new Float64Array(3);
 
 /**
@@ -32,7 +32,7 @@ export function placementMatrix(
   const cz = Math.cos(rz);
   const sz = Math.sin(rz);
   const s = space ? p.scale * metresPerUnit(space) : p.scale;
-  // Columns of the turn: where x, y and z of the scene's metres go. In a space whose z is up, y is their −z.
+  // Columns of the rotation: images of x, y and z of the scene's metres. In a space with z up, y is their −z.
   const yAt = up === 'z' ? o + 8 : o + 4;
   const zAt = up === 'z' ? o + 4 : o + 8;
   const sign = up === 'z' ? -1 : 1;

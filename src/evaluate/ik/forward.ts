@@ -1,4 +1,4 @@
-/** Forward kinematics of the joints that matter, and how far the pins are from where they should be. */
+/** Forward kinematics of the joints involved, and the errors of the pins. */
 import { multiplyAffine } from '../../math/mat4.ts';
 import { length3 } from '../../math/vec3.ts';
 import { writeMatrices } from './chain.ts';
@@ -57,7 +57,7 @@ function writePins({ pins, slots }: IkProblem): void {
   }
 }
 
-/** Errors of the pose last evaluated, against the current targets of the pins. @returns the sum of the squared errors */
+/** Errors of the pose last evaluated, relative to the pins' current targets. @returns the sum of the squared errors */
 export function writeErrors({ pins, errors }: IkProblem): number {
   const { count, positions, aims, weights, row, holdsOrientation, frames, targetFrames, turns, turnWeights } = pins;
   let sum = 0;
@@ -79,12 +79,12 @@ export function writeErrors({ pins, errors }: IkProblem): number {
   return sum;
 }
 
-/** Of a pin, from where it aims; in the unit of the character. */
+/** Distance of a pin from its aim, in the character's unit. */
 export function aimDistance({ positions, aims }: IkProblem['pins'], p: number): number {
   return distance(positions, aims, 3 * p);
 }
 
-/** Of a pin, from where it should be, however far. */
+/** Distance of a pin from its target, reachable or not. */
 export function residual({ positions, targets }: IkProblem['pins'], p: number): number {
   return distance(positions, targets, 3 * p);
 }
@@ -94,13 +94,13 @@ function distance(a: Float64Array, b: Float64Array, o: number): number {
   return length3(a[o] - b[o], a[o + 1] - b[o + 1], a[o + 2] - b[o + 2]);
 }
 
-/** The angle that a pin's joint has still to turn; 0 for one that holds no orientation. Radians. */
+/** The remaining rotation of a pin's joint in radians; 0 if the pin holds no orientation. */
 export function orientationError({ turns }: IkProblem['pins'], p: number): number {
   const [x, y, z] = [turns[3 * p], turns[3 * p + 1], turns[3 * p + 2]];
   return Math.sqrt(x * x + y * y + z * z);
 }
 
-/** Whether all pins are where they aim, within a part of the reach (and as many radians). */
+/** Whether all pins are at their aims, within a fraction of the reach (and as many radians). */
 export function isThere({ pins, reach }: IkProblem, within: number): boolean {
   for (let p = 0; p < pins.count; p++) {
     if (!(aimDistance(pins, p) <= within * reach)) return false;

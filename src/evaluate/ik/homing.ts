@@ -1,25 +1,24 @@
 /**
- * The way back to another pose that moves no pin: of the difference d to it, what the pins leave free,
+ * The direction back to another pose that moves no pin: the part of the difference d that the pins leave free,
  *
  *     h = d − Jᵀ·(J·Jᵀ + λI)⁻¹·J·d
  *
- * the projection onto the null space of the Jacobian (Liégeois 1977), damped by a sliver. A DOF at its limit that h would
- * press against is taken out and the rest is projected again. To first order no pin moves by it; `solve` puts right what
- * remains.
+ * the projection onto the null space of the Jacobian (Liégeois 1977), slightly damped. A DOF at a limit that h would
+ * cross is removed and the rest is projected again. To first order this moves no pin; `solve` corrects the remainder.
  */
 import { writeJacobian } from './jacobian.ts';
 import { solveDamped, systemSize, writeNormal } from './normal.ts';
 import type { IkProblem } from './state.ts';
 
-/** Of the mean of the diagonal. Less than that and directions that nothing can move in would be divided by nothing. */
+/** Relative to the mean of the diagonal. With less, directions in which nothing can move would be divided by zero. */
 const DAMPING = 1e-7;
-/** How often it is projected again because of limits. */
+/** Maximum number of projections because of limits. */
 const MAX_ROUNDS = 3;
 
 /**
- * Writes h to `problem.scratch.step`, in unknowns. The pose in `dofs` is the one last looked at.
- * @param home the character's DOFs that it is to be nearer to
- * @returns the largest change of an unknown that it asks for: radians, factors, parts of the reach; 0 where there is none
+ * Writes h to `problem.scratch.step`, in solver variables. `dofs` must be the pose last evaluated.
+ * @param home the character's DOFs to approach
+ * @returns the largest change of a variable: radians, factors, fractions of the reach; 0 if there is none
  */
 export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: ArrayLike<number>): number {
   const { variables, scratch, jacobian, rows } = problem;
@@ -44,7 +43,7 @@ export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: Array
     let trace = 0;
     for (let i = 0; i < size; i++) trace += normal[i * size + i];
     const damping = DAMPING * (trace / Math.min(rows, n)) + 1e-300;
-    // The step that undoes what d does to the pins.
+    // The step that cancels what d does to the pins.
     if (!solveDamped(freeColumns, rows, n, problem.shape, rest, normal, damping, factor, solution, step)) return 0;
     let isFree = true;
     for (let v = 0; v < n; v++) {
@@ -66,7 +65,7 @@ export function writeWayHome(problem: IkProblem, dofs: Float64Array, home: Array
   return most;
 }
 
-/** Goes that part of what `writeWayHome` wrote, within the limits. */
+/** Applies that fraction of the step from `writeWayHome`, within the limits. */
 export function goHome({ variables, scratch }: IkProblem, dofs: Float64Array, part: number): void {
   const { count: n, dof, scale, lower, upper } = variables;
   for (let v = 0; v < n; v++) {

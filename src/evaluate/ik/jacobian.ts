@@ -1,22 +1,24 @@
 /**
- * The Jacobian: how fast each error changes with each unknown. A DOF that turns or slides about an axis `a` through o,
- * under nothing that stretches, moves everything on it as a rigid body (Buss, Introduction to Inverse Kinematics, 2004):
+ * The Jacobian: the derivative of each error with respect to each variable. A DOF that rotates or slides about an axis
+ * `a` through o, with nothing above it that stretches, moves all its descendants as a rigid body (Buss, Introduction to
+ * Inverse Kinematics, 2004):
  *
  *     ṗ = a × (p − o) + slide · a        the frame turns with a
  *
- * A quaternion's DOFs give its pivot a twist, ṗ = v + ω × (p − o). What stretches is followed up the path:
+ * A quaternion's DOFs give a twist about its pivot, ṗ = v + ω × (p − o). Joints that stretch are propagated up the
+ * path:
  *
  *     ṗ = W_parent · ∂L/∂φ · x        with x the point in the space of the joint, of its children's results
  *
- * Coupled DOFs add to the column of what they follow, times how fast they follow.
+ * Linked DOFs add to the column of the DOF they follow, times their rate.
  */
 import { FRAME_SIZE, orientationErrorSpeed, writeFrameSpeed } from './orientation.ts';
 import type { IkProblem } from './state.ts';
 import { writeTwists } from './twists.ts';
 
-/** Of the pose last looked at, which is in `dofs`. */
+/** For the pose last evaluated, which is in `dofs`. */
 export function writeJacobian(problem: IkProblem, dofs: Float64Array): void {
-  // What hinges write they write over, and nothing else is ever written then.
+  // Hinges overwrite their columns, and the others always stay 0.
   if (!problem.screwColumns.areAll) problem.jacobian.fill(0);
   writeHingeColumns(problem);
   if (problem.screwColumns.areAll) return;
@@ -57,7 +59,7 @@ function writeHingeColumns({ pins, links, screwColumns, variables, jacobian }: I
       const x = px - lines[line + 3];
       const y = py - lines[line + 4];
       const z = pz - lines[line + 5];
-      // Nothing but its own couples adds to it, later.
+      // Only its own linked DOFs add to this, later.
       jacobian[at] = ay * z - az * y;
       jacobian[at + n] = az * x - ax * z;
       jacobian[at + 2 * n] = ax * y - ay * x;
@@ -101,7 +103,7 @@ function writeOtherScrewColumns(problem: IkProblem): void {
   }
 }
 
-/** Joints that don't stretch but are no screws either. */
+/** Joints that neither stretch nor are products of screws. */
 function writeTwistColumns(problem: IkProblem, dofs: Float64Array): void {
   const { skeleton, slots, pins, variables, jacobian } = problem;
   const { motions, firstDof } = skeleton;
@@ -144,7 +146,7 @@ function writeTwistColumns(problem: IkProblem, dofs: Float64Array): void {
   }
 }
 
-/** A pin's frame turns by that with an unknown. */
+/** Adds the rotation of a pin's frame with a variable. */
 function addTurn(
   { pins, variables, jacobian }: IkProblem,
   p: number,
@@ -162,7 +164,7 @@ function addTurn(
   for (let k = 0; k < 3; k++) jacobian[at + k * count] += pins.turnWeights[p] * speed[k];
 }
 
-/** All joints from a pin up to the root that stretch, or are under one that does. */
+/** All joints from a pin up to the root that stretch, or are below one that does. */
 function writeStretchingColumns(problem: IkProblem, dofs: Float64Array, p: number): void {
   const { skeleton, slots, pins, variables, jacobian } = problem;
   const { motions, firstDof } = skeleton;
@@ -201,13 +203,13 @@ function writeStretchingColumns(problem: IkProblem, dofs: Float64Array, p: numbe
   }
 }
 
-/** M · (a, w), its first three numbers. `out` may be `a`. */
+/** First three components of M · (a, w). `out` may be `a`. */
 function applyTo(m: Float64Array, o: number, a: Float64Array, w: number, out: Float64Array): void {
   const [x, y, z] = [a[0], a[1], a[2]];
   for (let k = 0; k < 3; k++) out[k] = m[o + k] * x + m[o + 4 + k] * y + m[o + 8 + k] * z + m[o + 12 + k] * w;
 }
 
-/** Scratch, never escape. */
+/** Scratch; never escapes. */
 const turning = new Float64Array(3);
 const speed = new Float64Array(3);
 const point = new Float64Array(3);

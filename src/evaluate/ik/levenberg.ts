@@ -3,56 +3,56 @@
  *
  *     h = −(JᵀJ + λI)⁻¹·Jᵀe        λ = boost · (|e|² + 1e-6)
  *
- * The error itself in the damping makes steps bold near the end and careful far from it (Sugihara 2011 damps by the
- * error too). The boost follows the gain ratio, what a step won beside what it promised (Nielsen 1999): halved where
- * the promise was kept, doubled where it was not; a step that doesn't lower the error is undone. Of all steps that win
- * as much, a damped one is the shortest, so the pose stays near where it was in what the pins leave free.
+ * With the error in the damping, steps are bold near the end and careful far from it (Sugihara 2011 also damps by the
+ * error). The boost follows the gain ratio, actual over predicted decrease (Nielsen 1999): halved if the prediction was
+ * right, doubled if not; a step that doesn't lower the error is undone. Of all steps with the same gain a damped one is
+ * the shortest, so the pose changes little in directions that the pins leave free.
  *
- * Limits: a DOF at its limit whose gradient pushes outward is frozen for the step; one that would cross its limit goes
- * as far as that, and the step is solved again for the others (an active set; Baerlocher and Boulic 2004 do so with
- * priorities). No pose that is looked at is outside the limits.
+ * Limits: a DOF at a limit whose gradient points outward is frozen for the step. One that would cross its limit moves
+ * up to it, and the step is solved again for the others (an active set, as Baerlocher and Boulic 2004 do with
+ * priorities). All evaluated poses are within the limits.
  */
 import { evaluatePose, isThere } from './forward.ts';
 import { writeJacobian } from './jacobian.ts';
 import { solveDamped, solveThree, writeNormal } from './normal.ts';
 import type { IkProblem } from './state.ts';
 
-/** No step turns a joint further: radians, and as many reaches. */
+/** Largest rotation of a joint per step, in radians, and largest slide in reaches. */
 const LONGEST_STEP = 1;
-/** How often a step is solved again because of limits that it would cross. */
+/** Maximum number of solves per step because of limits. */
 const MAX_ROUNDS = 4;
 export const FIRST_BOOST = 0.1;
 const MIN_BOOST = 1e-4;
-/** Past that, no step however short lowers the error. */
+/** Beyond this no step lowers the error, however short. */
 const MAX_BOOST = 1e12;
 
 export interface Descent {
-  /** Steps tried, those undone too. */
+  /** Steps tried, including undone ones. */
   iterations: number;
   /** The sum of the squared errors. */
   error: number;
   isThere: boolean;
-  /** It ended where no step promised anything: the Jacobian is of that pose. */
+  /** It ended because no step predicted a gain; the Jacobian belongs to that pose. */
   isFlat: boolean;
 }
 
 export interface DescentOptions {
-  /** Part of the reach. */
+  /** Fraction of the reach. */
   readonly aim: number;
   readonly iterations: number;
-  /** Ends where steps lower the error by less than that part, three times in a row. */
+  /** Stops after three steps in a row that lower the error by less than this fraction. */
   readonly leastGain: number;
 }
 
 /**
- * Goes down from the pose in `dofs`, in place; it must be within the limits. Afterwards everything of the problem is of
- * the pose left in `dofs`.
+ * Descends from the pose in `dofs`, in place; it must be within the limits. Afterwards the whole problem state belongs
+ * to the pose in `dofs`.
  */
 export function descend(problem: IkProblem, dofs: Float64Array, options: DescentOptions, out: Descent): void {
   descendFrom(problem, dofs, evaluatePose(problem, dofs), options, out);
 }
 
-/** The same where the pose was looked at already. @param error the sum of its squared errors */
+/** The same if the pose was already evaluated. @param error the sum of its squared errors */
 export function descendFrom(
   problem: IkProblem,
   dofs: Float64Array,
@@ -77,7 +77,7 @@ export function descendFrom(
       for (let r = 0; r < rows; r++) errorsBefore[r] = errors[r];
     }
     const promised = writeStep(problem, errorsBefore, boost * (error + 1e-6), isFresh);
-    // Nothing left to gain, as far as the slope can tell.
+    // To first order, nothing is left to gain.
     if (error - promised <= 1e-12 * error) {
       out.isFlat = true;
       break;
@@ -106,7 +106,7 @@ export function descendFrom(
   out.error = error;
 }
 
-/** Marks the unknowns that stand at a limit and would go on outward. */
+/** Marks the variables at a limit whose gradient points outward. */
 export function freezeAtLimits({ variables, scratch, errors, jacobian, rows }: IkProblem, dofs: Float64Array): void {
   const { count: n, dof, lower, upper, isLimited } = variables;
   const { held } = scratch;
@@ -122,10 +122,10 @@ export function freezeAtLimits({ variables, scratch, errors, jacobian, rows }: I
 }
 
 /**
- * The step at that damping, to `scratch.step`, and the errors that it should come to, to `scratch.expected`.
- * @param errors those that it should take away; the Jacobian, `scratch.held` and `scratch.before` are of the same pose
- * @param isFresh whether the Jacobian is another than the last time
- * @returns the sum of squared errors that it promises; NaN where there is no step at that damping
+ * Writes the step at that damping to `scratch.step`, and the predicted errors to `scratch.expected`.
+ * @param errors those to be removed; the Jacobian, `scratch.held` and `scratch.before` belong to the same pose
+ * @param isFresh whether the Jacobian has changed since the last call
+ * @returns the predicted sum of squared errors; NaN if there is no step at that damping
  */
 export function writeStep(problem: IkProblem, errors: Float64Array, damping: number, isFresh: boolean): number {
   const { variables, scratch, shape, jacobian, rows } = problem;
@@ -146,7 +146,7 @@ export function writeStep(problem: IkProblem, errors: Float64Array, damping: num
   for (let round = 1; ; round++) {
     if (rows === 3 && n >= 3) isSolved = solveThree(columns, n, rest, damping, solution, step);
     else {
-      // With limits the last one may have been of fewer.
+      // With limits, the last system may have had fewer columns.
       if (isFresh || isLimited) writeNormal(columns, rows, n, shape, normal);
       isSolved = solveDamped(columns, rows, n, shape, rest, normal, damping, factor, solution, step);
     }
@@ -179,11 +179,11 @@ export function writeStep(problem: IkProblem, errors: Float64Array, damping: num
     expected[r] = e;
     promised += e * e;
   }
-  // No step, which promises nothing but a try with more damping.
+  // No step; NaN asks for more damping.
   return isSolved ? promised : Number.NaN;
 }
 
-/** Makes a step none of whose parts is longer than is allowed. @returns the part of it that is left, 1 for all */
+/** Shortens a step to the allowed maximum. @returns the fraction kept, 1 for all of it */
 function shorten({ variables, scratch }: IkProblem): number {
   const { count, relative } = variables;
   const { step } = scratch;
@@ -198,13 +198,13 @@ function shorten({ variables, scratch }: IkProblem): number {
   return part;
 }
 
-/** The columns of the unknowns that are not fixed, and 0 for the others: those then have no step. */
+/** The columns of the variables that are not fixed, and 0 for the others, which then get no step. */
 function withoutFixed(from: Float64Array, rows: number, n: number, fixed: Uint8Array, out: Float64Array): Float64Array {
   for (let r = 0; r < rows; r++) for (let v = 0; v < n; v++) out[r * n + v] = fixed[v] === 1 ? 0 : from[r * n + v];
   return out;
 }
 
-/** From where the unknowns were, within the limits whatever rounding does. */
+/** From the previous values of the variables, clamped to the limits against rounding. */
 export function takeStep({ variables, scratch }: IkProblem, dofs: Float64Array): void {
   const { count, dof, scale, lower, upper, hasLimits } = variables;
   const { before, step } = scratch;

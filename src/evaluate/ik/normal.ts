@@ -1,25 +1,25 @@
 /**
- * The damped step of least squares, by whichever of the two systems is smaller, factorised (`math/ldlt.ts`):
+ * The damped least-squares step, from the smaller of two systems, factorised (`math/ldlt.ts`):
  *
- *     (JᵀJ + λI)·h = −Jᵀe        as many equations as unknowns
- *     (JJᵀ + λI)·z = e,  h = −Jᵀz        as many as errors: a point pinned is 3, however long the chain
+ *     (JᵀJ + λI)·h = −Jᵀe        as many equations as variables
+ *     (JJᵀ + λI)·z = e,  h = −Jᵀz        as many as errors: 3 for a pinned point, however long the chain
  *
- * Both give the same h. J is kept by rows, so both are sums over consecutive numbers.
+ * Both give the same h. J is stored by rows, so both are sums over consecutive numbers.
  *
- * Errors come in threes, a position's or an orientation's, and so do equations, with idle ones where the unknowns are
- * no multiple of 3: everything goes by blocks of 3 × 3, nine sums at a time. Of J only what is not 0 for certain is
- * read: a pin is moved by the unknowns of the joints above it, two pins both by those of the joints above both.
+ * Errors come in threes, for a position or an orientation, and so do equations, padded if the number of variables is no
+ * multiple of 3: everything works in blocks of 3 × 3, nine sums at a time. Only entries of J that can be nonzero are
+ * read: a pin depends on the variables of the joints above it, two pins both depend on those of their common ancestors.
  */
 import { factorise, substitute } from '../../math/ldlt.ts';
 import type { JacobianShape } from './state.ts';
 
-/** Equations of the smaller system, a multiple of 3. */
+/** Size of the smaller system, a multiple of 3. */
 export function systemSize(rows: number, n: number): number {
   return rows <= n ? rows : 3 * Math.ceil(n / 3);
 }
 
 /**
- * The smaller system without damping: its lower triangle. J has `rows` rows of `n` numbers, `rows` a multiple of 3.
+ * The lower triangle of the smaller system, without damping. J has `rows` rows of `n` numbers, `rows` a multiple of 3.
  */
 export function writeNormal(
   jacobian: Float64Array,
@@ -48,7 +48,7 @@ export function writeNormal(
   }
 }
 
-/** Three rows against themselves. */
+/** Products of three rows with themselves. */
 function writeOwnBlock(
   jacobian: Float64Array,
   rows: number,
@@ -86,8 +86,8 @@ function writeOwnBlock(
 }
 
 /**
- * Three rows against three others.
- * @param shared past how many unknowns one of both has nothing but 0
+ * Products of three rows with three others.
+ * @param shared the number of leading variables beyond which one of the two has only zeros
  */
 function writeBlock(
   jacobian: Float64Array,
@@ -139,10 +139,10 @@ function writeBlock(
 }
 
 /**
- * The step h, to `step`.
- * @param normal what `writeNormal` wrote of the same J
+ * Writes the step h to `step`.
+ * @param normal from `writeNormal` for the same J
  * @param factor @param solution scratch, as large as the system
- * @returns false where the system is not positive definite, which more damping cures
+ * @returns false if the system is not positive definite; more damping makes it so
  */
 export function solveDamped(
   jacobian: Float64Array,
@@ -187,8 +187,8 @@ export function solveDamped(
 }
 
 /**
- * The same of one pin's position, three equations, from J itself: with nothing written but the step it takes a third of
- * the time. J has at least 3 columns.
+ * The same for one pin's position, three equations, directly from J: storing nothing but the step takes a third of the
+ * time. J has at least 3 columns.
  */
 export function solveThree(
   jacobian: Float64Array,

@@ -1,12 +1,12 @@
 /**
- * How a joint stands, whatever its matrix does besides (scales, shears): the frame that its x and y axes span,
+ * The orientation of a joint, ignoring scale and shear in its matrix: the frame that its x and y axes span,
  *
  *     x = W_x/|W_x|        y = n/|n|, n = W_y − (W_y·x)·x        z = x × y        (`writeRotationPart`)
  *
- * and how far it is from where it should be: φ with R(φ) = F·Tᵀ, a vector along the axis of the turn that remains, as
- * long as its angle. The sine of that angle, which is cheaper and often used, is 0 again at half a turn.
+ * and its error: φ with R(φ) = F·Tᵀ, a vector along the axis of the remaining rotation with the angle as its length.
+ * The sine of that angle is cheaper and often used, but is 0 again at half a turn.
  *
- * When the frame turns with the angular velocity ω, φ changes by
+ * When the frame rotates with angular velocity ω, φ changes by
  *
  *     dφ = ω − ½·φ×ω + c·φ×(φ×ω)        c = (1 − (θ/2)·cot(θ/2)) / θ²,  θ = |φ|
  *
@@ -16,10 +16,12 @@ import { writeRotationPart } from '../../math/mat3.ts';
 import { quaternionOfRotation, writeRotation } from '../../math/quaternion.ts';
 import type { Turn } from './pins.ts';
 
-/** Numbers a frame: x y z as columns, then |W_x|, W_y·x and |n|, 0 where the axes span none. */
+/** Numbers per frame: x y z as columns, then |W_x|, W_y·x and |n|, which are 0 if the axes span no frame. */
 export const FRAME_SIZE = 12;
 
-/** Of the matrix at `w[o]`, 16 numbers, to `out[to]`. A matrix whose axes span no frame is taken to stand as the world. */
+/**
+ * The frame of the matrix at `w[o]`, 16 numbers, to `out[to]`. A matrix whose axes span no frame gives the identity.
+ */
 export function writeFrame(w: Float64Array, o: number, out: Float64Array, to: number): void {
   writeRotationPart(w, o, out, to, 3, out, to + 9);
   const lengthX = out[to + 9];
@@ -32,7 +34,7 @@ export function writeFrame(w: Float64Array, o: number, out: Float64Array, to: nu
 
 /**
  * The angular velocity of a frame whose matrix's x and y columns change by `dx` and `dy`, to `out`. From dx = ω×x and
- * its kin: ω·z = dx·y, ω·y = −dx·z, ω·x = dy·z.
+ * dy = ω×y: ω·z = dx·y, ω·y = −dx·z, ω·x = dy·z.
  */
 export function writeFrameSpeed(
   frame: Float64Array,
@@ -53,7 +55,7 @@ export function writeFrameSpeed(
   for (let k = 0; k < 3; k++) out[k] = aboutX * frame[f + k] - xToZ * frame[f + 3 + k] + aboutZ * frame[f + 6 + k];
 }
 
-/** φ of the frame at `f` against the target's at `t` (its first 9 numbers), 3 numbers at `out[o]`. */
+/** φ of the frame at `f` relative to the target's at `t` (its first 9 numbers), 3 numbers at `out[o]`. */
 export function writeOrientationError(
   frame: Float64Array,
   f: number,
@@ -76,11 +78,11 @@ export function writeOrientationError(
   for (let k = 0; k < 3; k++) out[o + k] = scale * quaternion[k];
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const relative = new Float64Array(9);
 const quaternion = new Float64Array(4);
 
-/** dφ of a frame that turns with ω, where φ is at `turn[o]`; ω becomes dφ. */
+/** Replaces ω by dφ, for φ at `turn[o]`. */
 export function orientationErrorSpeed(turn: Float64Array, o: number, w: Float64Array): void {
   const [x, y, z] = [turn[o], turn[o + 1], turn[o + 2]];
   const square = x * x + y * y + z * z;
@@ -104,7 +106,7 @@ export function writeTurnFrame(turn: ArrayLike<number>, first: number, out: Floa
   writeRotation(x, y, z, w, out, o, 3);
 }
 
-/** How a joint stands: what a pin holds that is to keep its orientation. @param world as of `worldMatrices` */
+/** The orientation of a joint, as held by a pin. @param world from `worldMatrices` */
 export function orientationAt(world: Float64Array, joint: number): Turn {
   const frame = new Float64Array(FRAME_SIZE);
   const turn = new Float64Array(4);

@@ -1,6 +1,6 @@
 /**
- * The points of a joint that a person means when pinning it: what a click snaps to, and what is pinned where no point was
- * picked. All are in the joint's space, so they go with it.
+ * Characteristic points of a joint for pinning: a click snaps to them, and one is used if no point was picked. All are
+ * in the joint's space, so they move with it.
  */
 import { invertAffine, isSingular } from '../../math/mat4.ts';
 import { transformPoint, type Vec3, ZERO } from '../../math/vec3.ts';
@@ -12,20 +12,20 @@ import type { Joint, Skeleton } from '../../model/skeleton.ts';
 import { type Attachments, bindingCount, type Skin } from '../../model/skin.ts';
 import { compileSkin } from '../deform.ts';
 
-/** `boxEnd`: the middle of a face of the joint's box. `skinEnd`: the vertex of what hangs on it that is furthest out. */
+/** `boxEnd`: the centre of a face of the joint's box. `skinEnd`: the farthest vertex attached to the joint. */
 export type PinPointKind = 'origin' | 'tip' | 'endSite' | 'boxEnd' | 'skinEnd';
 
 export interface PinPoint {
   readonly kind: PinPointKind;
   /** In the joint's space. */
   readonly point: Vec3;
-  /** For people: "origin", "tip", "End Site 2", "box end −y", "end of the skin". */
+  /** For users: "origin", "tip", "End Site 2", "box end −y", "end of the skin". */
   readonly name: string;
 }
 
-/** Points that are nearer to each other than that part of what is furthest out are one. */
+/** Points closer than this fraction of the farthest one's distance are the same. */
 const SAME_POINT = 1e-6;
-/** A box has an end where one of its faces is so much further from the pivot than any other. */
+/** A box has an end if one face is farther from the pivot than all others by this factor. */
 const STANDS_OUT = 1.25;
 
 const FACES = [
@@ -38,10 +38,10 @@ const FACES = [
 ] as const;
 
 /**
- * The points of a joint that a click may snap to: its origin, its tip, its End Sites, the middles of its box's faces,
- * the end of its skin. Of several in one place the first of that order.
+ * The points of a joint that a click may snap to: its origin, tip, End Sites, the centres of its box's faces, the end
+ * of its skin. Of coinciding points the first in that order is kept.
  *
- * @param skin what hangs on the skeleton, where it is to be asked
+ * @param skin the skeleton's skin, to include its end
  */
 export function pinPoints(skeleton: Skeleton, joint: number, skin?: Skin): readonly PinPoint[] {
   const own = skeleton.joints[joint];
@@ -57,15 +57,15 @@ export function pinPoints(skeleton: Skeleton, joint: number, skin?: Skin): reado
 }
 
 /**
- * The point that is pinned where only a joint was picked. A joint that others hang on is pinned at its origin: that is
- * where it is seen to bend. A last one is pinned where it ends, for that is what should stay where it is: a foot stands
- * on its sole. In that order:
+ * The point to pin if only a joint was picked. A joint with children is pinned at its origin, where it visibly bends. A
+ * leaf is pinned at its end, since that is what should stay in place: a foot stands on its sole. In order of
+ * preference:
  *
- *     1. the tip, of a joint with a length of its own, whatever hangs on it (`marrow ik` does so too)
- *     2. the End Site furthest out
- *     3. the end of the skin, where one is given
- *     4. the box's end, if one of its faces is much further from the pivot than the others: a box around the pivot,
- *        which files without boxes have too, has no end
+ *     1. the tip, for a joint with a length of its own, with or without children (as `marrow ik` does)
+ *     2. the farthest End Site
+ *     3. the end of the skin, if given
+ *     4. the end of the box, if one face is much farther from the pivot than the others; a box around the pivot,
+ *        as in files without boxes, has no end
  *     5. the origin
  */
 export function defaultPinPoint(skeleton: Skeleton, joint: number, skin?: Skin): PinPoint {
@@ -79,11 +79,11 @@ export function defaultPinPoint(skeleton: Skeleton, joint: number, skin?: Skin):
 }
 
 /**
- * The point of a joint that a vertex of the shown skin is at now: of the joint that moves the vertex most. Undefined
- * where none does, or where it is flattened so that no point of it can be told.
+ * The current position of a vertex of the shown skin as a point of the joint that moves it most. Undefined if no joint
+ * does, or its matrix is singular.
  *
- * @param world as of `worldMatrices`
- * @param deformed where the vertex is, in the same space
+ * @param world from `worldMatrices`
+ * @param deformed the vertex's position in the same space
  */
 export function skinPinPoint(
   character: Character,
@@ -112,7 +112,7 @@ function endSitePoints({ endSites = [] }: Joint): PinPoint[] {
   return endSites.map((point, i) => ({ kind: 'endSite', point, name: name(i) }));
 }
 
-/** None where the box is only a stand-in. */
+/** Empty if the box is only the default one. */
 function boxEndPoints(joint: Joint): PinPoint[] {
   if (!hasBox(joint)) return [];
   const { min, max } = joint.box;
@@ -122,7 +122,7 @@ function boxEndPoints(joint: Joint): PinPoint[] {
   });
 }
 
-/** The face that stands out, if one does. */
+/** The face that is farther than the others, if any. */
 function boxEnd(joint: Joint): PinPoint | undefined {
   const faces = boxEndPoints(joint);
   const end = furthest(faces);
@@ -131,7 +131,7 @@ function boxEnd(joint: Joint): PinPoint | undefined {
   return faces.every((face) => face === end || distance(face.point) * STANDS_OUT <= length) ? end : undefined;
 }
 
-/** The vertex furthest from the joint's pivot, of those that the joint moves most; in the pose that it was bound in. */
+/** The vertex farthest from the joint's pivot among those that the joint moves most, in the binding pose. */
 function skinEnd(skin: Skin, joint: number): PinPoint | undefined {
   const { attachments, positions } = skin;
   if (!attachments || joint >= bindingCount(skin)) return undefined;
@@ -150,7 +150,7 @@ function skinEnd(skin: Skin, joint: number): PinPoint | undefined {
   return best && { kind: 'skinEnd', point: best, name: 'end of the skin' };
 }
 
-/** The joint that moves a vertex most, of the first `jointCount`; the first of equals, -1 where none does. */
+/** The joint that moves a vertex most, among the first `jointCount`; the first of equals, -1 if none does. */
 function heaviestJoint({ start, joints, weights }: Attachments, vertex: number, jointCount: number): number {
   let joint = -1;
   let most = 0;

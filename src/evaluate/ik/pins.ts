@@ -1,6 +1,6 @@
 /**
- * What inverse kinematics is asked for: points of joints that are to be somewhere, and which DOFs may move for it.
- * What is given by people is checked here, once; the solver trusts its numbers.
+ * The input of inverse kinematics: points of joints with targets, and the DOFs that may move. User input is validated
+ * here, once; the solver trusts its numbers.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { dofsOf, positionsOf } from '../../model/joint-types.ts';
@@ -15,37 +15,37 @@ export interface IkPin {
   readonly joint: number;
   /** In the joint's space. */
   readonly point: Vec3;
-  /** Where it should be, in the space of the world matrices. */
+  /** Target position, in the space of the world matrices. */
   readonly target: Vec3;
-  /** How the joint's axes should stand there (`orientationAt`); of any length but 0. Absent where they are free. */
+  /** Target orientation of the joint's axes (`orientationAt`); of any length but 0. Absent if free. */
   readonly orientation?: Turn;
-  /** How much its error counts beside the others', 1 if absent; more than 0. */
+  /** Weight of its error relative to the others; greater than 0, default 1. */
   readonly weight?: number;
-  /** It stays while another is dragged: what can't be had both is lost by the one that is dragged. */
+  /** Whether it holds while another pin is dragged: if both can't be satisfied, the dragged one gives way. */
   readonly holds?: boolean;
 }
 
 export interface IkOptions {
-  /** Whether joint limits hold; they do if absent. Couples always do. */
+  /** Whether joint limits are enforced, true by default. Linked DOFs always are. */
   readonly clamps?: boolean;
-  /** How unwilling each of the character's DOFs is to move (`ikStiffness`, which is what holds if absent). */
+  /** Stiffness of each of the character's DOFs; default `ikStiffness`. */
   readonly stiffness?: ArrayLike<number>;
 }
 
-/** Weighs the error of a pin that holds beside that of one that is dragged. */
+/** Weight of holding pins relative to dragged ones. */
 export const HOLDING_WEIGHT = 10;
 
-/** What pins can't be: said for programs, since people can't give a pin without having seen where it is. */
+/** Invalid pins. The message is for programmers: users can only pin points that they see. */
 export class IkError extends Error {
   override readonly name = 'IkError';
 }
 
 /**
- * How unwilling each DOF is to move: 1 as usual, 4 half as far for the same need, Infinity never. A value for each of
- * the character's DOFs but the morphs'.
+ * The stiffness of each DOF: 1 by default, 4 moves half as far for the same error, Infinity never moves. A value for
+ * each of the character's DOFs except morphs.
  *
- * Never, by itself: what carries the character, unless it may (`freeRoot`), and the positions of BVH joints, which are
- * the lengths of bones. A caller locks or stiffens more by writing to the result.
+ * By default locked: root translation, unless allowed (`freeRoot`), and the positions of BVH joints, which are bone
+ * lengths. Callers lock or stiffen more by writing to the result.
  */
 export function ikStiffness(skeleton: Skeleton, freeRoot: boolean): Float64Array {
   const { firstDof, travel, jointCount } = compileSkeleton(skeleton);

@@ -1,9 +1,9 @@
 /**
- * Inverse kinematics as a problem of least squares, with everything it takes in typed arrays made once:
+ * Inverse kinematics as a least-squares problem, with all its typed arrays allocated once:
  *
  *     minimise Σ over pins  |w·(p(φ) − target)/reach|²  +  |w·ORIENTATION_WEIGHT·turn left|²        within the limits
  *
- * Errors are divided by the reach, so that a character in centimetres is solved as one in metres.
+ * Errors are divided by the reach, so that a character in centimetres is solved like one in metres.
  */
 import type { Skeleton } from '../../model/skeleton.ts';
 import { applyConstraints, type CompiledSkeleton, compileSkeleton, worldMatrices } from '../kinematics.ts';
@@ -16,12 +16,12 @@ import { linksOf, screwColumnsOf } from './screws.ts';
 import type { IkProblem, JacobianShape, PinArrays, Scratch, Slots } from './state.ts';
 import { type IkVariables, ikVariables } from './variables.ts';
 
-/** A radian of orientation counts as much as that part of the reach. */
+/** A radian of orientation error weighs as much as this fraction of the reach. */
 const ORIENTATION_WEIGHT = 0.3;
 
 /**
- * @param pose the character's DOFs as they are: lengths are measured there, and what is locked stays there
- * @throws IkError for a pin that can't be one
+ * @param pose the character's current DOFs: lengths are measured there, and locked DOFs keep these values
+ * @throws IkError for an invalid pin
  */
 export function ikProblem(
   skeleton: Skeleton,
@@ -45,7 +45,7 @@ export function ikProblem(
   const rootVariables = compiled.hasRootTranslation ? variables.ofDof.slice(0, 3) : Int32Array.of(-1, -1, -1);
   const rootMoves = rootVariables.some((v) => v >= 0);
   const balls = ballsOf(compiled, slots, arrays, dofs, world, rootMoves);
-  // `linksOf` goes by what is kept.
+  // `linksOf` depends on which slots are kept.
   for (const s of balls.centre) if (s >= 0) slots.isKept[s] = 1;
   const links = linksOf(compiled, slots, variables);
   const rows = pins.reduce((sum, { orientation }) => sum + (orientation ? 6 : 3), 0);
@@ -80,12 +80,12 @@ export function ikProblem(
       bindingCount: 0,
     },
   };
-  // Most are solved from this very pose first, which is then known.
+  // Most problems are solved from this pose first, which is then already evaluated.
   evaluatePose(problem, dofs);
   return problem;
 }
 
-/** Another target, nothing allocated. What is not finite is not taken, and false comes back. */
+/** Sets another target without allocating. Returns false and ignores it if it is not finite. */
 export function movePin({ pins }: IkProblem, pin: number, x: number, y: number, z: number): boolean {
   if (!Number.isFinite(x + y + z)) return false;
   pins.targets[3 * pin] = x;
@@ -94,7 +94,7 @@ export function movePin({ pins }: IkProblem, pin: number, x: number, y: number, 
   return true;
 }
 
-/** Another orientation of a pin that holds one: x y z w. What is not finite, or of length 0, is not taken. */
+/** Sets another orientation for a pin that holds one: x y z w. Ignored if not finite, or of length 0. */
 export function turnPin({ pins }: IkProblem, pin: number, turn: ArrayLike<number>): boolean {
   const length = Math.hypot(turn[0], turn[1], turn[2], turn[3]);
   if (!(length > 0 && length < Infinity)) return false;
@@ -151,7 +151,7 @@ function slotsOf(
   };
 }
 
-/** Where each list begins, were they one after the other; the end at last. */
+/** Start of each list if they were concatenated, and the end of the last. */
 function starts(lists: readonly (readonly unknown[])[]): Int32Array {
   const out = new Int32Array(lists.length + 1);
   lists.forEach((list, i) => {
@@ -170,7 +170,7 @@ function pinArrays(pins: readonly IkPin[], slots: Slots, reach: number): PinArra
     next += orientation ? 6 : 3;
     if (orientation) writeTurnFrame(orientation, 0, targetFrames, 9 * p);
   });
-  // Beside the heaviest one, so that a weight of 1e300 is not squared.
+  // Relative to the heaviest, so that a weight of 1e300 is not squared.
   const heaviest = pins.reduce((most, { weight = 1 }) => Math.max(most, weight), 0);
   const counts = pins.map(({ weight = 1, holds }) => Math.sqrt(weight / heaviest) * (holds ? HOLDING_WEIGHT : 1));
   return {

@@ -1,8 +1,7 @@
 /**
- * How far a character reaches, and the balls that pins can't leave: around the first joint on the way that can move,
- * as wide as the bones from there to the pin are long together. A target beyond is moved onto the ball before anything
- * is solved: an error that can't be got rid of would hold the damping up, and the pose would creep towards its best for
- * as long as anybody watches.
+ * A character's reach, and the balls that pins can't leave: centred on the first movable joint on the path, with the
+ * total length of the bones from there to the pin as radius. Targets outside are moved onto the ball before solving: an
+ * irreducible error would keep the damping high, and the pose would creep towards its optimum forever.
  */
 import { length3, type Vec3 } from '../../math/vec3.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -11,10 +10,10 @@ import type { IkPin } from './pins.ts';
 import type { Balls, PinArrays, Slots } from './state.ts';
 import { writeTwists } from './twists.ts';
 
-/** Less than that can be divided by no more. */
+/** Smaller than this is not divided by. */
 const NOTHING = 1e-100;
 
-/** The longest way along the bones from the root's pivot to any end of a joint or to a pin; 1 where there is none. */
+/** The longest path along the bones from the root's pivot to any end of a joint or a pin; 1 if there is none. */
 export function pathReach(
   { joints }: Skeleton,
   { parent }: CompiledSkeleton,
@@ -38,8 +37,8 @@ export function pathReach(
 }
 
 /**
- * @param dofs a pose, at which lengths are measured: there is a ball only where they are the same in any other
- * @param rootMoves whether the root's translation is an unknown: then nothing bounds anything
+ * @param dofs the pose in which lengths are measured: a pin has a ball only if they are the same in any pose
+ * @param rootMoves whether root translation is a variable: then nothing is bounded
  */
 export function ballsOf(
   compiled: CompiledSkeleton,
@@ -61,7 +60,7 @@ export function ballsOf(
     for (; isBounded && s >= 0; s = parent[s]) {
       if (firstPart[s + 1] > firstPart[s]) {
         isBounded = turnsInPlace(compiled, slots, s, dofs);
-        // What only twists the next bone leaves the next pivot where it is.
+        // Joints that only twist the next bone leave its end in place.
         if (below < 0 || centre[p] < 0 || !twists(compiled, slots, s, below, dofs, world)) {
           centre[p] = s;
           radius[p] = way;
@@ -75,7 +74,7 @@ export function ballsOf(
   return { centre, radius };
 }
 
-/** Whether none of what moves the joint moves its pivot. */
+/** Whether none of the joint's variables moves its pivot. */
 function turnsInPlace(compiled: CompiledSkeleton, slots: Slots, s: number, dofs: Float64Array): boolean {
   const twists = twistsAt(compiled, slots.joint[s], dofs);
   for (let part = slots.firstPart[s]; part < slots.firstPart[s + 1]; part++) {
@@ -85,7 +84,7 @@ function turnsInPlace(compiled: CompiledSkeleton, slots: Slots, s: number, dofs:
   return true;
 }
 
-/** Whether all that moves a joint is one turn about an axis on which the next joint's pivot lies. */
+/** Whether a joint only rotates about one axis, on which the next joint's pivot lies. */
 function twists(
   compiled: CompiledSkeleton,
   slots: Slots,
@@ -122,7 +121,7 @@ function twistsAt(compiled: CompiledSkeleton, j: number, dofs: Float64Array): Fl
   return out;
 }
 
-/** Aims each pin at its target, or at the nearest point of its ball. The slots' matrices are those of the pose. */
+/** Aims each pin at its target, or at the nearest point of its ball. The slots' matrices must be those of the pose. */
 export function aimPins({ centre, radius }: Balls, pins: PinArrays, { worlds }: Slots): void {
   const { targets, aims } = pins;
   for (let p = 0; p < pins.count; p++) {
@@ -133,7 +132,7 @@ export function aimPins({ centre, radius }: Balls, pins: PinArrays, { worlds }: 
     const x = targets[a] - worlds[c];
     const y = targets[a + 1] - worlds[c + 1];
     const z = targets[a + 2] - worlds[c + 2];
-    // Within the ball by far, which is told without the root.
+    // Well inside the ball, which needs no square root.
     if (x * x + y * y + z * z <= 0.99 * radius[p] * radius[p]) continue;
     const away = length3(x, y, z);
     if (!(away > radius[p])) continue;
@@ -144,7 +143,7 @@ export function aimPins({ centre, radius }: Balls, pins: PinArrays, { worlds }: 
   }
 }
 
-/** From the pivot of the matrix at `w[o]` to a point of its space. */
+/** From the pivot of the matrix at `w[o]` to a point in its space. */
 function distance(w: Float64Array, o: number, [x, y, z]: Vec3): number {
   const along = (k: number) => w[o + k] * x + w[o + 4 + k] * y + w[o + 8 + k] * z;
   return Math.hypot(along(0), along(1), along(2));

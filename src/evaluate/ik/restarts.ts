@@ -1,13 +1,13 @@
 /**
- * What a descent can't do by itself.
+ * Remedies for what a descent can't solve.
  *
- * A straight chain pulled along itself has no gradient: to bend it in any direction changes its length by nothing at
- * first. It is SHAKEN, once, a little, and what comes of it is kept only if it helps.
+ * A straight chain compressed along itself has no gradient: to first order, bending it in any direction does not change
+ * its length. It is SHAKEN once, a little, and the result is kept only if it helps.
  *
- * Several pins have local minima, where a limb is on the wrong side of another. RESTARTS from poses further and further
- * from where it began find a way round. They jump, so they are for a click or a release, never for a drag.
+ * Several pins have local minima, with one limb on the wrong side of another. RESTARTS from increasingly distant poses
+ * find a way around. They make the pose jump, so they are for clicks and releases, never during a drag.
  *
- * Both are the same for the same problem and pose: the numbers thrown come from a sequence (Weyl's), not from chance.
+ * Both are deterministic: the pseudo-random numbers come from a Weyl sequence.
  */
 import { length3 } from '../../math/vec3.ts';
 import { aimDistance, evaluatePose, isThere } from './forward.ts';
@@ -17,18 +17,18 @@ import type { IkProblem } from './state.ts';
 
 /** Radians, reaches, factors. */
 const SHAKE = 0.02;
-/** A pin's slope beside what it would be if all its columns pointed along its error. */
+/** A pin's slope relative to what it would be if all its columns pointed along its error. */
 const NO_SLOPE = 1e-3;
-/** What does not solve it must leave so much less of the error to be worth a jump. */
+/** A restart that doesn't solve the problem must reduce the error to this fraction to be worth a jump. */
 const WORTH_A_JUMP = 0.8;
 
-/** The fractional part of a multiple of the golden ratio: from 0 to 1, spread as evenly as can be. */
+/** The fractional part of a multiple of the golden ratio: from 0 to 1, spread as evenly as possible. */
 function thrown(index: number): number {
   const value = (index + 1) * 0.6180339887498949;
   return value - Math.floor(value);
 }
 
-/** Whether a pin is away from its aim and nothing that moves it brings it nearer. The Jacobian is that of the pose. */
+/** Whether a pin is off its aim and no variable brings it nearer. The Jacobian must be that of the pose. */
 export function isStraight({ pins, variables, jacobian, errors, reach }: IkProblem, aim: number): boolean {
   const n = variables.count;
   for (let p = 0; p < pins.count; p++) {
@@ -50,7 +50,7 @@ export function isStraight({ pins, variables, jacobian, errors, reach }: IkProbl
   return false;
 }
 
-/** Goes down from a pose near the one in `dofs`, and keeps what that comes to if it is nearer. */
+/** Descends from a pose near the one in `dofs`, and keeps the result if it is nearer. */
 export function shake(problem: IkProblem, dofs: Float64Array, options: DescentOptions, descent: Descent): void {
   const { variables, scratch } = problem;
   const { count, dof, scale, lower, upper } = variables;
@@ -67,7 +67,7 @@ export function shake(problem: IkProblem, dofs: Float64Array, options: DescentOp
   goBack(problem, dofs, options, descent);
 }
 
-/** Tries poses further and further away, until one leads there; else the best is kept. */
+/** Tries increasingly distant poses until one solves the problem; otherwise keeps the best. */
 export function restart(
   problem: IkProblem,
   dofs: Float64Array,
@@ -97,7 +97,10 @@ export function restart(
   goBack(problem, dofs, options, descent);
 }
 
-/** A value of an unknown's DOF up to half a turn, a reach or a half from its own, or anywhere between its limits. */
+/**
+ * A pseudo-random value within half a turn (or π reaches or factors) of the current one and within the limits; `far`
+ * scales the distance.
+ */
 function throwNear({ variables }: IkProblem, v: number, value: number, far: number, index: number): number {
   const { lower, upper, scale } = variables;
   const width = Math.PI * scale[v];
@@ -106,7 +109,7 @@ function throwNear({ variables }: IkProblem, v: number, value: number, far: numb
   return within(value + far * (low + thrown(index) * (high - low) - value), lower[v], upper[v]);
 }
 
-/** To the best pose there was. */
+/** Back to the best pose so far. */
 function goBack(problem: IkProblem, dofs: Float64Array, { aim }: DescentOptions, descent: Descent): void {
   dofs.set(problem.scratch.bestPose);
   descent.error = evaluatePose(problem, dofs);

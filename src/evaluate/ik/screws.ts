@@ -1,29 +1,32 @@
 /**
- * The joints that are products of screws, all but those that stretch and quaternions, as a flat list of LINKS, one a
- * screw (`chain.ts`). A joint without a screw, and one that is no product of them, is a link too.
+ * Joints that are products of screws (all except quaternions and those that stretch) as a flat list of LINKS, one per
+ * screw (`chain.ts`). A joint without a screw, or one that is no product of screws, is a single link.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { Links, PinArrays, ScrewColumns, Slots } from './state.ts';
 import type { IkVariables } from './variables.ts';
 
-/** What a link does: turns about x, y, z (0, 1, 2) or another axis, only slides, stands still, or goes by its own rule. */
+/**
+ * What a link does: rotates about x, y, z (0, 1, 2) or another axis, only slides, is constant, or uses its joint's own
+ * rule.
+ */
 export const SLANTED = 3;
 export const SLIDES = 4;
 export const STANDS = 5;
 export const OTHER = 6;
 
-/** Numbers of a link in `Links.plan`: what it does, its DOF, where it goes on from, where its matrix is kept. */
+/** Numbers per link in `Links.plan`: what it does, its DOF, the slot it continues from, the slot for its matrix. */
 export const PLAN = 4;
-/** In the place of a slot to go on from: the link before this one, the space that everything is in. */
+/** In place of a slot to continue from: the previous link, or the common space. */
 export const BEFORE = -1;
 export const WORLD = -2;
-/** Numbers of a link in `Links.rules`: its way from where it goes on from, its axis, how far it slides along that. */
+/** Numbers per link in `Links.rules`: its offset from what it continues from, its axis, its slide along that. */
 export const RULES = 7;
 
 const STILL = { dof: -1, axis: [0, 0, 0], turn: 0, slide: 0 } as const;
 
-/** @param isKept by slot, whether somebody asks for its matrix */
+/** @param isKept by slot, whether its matrix is needed */
 export function linksOf(
   compiled: CompiledSkeleton,
   { joint, parent, takesScrews, isKept }: Slots,
@@ -42,7 +45,7 @@ export function linksOf(
       does: takesScrews[s] ? whatItDoes(link) : OTHER,
       offset: k === 0 ? [...compiled.offsets.subarray(3 * j, 3 * j + 3)] : [0, 0, 0],
       from: k === 0 ? follows : BEFORE,
-      // Its own rule writes it anyway, and has to know which.
+      // A joint's own rule always writes its matrix, and needs the slot.
       kept: !takesScrews[s] || (k === links.length - 1 && isKept[s]) ? s : -1,
     }));
   });
@@ -65,11 +68,11 @@ function whatItDoes({ dof, axis, turn }: { dof: number; axis: Vec3; turn: number
   if (dof < 0) return STANDS;
   if (turn === 0) return SLIDES;
   const along = axis.indexOf(1);
-  // A last digit away from an axis is another axis.
+  // Off by a last digit counts as another axis.
   return along < 0 || axis.filter((part) => part === 0).length < 2 ? SLANTED : along;
 }
 
-/** Which pins are moved by which screws. */
+/** Which screws move which pins. */
 export function screwColumnsOf(
   { first, variable, follower, turns, slides }: Links,
   { parent, allScrews }: Slots,

@@ -1,6 +1,6 @@
 /**
- * From what the document says of a character's inverse kinematics (`model/ik.ts`) and what is being dragged to what the
- * solver takes: its pins and how unwilling each DOF is. Made once where a drag begins; after that `movePin` is enough.
+ * Builds the solver's input, pins and stiffness, from a character's IK settings (`model/ik.ts`) and what is dragged.
+ * Done once at the start of a drag; then `movePin` is enough.
  *
  *     const targets = pinTargets(setup, world);                       where the pins are, in the pose that is shown
  *     const pins = ikPinsOf(setup, targets, { pin: 3 });              or { joint, point, target }
@@ -15,14 +15,14 @@ import { compileSkeleton } from '../kinematics.ts';
 import { orientationAt } from './orientation.ts';
 import { IkError, type IkPin, ikStiffness, type Turn } from './pins.ts';
 
-/** Where a pin holds: in the space of the world matrices. */
+/** The target of a pin, in the space of the world matrices. */
 export interface PinTarget {
   readonly position: Vec3;
-  /** How the joint's axes should stand there; only where the pin holds its orientation. */
+  /** Target orientation of the joint's axes, for pins that hold it. */
   readonly orientation?: Turn;
 }
 
-/** What the hand has: a pin, by its id, or a point of a joint that nothing holds otherwise. */
+/** What is dragged: a pin by id, or an unpinned point of a joint. */
 export type DragTarget =
   | { readonly pin: number }
   | {
@@ -33,33 +33,33 @@ export type DragTarget =
       readonly target: Vec3;
     };
 
-/** The character's setup, or what holds where nothing is said. */
+/** The character's settings, or the defaults. */
 export function ikOf({ ik, skeleton }: Pick<Character, 'ik' | 'skeleton'>): IkSetup {
   return ik ?? defaultIk(skeleton);
 }
 
-/** Where the pins are at a pose, by id. @param world as of `worldMatrices` */
+/** Positions of the pins in a pose, by id. @param world from `worldMatrices` */
 export function pinTargets({ pins }: Pick<IkSetup, 'pins'>, world: Float64Array): Map<number, PinTarget> {
   return new Map(pins.map((pin) => [pin.id, pinTarget(pin, world)]));
 }
 
-/** Where a pin is at a pose. @param world as of `worldMatrices` */
+/** Position of a pin in a pose. @param world from `worldMatrices` */
 export function pinTarget({ joint, point, holdsOrientation }: Pin, world: Float64Array): PinTarget {
   const position = pointAt(world, joint, point);
   return holdsOrientation ? { position, orientation: orientationAt(world, joint) } : { position };
 }
 
-/** Where a point of a joint is. @param world as of `worldMatrices` */
+/** Position of a point of a joint. @param world from `worldMatrices` */
 export function pointAt(world: Float64Array, joint: number, point: Vec3): Vec3 {
   return transformPoint(world, point, 16 * joint);
 }
 
 /**
- * The solver's pins: those of the setup, in its order, and after them a point that is dragged and no pin. While
- * something is dragged, all else holds: what can't be had both is lost by the hand.
+ * The solver's pins: those of the settings, in order, then a dragged point that is no pin. During a drag all others
+ * hold: if not all can be satisfied, the dragged point gives way.
  *
  * @param targets of every pin, by id
- * @throws IkError for a pin without a target, or one that is dragged and isn't there
+ * @throws IkError for a pin without a target, or a dragged one that doesn't exist
  */
 export function ikPinsOf(
   { pins }: Pick<IkSetup, 'pins'>,
@@ -81,15 +81,15 @@ export function ikPinsOf(
   return [...made, { joint, point, target }];
 }
 
-/** Which of the solver's pins is the one that is dragged, for `movePin`; -1 where its pin isn't there. */
+/** Index of the dragged one among the solver's pins, for `movePin`; -1 if it doesn't exist. */
 export function draggedIndex({ pins }: Pick<IkSetup, 'pins'>, dragged: DragTarget): number {
   return 'pin' in dragged ? pins.findIndex(({ id }) => id === dragged.pin) : pins.length;
 }
 
 /**
- * How unwilling each of the character's DOFs but the morphs' is to move: `ikStiffness` with the setup's joints locked
- * (Infinity) or stiffened. What carries the character goes by `rootIsFree` alone: locking the root joint keeps it from
- * turning. A joint that is locked while its DOFs follow others locks those too, or it would bend with them.
+ * Stiffness of each of the character's DOFs except morphs: `ikStiffness` with the settings' joints locked (Infinity) or
+ * stiffened. Root translation depends on `rootIsFree` only; locking the root joint locks its rotation. If a locked
+ * joint's DOFs are linked, the DOFs they follow are locked too, or it would bend with them.
  */
 export function stiffnessOf(skeleton: Skeleton, { stiff, rootIsFree }: Omit<IkSetup, 'pins'>): Float64Array {
   const stiffness = ikStiffness(skeleton, rootIsFree);
@@ -100,7 +100,7 @@ export function stiffnessOf(skeleton: Skeleton, { stiff, rootIsFree }: Omit<IkSe
       if (!travel.includes(dof)) stiffness[dof] *= factor;
     }
   }
-  // Each couple comes after the one that it follows in turn.
+  // Each link comes after the one that its source follows.
   for (let i = couples.length - 1; i >= 0; i--) {
     const { dof, follows, gain } = couples[i];
     if (gain !== 0) stiffness[follows] = Math.max(stiffness[follows], stiffness[dof]);
@@ -109,9 +109,8 @@ export function stiffnessOf(skeleton: Skeleton, { stiff, rootIsFree }: Omit<IkSe
 }
 
 /**
- * How far a character reaches by its skeleton alone: the longest way along its bones from the root's pivot to any end;
- * where all joints are in one place the size of a box, else 1. For tolerances that are to hold in metres and
- * centimetres alike.
+ * A character's reach from its skeleton alone: the longest path along its bones from the root's pivot to any end; the
+ * size of a box if all joints coincide, else 1. For tolerances independent of the unit of length.
  */
 export function reachOfSkeleton({ joints }: Skeleton): number {
   const ways = new Float64Array(joints.length);

@@ -1,10 +1,10 @@
 /**
- * Inverse kinematics of a character: the pose in which its pins are where they should be, or as near as can be.
+ * Inverse kinematics of a character: the pose in which its pins are at their targets, or as near as possible.
  *
  *     const problem = ikProblem(skeleton, pins, pose, { stiffness });
  *     movePin(problem, 0, x, y, z);
- *     solve(problem, dofs, 'drag');        every time the hand moves, from the pose it has come to
- *     solve(problem, dofs, 'settle');      on click or release: as exactly as can be, from elsewhere too
+ *     solve(problem, dofs, 'drag');        whenever the hand moves, from the current pose
+ *     solve(problem, dofs, 'settle');      on click or release: as exactly as possible, with restarts
  */
 import { applyConstraints } from '../kinematics.ts';
 import { stepForeseen } from './foresight.ts';
@@ -21,33 +21,33 @@ interface ModeOptions extends DescentOptions {
   readonly restarts: number;
 }
 
-/** Parts of the reach: what is nearer than that is not worth another beginning, and no screen shows it. */
+/** Fraction of the reach: errors below this are not worth a restart and invisible on screen. */
 const NEAR_ENOUGH = 1e-4;
 
 const MODES: Readonly<Record<IkMode, ModeOptions>> = {
-  // What a frame leaves undone, the next one does.
+  // The next frame continues where this one stops.
   drag: { aim: NEAR_ENOUGH, iterations: 24, leastGain: 1e-3, restarts: 0 },
   settle: { aim: NEAR_ENOUGH / 10, iterations: 150, leastGain: 1e-5, restarts: 32 },
 };
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const descent: Descent = { iterations: 0, error: 0, isThere: false, isFlat: false };
 
 /**
- * @param dofs the character's DOFs, as many as the problem's pose had; those that may move are moved, in place, coupled
- * ones with them, and where limits hold all are brought within them first
+ * @param dofs the character's DOFs, as many as in the problem's pose; free ones are moved in place, linked ones follow,
+ * and if limits are enforced all are clamped first
  * @returns the problem's own result
  */
 export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkResult {
   const options = MODES[mode];
   applyConstraints(problem.skeleton, dofs, problem.clamps);
   if (!isEvaluatedAt(problem, dofs)) evaluatePose(problem, dofs);
-  // The centres of the balls are where the pose has them.
+  // The centres of the balls depend on the pose.
   aimPins(problem.balls, problem.pins, problem.slots);
   let error = writeErrors(problem);
   if (options.restarts > 0) {
     const { startPose } = problem.scratch;
-    // Few numbers: a call to `set` would take longer.
+    // Few numbers: faster than a call of `set`.
     for (let d = 0; d < startPose.length; d++) startPose[d] = dofs[d];
   }
   const { foresight } = problem;
@@ -59,7 +59,7 @@ export function solve(problem: IkProblem, dofs: Float64Array, mode: IkMode): IkR
   if (options.restarts > 0 && !isThere(problem, NEAR_ENOUGH))
     restart(problem, dofs, options, options.restarts, descent);
   foresight.isMet = descent.isThere && problem.variables.count > 0;
-  // What follows from afar.
+  // Linked DOFs outside the paths.
   if (problem.skeleton.couples.length > 0) applyConstraints(problem.skeleton, dofs, problem.clamps);
   return writeResult(problem, dofs, options.aim);
 }

@@ -1,9 +1,8 @@
 /**
- * All that a problem of inverse kinematics holds: what is known of it, and the arrays that solving it writes to. Made
- * once by `ikProblem`; after that nothing is allocated.
+ * All state of an IK problem: its description and the arrays used in solving. Allocated once by `ikProblem`.
  *
- * The joints that matter, those on the paths from the pins to the root, are numbered anew, in the skeleton's order:
- * SLOTS. Everything is in the space of the world matrices.
+ * The joints involved, those on the paths from the pins to the root, are renumbered in skeleton order as SLOTS.
+ * Everything is in the space of the world matrices.
  */
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { IkVariables } from './variables.ts';
@@ -11,7 +10,7 @@ import type { IkVariables } from './variables.ts';
 export interface IkProblem {
   readonly skeleton: CompiledSkeleton;
   readonly clamps: boolean;
-  /** The longest way along the bones from the root to a joint or a pin; 1 where there is none. */
+  /** The longest path along the bones from the root to a joint or a pin; 1 if there is none. */
   readonly reach: number;
   readonly pins: PinArrays;
   readonly slots: Slots;
@@ -19,31 +18,31 @@ export interface IkProblem {
   readonly screwColumns: ScrewColumns;
   readonly balls: Balls;
   readonly variables: IkVariables;
-  /** Of the root translation, those that are unknowns: -1 for the others. */
+  /** The variables of the root translation; -1 for those that are none. */
   readonly rootVariables: Int32Array;
-  /** Numbers that the errors of all pins make. */
+  /** Total number of error components. */
   readonly rows: number;
   readonly errors: Float64Array;
   readonly shape: JacobianShape;
-  /** ∂ error / ∂ unknown: a row of `variables.count` for each error. */
+  /** ∂ error / ∂ variable: a row of `variables.count` for each error. */
   readonly jacobian: Float64Array;
   readonly foresight: Foresight;
   readonly scratch: Scratch;
-  /** Overwritten by every solution. */
+  /** Overwritten by every solve. */
   readonly result: IkResult;
 }
 
-/** What a solution came to; the problem's own, overwritten by its next one. */
+/** The result of a solve; owned by the problem and overwritten by the next one. */
 export interface IkResult {
-  /** Steps tried, of all attempts together. */
+  /** Steps tried, over all attempts. */
   iterations: number;
-  /** Whether every pin is within the aim of its target. */
+  /** Whether every pin is at its target within tolerance. */
   isSolved: boolean;
-  /** By pin: how far it is from its target, in the character's unit. */
+  /** By pin: distance from its target, in the character's unit. */
   readonly residuals: Float64Array;
-  /** By pin: the angle by which its joint misses its orientation, radians; 0 where none is held. */
+  /** By pin: orientation error in radians; 0 if none is held. */
   readonly turns: Float64Array;
-  /** The character's DOFs that a limit keeps from bringing the pins nearer: the first `bindingCount` of `binding`. */
+  /** The character's DOFs whose limits keep the pins from coming nearer: the first `bindingCount` of `binding`. */
   readonly binding: Int32Array;
   bindingCount: number;
 }
@@ -53,19 +52,19 @@ export interface PinArrays {
   readonly slot: Int32Array;
   /** x y z each, in the joint's space. */
   readonly points: Float64Array;
-  /** x y z each: where they should be. Written by `movePin`. */
+  /** x y z each: targets. Written by `movePin`. */
   readonly targets: Float64Array;
-  /** x y z each: the nearest place that can be. */
+  /** x y z each: the nearest reachable position. */
   readonly aims: Float64Array;
   readonly holdsOrientation: Uint8Array;
   /** 9 each. Written by `turnPin`. */
   readonly targetFrames: Float64Array;
-  /** Of the errors of position and of orientation. */
+  /** Of position and orientation errors. */
   readonly weights: Float64Array;
   readonly turnWeights: Float64Array;
   /** Its first error. */
   readonly row: Int32Array;
-  /** At the pose last looked at: x y z each, `FRAME_SIZE` each, the turn left, 3 each. */
+  /** For the pose last evaluated: x y z each, `FRAME_SIZE` each, the remaining rotation, 3 each. */
   readonly positions: Float64Array;
   readonly frames: Float64Array;
   readonly turns: Float64Array;
@@ -76,50 +75,50 @@ export interface Slots {
   readonly joint: Int32Array;
   /** Its slot, or -1. */
   readonly parent: Int32Array;
-  /** 16 each, at the pose last looked at. */
+  /** 16 each, for the pose last evaluated. */
   readonly locals: Float64Array;
-  /** Of those that are kept, and of joints that go by their own rule. */
+  /** For kept slots, and joints with their own rule. */
   readonly worlds: Float64Array;
-  /** 1 where somebody asks for the world matrix: a pin, a ball, a joint below that doesn't go on from it at once. */
+  /** 1 if the world matrix is needed: by a pin, a ball, or a child that doesn't directly continue from it. */
   readonly isKept: Uint8Array;
-  /** 1 where neither the joint nor any above it stretches. */
+  /** 1 if neither the joint nor any above it stretches. */
   readonly isRigid: Uint8Array;
   readonly allScrews: boolean;
-  /** The pins on the joint or below it: `pinsBelow[firstPin[s]]` up to `firstPin[s + 1]`. */
+  /** The pins on the joint or below it: `pinsBelow[firstPin[s]]` up to (excluding) `firstPin[s + 1]`. */
   readonly firstPin: Int32Array;
   readonly pinsBelow: Int32Array;
-  /** Its DOFs that an unknown moves: from `firstPart[s]` up to `firstPart[s + 1]` in the lists that follow. */
+  /** Its DOFs that a variable moves: from `firstPart[s]` up to (excluding) `firstPart[s + 1]` in the lists below. */
   readonly firstPart: Int32Array;
-  /** Counted from the joint's first DOF. */
+  /** Relative to the joint's first DOF. */
   readonly partDof: Int32Array;
   readonly partVariable: Int32Array;
-  /** The follower that it is, or -1. */
+  /** Its index among the followers, or -1. */
   readonly partFollower: Int32Array;
-  /** 1 where the joint is a product of screws under none that stretches: then `locals` has nothing of it. */
+  /** 1 if the joint is a product of screws and nothing above it stretches; `locals` is then unused. */
   readonly takesScrews: Uint8Array;
 }
 
-/** What the solver writes to, none of it of meaning between its calls. */
+/** Scratch of the solver; meaningless between calls. */
 export interface Scratch {
   readonly twists: Float64Array;
   readonly matrix: Float64Array;
-  /** By unknown. */
+  /** By variable. */
   readonly step: Float64Array;
   readonly held: Uint8Array;
-  /** Those that are held, and those that would cross their limits and go by `fixedStep`. */
+  /** Held variables, and those that would cross their limits and take `fixedStep`. */
   readonly fixed: Uint8Array;
   readonly fixedStep: Float64Array;
   readonly before: Float64Array;
-  /** The pose last looked at. */
+  /** The pose last evaluated. */
   readonly seen: Float64Array;
   readonly bestPose: Float64Array;
   readonly startPose: Float64Array;
-  /** Rows × unknowns. */
+  /** Rows × variables. */
   readonly freeColumns: Float64Array;
   /** By row. */
   readonly rest: Float64Array;
   readonly errorsBefore: Float64Array;
-  /** The errors that a step should come to. */
+  /** The errors predicted for a step. */
   readonly expected: Float64Array;
   /** Square, of `systemSize`. */
   readonly normal: Float64Array;
@@ -127,66 +126,67 @@ export interface Scratch {
   readonly solution: Float64Array;
 }
 
-/** Where a Jacobian is not 0 for certain; a BLOCK of it is the three errors of a position, or of an orientation. */
+/** Which entries of a Jacobian can be nonzero; a BLOCK is the three errors of a position or an orientation. */
 export interface JacobianShape {
-  /** Of block b, those unknowns that move it: `column[first[b]]` up to `column[first[b + 1]]`, ascending. */
+  /** The variables that move block b: `column[first[b]]` up to (excluding) `column[first[b + 1]]`, ascending. */
   readonly first: Int32Array;
   readonly column: Int32Array;
-  /** By two blocks: past how many of all unknowns none moves both. */
+  /** By pair of blocks: the number of leading variables beyond which none moves both. */
   readonly shared: Int32Array;
 }
 
-/** From one step of a drag to the next, by row (`foresight.ts`). */
+/** State carried from one step of a drag to the next, by row (`foresight.ts`). */
 export interface Foresight {
-  /** Whether the last solution came to where the pins aim. */
+  /** Whether the last solve reached the aims of the pins. */
   isMet: boolean;
   /** The errors before the last step. */
   readonly last: Float64Array;
-  /** By how much that step's errors came out beside what it expected. */
+  /** How far that step's errors deviated from the prediction. */
   readonly bend: Float64Array;
-  /** Those of the pose, with what is foreseen. */
+  /** The errors of the pose including the anticipated deviation. */
   readonly foreseen: Float64Array;
 }
 
 export interface Balls {
-  /** By pin, the slot of the joint in whose pivot the centre is; -1 where nothing is known to bound the pin. */
+  /** By pin, the slot of the joint whose pivot is the centre; -1 if the pin is not known to be bounded. */
   readonly centre: Int32Array;
   readonly radius: Float64Array;
 }
 
-/** One for each screw of each slot (`screws.ts`), and one for each slot that has none. */
+/** One for each screw of each slot (`screws.ts`), and one for each slot without screws. */
 export interface Links {
-  /** Those of slot s: from `first[s]` up to `first[s + 1]`. */
+  /** Those of slot s: from `first[s]` up to (excluding) `first[s + 1]`. */
   readonly first: Int32Array;
-  /** `PLAN` and `RULES` numbers each: all that forward kinematics goes by. */
+  /** `PLAN` and `RULES` numbers each: the input of forward kinematics. */
   readonly plan: Int32Array;
   readonly rules: Float64Array;
-  /** The unknown that moves it, or -1. */
+  /** The variable that moves it, or -1. */
   readonly variable: Int32Array;
-  /** The follower that its DOF is, or -1. */
+  /** The index of its DOF among the followers, or -1. */
   readonly follower: Int32Array;
-  /** Whether it turns about its axis, and how far it slides along it for each radian or by itself. */
+  /** Whether it rotates about its axis, and how far it slides along it per unit of its DOF. */
   readonly turns: Uint8Array;
   readonly slides: Float64Array;
   /** Scratch: an angle each, its sine and cosine. */
   readonly angles: Float64Array;
   readonly turned: Float64Array;
-  /** At the pose last looked at: the axis in the world and a point on it, 6 numbers each. */
+  /** For the pose last evaluated: the axis in the world and a point on it, 6 numbers each. */
   readonly lines: Float64Array;
 }
 
 /**
- * What screws write to the Jacobian: three numbers for each pin and each screw on the path from it that an unknown
- * moves. Most only turn and are followed by nothing, and their pins hold no orientation: these HINGES are listed apart.
+ * Entries that screws write to the Jacobian: three numbers for each pin and each screw on its path that a variable
+ * moves. Most only rotate, no DOF is linked to them, and their pins hold no orientation: these HINGES are listed
+ * separately.
  */
 export interface ScrewColumns {
-  /** Whether hinges are all that moves anything. */
+  /** Whether there are only hinges. */
   readonly areAll: boolean;
-  /** Of pin p: those from `firstHinge[p]` up to `firstHinge[p + 1]`. */
+  /** Those of pin p: from `firstHinge[p]` up to (excluding) `firstHinge[p + 1]`. */
   readonly firstHinge: Int32Array;
-  /** Where the line of each is in `lines`, and where its first number is in the Jacobian. */
+  /** For each, the index of its line in `lines`, and of its first number in the Jacobian. */
   readonly hinges: Int32Array;
-  /** By how much the DOF of each changes where its unknown does by 1. */
+  /** Change of each one's DOF per unit of its variable. */
   readonly hingeScales: Float64Array;
   /** All others: screw and pin. */
   readonly others: Int32Array;

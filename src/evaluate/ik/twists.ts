@@ -1,13 +1,13 @@
 /**
- * How a joint that doesn't stretch moves what hangs on it: for each DOF an angular velocity ω and a velocity v.
+ * How a joint that doesn't stretch moves its descendants: an angular velocity ω and a velocity v for each DOF.
  *
  *     J = (R, t)        ∂J/∂φ = ([ω]×·R, v)        so a point x = R·y + t of the result moves with v + ω × (x − t)
  *
- * For any such joint, whatever its rule: [ω]× is R′·Rᵀ.
+ * Valid for any such joint, whatever its rule: [ω]× is R′·Rᵀ.
  */
 import type { JointMotion } from '../motions/motion.ts';
 
-/** ω and v of all DOFs of a joint, 6 numbers each. @param local the joint's matrix, whatever its translation */
+/** ω and v of all DOFs of a joint, 6 numbers each. @param local the joint's matrix; its translation is ignored */
 export function writeTwists(
   motion: JointMotion,
   dofs: Float64Array,
@@ -29,5 +29,5 @@ export function writeTwists(
   }
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const d = new Float64Array(16);

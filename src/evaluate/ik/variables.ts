@@ -1,9 +1,9 @@
 /**
- * The unknowns: DOFs of the joints on the paths from the pins to the root, without the locked ones. A coupled DOF is no
- * unknown of its own; what it does is added to the one that it follows, whichever joint that belongs to.
+ * The variables: DOFs of the joints on the paths from the pins to the root, except locked ones. A linked DOF is not a
+ * variable; its effect is added to the DOF it follows, whichever joint that belongs to.
  *
- * Unknowns are counted in a unit in which as much change is as dear: radians, parts of the reach, factors, each divided
- * by the square root of its stiffness. Damping then holds back each as it should.
+ * Variables are scaled so that equal changes cost the same: radians, fractions of the reach, factors, each divided by
+ * the square root of its stiffness. Damping then restrains each in proportion.
  */
 import { jointDofCount } from '../../model/dofs.ts';
 import { dofsOf } from '../../model/joint-types.ts';
@@ -12,23 +12,23 @@ import type { CompiledSkeleton } from '../kinematics.ts';
 
 export interface IkVariables {
   readonly count: number;
-  /** The character's DOF that each is. */
+  /** The character's DOF of each. */
   readonly dof: Int32Array;
-  /** By how much the DOF changes where the unknown changes by 1. */
+  /** Change of the DOF per unit of the variable. */
   readonly scale: Float64Array;
   /** The same in radians, reaches or factors. */
   readonly relative: Float64Array;
   readonly lower: Float64Array;
   readonly upper: Float64Array;
-  /** Whether any has a limit, and one that an animation could come to. */
+  /** Whether any has a limit, and one that an animation could reach. */
   readonly hasLimits: boolean;
   readonly isLimited: boolean;
-  /** By the character's DOF: the unknown that moves it, or -1. */
+  /** By DOF of the character: the variable that moves it, or -1. */
   readonly ofDof: Int32Array;
   readonly followers: Followers;
 }
 
-/** Coupled DOFs that matter here, each after what it follows. */
+/** Linked DOFs involved here, each after the one it follows. */
 export interface Followers {
   readonly count: number;
   readonly dof: Int32Array;
@@ -37,17 +37,17 @@ export interface Followers {
   readonly offset: Float64Array;
   readonly lower: Float64Array;
   readonly upper: Float64Array;
-  /** Index of the follower that it follows in turn, or -1. */
+  /** The follower that it follows in turn, or -1. */
   readonly leader: Int32Array;
-  /** By how much each changes where its unknown's DOF does by 1, at the pose last settled; 0 at its own limit. */
+  /** Change of each per unit of its variable's DOF, for the pose last settled; 0 at its own limit. */
   readonly slope: Float64Array;
-  /** By the character's DOF: which follower it is, or -1. */
+  /** By DOF of the character: its index among the followers, or -1. */
   readonly ofDof: Int32Array;
 }
 
 /**
  * @param onPath whether a joint is on a path from a pin to the root
- * @param stiffness by the character's DOF; Infinity for what is locked
+ * @param stiffness by DOF of the character; Infinity for locked ones
  */
 export function ikVariables(
   skeleton: Skeleton,
@@ -71,7 +71,7 @@ export function ikVariables(
     }
   });
   const followers = followersOf(compiled, moves, below, above);
-  // What a DOF on a path follows moves too, wherever its joint is.
+  // A DOF that one on a path follows moves it too, whichever joint it belongs to.
   for (let f = followers.count - 1; f >= 0; f--) if (moves[followers.dof[f]]) moves[followers.follows[f]] = true;
   const ofDof = new Int32Array(all).fill(-1);
   const chosen: number[] = [];
@@ -127,7 +127,7 @@ function followersOf(
   };
 }
 
-/** Lets what follows take its place, in place, and notes how fast it does. */
+/** Updates the linked DOFs in place and records their rates. */
 export function settleFollowers(followers: Followers, dofs: Float64Array): void {
   const { count, dof, follows, gain, offset, lower, upper, leader, slope } = followers;
   for (let f = 0; f < count; f++) {

@@ -1,12 +1,10 @@
-/** Turning about an axis and sliding along it: hinge, prismatic and screw joints. */
+/** Rotation about and sliding along an axis: hinge, prismatic and screw joints. */
 import { turnAbout } from '../../math/mat3.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import { crossColumns } from './ball.ts';
 import type { JointMotion } from './motion.ts';
 
-/**
- * T(axis · perTurn · r / 2π) · R(axis, r): a hinge where a turn advances nothing, else a screw. R′ = [a]× · R.
- */
+/** T(axis · perTurn · r / 2π) · R(axis, r): a hinge if `perTurn` is 0, else a screw. R′ = [a]× · R. */
 export function screwMotion(axis: Vec3, perTurn: number): JointMotion {
   const [x, y, z] = direction(axis);
   const advance = perTurn / (2 * Math.PI);
@@ -53,8 +51,8 @@ export function prismaticMotion(axis: Vec3): JointMotion {
 }
 
 /**
- * An axis as written, of length 1: divided by its largest part first, so that neither 1e-200 nor 1e200 is lost. One of
- * no length, which no reader lets through, is x.
+ * The normalised axis, divided by its largest component first so that neither 1e-200 nor 1e200 is lost. An axis of
+ * length 0, which readers reject, gives x.
  */
 export function direction([x, y, z]: Vec3): Vec3 {
   const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));

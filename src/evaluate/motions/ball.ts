@@ -1,4 +1,4 @@
-/** Three angles about x, y and z, multiplied in any order: balljoints, and the rotation of what has one within it. */
+/** Three angles about x, y and z, multiplied in any order: balljoints, and other joints with such a rotation. */
 import type { EulerOrder } from '../../model/skeleton.ts';
 import { renamedAxes } from '../euler-dofs.ts';
 import { type JointMotion, turnScrew } from './motion.ts';
@@ -54,8 +54,8 @@ function orderedBall(order: EulerOrder): BallMotion {
 }
 
 /**
- * The same where the angles about x, y and z are a joint's DOFs number `x`, `y` and `z`, in the order of their screws.
- * Read from where they are, and not gathered first: most joints of motion capture are such balls.
+ * The same if the angles about x, y and z are a joint's DOFs `x`, `y` and `z`, in the order of their screws. Read in
+ * place rather than gathered first, since most joints of motion capture are such balls.
  */
 export function spreadBall(order: EulerOrder, x: number, y: number, z: number): BallMotion {
   const places = [x, y, z];
@@ -66,7 +66,7 @@ export function spreadBall(order: EulerOrder, x: number, y: number, z: number): 
   const atI = places[i];
   const atJ = places[j];
   const atK = places[k];
-  // Where in the matrix each element of `xyz` is.
+  // Position in the matrix of each element of `xyz`.
   const ii = 5 * i;
   const ij = 4 * i + j;
   const ik = 4 * i + k;
@@ -119,7 +119,7 @@ export const BALLS: Readonly<Record<EulerOrder, BallMotion>> = {
 };
 
 /**
- * J = R_k·R_j·R_i becomes ∂J/∂φ = [a]×·J, with the axis `a` about which the angle turns what stands to its right:
+ * Turns J = R_k·R_j·R_i into ∂J/∂φ = [a]×·J, with `a` the axis about which the angle rotates the factors to its right:
  *
  *     of k  e_k        of j  R_k·e_j = cos φk · e_j ∓ sin φk · e_i        of i  R_k·R_j·e_i = J·e_i
  */
@@ -142,12 +142,12 @@ function turnAsOrdered(
   } else crossColumns(m, o, k === 0 ? 1 : 0, k === 1 ? 1 : 0, k === 2 ? 1 : 0);
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const axis = new Float64Array(3);
 
 /**
- * The rotation in `m` becomes how fast it turns about an axis: each column c becomes a × c, and the rest 0.
- * @param o where the 16 numbers of `m` begin
+ * Replaces the rotation in `m` by its rate of change about an axis: each column c becomes a × c, and the rest 0.
+ * @param o start of the 16 numbers of `m`
  */
 export function crossColumns(m: Float64Array, o: number, ax: number, ay: number, az: number): void {
   for (let c = o; c < o + 12; c += 4) {

@@ -1,31 +1,31 @@
 import type { Vec3 } from '../../math/vec3.ts';
 
-/** A joint's own rule, with what its motion says (axes, order) worked out. */
+/** A joint's own rule, specialised for its parameters (axes, order). */
 export interface JointMotion {
-  /** Writes J(φ) as 16 numbers at `out[o]`; φ begins at `dofs[first]`. */
+  /** Writes J(φ) as 16 numbers at `out[o]`; φ starts at `dofs[first]`. */
   write(dofs: Float64Array, first: number, out: Float64Array, o: number): void;
   /**
-   * Writes ∂J/∂φ of the joint's DOF number `dof` (0 is its first) as 16 numbers at `out[o]`: its last row is 0, and so
-   * is its last column where the DOF moves no pivot.
+   * Writes ∂J/∂φ for the joint's DOF `dof` (from 0) as 16 numbers at `out[o]`: its last row is 0, and so is its last
+   * column if the DOF moves no pivot.
    */
   writeDerivative(dofs: Float64Array, first: number, dof: number, out: Float64Array, o: number): void;
-  /** Whether the 3×3 part of J can be anything but a rotation: scales and shear. */
+  /** Whether the 3×3 part of J can be other than a rotation: scales and shear. */
   readonly stretches?: boolean;
   /**
-   * J as a product of screws, from left to right, where it is one: of a motion that doesn't stretch, but for that of a
-   * quaternion. Inverse kinematics is quick with them; without them it goes by `writeDerivative`.
+   * J as a product of screws, from left to right, for motions other than quaternions that don't stretch. Inverse
+   * kinematics is fast with them; without them it uses `writeDerivative`.
    */
   readonly screws?: readonly Screw[];
 }
 
-/** T(slide · φ · axis) · R(axis, turn · φ): turning about an axis through the origin and sliding along it. */
+/** T(slide · φ · axis) · R(axis, turn · φ): rotation about an axis through the origin and sliding along it. */
 export interface Screw {
-  /** Of length 1. */
+  /** Normalised. */
   readonly axis: Vec3;
-  /** 1 where the DOF turns, 0 where it only slides. */
+  /** 1 if the DOF rotates, 0 if it only slides. */
   readonly turn: 0 | 1;
   readonly slide: number;
-  /** Which of the joint's DOFs it is. */
+  /** Index among the joint's DOFs. */
   readonly dof: number;
 }
 

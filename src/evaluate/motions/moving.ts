@@ -1,5 +1,5 @@
 /**
- * A rotation behind a translation along x, y and z: BVH joints and freejoints.
+ * A rotation after a translation along x, y and z: BVH joints and freejoints.
  *
  *     J = T(t) · R        ∂J/∂t_k = e_k in the last column        ∂J/∂r = that of R
  */
@@ -10,7 +10,7 @@ import { factorOf, productOf } from './product.ts';
 
 const SLIDES = [slideAlong(0, 0), slideAlong(1, 1), slideAlong(2, 2)];
 
-/** T(tx, ty, tz) · R, the rotation's angles behind the translation. */
+/** T(tx, ty, tz) · R; the rotation's angles come after the translation. */
 export function freeMotion(order: EulerOrder): JointMotion {
   const ball = BALLS[order];
   return {
@@ -29,8 +29,8 @@ export function freeMotion(order: EulerOrder): JointMotion {
 }
 
 /**
- * T(tx, ty, tz) · R_first · R_second · R_third, whatever of them there is. Three rotations are a ball: BVH multiplies in
- * the order it lists, a ball's order names what is applied first, so ZXY here is `yxz` there.
+ * T(tx, ty, tz) · R_first · R_second · R_third, as far as present. Three rotations are a ball: BVH multiplies in the
+ * listed order, a ball's order names the first applied first, so ZXY here is `yxz` there.
  */
 export function bvhMotion({ channels }: BvhMotion): JointMotion {
   const translations = (['tx', 'ty', 'tz'] as const).map((name) => channels.indexOf(name));
@@ -59,10 +59,10 @@ function turnsOf(channels: readonly string[]): Screw[] {
   return channels.flatMap((name, dof) => (name.startsWith('r') ? [turnScrew('xyz'.indexOf(name[1]), dof)] : []));
 }
 
-/** A ball whose three angles stand anywhere among the channels. */
+/** A ball whose three angles may be anywhere among the channels. */
 function listedBall(channels: readonly string[]): JointMotion {
   const names = channels.filter((name) => name.startsWith('r')).map((name) => name[1]);
-  // The three letters of a permutation, which is what the orders are.
+  // A permutation of three letters, which is exactly an order.
   const order = names.reverse().join('') as EulerOrder;
   return spreadBall(order, channels.indexOf('rx'), channels.indexOf('ry'), channels.indexOf('rz'));
 }

@@ -1,11 +1,10 @@
 /**
- * One-DOF matrices along and about x, y and z, multiplied from left to right: universal and compound joints, and the
- * rotations of a BVH joint that has not all three.
+ * One-DOF matrices along and about x, y and z, multiplied from left to right: universal and compound joints, and BVH
+ * joints with fewer than three rotations.
  *
  *     M ← M · F        ∂: the factor of the DOF is replaced by its derivative, F′
  *
- * Multiplying by such a factor mixes columns of M, and so does multiplying by its derivative: no factor is ever written
- * out as a matrix.
+ * Multiplying by such a factor, or by its derivative, mixes columns of M, so no factor is written out as a matrix.
  */
 import { setIdentity } from '../../math/mat4.ts';
 import type { AxisPair } from '../../model/skeleton.ts';
@@ -15,11 +14,11 @@ export interface Factor {
   readonly kind: 'translation' | 'rotation' | 'scale';
   /** 0, 1, 2 for x, y, z. */
   readonly axis: number;
-  /** Which of the joint's DOFs it is. */
+  /** Index among the joint's DOFs. */
   readonly dof: number;
 }
 
-/** The factor that a DOF's name says: `tx`, `rz`, `sy`. */
+/** The factor of a DOF's name: `tx`, `rz`, `sy`. */
 export function factorOf(name: string, dof: number): Factor {
   const kind = name.startsWith('t') ? 'translation' : name.startsWith('r') ? 'rotation' : 'scale';
   return { kind, axis: 'xyz'.indexOf(name[1]), dof };
@@ -51,7 +50,7 @@ export function productOf(factors: readonly Factor[]): JointMotion {
   };
 }
 
-/** Two rotations, that about the first letter's axis applied first; the DOFs are in the order x, y, z all the same. */
+/** Two rotations, the one named first applied first; the DOFs are always in the order x, y, z. */
 export function universalMotion(order: AxisPair): JointMotion {
   const [first, second] = order;
   const turn = (axis: string) => factorOf(`r${axis}`, axis === (first < second ? first : second) ? 0 : 1);
@@ -70,11 +69,11 @@ function multiply(m: Float64Array, o: number, { kind, axis }: Factor, value: num
   }
 }
 
-/** M ← M · F′: what the factor leaves as it is has the derivative 0. */
+/** M ← M · F′: the unaffected part of the factor has derivative 0. */
 function multiplyByDerivative(m: Float64Array, o: number, { kind, axis }: Factor, value: number): void {
   const own = o + 4 * axis;
   if (kind === 'rotation') {
-    // Of cos and sin, the derivatives.
+    // Derivatives of cos and sin.
     turnColumns(m, o, axis, -Math.sin(value), Math.cos(value));
     for (let r = 0; r < 3; r++) m[own + r] = m[o + 12 + r] = 0;
   } else if (kind === 'scale') {
@@ -85,7 +84,7 @@ function multiplyByDerivative(m: Float64Array, o: number, { kind, axis }: Factor
   }
 }
 
-/** The two columns of the other axes, mixed as a rotation does it. */
+/** Rotates the two columns of the other axes. */
 function turnColumns(m: Float64Array, o: number, axis: number, cos: number, sin: number): void {
   const u = o + 4 * ((axis + 1) % 3);
   const v = o + 4 * ((axis + 2) % 3);

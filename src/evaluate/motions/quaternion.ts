@@ -1,6 +1,6 @@
 /**
- * The rotation of a quaternion x y z w of any length: R(u), u = q/|q|, as in `math/quaternion.ts`. Of length 0 it is the
- * identity. N = |q|²·R is quadratic in q, so that
+ * The rotation of a quaternion x y z w of any length: R(u), u = q/|q|, as in `math/quaternion.ts`. A quaternion of
+ * length 0 gives the identity. N = |q|²·R is quadratic in q, so that
  *
  *     ∂R/∂q_d = (∂N/∂q_d (u) − 2·u_d·R) / |q|
  */
@@ -8,10 +8,13 @@ import { setIdentity } from '../../math/mat4.ts';
 import { writeRotation } from '../../math/quaternion.ts';
 import type { JointMotion } from './motion.ts';
 
-/** u, and |q| behind it. Scratch, never escapes. */
+/** u, then |q|. Scratch; never escapes. */
 const unit = new Float64Array(5);
 
-/** Whether there is a direction to normalise to. Divides by the largest part first, lest squares vanish or overflow. */
+/**
+ * Whether there is a direction to normalise to. Divides by the largest component first, or squares could underflow or
+ * overflow.
+ */
 function normalise(dofs: Float64Array, first: number): boolean {
   const largest = Math.max(
     Math.abs(dofs[first]),
@@ -41,14 +44,14 @@ export const QUATERNION: JointMotion = {
     QUATERNION.write(dofs, first, out, o);
     out[o + 15] = 0;
     if (!normalise(dofs, first)) {
-      // A jump from no rotation to any: it has no slope.
+      // The identity jumps to any rotation here: it has no slope.
       out.fill(0, o, o + 16);
       return;
     }
     const u = unit[dof];
     const scale = 2 / unit[4];
     const [x, y, z, w] = [unit[0], unit[1], unit[2], unit[3]];
-    // Of N = w²+x²−y²−z² and so on, on its diagonal; half of each derivative.
+    // For the diagonal of N, w²+x²−y²−z² and so on; half of each derivative.
     const onDiagonal = [x, y, z];
     for (let c = 0; c < 3; c++) {
       for (let r = 0; r < 3; r++) {
@@ -64,7 +67,7 @@ function diagonal(dof: number, r: number, u: number): number {
   return dof === r || dof === 3 ? u : -u;
 }
 
-/** Half the derivative of N[r][c] = 2·(q_r·q_c ∓ w·q_t), t the third axis; minus where c follows r. */
+/** Half the derivative of N[r][c] = 2·(q_r·q_c ∓ w·q_t), t the third axis; minus if c follows r. */
 function offDiagonal(dof: number, r: number, c: number, v: readonly number[], w: number): number {
   const third = 3 - r - c;
   const sign = (c - r + 3) % 3 === 1 ? -1 : 1;

@@ -1,4 +1,4 @@
-/** Joints that change shapes: scales in all their modes, and shear. Their matrices are no rotations. */
+/** Joints that deform: scales in all modes, and shear. Their matrices are no rotations. */
 import { setIdentity } from '../../math/mat4.ts';
 import type { Vec3 } from '../../math/vec3.ts';
 import type { ScaleMode } from '../../model/skeleton.ts';
@@ -6,7 +6,7 @@ import { direction } from './axis.ts';
 import type { JointMotion } from './motion.ts';
 import { factorOf, productOf } from './product.ts';
 
-/** What keeps its volume is infinitely wide without a length: it is never shorter than this. */
+/** Minimum length: preserving the volume at length 0 would need infinite width. */
 const SHORTEST = 1e-6;
 
 export function scaleMotion(mode: ScaleMode, axis: Vec3): JointMotion {
@@ -37,8 +37,8 @@ function diagonal(out: Float64Array, o: number, s: number): void {
 }
 
 /**
- * s along the axis a, p across it: p·I + (s − p)·a·aᵀ. Across, p is 1, or 1/√s where the volume is kept, which takes
- * s > 0; the derivative has s′ = 1 and p′ = 0 or −1/(2·s·√s) in their place.
+ * s along the axis a, p across it: p·I + (s − p)·a·aᵀ. Here p is 1, or 1/√s to preserve the volume, which requires s >
+ * 0; the derivative uses s′ = 1 and p′ = 0 or −1/(2·s·√s) instead.
  */
 function stretch(axis: Vec3, mode: 'axis' | 'volume'): JointMotion {
   const [x, y, z] = direction(axis);

@@ -1,6 +1,6 @@
 /**
- * Which pixels of the scrubber have a key. The answer is as long as the scrubber is wide, whatever the clip: a channel
- * with far more keys in view than there are pixels is not walked but jumped through, from one pixel's edge to the next.
+ * Which pixels of the scrubber have a key. The cost depends on the scrubber's width, not on the clip: a channel with
+ * far more visible keys than pixels is searched from one pixel's edge to the next instead of walked.
  */
 import { firstNotBelow } from '../../math/search.ts';
 import type { ShownChannel } from './shown-keys.ts';
@@ -9,13 +9,13 @@ export const NO_KEY = 0;
 export const OTHER_KEY = 1;
 export const MEANT_KEY = 2;
 
-/** A channel is jumped through when it has this many keys a pixel. */
+/** Keys per pixel above which a channel is searched. */
 const DENSE = 8;
 
 /**
- * @param from transport's time at the left edge of pixel 0, seconds
- * @param secondsPerPixel above 0
- * @param out one entry a pixel; set to NO_KEY, OTHER_KEY or MEANT_KEY
+ * @param from transport time at the left edge of pixel 0, seconds
+ * @param secondsPerPixel greater than 0
+ * @param out one entry per pixel; set to NO_KEY, OTHER_KEY or MEANT_KEY
  */
 export function bucketKeys(
   channels: readonly ShownChannel[],
@@ -38,7 +38,7 @@ export function bucketKeys(
         index++;
         continue;
       }
-      // Never stands still, though rounding may put the next edge at this very key.
+      // Always advances, even if rounding puts the next edge at this key.
       index = Math.max(index + 1, firstNotBelow(times, start + (pixel + 1) * secondsPerPixel, index, end));
     }
   }
