@@ -7,7 +7,8 @@ import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
 import { type Character, shownClip } from '../model/document.ts';
 import type { ChannelKeys } from '../model/session.ts';
 import { finiteNumber, listOf, oneOf } from './arguments.ts';
-import { putKey } from './keys/put-key.ts';
+import { type KeyPlacing, OUTSIDE_CYCLE, type OutsideCycle, placeOf } from './keys/cycle.ts';
+import { putKeyAt } from './keys/put-key.ts';
 import { withNearerSigns } from './keys/quaternion-signs.ts';
 import { refuseMoved } from './refuse-moved.ts';
 import { CommandError } from './store.ts';
@@ -26,9 +27,11 @@ export interface KeyOptions {
   readonly tangents?: NewKeyTangents | undefined;
   /**
    * What a take plays that has to be made, in seconds of the transport; where it is absent or has no length, from 0 to
-   * the key, and to 1 s at least.
+   * the key, and to 1 s at least. Repetitions that are baked are so over this range at least.
    */
   readonly playedRange?: readonly [number, number] | undefined;
+  /** Of keys outside the cycle of a channel that repeats (`keys/cycle.ts`); `lengthen`, where absent. */
+  readonly outsideCycle?: OutsideCycle | undefined;
 }
 
 export interface Keyed {
@@ -50,7 +53,7 @@ export function keyDofs(
   timeSeconds: number,
   options: KeyOptions = {},
 ): Keyed {
-  const { kind, playedRange } = checkOptions(options);
+  const { kind, playedRange, outsideCycle } = checkOptions(options);
   const silent = silentChannels(character);
   if ([...values.keys()].some((dof) => dof < silent)) refuseMoved(character);
   const time = timeSeconds + character.timeOffsetSeconds;
@@ -61,11 +64,18 @@ export function keyDofs(
   const channels = [...clip.channels];
   const keys: ChannelKeys[] = [];
   let changed = false;
-  const signed = withNearerSigns(character, channels, values, time);
+  const placing: KeyPlacing = {
+    outsideCycle,
+    bakedRange: playedRange && [
+      playedRange[0] + character.timeOffsetSeconds,
+      playedRange[1] + character.timeOffsetSeconds,
+    ],
+  };
+  const signed = withNearerSigns(character, values, (dof) => placeOf(channels[dof], time, placing));
   const keyable = [...values.keys()].filter((dof) => channels[dof]?.kind !== 'samples');
   for (const dof of keyable.sort((a, b) => a - b)) {
     const before = channels[dof];
-    const { channel, index } = putKey(before, time, signed.get(dof) ?? 0, kind);
+    const { channel, index } = putKeyAt(before, time, signed.get(dof) ?? 0, kind, placing);
     changed ||= channel !== before;
     channels[dof] = channel;
     keys.push({ channel: dof, indices: [index] });
@@ -87,9 +97,11 @@ function newRange(
 }
 
 /** Arguments may come from the console. */
-function checkOptions({ tangents = 'smooth', playedRange }: KeyOptions) {
+function checkOptions({ tangents = 'smooth', playedRange, outsideCycle = 'lengthen' }: KeyOptions) {
   const kind = KINDS[oneOf(tangents, NAMES, '"tangents"')];
-  return { kind, playedRange: playedRange === undefined ? undefined : rangeFrom(playedRange, '"playedRange"') };
+  oneOf(outsideCycle, OUTSIDE_CYCLE, '"outsideCycle"');
+  const range = playedRange === undefined ? undefined : rangeFrom(playedRange, '"playedRange"');
+  return { kind, playedRange: range, outsideCycle };
 }
 
 /** Two finite numbers, the first not above the second; refuses anything else. */

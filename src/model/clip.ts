@@ -76,6 +76,11 @@ export const FIXED_TANGENT = 3;
 export const EXTRAPOLATIONS = ['constant', 'linear', 'cycle', 'cycle_offset', 'bounce'] as const;
 export type Extrapolation = (typeof EXTRAPOLATIONS)[number];
 
+/** Whether the keys are repeated beyond their end, in whichever way. */
+export function repeats(extrapolation: Extrapolation): boolean {
+  return extrapolation !== 'constant' && extrapolation !== 'linear';
+}
+
 const NO_EXTRAPOLATION = { extrapolateIn: 'constant', extrapolateOut: 'constant' } as const;
 
 /**

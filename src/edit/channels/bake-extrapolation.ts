@@ -16,7 +16,7 @@
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
-import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR } from '../../model/clip.ts';
+import { type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats } from '../../model/clip.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { CommandError } from '../store.ts';
 import { frozen, frozenTangent, meets, type Sloped, slopedKey } from './sloped-key.ts';
@@ -41,7 +41,6 @@ const MAX_KEYS = 1_000_000;
  */
 export function withExtrapolationBaked(channel: KeyedChannel, from: number, to: number): Baked {
   const baked = extended(channel, from, to, false);
-  const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
   return {
     channel: baked,
     keysBefore: channel.times.length,

@@ -26,7 +26,7 @@ export interface KeyPose extends KeyOptions {
 export const keyPose: Command<KeyPose, Edit> = {
   id: 'pose.key',
   label: (document, { characterId, dofs }) => `Key ${whatIsKeyed(requireCharacter(document, characterId), dofs)}`,
-  run(document, { characterId, dofs, timeSeconds, tangents, playedRange }) {
+  run(document, { characterId, dofs, timeSeconds, ...options }) {
     const character = requireCharacter(document, characterId);
     finiteNumber(timeSeconds, '"timeSeconds"');
     const shown = new Float64Array(dofCountOf(character));
@@ -40,7 +40,7 @@ export const keyPose: Command<KeyPose, Edit> = {
       }
     const clip = shownClip(character);
     if (clip) keyable(clip, [...values.keys()]);
-    const { character: keyed, keys } = keyDofs(character, values, timeSeconds, { tangents, playedRange });
+    const { character: keyed, keys } = keyDofs(character, values, timeSeconds, options);
     return { document: changeCharacter(document, characterId, () => keyed), keys };
   },
 };

@@ -16,10 +16,12 @@ import {
   type OfKeys,
   withClipChannels,
 } from '../channel-edits.ts';
+import { checkPlacing } from '../check-placing.ts';
 import { COLLISIONS, type Collision } from '../keys/arrange.ts';
+import { type KeyPlacing, placeOf } from '../keys/cycle.ts';
 import { insertKey } from '../keys/insert.ts';
 import { withKeysMoved } from '../keys/move.ts';
-import { putKey } from '../keys/put-key.ts';
+import { putKeyAt } from '../keys/put-key.ts';
 import { withKeysRemoved } from '../keys/remove.ts';
 import { rippleRoom, withKeysRippled } from '../keys/ripple.ts';
 import { withKeysScaled } from '../keys/scale.ts';
@@ -31,19 +33,24 @@ export interface AtTime {
   readonly timeSeconds: number;
 }
 
+/** A time at which keys are made. */
+export interface NewKeyAt extends AtTime, KeyPlacing {}
+
 /**
  * Keys on the curves, whose shape stays (`keys/insert.ts`). Selects them, or the keys that were there already. Channels
  * that follow samples get none; refused where all of them do.
  */
-export const insertKeys: Command<OfChannels & AtTime, Edit> = {
+export const insertKeys: Command<OfChannels & NewKeyAt, Edit> = {
   id: 'keys.insert',
   label: (_document, { channels }) => (channels.length === 1 ? 'Insert key' : `Insert ${channels.length} keys`),
-  run(document, { characterId, channels, timeSeconds }) {
+  run(document, { characterId, channels, timeSeconds, ...placing }) {
     const clip = clipOf(document, characterId);
     const time = finiteNumber(timeSeconds, '"timeSeconds"');
+    checkPlacing(placing);
     const changed = [...clip.channels];
     const keys = keyable(clip, checkedChannels(clip, channels)).map((index): ChannelKeys => {
-      const inserted = insertKey(changed[index], time);
+      const place = placeOf(changed[index], time, placing);
+      const inserted = insertKey(place.channel, place.time);
       changed[index] = inserted.channel;
       return { channel: index, indices: [inserted.index] };
     });
@@ -51,7 +58,7 @@ export const insertKeys: Command<OfChannels & AtTime, Edit> = {
   },
 };
 
-export interface AddKey extends AtTime {
+export interface AddKey extends NewKeyAt {
   readonly characterId: string;
   readonly channel: number;
   readonly value: number;
@@ -63,15 +70,17 @@ export interface AddKey extends AtTime {
 export const addKey: Command<AddKey, Edit> = {
   id: 'keys.add',
   label: () => 'Add key',
-  run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth' }) {
+  run(document, { characterId, channel: index, timeSeconds, value, tangents = 'smooth', ...placing }) {
     const clip = clipOf(document, characterId);
     indexIn(index, 0, clip.channels.length, 'channel');
     allKeyable(clip, [index]);
-    const put = putKey(
+    checkPlacing(placing);
+    const put = putKeyAt(
       clip.channels[index],
       finiteNumber(timeSeconds, '"timeSeconds"'),
       finiteNumber(value, '"value"'),
       TANGENT_KINDS.indexOf(oneOf(tangents, TANGENT_KINDS, '"tangents"')),
+      placing,
     );
     const channels = clip.channels.map((c, i) => (i === index ? put.channel : c));
     return {

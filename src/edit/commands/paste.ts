@@ -1,6 +1,7 @@
 /** Pasting copied keys (`keys/clipboard.ts`). Selects them. Refused where one would go into samples. */
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { allKeyable, clipOf, withClipChannels } from '../channel-edits.ts';
+import { checkPlacing } from '../check-placing.ts';
 import { type CopiedKeys, PASTE_MODES, type Paste, withKeysPasted } from '../keys/clipboard.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
@@ -15,13 +16,20 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
     const count = copied.channels.reduce((sum, c) => sum + c.times.length, 0);
     return count === 1 ? 'Paste key' : `Paste ${count} keys`;
   },
-  run(document, { characterId, copied, timeSeconds, into, mode }) {
+  run(document, { characterId, copied, timeSeconds, into, mode, outsideCycle, bakedRange }) {
     const clip = clipOf(document, characterId);
     checkCopied(copied);
     finiteNumber(timeSeconds, '"timeSeconds"');
     oneOf(mode, PASTE_MODES, '"mode"');
+    checkPlacing({ outsideCycle, bakedRange });
     if (into !== undefined) listOf(into, '"into"');
-    const { channels, keys } = withKeysPasted(clip, copied, { timeSeconds, into, mode });
+    const { channels, keys } = withKeysPasted(clip, copied, {
+      timeSeconds,
+      into,
+      mode,
+      outsideCycle,
+      bakedRange,
+    });
     allKeyable(
       clip,
       keys.map((k) => k.channel),

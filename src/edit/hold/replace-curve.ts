@@ -8,7 +8,7 @@
  * What repeats is written out over all that is played first, or every repetition would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
-import { type Channel, type Extrapolation, FIXED_TANGENT, FLAT, type KeyedChannel, SMOOTH } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/clip.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 import { type Key, keyAt, type Tangent, tangent, withKeyList } from '../keys/columns.ts';
 import { insertKey } from '../keys/insert.ts';
@@ -69,7 +69,6 @@ export function replaceStretch(channel: Channel, stretch: Stretch, played: reado
 /** What repeats keys at one moment only stands still, and would not with others beside them. */
 function withoutPeriods(channel: KeyedChannel, [from, to]: readonly [number, number]): KeyedChannel {
   const { times, extrapolateIn, extrapolateOut } = channel;
-  const repeats = (side: Extrapolation) => side !== 'constant' && side !== 'linear';
   const endsBefore = repeats(extrapolateIn) && times[0] > from;
   const endsAfter = repeats(extrapolateOut) && times[times.length - 1] < to;
   if (!endsBefore && !endsAfter) return channel;

@@ -2,12 +2,13 @@
  * Copying keys and pasting them: at another time, into the same channels or others. What is copied are keys, not a
  * curve: tangents by name (`linear`, `smooth`) stay names and follow the neighbours they come to have.
  */
-import type { Channel, ChannelClip, KeyedChannel, Tangents } from '../../model/clip.ts';
+import type { Channel, ChannelClip, KeyedChannel, Keys, Tangents } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 import { sameValue } from '../delta.ts';
 import { CommandError } from '../store.ts';
 import { arrangeKeys, type EditedChannel } from './arrange.ts';
-import { takeKeys, withKeyList } from './columns.ts';
+import { type Key, type Tangent, takeKeys, tangent, withKeyList } from './columns.ts';
+import { type KeyPlacing, placeOf } from './cycle.ts';
 import { withKeysMoved } from './move.ts';
 import { withKeysRemoved } from './remove.ts';
 import { sameTime } from './same-time.ts';
@@ -39,7 +40,8 @@ export interface CopiedChannel {
 export const PASTE_MODES = ['merge', 'replace', 'insert'] as const;
 export type PasteMode = (typeof PASTE_MODES)[number];
 
-export interface Paste {
+/** With `insert`, keys are put where they are asked for: pushing later keys on changes the cycle anyway. */
+export interface Paste extends KeyPlacing {
   /** Of the clip: where the earliest key goes. */
   readonly timeSeconds: number;
   /** Channels to paste into instead of those copied from: any number for one copied channel, else one for each. */
@@ -78,12 +80,16 @@ export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): Copie
 }
 
 /** Throws a `CommandError` where the channels don't fit. */
-export function withKeysPasted(clip: ChannelClip, copied: CopiedKeys, { timeSeconds, into, mode }: Paste): Pasted {
+export function withKeysPasted(
+  clip: ChannelClip,
+  copied: CopiedKeys,
+  { timeSeconds, into, mode, ...placing }: Paste,
+): Pasted {
   const channels = [...clip.channels];
   const keys: ChannelKeys[] = [];
   for (const { to, from } of destinations(clip, copied, into)) {
     const room = makeRoom(channels[to], timeSeconds, copied.seconds, mode);
-    const { channel, indices } = joined(room, from, timeSeconds);
+    const { channel, indices } = joined(room, from, timeSeconds, mode === 'insert' ? {} : placing);
     if (!sameValue(channel, clip.channels[to])) channels[to] = channel;
     keys.push({ channel: to, indices });
   }
@@ -122,18 +128,47 @@ function makeRoom(channel: Channel, time: number, seconds: number, mode: PasteMo
 }
 
 /** A channel with copied keys among its own: put behind them, then brought into order. */
-function joined(channel: Channel, copied: CopiedChannel, time: number): EditedChannel {
-  const own = channel.kind === 'keys' ? channel : withKeyList(channel, []);
+function joined(channel: Channel, copied: CopiedChannel, time: number, placing: KeyPlacing): EditedChannel {
+  const { channel: room, keys } = placed(channel, copied, time, placing);
+  const own = room.kind === 'keys' ? room : withKeyList(room, []);
   const both: KeyedChannel = {
     ...own,
-    times: concatenated(own.times, copied.times),
-    values: concatenated(own.values, copied.values),
-    tangentsIn: concatenatedTangents(own.tangentsIn, copied.tangentsIn),
-    tangentsOut: concatenatedTangents(own.tangentsOut, copied.tangentsOut),
+    times: concatenated(own.times, keys.times),
+    values: concatenated(own.values, keys.values),
+    tangentsIn: concatenatedTangents(own.tangentsIn, keys.tangentsIn),
+    tangentsOut: concatenatedTangents(own.tangentsOut, keys.tangentsOut),
   };
-  const indices = Array.from({ length: copied.times.length }, (_, k) => own.times.length + k);
+  const indices = Array.from({ length: keys.times.length }, (_, k) => own.times.length + k);
+  return arrangeKeys(both, indices, keys.times, 'replace', true);
+}
+
+/** The keys where they are put, at times of the clip, and the channel that they are put into. */
+function placed(channel: Channel, copied: CopiedChannel, time: number, placing: KeyPlacing): Placed {
   const times = copied.times.map((t) => time + t);
-  return arrangeKeys(both, indices, times, 'replace', true);
+  const asked = { channel, keys: { ...copied, times } };
+  if ((placing.outsideCycle ?? 'lengthen') === 'lengthen') return asked;
+  const last = times[times.length - 1];
+  const { bakedRange: [from, to] = [time, last] } = placing;
+  const range = { ...placing, bakedRange: [Math.min(from, time), Math.max(to, last)] as const };
+  const keys: Key[] = [];
+  for (let k = 0; k < times.length; k++) {
+    const place = placeOf(channel, times[k], range);
+    // Of one that is baked, all keys are where they were asked for.
+    if (place.channel !== channel) return { ...asked, channel: place.channel };
+    const sides = [copied.tangentsIn, copied.tangentsOut].map(({ kinds, slopes }) => tangent(kinds[k], slopes[k]));
+    const [before, after] = place.isMirrored ? sides.map(turned).reverse() : sides;
+    keys.push({ time: place.time, value: copied.values[k] - place.offset, in: before, out: after });
+  }
+  return { channel, keys: withKeyList(channel, keys) };
+}
+
+interface Placed {
+  readonly channel: Channel;
+  readonly keys: Keys;
+}
+
+function turned({ kind, slope }: Tangent): Tangent {
+  return tangent(kind, 0 - slope);
 }
 
 function concatenatedTangents(a: Tangents, b: Tangents): Tangents {

@@ -18,7 +18,7 @@
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
 import { keySlope } from '../../evaluate/slopes.ts';
-import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, SMOOTH } from '../../model/clip.ts';
+import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, LINEAR, repeats, SMOOTH } from '../../model/clip.ts';
 import { type Tangent, tangent, withKeyList } from './columns.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
@@ -67,7 +67,6 @@ export function insertKey(channel: Channel, time: number): Inserted {
 
 /** (A lone key has no period; its channel stands still or goes straight.) */
 function changesPeriod(before: KeyedChannel, after: KeyedChannel): boolean {
-  const repeats = (e: KeyedChannel['extrapolateIn']) => e !== 'constant' && e !== 'linear';
   if (!repeats(before.extrapolateIn) && !repeats(before.extrapolateOut)) return false;
   const period = lengthOf(before);
   if (period === lengthOf(after)) return false;

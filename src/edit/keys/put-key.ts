@@ -1,6 +1,7 @@
 /** A key with a value of its own, on the curve or off it: posing, and clicking beside a curve. */
 import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import { tangent, withKeyList } from './columns.ts';
+import { type KeyPlacing, placeOf } from './cycle.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
@@ -30,4 +31,27 @@ export function putKey(channel: Channel, time: number, value: number, kind: numb
   }
   const index = countNotAbove(channel.times, time);
   return { channel: withKeyAt(channel, index, key), index };
+}
+
+/**
+ * The same outside the cycle of a channel that repeats (`cycle.ts`): the channel has that value at that time, whichever
+ * place the key is given. Where it is put on the seam of a loop, both ends of the loop move, so that none opens.
+ */
+export function putKeyAt(channel: Channel, time: number, value: number, kind: number, placing: KeyPlacing): Put {
+  const place = placeOf(channel, time, placing);
+  const put = putKey(place.channel, place.time, value - place.offset, kind);
+  if (!place.isFolded || channel.kind !== 'keys') return put;
+  return { ...put, channel: withClosedSeam(channel, put.channel) };
+}
+
+/** The last key moved along with the first one, where a loop goes on from one to the other. */
+function withClosedSeam(before: KeyedChannel, after: KeyedChannel): KeyedChannel {
+  const last = before.times.length - 1;
+  if (after.times.length !== before.times.length || after.values[0] === before.values[0]) return after;
+  const ways = [before.extrapolateIn, before.extrapolateOut];
+  const isClosed = before.values[0] === before.values[last] && ways.includes('cycle');
+  if (!isClosed && !ways.includes('cycle_offset')) return after;
+  const values = after.values.slice();
+  values[last] += after.values[0] - before.values[0];
+  return { ...after, values };
 }

@@ -6,6 +6,7 @@ import { type Channel, keysOf } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
 import { firstDofs } from '../../model/dofs.ts';
 import { quaternionDofs } from '../../model/joint-types.ts';
+import type { Place } from './cycle.ts';
 import { sameTime } from './same-time.ts';
 
 /**
@@ -13,13 +14,12 @@ import { sameTime } from './same-time.ts';
  * not all four parts are to be keyed is left: a part by itself has no other sign.
  *
  * @param values by DOF
- * @param time seconds of the clip
+ * @param placeOf where a DOF's key is going to be
  */
 export function withNearerSigns(
   { skeleton }: Pick<Character, 'skeleton'>,
-  channels: readonly Channel[],
   values: ReadonlyMap<number, number>,
-  time: number,
+  placeOf: (dof: number) => Pick<Place, 'channel' | 'time'>,
 ): ReadonlyMap<number, number> {
   if (!skeleton?.joints.some(({ motion }) => quaternionDofs(motion).length)) return values;
   const first = firstDofs(skeleton);
@@ -28,8 +28,12 @@ export function withNearerSigns(
   skeleton.joints.forEach(({ motion }, joint) => {
     const parts = quaternionDofs(motion).map((d) => first[joint] + d);
     if (!parts.length || !parts.every((dof) => values.has(dof))) return;
-    if (!parts.some((dof) => keyBefore(keysOf(channels[dof]).times, time) >= 0)) return;
-    const along = parts.reduce((sum, dof) => sum + (values.get(dof) ?? 0) * valueBefore(channels[dof], time), 0);
+    const places = parts.map((dof) => placeOf(dof));
+    if (!places.some(({ channel, time }) => keyBefore(keysOf(channel).times, time) >= 0)) return;
+    const along = parts.reduce((sum, dof, i) => {
+      const { channel, time } = places[i];
+      return sum + (values.get(dof) ?? 0) * valueBefore(channel, time);
+    }, 0);
     if (!(along < 0)) return;
     changed = true;
     for (const dof of parts) signed.set(dof, 0 - (values.get(dof) ?? 0));

@@ -2,7 +2,7 @@
 import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
 import type { HeldTake } from '../../../edit/hold/hold.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
-import { type Extrapolation, keysOf } from '../../../model/clip.ts';
+import { keysOf, repeats } from '../../../model/clip.ts';
 import { type Character, shownClip } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -98,7 +98,7 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
     .filter((channel) => {
       const [was, now] = [own?.channels[channel], clip.channels[channel]];
       if (!was || keysOf(was).times.length < 2) return false;
-      const isLost = (side: 'extrapolateIn' | 'extrapolateOut') => isRepetition(was[side]) && !isRepetition(now[side]);
+      const isLost = (side: 'extrapolateIn' | 'extrapolateOut') => repeats(was[side]) && !repeats(now[side]);
       return isLost('extrapolateIn') || isLost('extrapolateOut');
     })
     .map((channel) => `${jointName(before.skeleton, dofs[channel].joint)} ${dofs[channel].name}`);
@@ -107,10 +107,6 @@ export function writtenOutText(before: Character, { clip, channels }: Pick<HeldT
   const more = names.length - named.length;
   const list = `${named.join(', ')}${more > 0 ? ` and ${more} more` : ''}`;
   return `${list} no longer ${names.length === 1 ? 'repeats' : 'repeat'}: keys replace the cycle over the played range.`;
-}
-
-function isRepetition(side: Extrapolation): boolean {
-  return side !== 'constant' && side !== 'linear';
 }
 
 /** `12 curves changed; slides at most 0.0001 where it slid 0.21.` */

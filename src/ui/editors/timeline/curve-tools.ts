@@ -1,13 +1,13 @@
 /** Tools for whole curves that need nothing asked: they act on the channels in hand, and say what they did. */
 import type { OfChannels } from '../../../edit/channel-edits.ts';
 import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/channels.ts';
+import { period } from '../../../edit/keys/cycle.ts';
 import { Trial } from '../../../edit/trial.ts';
 import { inSlices } from '../../kit/in-slices.ts';
 import { plural } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from './channels.ts';
 import { aboutKeysInHand, channelsInHand, takeInHand } from './in-hand.ts';
-import { period } from './period.ts';
 
 export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 'euler' | 'loop'): void {
   const take = takeInHand(wb);

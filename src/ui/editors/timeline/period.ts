@@ -2,14 +2,12 @@
  * A new key past the ends lengthens what repeats. That is no mistake, but nobody should have to find it out: whatever
  * step does it, by whichever key, drag, field or dialog, it is said once, at the end of it.
  */
-import { sameTime } from '../../../edit/keys/same-time.ts';
-import { type Channel, type ChannelClip, type Extrapolation, keysOf } from '../../../model/clip.ts';
+import { changedCycles } from '../../../edit/keys/cycle.ts';
+import type { ChannelClip } from '../../../model/clip.ts';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
 import { plural, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from './channels.ts';
-
-const REPEATING: readonly Extrapolation[] = ['cycle', 'cycle_offset', 'bounce'];
 
 /** Watches the steps that are made until it is ended. What undo brings is what was there before: nothing is said of it. */
 export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): () => void {
@@ -37,29 +35,11 @@ function changedPeriods(was: Character, now: Character): string | undefined {
 
 /** A sentence about the channels whose repetition takes longer or shorter than before; undefined where none does. */
 export function periodNote(before: ChannelClip, after: ChannelClip, name: (channel: number) => string) {
-  const changed: number[] = [];
-  after.channels.forEach((channel, i) => {
-    const was = before.channels[i];
-    if (was === channel || !was || !repeats(was) || !repeats(channel)) return;
-    // Dragged as a whole, a loop is as long as it was, but for rounding.
-    if (!sameTime(period(was), period(channel))) changed.push(i);
-  });
+  const changed = changedCycles(before, after);
   if (!changed.length) return undefined;
-  const [first] = changed;
-  const [from, to] = [period(before.channels[first]), period(after.channels[first])];
-  const which = changed.length === 1 ? name(first) : `${plural(changed.length, 'channel')}, including ${name(first)},`;
+  const [{ channel, from, to }] = changed;
+  const which =
+    changed.length === 1 ? name(channel) : `${plural(changed.length, 'channel')}, including ${name(channel)},`;
   const verb = changed.length === 1 ? 'repeats' : 'repeat';
   return `${which} now ${verb} every ${shown(to)} s instead of every ${shown(from)} s.`;
-}
-
-/** A single key stands still, whatever is done beyond it. */
-function repeats(channel: Channel): boolean {
-  const { extrapolateIn, extrapolateOut } = channel;
-  return (REPEATING.includes(extrapolateIn) || REPEATING.includes(extrapolateOut)) && period(channel) > 0;
-}
-
-/** Seconds from the first key to the last; 0 without keys. */
-export function period(channel: Channel): number {
-  const { times } = keysOf(channel);
-  return times.length ? times[times.length - 1] - times[0] : 0;
 }

@@ -1,8 +1,8 @@
 /** What a tool for whole curves changes beyond their ends, in sentences: nobody should have to find it out later. */
 import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
-import type { ChannelClip, Extrapolation } from '../../../../model/clip.ts';
+import { period } from '../../../../edit/keys/cycle.ts';
+import { type ChannelClip, type Extrapolation, repeats } from '../../../../model/clip.ts';
 import { plural, shown } from '../../../kit/number-text.ts';
-import { period } from '../../timeline/period.ts';
 
 const SIDES = [
   ['Before the keys', 'extrapolateIn'],
@@ -41,10 +41,6 @@ function spansText(spans: readonly (readonly [number, number])[]): string {
 
 function nameOf(extrapolation: Extrapolation): string {
   return EXTRAPOLATION_NAMES[extrapolation].toLowerCase();
-}
-
-function repeats(extrapolation: Extrapolation): boolean {
-  return extrapolation !== 'constant' && extrapolation !== 'linear';
 }
 
 /** By more than rounding. */
