@@ -1,12 +1,12 @@
 /**
- * A character's pose at a time, from what has a say in it, later ones on top:
+ * A character's pose at a time, from several layers, later ones on top:
  *
  *     1. the pose as set       every DOF
- *     2. the clip shown        what has a channel there; needs a skeleton, for channels are counted by its DOFs
- *     3. another's take        put onto this one: it has the say over all joints, the clip only over morphs
- *     4. DOFs set by hand      over the clip, at the moment they were set and no other
- *     5. limits                of the joints, unless the character's switch is off
- *     6. couples               DOFs that follow others, whatever has been said of them before
+ *     2. the clip shown        DOFs with a channel; needs a skeleton, since channels are counted by its DOFs
+ *     3. retargeted take       overrides all joints; the character's own clip then only drives morphs
+ *     4. unkeyed changes       over the clip, at the time when they were made only
+ *     5. limits                of the joints, unless the character does not enforce them
+ *     6. linked DOFs           override all the above
  */
 import type { Channel } from '../model/clip.ts';
 import type { Character } from '../model/document.ts';
@@ -21,25 +21,25 @@ import { movedDofs, silentChannels } from './retarget/moved-dofs.ts';
 import { type SampledJoints, sampledJoints } from './sampled-joints.ts';
 import { samplePose } from './sampled-pose.ts';
 
-/** Times nearer than this are the same moment; seconds. */
+/** Times closer than this are the same; seconds. */
 const SAME_MOMENT = 1e-9;
 
-/** How many DOFs a character has: the length of its poses. */
+/** Number of a character's DOFs, the length of its poses. */
 export function dofCountOf(character: Character): number {
   const { skeleton, morphs } = character;
   const joints = skeleton ? compileSkeleton(skeleton).firstDof[skeleton.joints.length] : rootDofCount(undefined);
   return joints + morphs.length;
 }
 
-/** What posing a character looks up, found once for many moments. Of use as long as the character is the same object. */
+/** Data for posing a character, looked up once for many times. Valid as long as the character is the same object. */
 export interface PoseSource {
   readonly character: Character;
-  /** DOFs, and how many of them have a channel in the clip shown. */
+  /** Number of DOFs, and how many of them have a channel in the shown clip. */
   readonly count: number;
   readonly driven: number;
   readonly skeleton: CompiledSkeleton | undefined;
   readonly curves: CompiledClip | undefined;
-  /** Where samples drive it. */
+  /** If samples drive it. */
   readonly joints: SampledJoints | undefined;
 }
 
@@ -59,7 +59,7 @@ export function poseSource(character: Character): PoseSource {
 }
 
 /**
- * Writes the value of each of the character's DOFs (`model/dofs.ts`) to `out`, which has `dofCountOf` of them at least.
+ * Writes the value of each of the character's DOFs (`model/dofs.ts`) to `out`, of length at least `dofCountOf`.
  * @param timeSeconds of the transport; the character's own offset is added here
  */
 export function poseAt(character: Character, timeSeconds: number, out: Float64Array): void {
@@ -67,8 +67,8 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
 }
 
 /**
- * `poseAt` for what was looked up before. Allocates nothing.
- * @param rotations takes those that samples give to the joints, and loses the ones it had
+ * `poseAt` with precomputed data. Allocates nothing.
+ * @param rotations receives the rotations that samples give to joints; previous ones are cleared
  */
 export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, rotations?: PoseRotations): void {
   const { character, count, driven, skeleton, curves, joints } = source;
@@ -89,13 +89,13 @@ export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Ar
   if (skeleton) applyConstraints(skeleton, out, character.clampsToLimits);
 }
 
-/** The channel that has the say over a DOF, whatever its kind; none where another has. */
+/** The channel that drives a DOF, whatever its kind; undefined if something else overrides it. */
 export function channelOf(character: Character, dof: number): Channel | undefined {
   if (!character.skeleton || dof >= dofCountOf(character) || dof < silentChannels(character)) return undefined;
   return shownClip(character)?.channels[dof];
 }
 
-/** Whether keys or samples of the clip shown drive the DOF, or another character's take does. */
+/** Whether the DOF is driven by keys or samples of the shown clip, or by a retargeted take. */
 export function isDriven(character: Character, dof: number): boolean {
   if (dof < silentChannels(character)) return movedDofs(character)?.has(dof) ?? false;
   const channel = channelOf(character, dof);

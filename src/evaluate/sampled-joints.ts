@@ -1,4 +1,4 @@
-/** Which DOFs of a skeleton the samples of a clip drive, sorted by how each of them gets from one frame to the next. */
+/** Which DOFs of a skeleton a clip's samples drive, grouped by how they are interpolated between frames. */
 import { firstDofs } from '../model/dofs.ts';
 import { quaternionDofs } from '../model/joint-types.ts';
 import type { Skeleton } from '../model/skeleton.ts';
@@ -7,34 +7,34 @@ import { appliedDofs, eulerDofs, renamedAxes, turningDofs } from './euler-dofs.t
 
 /** DOFs in the character's order, and beside each list the columns that drive them. */
 export interface SampledJoints {
-  /** Lengths, weights, and what else goes straight on. */
+  /** Lengths, weights and others that are interpolated linearly. */
   readonly plainDofs: Int32Array;
   readonly plainColumns: Int32Array;
-  /** Angles by themselves. */
+  /** Independent angles. */
   readonly angleDofs: Int32Array;
   readonly angleColumns: Int32Array;
-  /** One a rotation by three Euler angles: its joint. */
+  /** One per rotation by three Euler angles: its joint. */
   readonly eulerJoints: Int32Array;
-  /** Three a rotation, in the order in which they are applied. */
+  /** Three per rotation, in order of application. */
   readonly eulerDofs: Int32Array;
   readonly eulerColumns: Int32Array;
   /**
-   * One a rotation: the sign that its angles take to be α β γ of Rz(γ)·Ry(β)·Rx(α) with the axes renamed. Nothing else
-   * has to be renamed, neither for slerp nor for the way back to angles: they are the same in any axes.
+   * One per rotation: the sign that turns its angles into α β γ of Rz(γ)·Ry(β)·Rx(α) with renamed axes. Slerp and the
+   * conversion back to angles are the same in any axes, so nothing else is renamed.
    */
   readonly eulerSigns: Float64Array;
-  /** Three a rotation: which of x, y, z (0, 1, 2) α, β and γ turn about. */
+  /** Three per rotation: which of x, y, z (0, 1, 2) α, β and γ turn about. */
   readonly eulerAxes: Int32Array;
-  /** Three a rotation: what makes half of α, β or γ of the number in its column. */
+  /** Three per rotation: factors from the numbers in the columns to half of α, β or γ. */
   readonly eulerHalves: Float64Array;
-  /** Four a rotation: x y z w. */
+  /** Four per rotation: x y z w. */
   readonly quaternionDofs: Int32Array;
   readonly quaternionColumns: Int32Array;
 }
 
 const known = new WeakMap<CompiledClip, WeakMap<Skeleton, SampledJoints>>();
 
-/** Made once for each clip and skeleton. */
+/** Cached per clip and skeleton. */
 export function sampledJoints(clip: CompiledClip, skeleton: Skeleton): SampledJoints {
   let bySkeleton = known.get(clip);
   if (!bySkeleton) {
@@ -49,7 +49,7 @@ export function sampledJoints(clip: CompiledClip, skeleton: Skeleton): SampledJo
   return made;
 }
 
-/** A joint of which only some angles follow samples has no rotation in them: each of those goes by itself. */
+/** If only some of a joint's angles are sampled, they are not a rotation: each is interpolated alone. */
 function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJoints {
   const first = firstDofs(skeleton);
   const eulers: number[] = [];
@@ -60,7 +60,7 @@ function sort({ columns, samples }: CompiledClip, skeleton: Skeleton): SampledJo
   const angles: number[] = [];
   const done = new Set<number>();
   const take = (dofs: readonly number[], list: number[]) => {
-    // Past the channels there is undefined, which is not at least 0.
+    // Past the channels this is undefined, which fails the comparison.
     if (dofs.length === 0 || !dofs.every((dof) => columns[dof] >= 0)) return false;
     list.push(...dofs);
     for (const dof of dofs) done.add(dof);

@@ -1,14 +1,13 @@
 /**
- * The pose that samples give a character: at a frame the file's own values, and between frames what its joints make of
- * those around it.
+ * The pose from a character's samples: at a frame the file's values, and between frames interpolated.
  *
  *                         nearest          linear                      cubic
- *     lengths, weights    that frame's     straight on                 Catmull-Rom
- *     an angle            that frame's     the shorter way round       Catmull-Rom, each step the shorter way
+ *     lengths, weights    that frame's     linear                      Catmull-Rom
+ *     a single angle      that frame's     the shorter way round       Catmull-Rom, each step the shorter way
  *     whole rotations     that frame's     slerp of the quaternions    Catmull-Rom of the quaternions, normalised
  *
- * Angles stay near the frames' own. Where the file jumps (179° to −179°, which is a step of 2°), the pose goes on from
- * the one number in the first half and comes to the other in the second: the jump is halfway, and turns nothing.
+ * Angles stay near those of the frames. Where the file jumps (179° to −179°, a step of 2°), the pose continues from the
+ * first number in the first half and approaches the other in the second: the jump is halfway and changes no rotation.
  */
 import { turnedNear } from '../math/euler.ts';
 import type { Samples } from '../model/samples.ts';
@@ -19,9 +18,9 @@ import { betweenEulers, betweenQuaternions } from './sampled-rotations.ts';
 import { catmullRom, frameAt, sampleRow } from './sampling.ts';
 
 /**
- * Writes to `out` the first `count` DOFs, as far as they follow the clip's samples; others stay as they are.
+ * Writes those of the first `count` DOFs that follow the clip's samples to `out`; others are left alone.
  * @param joints of the same clip
- * @param rotations takes the joints' rotations, where the samples give whole ones
+ * @param rotations receives the joints' rotations, if samples give whole ones
  */
 export function samplePose(
   samples: Samples,
@@ -55,7 +54,7 @@ function betweenPlain(
 ): void {
   const width = scales.length;
   for (let i = 0; i < plainDofs.length; i++) {
-    // Morph weights that the clip has and the character has not.
+    // Morph weights that the clip has and the character lacks.
     if (plainDofs[i] >= count) continue;
     const column = plainColumns[i];
     const at = row * width + column;

@@ -1,17 +1,17 @@
 /**
- * Joints between two frames that turn as a whole: three Euler angles, or a quaternion's four numbers, that samples
- * drive all together. They go by quaternions, and back to their DOFs.
+ * Interpolates joints that rotate as a whole between two frames: by three Euler angles or a quaternion's four numbers,
+ * all driven by samples. They are interpolated as quaternions and converted back to their DOFs.
  *
- *     linear     slerp(q₀, q₁, t), along the shortest arc at an even pace (Shoemake 1985)
+ *     linear     slerp(q₀, q₁, t), along the shortest arc at constant speed (Shoemake 1985)
  *     cubic      Catmull and Rom's spline (1974) of q₋₁ q₀ q₁ q₂ as vectors of four numbers, normalised
  *
- * Of q and −q, which are one rotation, each frame takes the one nearer to its neighbour. So angles that jump in the file
- * (179° to −179°, or all three of them past gimbal lock) neither spin the joint nor put a corner into the spline, which
- * passes through all frames and has a steady speed there. (Shoemake's squad wants logarithms and three slerps for that,
- * and is no smoother.)
+ * Of q and −q, which are the same rotation, each frame takes the one nearer to its neighbour. So angles that jump in
+ * the file (179° to −179°, or all three past gimbal lock) neither spin the joint nor put a corner into the spline,
+ * which passes through all frames with continuous velocity. (Shoemake's squad takes logarithms and three slerps for
+ * that, and is no smoother.)
  *
- * Of the angles of a rotation those are chosen that are nearest to the frames' own: a pose is its DOFs, for limits,
- * couples, sliders and files alike. The quaternions are kept beside them, for whoever makes the matrices at once.
+ * Of a rotation's equivalent angles the nearest to those of the frames are chosen: a pose is its DOFs, for limits,
+ * linked DOFs, sliders and files alike. The quaternions are kept as well, for making matrices.
  */
 import { eulerNear, quaternionOfEuler, quaternionsOfEulers, turnEuler } from '../math/euler.ts';
 import { slerp } from '../math/slerp.ts';
@@ -21,7 +21,7 @@ import type { PoseRotations } from './pose-rotations.ts';
 import type { SampledJoints } from './sampled-joints.ts';
 import { catmullRom } from './sampling.ts';
 
-/** Quaternions x y z w of the four frames around a time, and of the time itself. Scratch, never escapes. */
+/** Quaternions x y z w of the four frames around a time, and of the time itself. Scratch; never escapes. */
 const before = new Float64Array(4);
 const here = new Float64Array(4);
 const next = new Float64Array(4);
@@ -29,7 +29,9 @@ const after = new Float64Array(4);
 const turned = new Float64Array(4);
 const angles = new Float64Array(3);
 
-/** Writes the DOFs of joints that turn by three Euler angles; `part`, of the way to the next row, is not 0. */
+/**
+ * Writes the DOFs of joints with three Euler angles; `part`, the fraction of the way to the next row, must not be 0.
+ */
 export function betweenEulers(
   samples: Samples,
   joints: SampledJoints,
@@ -97,7 +99,7 @@ function betweenAnyEuler(
   out[eulerDofs[3 * r + 2]] = sign * angles[2];
 }
 
-/** Writes `angles` and their rotation `turned`, of length 1, as `PoseRotations` has them; the axes are at `axes[i]`. */
+/** Writes `angles` and their unit quaternion `turned` as in `PoseRotations`; the axes are at `axes[i]`. */
 function keepTurned(out: Float64Array, o: number, sign: number, axes: Int32Array, i: number): void {
   for (let k = 0; k < 3; k++) {
     out[o + k] = sign * angles[k];
@@ -106,7 +108,7 @@ function keepTurned(out: Float64Array, o: number, sign: number, axes: Int32Array
   out[o + 6] = turned[3];
 }
 
-/** From the angles of `here`, which are in `angles`, to those of `turned`; α β γ are those of `next`. */
+/** Changes `angles` from those of `here` to those of `turned`; α β γ are those of `next`. */
 function turnAngles(alpha: number, beta: number, gamma: number, part: number): void {
   const a = alpha - angles[0];
   const b = beta - angles[1];
@@ -119,7 +121,10 @@ function turnAngles(alpha: number, beta: number, gamma: number, part: number): v
   eulerNear(turned, angles, 0);
 }
 
-/** Where an angle is looked for: on the way from frame to frame, but beside the nearer one where the file jumps. */
+/**
+ * The starting value for the search of an angle: interpolated between frames, but near the closer frame if the file
+ * jumps.
+ */
 function between(from: number, to: number, part: number): number {
   const step = to - from;
   if (step <= Math.PI && step >= -Math.PI) return from + step * part;
@@ -127,8 +132,8 @@ function between(from: number, to: number, part: number): number {
 }
 
 /**
- * Writes the DOFs of joints that turn by the numbers of a quaternion. Those need not be of length 1, and keep what
- * length they have; beside one of length 0, which is no rotation, each goes by itself.
+ * Writes the DOFs of quaternion joints. Their length is kept and need not be 1; next to one of length 0, which is no
+ * rotation, components are interpolated separately.
  */
 export function betweenQuaternions(
   samples: Samples,
@@ -146,7 +151,7 @@ export function betweenQuaternions(
       for (let i = 0; i < 4; i++) turned[i] = here[i] * from * (1 - part) + next[i] * to * part;
       length = 1;
     } else {
-      // In the second half with the sign to which it comes.
+      // In the second half with the sign of the next frame.
       const isTurned = align(next, here) < 0;
       if (isCubic) {
         const hasBefore = row > 0 && readQuaternion(samples, quaternionColumns, k, row - 1, before) > 0;
@@ -161,7 +166,7 @@ export function betweenQuaternions(
   }
 }
 
-/** Makes `out` the quaternion of a row, of length 1. @returns the length that it had; 0, and zeros, if it has none */
+/** Writes a row's normalised quaternion to `out`. @returns its original length; 0, and zeros, if it has none */
 function readQuaternion({ values, scales }: Samples, columns: Int32Array, k: number, row: number, out: Float64Array) {
   const at = row * scales.length;
   for (let i = 0; i < 4; i++) out[i] = values[at + columns[k + i]] * scales[columns[k + i]];
@@ -176,8 +181,8 @@ function lengthOf(q: Float64Array): number {
 }
 
 /**
- * `turned` on the spline from `here` to `next`, which are aligned. Its length is not 1: two thirds at the least.
- * Without a frame before or after them the way goes on as it came.
+ * Puts `turned` on the spline from `here` to `next`, which must be aligned. Its length is at least two thirds, not 1.
+ * Without a frame before or after, the slope is extrapolated.
  */
 function spline(hasBefore: boolean, hasAfter: boolean, part: number): void {
   if (hasBefore) align(before, here);
@@ -189,7 +194,7 @@ function spline(hasBefore: boolean, hasAfter: boolean, part: number): void {
   }
 }
 
-/** Turns q to −q if that is nearer to the other one. @returns the cosine of the angle between them, as it was */
+/** Changes q to −q if that is nearer to the other. @returns the cosine of the angle between them before that */
 function align(q: Float64Array, to: Float64Array): number {
   const cosine = q[0] * to[0] + q[1] * to[1] + q[2] * to[2] + q[3] * to[3];
   if (cosine < 0) {

@@ -1,8 +1,8 @@
 /**
- * Paints columns of pixels into an image, without a canvas: the smallest to the largest value of each, with its ends
- * as far covered as the curve gets into their pixels. Stroking the same as paths takes software 200 times as long.
+ * Rasterises columns of pixels into an image without a canvas: from the smallest to the largest value of each, with
+ * antialiased ends. Stroking the same as paths takes a software canvas 200 times as long.
  *
- * Columns are painted in strips, each column contiguous and near, and copied to rows from there.
+ * Columns are painted in strips, where each column is contiguous in memory, and then copied to rows.
  */
 import { DOTTED_COLUMN, NO_COLUMN, type TracedColumns } from './trace-columns.ts';
 
@@ -16,29 +16,32 @@ export interface ColumnLine {
 
 const STRIP = 16;
 const OPAQUE = 0xff000000;
-/** What is extrapolated is dotted both ways, so that no peak falls between two dots: squares of so many CSS pixels. */
+/**
+ * Extrapolated parts are dotted in a chessboard, so that no peak falls between two dots: squares of this many CSS
+ * pixels.
+ */
 const DOT_PIXELS = 2;
-/** Runs longer than this are filled by the engine. */
+/** Longer runs use `fill`. */
 const LONG_RUN = 24;
 
 export class ColumnRaster {
-  /** Red, green, blue, alpha in bytes, row by row: an ImageData's. */
+  /** Red, green, blue, alpha in bytes, row by row, as in an ImageData. */
   pixels: Uint8ClampedArray<ArrayBuffer> = new Uint8ClampedArray(0);
   private words = new Uint32Array(0);
-  /** Premultiplied, as colours are that lie over one another; the image is not. */
+  /** Premultiplied, as blending needs; the image is not. */
   private strip = new Uint32Array(0);
-  /** Rows of the strip that something was painted on: from, and up to (not including). */
+  /** Painted rows of the strip: from, and up to (excluding). */
   private top = 0;
   private bottom = 0;
-  /** The same of every strip of the picture before, which are all that has to be cleared. */
+  /** The same for every strip of the previous picture; only these have to be cleared. */
   private tops = new Int32Array(0);
   private bottoms = new Int32Array(0);
 
   /**
-   * Paints a strip at a time, and pauses after each. The image is whole when this is at its end.
+   * Paints a strip at a time and yields after each. The image is complete at the end.
    * @param lines back to front
-   * @param ratio pixels of the image in a CSS pixel
-   * @param columnsPerPixel columns of the traces in a CSS pixel; where the image has more, they are drawn as wide
+   * @param ratio image pixels per CSS pixel
+   * @param columnsPerPixel trace columns per CSS pixel; if the image has more pixels, columns are widened
    */
   *painting(
     lines: readonly ColumnLine[],
@@ -84,7 +87,7 @@ export class ColumnRaster {
     }
   }
 
-  /** The strip's columns as the image's, rows `from` up to `to`; the strip is empty after it. */
+  /** Copies rows `from` up to `to` of the strip into the image, and clears the strip. */
   private copyStrip(
     left: number,
     x0: number,
@@ -139,7 +142,7 @@ export class ColumnRaster {
       } else if (first === last) {
         strip[column + first] = over(strip[column + first], word, ((to - from) * 256) | 0);
       } else {
-        // The first and the last pixel by their part, and all between.
+        // The first and last pixel by coverage, and all in between.
         strip[column + first] = over(strip[column + first], word, ((first + 1 - from) * 256) | 0);
         strip[column + last] = over(strip[column + last], word, ((to - last) * 256) | 0);
         if (last - first > LONG_RUN) strip.fill(word, column + first + 1, column + last);
@@ -148,7 +151,7 @@ export class ColumnRaster {
     }
   }
 
-  /** One column of every other square of a chessboard; `x` in CSS pixels, the rest in the image's. */
+  /** One column of a chessboard's squares; `x` in CSS pixels, the rest in image pixels. */
   private dottedRun(column: number, x: number, from: number, to: number, word: number, square: number): void {
     const odd = Math.floor(x / DOT_PIXELS) % 2;
     const last = Math.ceil(to) - 1;
@@ -161,8 +164,8 @@ export class ColumnRaster {
 }
 
 /**
- * An opaque colour over a premultiplied one, covering `part` 256ths of the pixel. Two of the four bytes at a time, each
- * with room for the product above it.
+ * Blends an opaque colour over a premultiplied one, covering `part` 256ths of the pixel. Two of the four bytes at a
+ * time, each with room for the product above it.
  */
 function over(below: number, word: number, part: number): number {
   const rest = 256 - part;
@@ -178,7 +181,7 @@ function unpremultiplied(word: number, alpha: number): number {
   return (alpha << 24) | (blue << 16) | (green << 8) | red;
 }
 
-/** As it lies in memory: every machine that a browser runs on stores the lowest byte first. */
+/** In memory order: every machine that runs a browser is little-endian. */
 function wordOf(colour: string): number {
   const [red, green, blue] = [1, 3, 5].map((at) => Number.parseInt(colour.slice(at, at + 2), 16));
   return (OPAQUE | (blue << 16) | (green << 8) | red) >>> 0;

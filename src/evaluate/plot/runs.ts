@@ -1,17 +1,17 @@
 /**
- * A row's marked pixels as what is drawn of them: diamonds where there is room for them, bands where keys stand nearer
- * than the eye can tell apart. Calls back instead of making objects: this runs for every row of every frame of a drag.
+ * Turns a row's marked pixels into shapes: diamonds if there is room, bands if keys are too close to tell apart. Uses
+ * callbacks rather than objects, since it runs for every row in every frame of a drag.
  */
 
-/** Pixels from one key to the next, up to which they run into a band. */
+/** Distance in pixels up to which keys merge into a band. */
 const NEAR = 3;
-/** Shorter runs are diamonds all the same: three keys in a row are three keys. */
+/** Shorter runs are drawn as diamonds anyway: three keys in a row are three keys. */
 const SHORTEST_BAND = 12;
 
 export interface RunSink {
-  /** @param pixel of the marks */
+  /** @param pixel index of the mark */
   diamond(pixel: number, mark: number): void;
-  /** Pixels first … last, all with the same mark but for the gaps between them. */
+  /** Pixels first … last, all with the same mark except for gaps between them. */
   band(first: number, last: number, mark: number): void;
 }
 
@@ -42,7 +42,7 @@ function diamonds(marks: Uint8Array, first: number, last: number, sink: RunSink)
   for (let pixel = first; pixel <= last; pixel++) if (marks[pixel] !== 0) sink.diamond(pixel, marks[pixel]);
 }
 
-/** One band for each stretch of the same mark. */
+/** One band for each run of the same mark. */
 function bands(marks: Uint8Array, first: number, last: number, sink: RunSink): void {
   let begin = first;
   let end = first;

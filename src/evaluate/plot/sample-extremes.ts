@@ -1,25 +1,25 @@
 /**
- * Smallest and largest sample of a column over a stretch of frames: what a pixel shows that holds a hundred of them.
+ * Smallest and largest sample of a column over a range of frames, for pixels that cover hundreds of frames.
  *
  *     level 0     the samples themselves        v₀ v₁ … v₁₅ │ v₁₆ …
  *     level 1     of each 16 of them            one entry   │ one …
  *     level 2     of each 16 entries below      one …
  *
- * A stretch is made of a few dozen entries, whatever its length. The levels of a column are made when it is first asked
- * about; those of many together row by row (`building`), for a column by itself jumps through memory. 20 million
- * samples take about 0.1 s in rows, in slices.
+ * A range takes a few dozen entries, whatever its length. A column's levels are built on first use; for many columns
+ * they are built together, row by row (`building`), since a single column jumps through memory. 20 million samples take
+ * about 0.1 s in rows, in slices.
  *
- * Values are those of the file; the scale is the caller's. What a cubic overshoots between two frames is not seen here:
- * where frames can't be told apart, nor can that.
+ * Values are those of the file; the caller applies the scale. Overshoot of cubics between frames is ignored: it is
+ * invisible when frames are.
  */
 import { rangeOfSamples, type Samples } from '../../model/samples.ts';
 import { sampleColumn } from '../sampling.ts';
 
 const BLOCK = 16;
-/** Rows that `building` goes through before it pauses, as a count of samples. */
+/** Samples that `building` processes before it yields. */
 const SLICE_SAMPLES = 1 << 17;
 
-/** Level 1 and up of one column: an entry for up to 16 of those below. The last level has one. */
+/** Level 1 and up of one column: an entry per up to 16 of those below. The last level has one. */
 interface Levels {
   readonly lows: Float64Array[];
   readonly highs: Float64Array[];
@@ -27,7 +27,7 @@ interface Levels {
 
 const known = new WeakMap<Float64Array, SampleExtremes>();
 
-/** Of these samples' values, made once for them. */
+/** The extremes of these samples' values, cached. */
 export function sampleExtremes(samples: Samples): SampleExtremes {
   let made = known.get(samples.values);
   if (!made) {
@@ -38,7 +38,7 @@ export function sampleExtremes(samples: Samples): SampleExtremes {
 }
 
 export class SampleExtremes {
-  /** Of the last stretch that was asked for. */
+  /** Of the last range queried. */
   low = 0;
   high = 0;
   private readonly columns: (Levels | undefined)[] = [];
@@ -49,14 +49,14 @@ export class SampleExtremes {
     private readonly frameCount: number,
   ) {}
 
-  /** Frames `from` up to and with `to`, both of them there, and not the other way round. */
+  /** Frames `from` to `to`, both included and valid, `from` not after `to`. */
   over(column: number, from: number, to: number): void {
     const { values, width } = this;
     let low = Number.POSITIVE_INFINITY;
     let high = Number.NEGATIVE_INFINITY;
     let first = from;
     let end = to + 1;
-    // Up to the borders of blocks the samples themselves, then blocks, then blocks of blocks.
+    // Samples up to block boundaries, then blocks, then blocks of blocks.
     const wide = end - first >= 2 * BLOCK;
     const headEnd = wide ? Math.ceil(first / BLOCK) * BLOCK : end;
     for (let at = first * width + column; first < headEnd; first++, at += width) {
@@ -96,7 +96,7 @@ export class SampleExtremes {
     this.high = high;
   }
 
-  /** Makes the levels of all columns, and pauses now and then. Those of a few are made as they are asked for. */
+  /** Builds the levels of all columns, yielding now and then. Single columns are built on demand. */
   *building(): Generator<void, void> {
     const { values, width, frameCount, columns } = this;
     if (frameCount < 2 * BLOCK) return;
@@ -174,12 +174,12 @@ function withUpperLevels(low: Float64Array, high: Float64Array): Levels {
   return { lows, highs };
 }
 
-/** Smallest and largest value of the last stretch; scratch of `extremesOver`. */
+/** Smallest and largest value of the last range; scratch of `extremesOver`. */
 const found = { low: 0, high: 0 };
 
 /**
- * All values of a column from one time of the clip to another, not before it, both included.
- * @returns scratch that the next call fills again
+ * The extremes of a column from one clip time to another, both included, `to` not before `from`.
+ * @returns scratch that the next call overwrites
  */
 export function extremesOver(samples: Samples, column: number, from: number, to: number): Readonly<typeof found> {
   const start = sampleColumn(samples, column, from);
@@ -198,7 +198,7 @@ export function extremesOver(samples: Samples, column: number, from: number, to:
   return found;
 }
 
-/** Smallest and largest sample of all in a column. */
+/** Smallest and largest sample of a column. */
 export function extremesOfColumn(samples: Samples, column: number): Readonly<typeof found> {
   const [from, to] = rangeOfSamples(samples);
   return extremesOver(samples, column, from, to);

@@ -1,9 +1,9 @@
 /**
- * The keys that the transport shows and jumps between: those of the selected character's take, or of all takes that are
- * shown; with a joint selected, its own are the ones that count.
+ * The keys that the transport shows and steps through: those of the selected character's take, or of all shown takes;
+ * if a joint is selected, its own keys are the ones that count.
  *
- * Times on the transport are a clip's times less the character's offset. Nothing is merged or sorted beforehand: a clip
- * of millions of keys costs a binary search a channel here, and one pass over its times when drawn (`key-buckets.ts`).
+ * Transport times are clip times minus the character's offset. Nothing is merged or sorted beforehand: for a clip with
+ * millions of keys this costs a binary search per channel, and one pass over its times when drawn (`key-buckets.ts`).
  */
 import { firstNotBelow } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
@@ -13,16 +13,16 @@ import { dofsOf } from '../../model/joint-types.ts';
 import type { Selection } from '../../model/session.ts';
 import { silentChannels } from '../retarget/moved-dofs.ts';
 
-/** A channel's key times, and what is taken off them to have the transport's. */
+/** A channel's key times, and the offset to subtract for transport times. */
 export interface ShownChannel {
   /** Seconds, ascending. */
   readonly times: Float64Array;
   readonly offsetSeconds: number;
-  /** Of the selected joint, or of everything where no joint is selected. */
+  /** Of the selected joint, or everything if none is selected. */
   readonly meant: boolean;
 }
 
-/** Channels that have keys at all. */
+/** Only channels with keys. */
 export function shownKeys(document: Document, selection: Selection): ShownChannel[] {
   const selected = findCharacter(document, selection.characterId);
   const characters = selected && shownClip(selected) ? [selected] : document.characters;
@@ -44,18 +44,18 @@ function meantChannels(character: Character, joint: number | undefined, channels
   const all = () => true;
   const selected = joint === undefined ? undefined : character.skeleton?.joints[joint];
   if (!selected || !character.skeleton || joint === undefined) return all;
-  // The root translation is the root joint's, as it is in the inspector.
+  // Root translation belongs to the root joint, as in the inspector.
   const first = joint === 0 ? 0 : firstDofs(character.skeleton)[joint];
   const end = firstDofs(character.skeleton)[joint] + dofsOf(selected.motion).length;
   const isMeant = (channel: number) => channel >= first && channel < end;
-  // A joint without a single key would leave nothing to jump to.
+  // If the joint has no keys, all keys count.
   return channels.some((c, i) => isMeant(i) && c.kind === 'keys') ? isMeant : all;
 }
 
-/** Two times nearer than this are one: a key is not found again from where it was jumped to. */
+/** Times closer than this are the same, so that stepping does not find its own starting key. */
 const SAME_SECONDS = 1e-7;
 
-/** The transport's time of the last meant key before `timeSeconds`. */
+/** The transport time of the last key that counts before `timeSeconds`. */
 export function previousKey(channels: readonly ShownChannel[], timeSeconds: number): number | undefined {
   let best: number | undefined;
   for (const { times, offsetSeconds, meant } of channels) {
@@ -68,7 +68,7 @@ export function previousKey(channels: readonly ShownChannel[], timeSeconds: numb
   return best;
 }
 
-/** The transport's time of the first meant key after `timeSeconds`. */
+/** The transport time of the first key that counts after `timeSeconds`. */
 export function nextKey(channels: readonly ShownChannel[], timeSeconds: number): number | undefined {
   let best: number | undefined;
   for (const { times, offsetSeconds, meant } of channels) {
@@ -81,5 +81,5 @@ export function nextKey(channels: readonly ShownChannel[], timeSeconds: number):
   return best;
 }
 
-/** From the first start to the last end of all takes that play, on the transport. */
+/** From the first start to the last end of all playing takes, in transport time. */
 export const clipsRange = rangeOfClips;

@@ -1,9 +1,9 @@
 /**
- * A channel as columns of pixels: the smallest and largest value within each, for spans too narrow to be told apart.
+ * A channel as columns of pixels, with the smallest and largest value in each, for spans too narrow to tell apart.
  *
- * With a few spans to a column, each key and each turn between keys is put into the column that it falls into, and the
- * curve's value on every edge between two columns into both: no search, and one cubic a column. With many, every column
- * asks for its extremes (`trace-extremes.ts`), which does not look at each key.
+ * With few spans per column, each key and each extremum between keys is added to its column, and the curve's value at
+ * each edge to the columns on both sides: no search, and one cubic per column. With many, each column queries its
+ * extremes (`trace-extremes.ts`), which does not visit each key.
  */
 import { lastNotAbove } from '../../math/search.ts';
 import type { Channel } from '../../model/clip.ts';
@@ -15,28 +15,28 @@ export const NO_COLUMN = 0;
 export const SOLID_COLUMN = 1;
 export const DOTTED_COLUMN = 2;
 
-/** With more spans to a column than this, extremes are asked for. */
+/** Spans per column above which extremes are queried. */
 const MANY_SPANS = 6;
 
 const extremes = new ChannelExtremes();
 
 export class TracedColumns {
-  /** Of the curve in each column, CSS pixels. */
+  /** Extent of the curve in each column, CSS pixels. */
   tops = new Float32Array(0);
   bottoms = new Float32Array(0);
   /** NO_COLUMN, SOLID_COLUMN or DOTTED_COLUMN for each. */
   kinds = new Uint8Array(0);
-  /** First column that is anything, and the one after the last. Equal where there is none. */
+  /** First used column, and one past the last. Equal if there is none. */
   from = 0;
   to = 0;
-  /** Held on to, or it would have to be found anew with every move of the view. */
+  /** Kept alive; otherwise it would be recomputed whenever the view moves. */
   private held: SpanExtremes | undefined;
 
   clear(): void {
     this.from = this.to = 0;
   }
 
-  /** Adds a stretch of time within the channel's keys. @param perPixel columns in a CSS pixel */
+  /** Adds a time range within the channel's keys. @param perPixel columns per CSS pixel */
   keyed(
     curves: CompiledClip,
     index: number,
@@ -69,7 +69,7 @@ export class TracedColumns {
     this.points(curves, first, last, left, right, this.held.turns, map, from, to, begin, end, perPixel);
   }
 
-  /** Adds a stretch of time outside the channel's keys, where they repeat. */
+  /** Adds a time range outside the channel's keys, where they repeat. */
   repeated(
     curves: CompiledClip,
     index: number,
@@ -92,8 +92,8 @@ export class TracedColumns {
   }
 
   /**
-   * Adds a stretch of time whose columns someone else fills, by `include`.
-   * @returns the first of them and the one after the last; undefined where the stretch is out of sight
+   * Adds a time range whose columns the caller fills by `include`.
+   * @returns the first of them and one past the last; undefined if the range is not visible
    */
   solid(map: TraceMap, from: number, to: number, perPixel: number): readonly [number, number] | undefined {
     const range = this.columnsOf(map, from, to, perPixel);
@@ -101,14 +101,14 @@ export class TracedColumns {
     return range;
   }
 
-  /** What a column reaches from and to, CSS pixels; beside what it has. */
+  /** Extends a column's extent, CSS pixels. */
   include(column: number, top: number, bottom: number): void {
     const { tops, bottoms } = this;
     if (top < tops[column]) tops[column] = top;
     if (bottom > bottoms[column]) bottoms[column] = bottom;
   }
 
-  /** The columns of a stretch of time, with room made for them. */
+  /** The columns of a time range; allocates them if needed. */
   private columnsOf(map: TraceMap, from: number, to: number, perPixel: number): [number, number] | undefined {
     const count = Math.ceil(map.width * perPixel);
     if (this.kinds.length !== count) {
@@ -123,7 +123,7 @@ export class TracedColumns {
     return begin < end ? [begin, end] : undefined;
   }
 
-  /** Where the keys end within a column, it has something of both sides, and counts as solid. */
+  /** A column in which the keys end contains both kinds, and counts as solid. */
   private mark(begin: number, end: number, kind: number): void {
     const { tops, bottoms, kinds } = this;
     if (this.from === this.to) {
@@ -143,7 +143,7 @@ export class TracedColumns {
     this.to = had ? Math.max(this.to, end) : end;
   }
 
-  /** The value at each edge of columns `begin` … `end`, in the columns on both sides of it. @param key at `from` */
+  /** Adds the value at each edge of columns `begin` … `end` to the columns on both sides. @param key at `from` */
   private edges(
     curves: CompiledClip,
     last: number,
@@ -180,7 +180,7 @@ export class TracedColumns {
     }
   }
 
-  /** Keys and turns of the spans `leftKey` … `rightKey`, each in its column. @param turns see SpanExtremes */
+  /** Adds keys and extrema of the spans `leftKey` … `rightKey`, each to its column. @param turns see SpanExtremes */
   private points(
     curves: CompiledClip,
     first: number,
@@ -214,7 +214,7 @@ export class TracedColumns {
       for (let i = 2 * (key - first); i < 2 * (key - first) + 2; i++) {
         const t = turns[i];
         const time = begins + t;
-        // NaN where the span doesn't turn.
+        // NaN if the span has no extremum.
         if (!(time >= from && time <= to)) continue;
         const value = ((cubics[o + 3] * t + cubics[o + 2]) * t + cubics[o + 1]) * t + cubics[o];
         const column = Math.min(end - 1, Math.max(begin, Math.floor((time - left) * perSecond)));

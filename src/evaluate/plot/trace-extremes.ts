@@ -1,11 +1,11 @@
 /**
- * Smallest and largest value of a channel over a stretch of time, exactly: at the ends, and where the cubics turn.
+ * Exact smallest and largest value of a channel over a time range: at the ends, and at the extrema of cubics.
  *
  *     p′(τ) = b + 2c·τ + 3d·τ² = 0      τ = q / 3d, b / q      q = −(c ± √(c² − 3bd)), the sign that does not cancel
  *
- * Each span's own extremes are kept with the channel, and those of 16 spans, of 16 times 16 … above them, so that a
- * pixel that holds ten thousand keys costs a few dozen comparisons. Asked for stretch after stretch, as a picture's
- * columns are, a stretch that begins where the last one ended costs one value and no search.
+ * The extremes of each span are stored with the channel, and above them those of 16 spans, of 16 times 16 …, so that a
+ * pixel that covers ten thousand keys takes a few dozen comparisons. For consecutive ranges, such as the columns of a
+ * picture, each continues where the last ended, with one evaluation and no search.
  */
 import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, EXTRAPOLATIONS } from '../../model/clip.ts';
@@ -17,22 +17,22 @@ const BLOCK = 16;
 const CYCLE = EXTRAPOLATIONS.indexOf('cycle');
 const CYCLE_OFFSET = EXTRAPOLATIONS.indexOf('cycle_offset');
 const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
-/** A search looks at so many neighbours before it halves. */
+/** Neighbours to try before a binary search. */
 const NEAR = 4;
 
 /** Extremes of the spans between a channel's keys. */
 export interface SpanExtremes {
-  /** Level 0 has an entry for each span, each level above one for up to 16 of those below. The last has one. */
+  /** Level 0 has an entry per span, each level above one per up to 16 of those below. The last has one. */
   readonly lows: readonly Float64Array[];
   readonly highs: readonly Float64Array[];
-  /** Two for each span: when it turns, in seconds since its key; NaN where it doesn't. */
+  /** Two per span: times of its extrema, in seconds since its key; NaN for none. */
   readonly turns: Float64Array;
 }
 
-/** As long as some picture shows the channel, and no longer: the history keeps channels by the hundred. */
+/** Held weakly, as long as some picture shows the channel: the history keeps hundreds of channels. */
 const known = new WeakMap<Channel, WeakRef<SpanExtremes>>();
 
-/** @param index of `channel` in the clip that is compiled; it has two keys or more */
+/** @param index of `channel` in the compiled clip; it has at least two keys */
 export function spanExtremes(curves: CompiledClip, index: number, channel: Channel): SpanExtremes {
   const before = known.get(channel)?.deref();
   if (before) return before;
@@ -77,7 +77,7 @@ let foundHigh = 0;
 let foundTurn = 0;
 let foundOtherTurn = 0;
 
-/** Extremes of the cubic at `o` for τ from `from` to `to` (not before it), and where it turns, in `found…`. */
+/** Writes the extremes of the cubic at `o` for τ from `from` to `to` (not before it), and its extrema, to `found…`. */
 function cubicExtremes(cubics: Float64Array, o: number, from: number, to: number): void {
   const a = cubics[o];
   const b = cubics[o + 1];
@@ -88,7 +88,7 @@ function cubicExtremes(cubics: Float64Array, o: number, from: number, to: number
   foundLow = start < end ? start : end;
   foundHigh = start < end ? end : start;
   foundTurn = foundOtherTurn = Number.NaN;
-  // Most spans only rise or only fall, which shows without a root: both slopes within 0 … 3 secants (Fritsch, Carlson).
+  // Most spans are monotonic, which is detected without a root: both slopes within 0 … 3 secants (Fritsch, Carlson).
   const h = to - from;
   const rise = end < start ? start - end : end - start;
   const sign = end < start ? -h : h;
@@ -110,9 +110,9 @@ function cubicExtremes(cubics: Float64Array, o: number, from: number, to: number
   }
 }
 
-/** Asks one channel at a time, of keys or of samples; meant to be kept and opened again for the next. */
+/** Queries one channel at a time, keyed or sampled; reuse it by opening the next. */
 export class ChannelExtremes {
-  /** Of the last stretch that was asked for. */
+  /** Of the last range queried. */
   low = 0;
   high = 0;
   private curves: CompiledClip | undefined;
@@ -125,16 +125,16 @@ export class ChannelExtremes {
   private lowLevels: readonly Float64Array[] = [];
   private highLevels: readonly Float64Array[] = [];
   private turns: Float64Array = new Float64Array(0);
-  /** Where the last search ended. */
+  /** Result of the last search. */
   private key = 0;
-  /** Where `next` goes on from: so far into the key's span, at that value. */
+  /** Where `next` continues: time since the key, and the value there. */
   private since = 0;
   private value = 0;
-  /** The repetition that `next` goes through, and the time of the keys that it got to. */
+  /** The repetition that `next` is in, and the key time that it reached. */
   private sweptPeriod = Number.NaN;
   private sweptTo = 0;
 
-  /** @returns what has to be held on to where the channel will be asked about again and again */
+  /** @returns an object to keep alive while the channel is queried repeatedly */
   open(curves: CompiledClip, index: number, channel: Channel): SpanExtremes | undefined {
     this.curves = curves;
     this.index = index;
@@ -152,7 +152,7 @@ export class ChannelExtremes {
     return spans;
   }
 
-  /** All of the evaluator's values from one time of the clip to another, not before it, both included. */
+  /** Extremes of the evaluated values from one clip time to another, not before it, both included. */
   over(from: number, to: number): void {
     this.low = Number.POSITIVE_INFINITY;
     this.high = Number.NEGATIVE_INFINITY;
@@ -173,7 +173,7 @@ export class ChannelExtremes {
     if (from <= stop && to >= start) this.keyed(Math.max(from, start), Math.min(to, stop), 0);
   }
 
-  /** Puts `next` to a time within the keys. */
+  /** Positions `next` at a time within the keys. */
   begin(from: number): void {
     const key = this.seek(from);
     this.since = from - this.times[key];
@@ -181,11 +181,11 @@ export class ChannelExtremes {
   }
 
   /**
-   * The values from where the last one ended (or `begin`) to a time not before it, within the keys: what `over` gives,
-   * for one stretch after another.
+   * Extremes from where the last range ended (or `begin`) to a time not before it, within the keys: the same as `over`,
+   * for consecutive ranges.
    */
   next(to: number): void {
-    // Written out, with everything in local variables: it is what a picture of a hundred dense channels is made of.
+    // Inlined with local variables: pictures of a hundred dense channels depend on it.
     const { times, cubics, turns, first, last } = this;
     let { key, since, value } = this;
     let low = value;
@@ -196,7 +196,7 @@ export class ChannelExtremes {
       const o = 2 * (key - first);
       const turn = turns[o];
       const other = turns[o + 1];
-      // NaN where it doesn't turn.
+      // NaN if there is no extremum.
       if (turn > since && (ends || turn < until)) {
         const turned = this.valueAt(key, turn);
         low = Math.min(low, turned);
@@ -242,7 +242,9 @@ export class ChannelExtremes {
     return key === this.last ? cubics[o] : ((cubics[o + 3] * t + cubics[o + 2]) * t + cubics[o + 1]) * t + cubics[o];
   }
 
-  /** From one time to another within the keys, with something added to the values; joins what was found before. */
+  /**
+   * Extremes from one time to another within the keys, with an offset on the values; merges into the current result.
+   */
   private keyed(from: number, to: number, add: number): void {
     this.sweptPeriod = Number.NaN;
     const { times, cubics, first, last } = this;
@@ -262,7 +264,7 @@ export class ChannelExtremes {
     else this.include(cubics[4 * last] + add);
   }
 
-  /** Part of one span: its ends, and where it turns. */
+  /** Part of one span: its ends and extrema. */
   private part(key: number, from: number, to: number, add: number): void {
     const { cubics, turns } = this;
     if (key === this.last) {
@@ -281,7 +283,7 @@ export class ChannelExtremes {
     if (value > this.high) this.high = value;
   }
 
-  /** Spans `from` up to (not including) `to`, counted from the channel's first. */
+  /** Spans `from` up to (excluding) `to`, counted from the channel's first. */
   private whole(from: number, to: number, add: number): void {
     const { lowLevels, highLevels } = this;
     let low = Number.POSITIVE_INFINITY;
@@ -319,9 +321,9 @@ export class ChannelExtremes {
     const start = times[first];
     const length = curves.beyond[4 * index];
     const drift = code === CYCLE_OFFSET ? curves.beyond[4 * index + 1] : 0;
-    // What the evaluator takes for the beginning of the next period belongs to it here too.
+    // Includes what the evaluator snaps to the start of the next period.
     to += 8 * Number.EPSILON * Math.max(Math.abs(to), Math.abs(start), Math.abs(times[last]));
-    // Rounding may put a boundary into the neighbour, but never into the keys themselves.
+    // Rounding may move a boundary to the neighbouring repetition, but never into the keys themselves.
     const least = side === 0 ? Number.NEGATIVE_INFINITY : 1;
     const most = side === 0 ? -1 : Number.POSITIVE_INFINITY;
     const begin = Math.min(most, Math.max(least, Math.floor((from - start) / length)));
@@ -341,7 +343,7 @@ export class ChannelExtremes {
     if (drift !== 0) this.whole(0, count, drift * (end - 1));
   }
 
-  /** Part of one repetition, most often next to the part that was asked for before. */
+  /** Part of one repetition, usually adjacent to the previous part. */
   private sweep(period: number, from: number, to: number, drift: number): void {
     const { low, high } = this;
     const gap = from - this.sweptTo;

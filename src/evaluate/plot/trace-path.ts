@@ -1,26 +1,26 @@
 /**
- * Curves as canvas paths, in numbers: made here without a canvas, so that each point can be compared with the evaluator.
+ * Curves as canvas paths, computed without a canvas so that each point can be compared with the evaluator.
  *
- * A cubic in time is a Bézier curve whose control points stand at thirds of the time, exactly:
+ * A cubic in time is exactly a Bézier curve with control points at thirds of the time:
  *
  *     p(τ) over [τa, τb], h = τb − τa      P1 = (τa + h/3, p(τa) + p′(τa)·h/3)      P2 = (τb − h/3, p(τb) − p′(τb)·h/3)
  *
- * and so is each part of it, which is how curves are cut at the edges of what is seen: canvases count in single floats,
- * and a span of a minute seen for a millisecond would have its control points millions of pixels away.
+ * and so is each part of it. Curves are therefore clipped to the visible range: canvases use single floats, and a span
+ * of a minute, zoomed to a millisecond, would have control points millions of pixels away.
  */
 import type { CompiledClip } from '../compiled-clip.ts';
 
-/** Cubics and the times that they begin at: what of a compiled clip is drawn. */
+/** The cubics and key times of a compiled clip. */
 export type Spans = Pick<CompiledClip, 'times' | 'cubics'>;
 
-/** What a point of a path is for: two coordinates each, a curve six. */
+/** Path verbs: two coordinates each, six for a curve. */
 export const MOVE = 0;
 export const LINE = 1;
 export const CURVE = 2;
 
-/** Values further than this from the plot are cut off. */
+/** Values farther than this from the plot are clipped. */
 export const FAR_PIXELS = 4096;
-/** A span is drawn straight where its curve is nowhere further from the line than this. */
+/** A span is drawn straight if its curve is nowhere farther than this from the line. */
 const STRAIGHT_PIXELS = 0.03;
 
 export class TracedPath {
@@ -78,9 +78,9 @@ export class TracedPath {
   }
 }
 
-/** From a channel to the plot: x = (time − left) · perSecond, y = bottom − (value − low) · perUnit. CSS pixels. */
+/** From channel to plot: x = (time − left) · perSecond, y = bottom − (value − low) · perUnit. CSS pixels. */
 export interface TraceMap {
-  /** Clip's time at x = 0, and value at the bottom. */
+  /** Clip time at x = 0, and value at the bottom. */
   readonly left: number;
   readonly low: number;
   readonly perSecond: number;
@@ -90,21 +90,21 @@ export interface TraceMap {
   readonly bottom: number;
 }
 
-/** Height of a value, cut off where drawing does. */
+/** Height of a value, clipped as when drawing. */
 export function heightOf(map: TraceMap, value: number): number {
   const y = map.bottom - (value - map.low) * map.perUnit;
   return Math.min(map.bottom + FAR_PIXELS, Math.max(map.top - FAR_PIXELS, y));
 }
 
-/** Draws cubics of one compiled clip into paths; kept and set up again for the next. */
+/** Draws cubics of a compiled clip into paths; reuse it by opening the next. */
 export class SpanTracer {
   private curves: Spans | undefined;
   private map: TraceMap | undefined;
   private path = new TracedPath();
-  /** Where values are cut off. */
+  /** Where values are clipped. */
   private ceiling = 0;
   private floor = 0;
-  /** Of the values: drift from period to period, less the value at the bottom. */
+  /** Added to values: drift from period to period, minus the value at the bottom. */
   private add = 0;
 
   open(curves: Spans, map: TraceMap, path: TracedPath): void {
@@ -116,13 +116,13 @@ export class SpanTracer {
   }
 
   /**
-   * A stretch of one channel's keys, from one of their times to another; backwards where `to` is before `from`, as
-   * every other period of a bounce is. Ends are within the keys.
+   * A stretch of one channel's keys, from one key time to another; backwards if `to` is before `from`, as in every
+   * other period of a bounce. Both ends are within the keys.
    *
    * @param first the channel's first key, `last` its last
-   * @param x where `from` is drawn; later times follow to the right, or to the left of it where drawn backwards
-   * @param add to the values
-   * @param joins goes on from where the path is, with an upright line, instead of beginning anew
+   * @param x position of `from`; drawing continues to the right from there, even backwards
+   * @param add offset of the values
+   * @param joins continues the path with a vertical line instead of starting a new one
    */
   keys(first: number, last: number, from: number, to: number, x: number, add: number, joins: boolean): void {
     const { curves, map } = this;
@@ -140,13 +140,13 @@ export class SpanTracer {
       this.span(4 * key, at - begin, next - begin, x + (at - from) * perSecond, perSecond);
       at = next;
       if (at === to) break;
-      // Keys at one time are a step: on to the last of them, or before the first.
+      // Keys at the same time are a step: on to the last of them, or before the first.
       const step = onward ? key + 1 : key;
       key = onward ? key + 1 : key - 1;
       while (onward ? key < last && times[key + 1] === at : key > first && times[key] === at) key += onward ? 1 : -1;
       if (key !== (onward ? step : step - 1)) this.point(key, at - times[key], x + (at - from) * perSecond, true);
     }
-    // The evaluator gives the later of two keys at the end: a step there belongs to the picture.
+    // The evaluator returns the later of two keys at the end; a step there is drawn too.
     if (onward && to === times[last] && times[last - 1] === to) this.point(last, 0, x + (to - from) * perSecond, true);
   }
 
@@ -168,7 +168,7 @@ export class SpanTracer {
     return Math.min(this.floor, Math.max(this.ceiling, y));
   }
 
-  /** One span's cubic from τ = a to b, either way, from where the path is: (x, its value at a). */
+  /** One span's cubic from τ = a to b, in either direction, from the end of the path: (x, its value at a). */
   private span(o: number, a: number, b: number, x: number, perSecond: number): void {
     const { curves, map, path } = this;
     if (!curves || !map) return;
@@ -194,7 +194,7 @@ export class SpanTracer {
     return y >= this.ceiling && y <= this.floor;
   }
 
-  /** A span that leaves what is near: cut where it turns and where it leaves, and drawn along the edge out there. */
+  /** A span that leaves the clip range: split at its extrema and crossings, and drawn along the edge outside. */
   private farSpan(o: number, a: number, b: number, x: number, perSecond: number): void {
     const { path } = this;
     const at = (t: number) => x + (t - a) * perSecond;
@@ -228,7 +228,7 @@ export class SpanTracer {
     path.curveTo(x + (end - x) / 3, y1, end - (end - x) / 3, y2, end, this.clamped(y3));
   }
 
-  /** Where the value turns between a and b, in the order of the way, and b. */
+  /** Extrema between a and b in the order of drawing, then b. */
   private turns(o: number, a: number, b: number): number[] {
     const cubics = this.curves?.cubics;
     if (!cubics) return [b];
@@ -240,7 +240,7 @@ export class SpanTracer {
     return [...inside, b];
   }
 
-  /** When a stretch that only rises or only falls passes a height, by halving. */
+  /** Where a monotonic stretch crosses a height, by bisection. */
   private crossing(o: number, a: number, b: number, y: number): number {
     const rises = this.y(o, b) > this.y(o, a);
     for (let i = 0; i < 60; i++) {
@@ -252,7 +252,7 @@ export class SpanTracer {
   }
 }
 
-/** The key whose span a way begins in: onwards the last not after `time`, backwards the last before it. */
+/** The key whose span a stretch starts in: forwards the last not after `time`, backwards the last before it. */
 function keyBefore(times: Float64Array, first: number, last: number, time: number, onward: boolean): number {
   let low = first;
   let high = last;
@@ -261,6 +261,6 @@ function keyBefore(times: Float64Array, first: number, last: number, time: numbe
     if (onward ? times[middle] <= time : times[middle] < time) low = middle;
     else high = middle - 1;
   }
-  // Onwards from the very last key there is nowhere to go; its own value is drawn.
+  // Forwards from the very last key there is no span; its own value is drawn.
   return low;
 }

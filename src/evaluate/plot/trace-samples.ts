@@ -2,11 +2,11 @@
  * A sampled channel as it is drawn:
  *
  *     · · · ╭─╮╭──────╮╭╮ · · ·       dotted before the first frame and after the last one, whose values hold
- *           │ ╰╯      ╰╯╰             between them the way through the frames
+ *           │ ╰╯      ╰╯╰             between them interpolated between frames
  *
- * Where a pixel holds many frames, columns of pixels from the smallest to the largest sample in each; where frames can
- * be told apart, the frames in view are set up as spans of cubics and drawn like those between keys: a line, a step or
- * a smooth way, as the samples are played.
+ * If a pixel covers many frames, as columns of pixels from the smallest to the largest sample. If frames can be told
+ * apart, the visible ones become spans of cubics, drawn like those between keys: a line, a step or a smooth curve, as
+ * the samples are played.
  */
 import type { Samples } from '../../model/samples.ts';
 import { columnSlope } from '../sampling.ts';
@@ -14,7 +14,7 @@ import { sampleExtremes } from './sample-extremes.ts';
 import type { TracedColumns } from './trace-columns.ts';
 import { heightOf, SpanTracer, type TracedPath, type TraceMap } from './trace-path.ts';
 
-/** Frames in view as keys; kept and filled again. */
+/** Visible frames as keys; reused. */
 const frames = { times: new Float64Array(64), cubics: new Float64Array(256) };
 const tracer = new SpanTracer();
 
@@ -31,8 +31,8 @@ export function traceSampleColumns(
   const { startSeconds, frameSeconds, frameCount } = samples;
   const scale = samples.scales[column];
   const extremes = sampleExtremes(samples);
-  // Edges of columns go to the nearest frame: with a few frames to a column nobody sees half of one, and each column
-  // takes the frame that the next one begins with, so that none of them is torn from its neighbours.
+  // Column edges snap to the nearest frame: with several frames per column, parts of frames are not visible, and each
+  // column includes the first frame of the next, so that they connect.
   const frameAt = (time: number) =>
     Math.min(frameCount - 1, Math.max(0, Math.round((time - startSeconds) / frameSeconds)));
   const range = out.solid(map, from, to, columnsPerPixel);
@@ -50,7 +50,7 @@ export function traceSampleColumns(
   }
 }
 
-/** The way through the frames from one time to another, within the samples, as a path. */
+/** The curve through the frames from one time to another, within the samples, as a path. */
 export function traceSamplePath(
   samples: Samples,
   column: number,
@@ -65,7 +65,7 @@ export function traceSamplePath(
   tracer.keys(0, count - 1, from, to, (from - map.left) * map.perSecond, 0, false);
 }
 
-/** The frames around a stretch of time as cubics. @returns how many */
+/** The frames around a time range as cubics. @returns their number */
 function setUpFrames(samples: Samples, column: number, from: number, to: number): number {
   const { startSeconds, frameSeconds, frameCount, values, interpolation } = samples;
   const width = samples.scales.length;
@@ -84,7 +84,7 @@ function setUpFrames(samples: Samples, column: number, from: number, to: number)
     frames.cubics.set([a, b, c, d], 4 * count++);
   };
   for (let f = first; f <= last; f++) {
-    // The ends are taken as they are asked for: first + n · step may miss them by a rounding.
+    // The ends are exactly as requested: first + n · step may miss them by rounding.
     const time = f === first ? Math.min(from, startSeconds + f * frameSeconds) : startSeconds + f * frameSeconds;
     const at = f === last ? Math.max(to, time) : time;
     const here = values[f * width + column] * scale;
@@ -97,7 +97,7 @@ function setUpFrames(samples: Samples, column: number, from: number, to: number)
         put(at + frameSeconds / 2, next);
       } else if (interpolation === 'linear') put(at, here, (next - here) / frameSeconds);
       else {
-        // A cubic through both frames with the slopes that the sampler has there.
+        // A cubic through both frames with the sampler's slopes.
         const m0 = columnSlope(samples, column, time, 'out');
         const m1 = columnSlope(samples, column, startSeconds + (f + 1) * frameSeconds, 'in');
         const rise = (next - here) / frameSeconds;

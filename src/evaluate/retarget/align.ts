@@ -1,22 +1,22 @@
 /**
- * What makes two skeletons stand alike whose rest poses and axes are not: one constant rotation K a pair, so that
+ * Aligns two skeletons with different rest poses and axes: one constant rotation K per pair, so that
  *
  *     T(t) = V · S(t) · K        K = S(ref)⁻¹ · D · T(rest)        V = U_t⁻¹ · U_s
  *
- * with S and T a joint's world rotation in the source and the target, S(ref) the source in its reference pose, T(rest)
- * the target in its file pose, U the way from each one's axes to those of the scene (`Space`; left out on the right,
- * where all is in the scene's axes). At the reference S(t)·K is D·T(rest): the target's rest pose, corrected by D, which
- * makes the target's bones point as the source's do:
+ * with S and T a joint's world rotation in source and target, S(ref) the source in its reference pose, T(rest) the
+ * target in its file pose, and U the rotation from each one's axes to the scene's (`Space`; omitted on the right, where
+ * everything is in scene axes). At the reference, S(t)·K is D·T(rest): the target's rest pose, corrected by D, which
+ * makes the target's bones point like the source's:
  *
- *     trunk, neck, head, collars     D = B, which turns the one's front and up into the other's
- *     arm, thigh                     D = swing · B             swing: the smallest turn from where the bone would point
- *     forearm, shin                  D = swing · D(above)             to where the source's points
+ *     trunk, neck, head, collars     D = B, which turns the target's front and up into the source's
+ *     arm, thigh                     D = swing · B             swing: the smallest rotation from the bone's direction
+ *     forearm, shin                  D = swing · D(above)             to that of the source's bone
  *     hand                           D(forearm)
- *     foot, toe                      B, and about the vertical as the source's foot heads: soles are flat in both
- *     fingers and others             D(above), with a swing where one bone follows another
+ *     foot, toe                      B, and about the vertical to the heading of the source's foot: both soles are flat
+ *     fingers and others             D(above), with a swing if one bone follows another
  *
- * Trunks and collars are not aligned bone by bone: where a spine's joints lie in a body differs from file to file, and
- * bending one spine like the other's anatomy is not what anyone means by the same pose.
+ * Trunks and collars are not aligned bone by bone: the positions of spine joints in a body differ between files, and
+ * the same pose does not mean bending one spine to the anatomy of the other.
  */
 import { backMultiply3, copy3, multiply3, setIdentity3, swing, turnVector } from '../../math/mat3.ts';
 import type { Space } from '../../model/document.ts';
@@ -25,13 +25,13 @@ import type { Skeleton } from '../../model/skeleton.ts';
 import { figureOf, type RetargetFigure } from './figure.ts';
 import { type BodySide, LIMB_SIDES, type Role, type Roles, rolesOf } from './roles.ts';
 
-/** What of the two skeletons doesn't depend on the reference pose. */
+/** Data of the two skeletons that doesn't depend on the reference pose. */
 export interface Bodies {
   readonly source: Skeleton;
   readonly sourceSpace: Space | undefined;
   readonly target: Skeleton;
   readonly targetSpace: Space | undefined;
-  /** The source's joint by the target's; -1 for none. */
+  /** The source's joint by target joint; -1 for none. */
   readonly sourceOf: Int32Array;
   readonly roles: Roles;
   /** The target in its file pose. */
@@ -53,17 +53,17 @@ export function bodiesOf(
   return { source, sourceSpace, target, targetSpace, sourceOf, roles, rest: roles.rest };
 }
 
-/** The target's joint of that role where it follows a joint; else -1. */
+/** The target's joint of that role if it is paired; else -1. */
 export function driven({ roles, sourceOf }: Bodies, role: Role): number {
   const joint = roles.single.get(role) ?? -1;
   return joint >= 0 && sourceOf[joint] >= 0 ? joint : -1;
 }
 
 const UP: readonly number[] = [0, 1, 0];
-/** A trunk that leans less than this stands upright: what it leans is anatomy. */
+/** A trunk that leans less than this is upright; the lean is anatomy. */
 const UPRIGHT = Math.cos(Math.PI / 9);
 
-/** Nine numbers: x from right to left, y from the hips up, z to the front; of joints given by `at`. */
+/** Nine numbers: x from right to left, y up from the hips, z to the front, for the joints given by `at`. */
 export function bodyFrame({ points }: RetargetFigure, bodies: Bodies, at: (target: number) => number): Float64Array {
   const sideways = new Float64Array(3);
   const upward = new Float64Array(3);
@@ -86,7 +86,7 @@ export function bodyFrame({ points }: RetargetFigure, bodies: Bodies, at: (targe
   return frameOf(sideways, upward);
 }
 
-/** x as given, y across it as near to `up` as can be. */
+/** x as given, y perpendicular to it and as close to `up` as possible. */
 function frameOf(x: Float64Array, up: Float64Array): Float64Array {
   const y = Float64Array.from(up);
   normalize(y);
@@ -119,7 +119,7 @@ const NEXT = { arm: 'forearm', forearm: 'hand', thigh: 'shin', shin: 'foot' } as
 type Aiming = keyof typeof NEXT;
 const ABOVE: Partial<Record<Aiming, Aiming>> = { forearm: 'arm', shin: 'thigh' };
 
-/** Joint and the one that its bone points to, in the target; those of arms and legs. */
+/** Joint and the one that its bone points to, in the target, for arms and legs. */
 export function aims(bodies: Bodies): readonly { readonly joint: number; readonly to: number; readonly role: Role }[] {
   return LIMB_SIDES.flatMap((side) =>
     (['arm', 'forearm', 'thigh', 'shin'] as const).flatMap((part) => {
@@ -130,7 +130,7 @@ export function aims(bodies: Bodies): readonly { readonly joint: number; readonl
   );
 }
 
-/** K of every pair, nine numbers a joint of the target; the identity where it follows none. */
+/** K of every pair, nine numbers per target joint; the identity if it is not paired. */
 export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Array {
   const { target, sourceOf, roles, rest } = bodies;
   const count = target.joints.length;
@@ -179,7 +179,7 @@ export function alignment(bodies: Bodies, reference: RetargetFigure): Float64Arr
   return out;
 }
 
-/** Turns D of a joint on, so that its bone to another one points as the source's. */
+/** Extends D of a joint so that its bone to another points like the source's. */
 function swingTo(
   { rest, sourceOf }: Bodies,
   reference: RetargetFigure,
@@ -204,7 +204,7 @@ function turnOn(from: Float64Array, to: Float64Array, turns: Float64Array, o: nu
   multiply3(s, 0, before, 0, turns, o);
 }
 
-/** Less than this of a foot's length on the ground, and it heads nowhere. */
+/** A foot with less than this fraction of its length along the ground has no heading. */
 const HEADS = 0.4;
 
 function alignFoot(
@@ -229,7 +229,7 @@ function alignFoot(
   if (toe >= 0) put(toe, turn, 0);
 }
 
-/** Where a foot points, over the ground: to its toe, or to what is below it; undefined where that is mostly down. */
+/** Direction of a foot over the ground, to its toe or the joint below; undefined if it mostly points down. */
 function heading(skeleton: Skeleton, figure: RetargetFigure, foot: number, toe: number): Float64Array | undefined {
   const tip = toe >= 0 ? toe : skeleton.joints.findIndex((joint) => joint.parent === foot);
   const out = new Float64Array(3);
@@ -244,7 +244,7 @@ function heading(skeleton: Skeleton, figure: RetargetFigure, foot: number, toe: 
   return Math.hypot(...out) > HEADS * length ? out : undefined;
 }
 
-/** Of each joint the one that follows it, where there is one only and the source's follows the source's too. */
+/** For each joint the one that follows it, if it is the only one and the same holds for the source's. */
 function onlyFollowers({ target, source, sourceOf }: Bodies): Int32Array {
   const out = new Int32Array(target.joints.length).fill(-1);
   const seen = new Uint8Array(target.joints.length);

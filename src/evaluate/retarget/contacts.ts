@@ -1,18 +1,18 @@
 /**
- * When the source's feet stand on the ground, and where the target's then belong.
+ * Finds when the source's feet are on the ground, and where the target's then belong.
  *
- * A foot stands while its ball (the toe joint, or the ankle where no toe is paired) is slow and low:
+ * A foot is in contact while its ball (the toe joint, or the ankle if no toe is paired) is slow and low:
  *
- *     speed  < 0.35 leg lengths a second        height above where it mostly is at its lowest  < 0.08 leg lengths
+ *     speed  < 0.35 leg lengths a second        height above its most frequent minimum  < 0.08 leg lengths
  *
- * for 0.08 s at least. The target's ball then goes where the source's is, in proportion, and an offset that is constant
- * as long as the foot stands, so that it slides no more than the source's does. The offset is what rotations alone would
- * put between the two, in the middle of the contact: feet stay as far apart as suits the hips that they hang from. From
- * one contact to the next it changes smoothly, while the foot is in the air.
+ * for at least 0.08 s. The target's ball then follows the source's, in proportion, with an offset that is constant
+ * during the contact, so that it slides no more than the source's does. The offset is the difference that rotations
+ * alone give in the middle of the contact, so that feet stay as far apart as suits the hips. Between contacts it
+ * changes smoothly, while the foot is in the air.
  *
- * Takes don't agree with themselves about where the ground is: inertial suits drift, and a foot that stands may do so
- * decimetres below where it stood before. Through a flat ground it would sink, so it is raised as long as it stands, by
- * what it is too low on average. From 0.17 leg lengths on, the height of a stair, it is taken to stand lower.
+ * The ground level is not constant within takes: inertial suits drift, and a foot may come down decimetres below its
+ * previous contact. It would sink into a flat ground, so it is raised during the contact by its average depth. From
+ * 0.17 leg lengths, the height of a stair, it counts as really standing lower.
  */
 import { worldMatrices } from '../kinematics.ts';
 import { type Bodies, driven } from './align.ts';
@@ -27,19 +27,19 @@ import { toScene } from './travel.ts';
 const SLOW = 0.35;
 const LOW = 0.08;
 const SHORTEST = 0.08;
-/** Lower than this below where it mostly stands, a foot stands on something lower. */
+/** A foot lower than this below its usual contact stands on something lower. */
 const LEVEL = 0.17;
-/** Gaps shorter than this are noise within a contact. */
+/** Shorter gaps are noise within a contact. */
 const SHORTEST_GAP = 0.05;
-/** Samples of the source a second, and at most in all. */
+/** Source samples per second, and the maximum in all. */
 const RATE = 60;
 const MAX_SAMPLES = 20000;
-/** Of all heights: who stands is near the lowest. */
+/** Percentile of all heights that counts as standing. */
 const STANDING = 0.12;
-/** Moments of a contact at which the offset is measured. */
+/** Number of times in a contact at which the offset is measured. */
 const MEASURED = 5;
 
-/** The plan with the heights of ankles, and when which foot stands. */
+/** The plan with ankle heights and foot contacts. */
 export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: RetargetFigure): RetargetPlan {
   const legs = plain.limbs.filter(({ part }) => part === 'leg');
   const length = legLength(bodies, reference, (t) => bodies.sourceOf[t]);
@@ -80,12 +80,12 @@ export function footTracks(plain: RetargetPlan, bodies: Bodies, reference: Retar
   return { ...plan, feet: tracks };
 }
 
-/** Where joints are over the clip. */
+/** Positions of joints over the clip. */
 interface Ways {
   readonly count: number;
   readonly start: number;
   readonly step: number;
-  /** x y z a joint and sample; metres. */
+  /** x y z per joint and sample; metres. */
   readonly points: Float64Array;
 }
 
@@ -125,7 +125,7 @@ function contactsOf(ways: Ways, column: number, width: number, height: number, l
   return Float64Array.from(spans.filter(([from, to]) => to - from >= SHORTEST).flat());
 }
 
-/** What rotations alone would put between the target's ball and the source's in proportion. */
+/** The difference that rotations alone give between the target's ball and the source's, in proportion. */
 function offsetsOf(
   plan: RetargetPlan,
   { ball, sourceBall, contacts, sourceHeight }: Omit<FootTrack, 'offsets' | 'rises'>,
@@ -160,12 +160,12 @@ function offsetsOf(
   return { offsets: out, rises };
 }
 
-/** How far a foot is raised at a time, metres: while it stands, and fading just before and after. */
+/** How far a foot is raised at a time, metres: during the contact, fading before and after. */
 export function riseAt({ contacts, rises }: FootTrack, seconds: number): number {
   const count = rises.length;
   let next = 0;
   let high = count;
-  // The first contact that begins after that time.
+  // The first contact that starts after that time.
   while (next < high) {
     const mid = (next + high) >> 1;
     if (contacts[2 * mid] <= seconds) next = mid + 1;
@@ -181,7 +181,7 @@ export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out:
   const count = contacts.length / 2;
   let next = 0;
   let high = count;
-  // The first contact that begins after that time.
+  // The first contact that starts after that time.
   while (next < high) {
     const mid = (next + high) >> 1;
     if (contacts[2 * mid] <= seconds) next = mid + 1;
@@ -195,7 +195,7 @@ export function offsetAt({ contacts, offsets }: FootTrack, seconds: number, out:
 
 const FADE = 0.12;
 
-/** 1 while the foot stands, and less within 0.12 s of that; 0 in the air. */
+/** 1 during a contact, decreasing within 0.12 s of it; 0 in the air. */
 export function standing({ contacts }: FootTrack, seconds: number): number {
   let nearest = FADE;
   for (let low = 0, high = contacts.length / 2; low < high; ) {
@@ -210,7 +210,7 @@ export function standing({ contacts }: FootTrack, seconds: number): number {
   return 1 - smooth(0, FADE, nearest);
 }
 
-/** Joints of the target above the ground on which it stands: the scene's, or where its feet end. */
+/** Height of the target's joints above its ground: the scene's, or the level where its feet end. */
 function standingHeight({ rest, target }: Bodies, joints: readonly number[]): number {
   const y = (j: number) => rest.points[3 * j + 1];
   const height = Math.min(...joints.map(y));
@@ -225,11 +225,11 @@ function standingHeight({ rest, target }: Bodies, joints: readonly number[]): nu
       low = Math.min(low, y(j) + r[o + 1] * end[0] + r[o + 4] * end[1] + r[o + 7] * end[2]);
     }
   });
-  // Of a figure whose file pose stands on the scene's ground that is the ground, under soles that have no joint.
+  // If the file pose stands on the scene's ground, that is the ground below soles without joints.
   return low > -0.01 * (high - low) && low < 0.1 * (high - low) ? height : height - low;
 }
 
-/** Without legs: the hips, from where they are in the reference to where they are at rest. */
+/** Without legs: by the hips, from their position in the reference to that at rest. */
 function groundOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference: RetargetFigure) {
   const [joint] = plan.ground.carried;
   if (joint === undefined) return plan.ground;
@@ -240,7 +240,7 @@ function groundOfHips(plan: RetargetPlan, { rest, sourceOf }: Bodies, reference:
   };
 }
 
-/** Of finite numbers, at least one. */
+/** Of the finite numbers; at least one is. */
 function percentile(values: readonly number[], part: number): number {
   const sorted = values.filter(Number.isFinite).sort((a, b) => a - b);
   return sorted[Math.round(part * (sorted.length - 1))] ?? 0;

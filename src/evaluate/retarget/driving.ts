@@ -1,4 +1,4 @@
-/** What `driven-pose.ts` asks for: imported for its effect by whoever brings a driver into a document. */
+/** Provides the code for `driven-pose.ts`; imported for its side effect by code that adds a driver to a document. */
 import { provideDrivenPose } from '../driven-pose.ts';
 import { retargetPlan } from './make-plan.ts';
 import { retargetPose } from './retarget-pose.ts';

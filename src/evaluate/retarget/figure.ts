@@ -1,6 +1,6 @@
 /**
- * A skeleton as it stands in the scene: rotations and points of its joints in metres with y up, whatever its own unit
- * and up axis. Matching, aligning and measuring all look at figures, so that none of them has to know of spaces.
+ * A skeleton in the scene: rotations and positions of its joints in metres with y up, whatever its own unit and up
+ * axis. Matching, aligning and measuring work on these, so that only this file deals with spaces.
  */
 import { multiply3, setIdentity3, writeRotationPart } from '../../math/mat3.ts';
 import type { Space } from '../../model/document.ts';
@@ -10,13 +10,13 @@ import { compileSkeleton, worldMatrices } from '../kinematics.ts';
 import { metresPerUnit } from '../metres.ts';
 
 export interface RetargetFigure {
-  /** 9 numbers a joint. */
+  /** 9 numbers per joint. */
   readonly rotations: Float64Array;
-  /** x y z a joint; metres, y up. */
+  /** x y z per joint; metres, y up. */
   readonly points: Float64Array;
 }
 
-/** Up of a space as a rotation: from the character's own axes to the scene's. */
+/** The up axis of a space as a rotation from the character's own axes to the scene's. */
 export function upRotation(space: Space | undefined): Float64Array {
   const out = new Float64Array(9);
   // (x, y, z) → (x, z, −y)
@@ -25,7 +25,7 @@ export function upRotation(space: Space | undefined): Float64Array {
   return out;
 }
 
-/** @param dofs all of the character's, or the file's pose where absent */
+/** @param dofs all of the character's; absent: the file pose */
 export function figureOf(skeleton: Skeleton, space: Space | undefined, dofs?: Float64Array): RetargetFigure {
   const compiled = compileSkeleton(skeleton);
   const { jointCount } = compiled;

@@ -1,15 +1,15 @@
 /**
- * The DOFs that turn a joint as nearly as it can towards a rotation L, whatever kind of joint it is.
+ * Finds the DOFs that rotate a joint as close as possible to a rotation L, for any joint type.
  *
  *     quaternion              q(L)
- *     three Euler angles      exactly; of the two triples that nearest to the file's pose
+ *     three Euler angles      exact; of the two solutions the one nearest to the file pose
  *     anything else, and      the angles that maximise  f = tr(R(φ)ᵀ · L · (I + w·d·dᵀ))
- *     where limits cut in     one angle at a time, each with the best value that its limits allow
+ *     if limits apply         one angle at a time, each with the best value within its limits
  *
- * d is the direction of the bone and w what it counts for beside the turn about it: where not all can be had, a forearm
- * should point where it should rather than be twisted as it should. In each angle alone f is A·cos φ + B·sin φ + C, so
- * its best value is known at once; sweeping over two or three angles converges within a few rounds. (Gauss-Newton needs
- * derivatives, fewer rounds, and a word about its step at every limit.)
+ * d is the direction of the bone and w its weight relative to the twist: if both can't be matched, a forearm should
+ * point the right way rather than have the right twist. In each single angle f is A·cos φ + B·sin φ + C, so its best
+ * value is known directly; cycling over two or three angles converges within a few rounds. (Gauss-Newton takes fewer
+ * rounds, but needs derivatives and special treatment at every limit.)
  */
 import { eulerNear, turnedNear } from '../../math/euler.ts';
 import { quaternionOfRotation } from '../../math/quaternion.ts';
@@ -23,21 +23,21 @@ const MAX_SWEEPS = 24;
 const SETTLED = 1e-10;
 
 export interface JointFit {
-  /** Into the character's DOFs. */
+  /** Index into the character's DOFs. */
   readonly first: number;
-  /** Where among the joint's own DOFs the angles are. */
+  /** Indices of the angles among the joint's own DOFs. */
   readonly angles: Int32Array;
-  /** In the order of `angles`; infinite where the character doesn't clamp. */
+  /** In the order of `angles`; infinite if the character doesn't enforce limits. */
   readonly lower: Float64Array;
   readonly upper: Float64Array;
-  /** The angles of the file's pose: those that are nearest to them are taken. */
+  /** The angles of the file pose; of equivalent solutions the nearest to them is chosen. */
   readonly rest: Float64Array;
-  /** `angles` in the order in which they are applied; absent where they are no whole rotation. */
+  /** `angles` in order of application; absent if they are no whole rotation. */
   readonly euler?: RenamedAxes & { readonly applied: readonly number[] };
   readonly isQuaternion: boolean;
 }
 
-/** Undefined for a joint that can't turn. */
+/** Undefined for a joint that can't rotate. */
 export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, clamps: boolean): JointFit | undefined {
   const first = skeleton.firstDof[j];
   const at = first - skeleton.firstDof[0];
@@ -47,7 +47,7 @@ export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, cl
   if (!angles.length && !isQuaternion) return undefined;
   const bound = (limits: Float64Array, none: number) =>
     Float64Array.from(angles, (d) => (clamps ? limits[at + d] : none));
-  // What translates in between changes nothing about how a compound turns; what scales does.
+  // Translations in between don't affect the rotation of a compound; scales do.
   const euler = rigidEulerDofs(joint.motion) ?? eulerDofs(joint.motion);
   const at3 = euler && [euler.x, euler.y, euler.z].map((d) => angles.indexOf(d));
   const renaming = euler && renamedAxes(euler.order);
@@ -62,7 +62,7 @@ export function jointFit(skeleton: CompiledSkeleton, joint: Joint, j: number, cl
   };
 }
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const q = new Float64Array(4);
 const renamed = new Float64Array(9);
 const three = new Float64Array(3);
@@ -71,8 +71,8 @@ const matrix = new Float64Array(16);
 
 /**
  * Writes the joint's DOFs to `dofs`.
- * @param wanted nine numbers: the rotation in the parent's space
- * @param bone a unit vector at `bo` in the joint's own space; zero where no direction counts more than others
+ * @param wanted nine numbers: the rotation relative to the parent
+ * @param bone a unit vector at `bo` in the joint's own space; zero if no direction counts more than others
  */
 export function fitJoint(
   { motions }: CompiledSkeleton,
@@ -158,7 +158,7 @@ function bestAngle(
   const c = (f0 + f2) / 2;
   const a = (f0 - f2) / 2;
   const b = f1 - c;
-  // The angle says nothing: as where a bone is turned about itself in gimbal lock.
+  // The angle has no effect, like the twist of a bone in gimbal lock.
   if (a * a + b * b < 1e-24) return here;
   const best = turnedNear(Math.atan2(b, a), rest);
   if (best >= low && best <= high) return best;

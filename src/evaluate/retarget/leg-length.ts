@@ -1,9 +1,9 @@
-/** How long legs are, which is what ways are scaled by. */
+/** Leg lengths, the basis of the root motion scale. */
 import { type Bodies, driven } from './align.ts';
 import { distance, type RetargetFigure } from './figure.ts';
 import { LIMB_SIDES } from './roles.ts';
 
-/** Length of the legs, hip joint to ankle, or of hips to head where there are none; metres. 0 where neither is known. */
+/** Length of the legs, hip joint to ankle, or from hips to head without legs; metres. 0 if neither is known. */
 export function legLength(bodies: Bodies, figure: RetargetFigure, at: (target: number) => number): number {
   const lengths = LIMB_SIDES.flatMap((side) => {
     const chain = (['thigh', 'shin', 'foot'] as const).map((part) => driven(bodies, `${side} ${part}`));
@@ -16,7 +16,7 @@ export function legLength(bodies: Bodies, figure: RetargetFigure, at: (target: n
   return hips >= 0 && head >= 0 ? distance(figure, at(hips), at(head)) : 0;
 }
 
-/** What a way is multiplied by where nobody says: target's legs to source's. Both in metres. */
+/** The default root motion scale: ratio of the target's legs to the source's, both in metres. */
 export function automaticScale(bodies: Bodies, reference: RetargetFigure): number {
   const own = legLength(bodies, bodies.rest, (t) => t);
   const other = legLength(bodies, reference, (t) => bodies.sourceOf[t]);

@@ -1,11 +1,11 @@
 /**
- * Bending the legs so that the feet are where they belong: two bones of known lengths between two known points, which
- * leaves one angle free, about the line between them; the knee stays on the side to which it pointed.
+ * Two-bone IK for the legs, to place the feet: two bones of known lengths between two known points leave one free angle
+ * about the line between them; the knee stays on the side to which it pointed.
  *
  *     hip ─ l₁ ─ knee ─ l₂ ─ ankle        knee = hip + x·u + y·k        x = (l₁² − l₂² + D²)/2D        y = √(l₁² − x²)
  *
- * with u the direction to the ankle, D away, and k across it. The foot keeps the rotation that it has. What stands out
- * of reach is reached by lowering the hips; a foot in the air is let go instead.
+ * with u the direction to the ankle at distance D, and k perpendicular to it. The foot keeps its rotation. If a foot in
+ * contact is out of reach, the hips are lowered; a foot in the air is not placed instead.
  */
 import { copy3, multiply3, swing, turnVector } from '../../math/mat3.ts';
 import { offsetAt, riseAt, standing } from './contacts.ts';
@@ -14,10 +14,10 @@ import type { FootTrack, RetargetPlan } from './plan.ts';
 import { fitRange } from './solve.ts';
 import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 
-/** Of the leg's length: never quite straight, or the knee would jump at the last moment. */
+/** Fraction of the leg's length: never quite straight, or the knee would snap at the end. */
 const REACH = 0.9995;
 
-/** Scratch, never escapes: ankles where they belong, x y z a leg. */
+/** Scratch; never escapes: target positions of ankles, x y z per leg. */
 const ankles = new Float64Array(6);
 const point = new Float64Array(3);
 const offset = new Float64Array(2);
@@ -28,7 +28,7 @@ const toBone = new Float64Array(3);
 const turn = new Float64Array(9);
 const before = new Float64Array(9);
 
-/** After a pose without it: changes the DOFs of the legs, and how low the hips are. */
+/** Adjusts the DOFs of the legs and the height of the hips, after a pose without foot placement. */
 export function plantFeet(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
   const { feet, wanted, bones, target } = plan;
   for (let i = 0; i < feet.length; i++) ankleOf(plan, feet[i], clipSeconds, 3 * i);
@@ -41,7 +41,7 @@ export function plantFeet(plan: RetargetPlan, clipSeconds: number, out: Float64A
   }
 }
 
-/** Where the ball belongs, and from there the ankle: the foot is turned as it should be by now. */
+/** The target of the ball, and from it that of the ankle; the foot's rotation must be final. */
 function ankleOf(plan: RetargetPlan, foot: FootTrack, seconds: number, o: number): void {
   const { sourceWorld, targetWorld } = plan;
   for (let i = 0; i < 3; i++) point[i] = sourceWorld[16 * foot.sourceBall + 12 + i];
@@ -64,7 +64,7 @@ function lengthOf(plan: RetargetPlan, from: number, to: number): number {
   return Math.sqrt((w[b] - w[a]) ** 2 + (w[b + 1] - w[a + 1]) ** 2 + (w[b + 2] - w[a + 2]) ** 2);
 }
 
-/** Lowers the hips until feet that stand can be reached. */
+/** Lowers the hips until feet in contact can be reached. */
 function lower(plan: RetargetPlan, seconds: number, out: Float64Array): void {
   const { feet, targetWorld, targetSpace } = plan;
   const up = targetSpace.up;
@@ -104,7 +104,7 @@ function bendLeg(plan: RetargetPlan, { limb }: FootTrack, o: number): void {
   if (!(far > 0 && l1 > 0 && l2 > 0)) return;
   for (let i = 0; i < 3; i++) u[i] /= far;
   const reached = Math.min(REACH * (l1 + l2), Math.max(Math.abs(l1 - l2) * (2 - REACH), far));
-  // The knee's side: where it pointed; of a straight leg, where the front of the thigh is.
+  // The knee's side: where it pointed; for a straight leg, the front of the thigh.
   turnVector(wanted, 9 * upper, bones, 3 * upper, bone, 0);
   turnVector(wanted, 9 * shin, bones, 3 * shin, toBone, 0);
   let across = 0;
@@ -112,7 +112,7 @@ function bendLeg(plan: RetargetPlan, { limb }: FootTrack, o: number): void {
   frontOf(plan, limb.upper);
   for (let i = 0; i < 3; i++) k[i] += 0.02 * l1 * point[i];
   let along = k[0] * u[0] + k[1] * u[1] + k[2] * u[2];
-  // Seen from the line that the leg had: hip to ankle as it was.
+  // Relative to the previous line from hip to ankle.
   const wasX = l1 * bone[0] + l2 * toBone[0];
   const wasY = l1 * bone[1] + l2 * toBone[1];
   const wasZ = l1 * bone[2] + l2 * toBone[2];
@@ -138,7 +138,7 @@ function bendLeg(plan: RetargetPlan, { limb }: FootTrack, o: number): void {
   turnTo(wanted, shin, toBone, point);
 }
 
-/** The front of the body as the thigh has turned it, in `point`: what is z in the scene where the target rests. */
+/** The front of the body as rotated by the thigh, to `point`: z in the scene when the target is at rest. */
 function frontOf(plan: RetargetPlan, thigh: number): void {
   turnVector(plan.wanted, 9 * thigh, plan.fronts, 3 * thigh, point, 0);
 }

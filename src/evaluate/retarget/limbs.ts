@@ -1,10 +1,10 @@
 /**
- * Arms and legs, whose lower bone may bend about one axis only: a knee that is a hinge. The direction of the shin is
- * then right only if the thigh is turned about itself so that the hinge stands across the plane in which the leg bends:
+ * Arms and legs whose lower bone bends about one axis only, like a hinge knee. The direction of the shin is then right
+ * only if the thigh is twisted so that the hinge is perpendicular to the plane in which the leg bends:
  *
- *     n = d_thigh × d_shin        roll: about d_thigh, from where the hinge's axis is to ±n
+ *     n = d_thigh × d_shin        roll: about d_thigh, from the hinge's axis to ±n
  *
- * Straight limbs lie in no plane: the roll fades out as they straighten, and no knee spins.
+ * Straight limbs define no plane: the roll fades out as they straighten, so that no knee spins.
  */
 import { multiply3, turnAbout, turnVector } from '../../math/mat3.ts';
 import type { CompiledSkeleton } from '../kinematics.ts';
@@ -18,15 +18,15 @@ export interface Limb {
   readonly upper: number;
   readonly lower: number;
   readonly end: number;
-  /** The one axis about which the lower bone bends, in the upper joint's space; absent where it can bend anyhow. */
+  /** The only axis about which the lower bone bends, in the upper joint's space; absent if it can bend about any. */
   readonly hinge?: Float64Array;
-  /** 1 and -1: which way the hinge bends; 0 where both. */
+  /** 1 or -1: direction in which the hinge bends; 0 for both. */
   readonly bends: number;
 }
 
-/** A DOF with less of a range than this doesn't move; radians. */
+/** A DOF with a smaller range than this doesn't count as moving; radians. */
 const STIFF = 0.02;
-/** An axis so near to the bone (cosine) twists it, and doesn't bend. */
+/** An axis this close to the bone (cosine) twists it and doesn't bend. */
 const ALONG = 0.8;
 
 export function limbsOf(bodies: Bodies, target: CompiledSkeleton, rest: Float64Array, clamps: boolean): Limb[] {
@@ -83,11 +83,11 @@ function bendOf(bodies: Bodies, target: CompiledSkeleton, limb: Limb, rest: Floa
   return { hinge: axis, bends };
 }
 
-/** Limbs bent less than 3° are straight; from 15° on the plane is what counts. Sines. */
+/** Limbs bent less than 3° count as straight; from 15° the plane has full weight. Sines. */
 const STRAIGHT = 0.05;
 const BENT = 0.26;
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const d1 = new Float64Array(3);
 const d2 = new Float64Array(3);
 const axis = new Float64Array(3);
@@ -95,7 +95,7 @@ const turn = new Float64Array(9);
 const before = new Float64Array(9);
 
 /**
- * Rolls the wanted rotation of the limb's upper joint.
+ * Twists the wanted rotation of the limb's upper joint.
  * @param bones unit vectors in each joint's space
  */
 export function rollLimb(limb: Limb, bones: Float64Array, wanted: Float64Array): void {
@@ -121,7 +121,7 @@ export function rollLimb(limb: Limb, bones: Float64Array, wanted: Float64Array):
     d1[0] * (axis[1] * nz - axis[2] * ny) +
     d1[1] * (axis[2] * nx - axis[0] * nz) +
     d1[2] * (axis[0] * ny - axis[1] * nx);
-  // A limb that bends against its hinge, as noise at a straight knee does, is not turned round for it.
+  // A limb that bends against its hinge, as noise at a straight knee does, is not turned around for it.
   const share = smooth(STRAIGHT, BENT, sine) * smooth(-0.7, 0, cos);
   if (share === 0) return;
   const angle = share * Math.atan2(sin, cos);

@@ -1,4 +1,4 @@
-/** Making a plan (`plan.ts`), once for each driver. */
+/** Makes a plan (`plan.ts`) for each driver. */
 import { backMultiply3 } from '../../math/mat3.ts';
 import type { Character, Driver, Space } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
@@ -17,15 +17,15 @@ import { referenceFigure } from './reference.ts';
 import { LIMB_SIDES } from './roles.ts';
 import { playedSource } from './source-pose.ts';
 
-/** By the driver's pairs, which stay what they are when the source changes (`edit/drivers.ts`). */
+/** By the driver's pairs, whose identity is kept when the source changes (`edit/drivers.ts`). */
 const plans = new WeakMap<
   readonly JointPair[],
   { driver: Driver; skeleton: Skeleton; space: Space | undefined; clamps: boolean; plan: RetargetPlan }
 >();
 
 /**
- * Made once for each driver, and again when what it is made of changes; the source's name and offset in time are no part
- * of that, and dragging it along the timeline goes on with the same plan.
+ * Cached per driver, and made again when its inputs change. The source's name and time offset don't matter, so dragging
+ * the source along the timeline keeps the plan.
  */
 export function retargetPlan(driver: Driver, character: Character, skeleton: Skeleton): RetargetPlan {
   const { space, clampsToLimits } = character;
@@ -44,7 +44,7 @@ export function retargetPlan(driver: Driver, character: Character, skeleton: Ske
   return plan;
 }
 
-/** Drivers with the same pairs. */
+/** Compares drivers with the same pairs. */
 function plansAlike({ options, source: a }: Driver, { options: otherOptions, source: b }: Driver): boolean {
   return (
     options === otherOptions &&
@@ -107,7 +107,7 @@ function ruleOf(space: Space | undefined): SpaceRule {
   return { up: upRotation(space), metres: space ? metresPerUnit(space) : 1, lift: space?.lift ?? 0 };
 }
 
-/** The same from the outside: what a driver scales by if it does not say. */
+/** The root motion scale that a driver uses by default. */
 export function automaticScaleOf(driver: Driver, skeleton: Skeleton, space: Space | undefined): number {
   const { source, pairs, options } = driver;
   const bodies = bodiesOf(source.skeleton, source.space, skeleton, space, pairs);
@@ -122,7 +122,7 @@ function carriedJoints(bodies: Bodies): number[] {
   return bodies.sourceOf[0] >= 0 ? [0] : [];
 }
 
-/** In each joint's own space at the file's pose, which is where bones are for joints that only turn. */
+/** In each joint's own space at the file pose; constant for joints that only rotate. */
 function bonesOf({ rest, target }: Bodies, limbs: readonly Limb[]): Float64Array {
   const out = new Float64Array(3 * target.joints.length);
   for (const { upper, lower, end } of limbs) {

@@ -1,6 +1,6 @@
 /**
- * Which joint of one skeleton moves which joint of another: the same part of the body, told by name or by shape
- * (`roles.ts`); a trunk of n joints and one of m in proportion; beyond those, joints that are called the same.
+ * Which joint of one skeleton drives which joint of another: the same part of the body, recognised by name or by shape
+ * (`roles.ts`); trunks with different numbers of joints in proportion; otherwise joints with the same name.
  */
 import type { Space } from '../../model/document.ts';
 import type { JointPair } from '../../model/retarget.ts';
@@ -9,7 +9,7 @@ import type { NameParts } from './names.ts';
 import { type Roles, rolesOf } from './roles.ts';
 
 export interface MatchedPair extends JointPair {
-  /** 1 for joints called the same, down to 0.5 where only the shape speaks for it. */
+  /** 1 for the same name, down to 0.5 if only the shape matches. */
   readonly confidence: number;
   /** `left thigh, by name` */
   readonly reason: string;
@@ -22,7 +22,7 @@ const BY_SHAPE = 0.5;
 
 const FINGERS = new Set(['thumb', 'index', 'middle', 'ring', 'pinky']);
 
-/** In the order of the target's joints; each of them at most once. Those that are in no pair stay at rest. */
+/** In the order of the target's joints, each at most once. Joints without a pair stay at rest. */
 export function automaticPairs(
   source: Skeleton,
   target: Skeleton,
@@ -45,7 +45,7 @@ export function automaticPairs(
   }
   inProportion(onto.spine, from.spine, 'spine');
   inProportion(onto.neck, from.neck, 'neck');
-  // A neck that the other one has not: nothing stands in for it.
+  // No substitute for a neck that the other skeleton lacks.
   const used = new Set([...matches.values()].map((m) => m.source));
   onto.names.forEach((name, t) => {
     if (matches.has(t) || !name.word || !FINGERS.has(name.word)) return;
@@ -60,7 +60,7 @@ export function automaticPairs(
   onto.names.forEach((name, t) => {
     if (matches.has(t) || taken.has(t) || name.plain.split(' ').length < 2 || !/[a-z]{2}/.test(name.plain)) return;
     const s = from.names.findIndex((n, j) => !used.has(j) && n.plain === name.plain);
-    // What is called `root` and carries everything stays: the hips do its work.
+    // A joint called `root` above everything stays; the hips do its work.
     if (s < 0 || name.word === 'hips') return;
     used.add(s);
     add(t, s, SAME_NAME, 'same name');
@@ -70,7 +70,7 @@ export function automaticPairs(
   function inProportion(targets: readonly number[], sources: readonly number[], part: string): void {
     if (!sources.length) return;
     targets.forEach((t, k) => {
-      // The last one carries what comes after it: it follows the last.
+      // The last one carries what follows, so it is paired with the last.
       const at = targets.length > 1 ? k / (targets.length - 1) : 1;
       const s = sources[Math.round(at * (sources.length - 1))];
       const count = `${k + 1} of ${targets.length}`;

@@ -1,6 +1,6 @@
 /**
- * What another character's take has the say over while it moves this one: `retargetPose` writes these DOFs, the pose has
- * the other joints, and the character's own take the morphs.
+ * What a retargeted take overrides: `retargetPose` writes these DOFs; the other joints come from the pose, and morphs
+ * from the character's own take.
  */
 import type { Character, Driver } from '../../model/document.ts';
 import { perPair } from '../../model/per-object.ts';
@@ -17,16 +17,16 @@ const dofsMoved = perPair(({ pairs }: Driver, skeleton: Skeleton): ReadonlySet<n
 });
 
 /**
- * Which of a character's joint DOFs another's take moves: those of joints that follow one, and those that carry the
- * character. Undefined where nothing else moves the character. Made once for a driver.
+ * The joint DOFs of a character that a retargeted take drives: those of paired joints, and those that move the
+ * character. Undefined if nothing is retargeted to it. Cached per driver.
  */
 export function movedDofs({ driver, skeleton }: Character): ReadonlySet<number> | undefined {
   return driver && skeleton && dofsMoved(driver, skeleton);
 }
 
 /**
- * How many channels of its own take, from the first on, have no say: those of all joints, while another's take moves
- * them; none otherwise. Keys in them would be keys that nobody sees.
+ * Number of leading channels of its own take without effect: those of all joints during retargeting, otherwise none.
+ * Keys in them would be invisible.
  */
 export function silentChannels({ driver, skeleton }: Character): number {
   return driver && skeleton ? compileSkeleton(skeleton).firstDof[skeleton.joints.length] : 0;

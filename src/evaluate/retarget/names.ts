@@ -1,17 +1,17 @@
 /**
- * What a joint's name says: a side, a part of the body, a number.
+ * Parses joint names: a side, a part of the body, a number.
  *
  *     mixamorig:LeftUpLeg  →  left thigh        lShldr  →  left arm         chest          →  spine
  *     upper_arm_l          →  left arm          lfemur  →  left thigh       RIGHT_KNEE     →  right shin
  *     upperleg01.R         →  right thigh 1     LeftHandThumb2  →  left thumb 2
  *
- * Some words say two things: a `shoulder` is a collar bone where there is an arm below, else the arm; a `leg` is the
- * lower one where there is a thigh. `roles.ts` decides those, from what else there is.
+ * Some words are ambiguous: a `shoulder` is a collar bone if there is an arm below, else the arm; a `leg` is the lower
+ * one if there is a thigh. `roles.ts` decides from the context.
  */
 
 export type NameSide = 'left' | 'right' | 'middle';
 
-/** What one word means. `shoulder`, `sidedHip` and `leg` mean one thing or another. */
+/** The meaning of a word. `shoulder`, `sidedHip` and `leg` are ambiguous. */
 export type Word =
   | 'hips'
   | 'spine'
@@ -37,9 +37,9 @@ export type Word =
 export interface NameParts {
   readonly side: NameSide;
   readonly word: Word | undefined;
-  /** 0 where there is none. */
+  /** 0 for none. */
   readonly number: number;
-  /** All that is left without prefixes, sides and what stands between: for joints that are called the same. */
+  /** The rest, without prefixes, sides and separators; compared to find equal names. */
   readonly plain: string;
 }
 
@@ -78,9 +78,9 @@ const MEANING: ReadonlyMap<string, Word> = new Map(
   ),
 );
 
-/** Says nothing of its own: what programs put around names. */
+/** Prefixes and suffixes without meaning that programs add to names. */
 const NOISE = new Set(['joint', 'jnt', 'bone', 'bip', 'bip01', 'b', 'def', 'character', 'ctrl', 'skel', 'mixamorig']);
-/** Ends of bones, and what hangs on a body without being of it. */
+/** Ends of bones, and attachments that are no part of the body. */
 const NOT_A_PART = /end$|nub|site|eye|jaw|hair|buttock|twist|tongue|^finger/;
 const FINGER = /thumb|index|mid(?:dle)?|ring|pinky|little/;
 
@@ -105,7 +105,7 @@ export function readName(name: string): NameParts {
     }
   }
   const plain = `${side} ${key} ${number || ''}`.trim();
-  // `LHipJoint` is a stub above the thigh; with nothing else it is the thigh.
+  // `LHipJoint` is a stub above the thigh; without a thigh it is the thigh itself.
   return { side, word: wordOf(key, side), number, plain };
 }
 

@@ -1,13 +1,13 @@
 /**
- * All that retargeting knows before the first frame: which rotations to take over and how (`align.ts`), how far the hips
- * go, where ankles and toes are above the ground, and when which foot stands on it (`contacts.ts`).
+ * Everything that retargeting precomputes: how rotations are transferred (`align.ts`), the scale of the hips' movement,
+ * heights of ankles and toes above the ground, and foot contacts (`contacts.ts`).
  *
- * The hips' way, in metres with y up, between the middles of the hip joints:
+ * Movement of the hips, in metres with y up, between the centres of the hip joints:
  *
- *     x, z     scale · s                      scale     ratio of the legs' lengths, if nothing else is said
- *     y        a_t + scale · (s − a_s)        a_t, a_s  height of the ankles of who stands
+ *     x, z     scale · s                      scale     ratio of the leg lengths by default
+ *     y        a_t + scale · (s − a_s)        a_t, a_s  ankle heights when standing
  *
- * With legs in the same directions that puts ankles at a_t where the source's are at a_s: on the ground.
+ * With legs in the same directions this puts ankles at a_t when the source's are at a_s: on the ground.
  */
 import type { CompiledSkeleton } from '../kinematics.ts';
 import type { JointFit } from './fit.ts';
@@ -19,16 +19,16 @@ export interface RetargetPlan {
   readonly target: CompiledSkeleton;
   readonly played: PlayedSource;
   readonly range: readonly [number, number];
-  /** The source's joint by the target's; -1 for none. */
+  /** The source's joint by target joint; -1 for none. */
   readonly sourceOf: Int32Array;
   /** V. */
   readonly across: Float64Array;
-  /** K, nine numbers a joint of the target. */
+  /** K, nine numbers per target joint. */
   readonly corrections: Float64Array;
   readonly fits: readonly (JointFit | undefined)[];
-  /** Unit vectors along the bones of arms and legs, x y z a joint of the target; 0 elsewhere. */
+  /** Unit vectors along the bones of arms and legs, x y z per target joint; 0 elsewhere. */
   readonly bones: Float64Array;
-  /** To the front of the body, in each joint's own space; x y z a joint of the target. */
+  /** Towards the front of the body, in each joint's own space; x y z per target joint. */
   readonly fronts: Float64Array;
   readonly limbs: readonly Limb[];
   /** All DOFs of the target at rest, without morphs. */
@@ -36,15 +36,15 @@ export interface RetargetPlan {
   readonly scale: number;
   readonly ground: Ground;
   readonly plantsFeet: boolean;
-  /** Those that have a whole leg. */
+  /** Feet of complete legs. */
   readonly feet: readonly FootTrack[];
   readonly sourceSpace: SpaceRule;
   readonly targetSpace: SpaceRule;
-  /** Scratch, all of it. */
+  /** All scratch. */
   readonly dofs: Float64Array;
   readonly sourceWorld: Float64Array;
   readonly targetWorld: Float64Array;
-  /** Nine numbers a joint of the target: its rotation as it should be, in its own space. */
+  /** Nine numbers per target joint: its wanted rotation, in its own space. */
   readonly wanted: Float64Array;
 }
 
@@ -55,9 +55,9 @@ export interface SpaceRule {
   readonly lift: number;
 }
 
-/** What is brought into the same place: points in both skeletons, and their heights when standing, metres. */
+/** Matching points of both skeletons, and their heights when standing, metres. */
 export interface Ground {
-  /** One or two joints of the target, whose middle goes where the source's goes; none where nothing travels. */
+  /** One or two joints of the target whose centre follows the source's; none if nothing moves. */
   readonly carried: readonly number[];
   readonly ownHeight: number;
   readonly sourceHeight: number;
@@ -65,16 +65,16 @@ export interface Ground {
 
 export interface FootTrack {
   readonly limb: Limb;
-  /** Joints whose way is kept: the balls of both feet, or the ankles. */
+  /** Joints whose paths are kept: the balls of both feet, or the ankles. */
   readonly ball: number;
   readonly sourceBall: number;
-  /** Of the balls of who stands; metres. */
+  /** Heights of the balls when standing; metres. */
   readonly ownHeight: number;
   readonly sourceHeight: number;
   /** Seconds of the source's clip, ascending: start and end of each contact. */
   readonly contacts: Float64Array;
-  /** x z a contact, metres; one where there are no contacts. */
+  /** x z per contact, metres; one entry if there are no contacts. */
   readonly offsets: Float64Array;
-  /** One a contact, metres, not below 0: how far it is raised to where the foot mostly stands. */
+  /** One per contact, metres, not negative: how far it is raised to the foot's usual contact height. */
   readonly rises: Float64Array;
 }

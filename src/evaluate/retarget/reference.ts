@@ -1,9 +1,9 @@
 /**
- * The pose of the source that the target's rest pose is compared with.
+ * Chooses the pose of the source to compare with the target's rest pose.
  *
- * A file pose in which one stands (T, A, arms down) says best how joints are meant to be turned. Some files have none:
- * in LAFAN1 all bones lie along x. Then the moment of the take that looks most like the target at rest has to do: the
- * least sum of the angles between their bones.
+ * A standing file pose (T, A, arms down) tells best how joints are meant to be rotated. Some files have none: in LAFAN1
+ * all bones are along x. Then the frame of the take that looks most like the target at rest is used: the one with the
+ * smallest sum of angles between their bones.
  */
 import { turnVector } from '../../math/mat3.ts';
 import type { RetargetOptions } from '../../model/retarget.ts';
@@ -12,7 +12,7 @@ import type { RetargetFigure } from './figure.ts';
 import { LIMB_SIDES } from './roles.ts';
 import { type PlayedSource, sourcePose } from './source-pose.ts';
 
-/** Moments that are looked at, evenly over the clip. */
+/** Number of times examined, evenly over the clip. */
 const MAX_MOMENTS = 64;
 /** Within 45° of upright. */
 const STANDS = Math.SQRT1_2;
@@ -45,7 +45,7 @@ export function referenceFigure(
   return best;
 }
 
-/** Whether legs go down and the trunk up, with a side to either side. Bodies without legs are taken as they are. */
+/** Whether legs point down and the trunk up, with distinct left and right. Bodies without legs are accepted. */
 export function stands(bodies: Bodies, figure: RetargetFigure): boolean {
   const at = (role: Parameters<typeof driven>[1]) => {
     const joint = driven(bodies, role);
@@ -75,7 +75,7 @@ export function stands(bodies: Bodies, figure: RetargetFigure): boolean {
   return hips === undefined || head === undefined || isSteep(hips, head);
 }
 
-/** Sum of the angles between the target's bones at rest, turned to face as the figure does, and the figure's. */
+/** Sum of the angles between the target's bones at rest, turned to face like the figure, and the figure's. */
 function unlikeness(bodies: Bodies, figure: RetargetFigure): number {
   const turn = bodyTurn(bodies, figure);
   const own = new Float64Array(3);
@@ -94,7 +94,7 @@ function unlikeness(bodies: Bodies, figure: RetargetFigure): number {
     const length = Math.hypot(...own) * Math.sqrt(square);
     if (length > 0) sum += Math.acos(Math.min(1, Math.max(-1, dot / length)));
   }
-  // One that lies or bows is no figure at rest, however its limbs are.
+  // A figure that lies or bows is not at rest, however its limbs are.
   const tilt = Math.acos(Math.min(1, Math.max(-1, turn[4])));
   return sum + 4 * tilt;
 }

@@ -1,5 +1,5 @@
 /**
- * Which joint of a skeleton is which part of a body: by its name as far as names go, by its shape for the rest.
+ * Which joint of a skeleton is which part of the body: by name as far as possible, otherwise by shape.
  *
  *     hips ─┬─ spine … ─┬─ neck … ─ head
  *           │           └─ collar ─ arm ─ forearm ─ hand      (left and right)
@@ -11,7 +11,7 @@ import { figureOf, type RetargetFigure } from './figure.ts';
 import { type NameParts, readName, type Word } from './names.ts';
 import { rolesByShape } from './shape.ts';
 
-/** Of which there is one, or one a side. */
+/** Parts that exist once, or once per side. */
 export const LIMB_PARTS = ['collar', 'arm', 'forearm', 'hand', 'thigh', 'shin', 'foot', 'toe'] as const;
 export type LimbPart = (typeof LIMB_PARTS)[number];
 export const LIMB_SIDES = ['left', 'right'] as const;
@@ -22,10 +22,10 @@ export type Role = `${BodySide} ${LimbPart}` | 'hips' | 'head';
 
 export interface Roles {
   readonly single: ReadonlyMap<Role, number>;
-  /** From below. */
+  /** From the bottom up. */
   readonly spine: readonly number[];
   readonly neck: readonly number[];
-  /** Joints that were told by their shape. */
+  /** Joints recognised by shape. */
   readonly byShape: ReadonlySet<number>;
   readonly names: readonly NameParts[];
   readonly rest: RetargetFigure;
@@ -60,13 +60,13 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
     take(`${side} foot`, first('foot', side));
     take(`${side} toe`, first('toe', side));
   }
-  // The hips carry both legs, whatever they are called.
+  // The hips carry both legs, whatever their name.
   const thighs = LIMB_SIDES.map((side) => single.get(`${side} thigh`));
   const named = names.findIndex((n) => n.word === 'hips' && n.side === 'middle' && /hip|pelvis/i.test(n.plain));
   if (thighs[0] !== undefined && thighs[1] !== undefined) {
     const [left, right] = [chainTo(thighs[0]), chainTo(thighs[1])];
     const common = left.filter((j) => right.includes(j)).at(-1) ?? 0;
-    // A pelvis on the way there is the one that is meant; one beside it turns no legs.
+    // A pelvis on the path to the legs is meant; one beside it rotates no legs.
     single.set('hips', named >= 0 && left.includes(named) && right.includes(named) ? named : common);
   } else take('hips', named, first('hips', 'middle'));
   take('head', first('head', 'middle'));
@@ -107,7 +107,7 @@ export function rolesOf(skeleton: Skeleton, space: Space | undefined): Roles {
     neck.push(...shape.neck.filter((j) => !taken.has(j)));
     for (const j of neck) byShape.add(j);
   }
-  // `LowerNeck`, `Neck` and nothing after them: the last one carries the head.
+  // `LowerNeck`, `Neck` and nothing above: the last one carries the head.
   if (!single.has('head') && neck.length > 1) {
     const top = neck.pop();
     if (top !== undefined) single.set('head', top);

@@ -1,11 +1,11 @@
 /**
- * Parts of a body by their shape, for skeletons whose names say nothing: two chains that hang down on either side are
- * legs, two that reach out above them arms, and what is on top between those is the head.
+ * Recognises parts of a body by shape, for skeletons with meaningless names: two chains that hang down on either side
+ * are legs, two that reach outwards above them are arms, and the top between those is the head.
  *
- *     Pairs of branches of one joint, as long as each other (within a quarter) and on opposite sides:
- *     the pair that reaches lowest is the legs, the widest one that begins above it the arms.
+ *     Pairs of branches of one joint, of similar length (within a quarter) and on opposite sides:
+ *     the pair that reaches lowest is the legs, the widest one that starts above it the arms.
  *
- * Left is +x, for figures face +z as they stand in files, or −y where z is up.
+ * Left is +x, since figures in files face +z, or −y if z is up.
  */
 import type { Skeleton } from '../../model/skeleton.ts';
 import { distance, type RetargetFigure } from './figure.ts';
@@ -13,16 +13,16 @@ import { distance, type RetargetFigure } from './figure.ts';
 /** Joints, from the body outwards. */
 export interface ShapeRoles {
   readonly hips: number;
-  /** Thigh, shin, foot and perhaps toe. */
+  /** Thigh, shin, foot and possibly toe. */
   readonly legs: { readonly left: readonly number[]; readonly right: readonly number[] } | undefined;
-  /** Perhaps a collar first. */
+  /** Possibly with a collar first. */
   readonly arms:
     | {
         readonly left: { readonly collar: number; readonly chain: readonly number[] };
         readonly right: { readonly collar: number; readonly chain: readonly number[] };
       }
     | undefined;
-  /** Between hips and arms, from below. */
+  /** Between hips and arms, from the bottom up. */
   readonly spine: readonly number[];
   readonly neck: readonly number[];
   readonly head: number;
@@ -31,7 +31,7 @@ export interface ShapeRoles {
 interface Branch {
   readonly chain: readonly number[];
   readonly length: number;
-  /** Of its joints, on average. */
+  /** Average of its joints. */
   readonly x: number;
   readonly low: number;
   readonly high: number;
@@ -110,7 +110,7 @@ export function rolesByShape({ joints }: Skeleton, rest: RetargetFigure): ShapeR
   };
 }
 
-/** The ankle is the first joint in the lowest quarter of the leg; the knee that nearest to half way. */
+/** The ankle is the first joint in the lowest quarter of the leg; the knee is the one nearest to half way. */
 function legOf(chain: readonly number[], rest: RetargetFigure): readonly number[] {
   const y = (j: number) => rest.points[3 * j + 1];
   const [top] = chain;
@@ -123,14 +123,14 @@ function legOf(chain: readonly number[], rest: RetargetFigure): readonly number[
   return [top, knee, ...chain.slice(ankle, ankle + 2)];
 }
 
-/** A collar is a first joint near the middle, where three more follow. */
+/** A collar is a first joint near the middle, followed by three more. */
 function armOf(chain: readonly number[], at: number, rest: RetargetFigure) {
   const out = (j: number) => Math.abs(rest.points[3 * j] - rest.points[3 * at]);
   const hasCollar = chain.length >= 4 && out(chain[0]) < 0.6 * out(chain[1]);
   return { collar: hasCollar ? chain[0] : -1, chain: chain.slice(hasCollar ? 1 : 0).slice(0, 3) };
 }
 
-/** A joint at the end of a bone is no head of its own where there are others. */
+/** A joint at the end of a bone is not the head if there are others. */
 function headOf(chain: readonly number[]) {
   const head = chain.length > 2 ? 1 : chain.length - 1;
   return { head: chain[head], neck: chain.slice(0, head) };

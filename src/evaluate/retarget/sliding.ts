@@ -1,29 +1,29 @@
 /**
- * How far feet slide: while the source's foot stands, how far the target's ball of the foot gets from where it was when
- * the contact began, over the ground; and the source's own beside it, at the target's size.
+ * Measures foot sliding: while the source's foot is in contact, how far the target's ball moves over the ground from
+ * where the contact began; and the same for the source, at the target's size.
  */
 import type { RetargetPlan } from './plan.ts';
 import { retargetPose } from './retarget-pose.ts';
 import { toScene } from './travel.ts';
 
 export interface Sliding {
-  /** Metres: the farthest of any contact. */
+  /** Metres: the maximum over all contacts. */
   readonly worst: number;
-  /** Metres: the farthest of each contact, on average. */
+  /** Metres: the maximum per contact, averaged. */
   readonly mean: number;
-  /** The same of the source, times the scale. */
+  /** The same for the source, times the scale. */
   readonly sourceWorst: number;
   readonly sourceMean: number;
   readonly contacts: number;
-  /** Of the joint over its height when standing, while the foot stands: the farthest below and above. Metres. */
+  /** Height of the joint relative to standing, during contacts: minimum and maximum. Metres. */
   readonly lowest: number;
   readonly highest: number;
 }
 
-/** Moments a second. */
+/** Samples per second. */
 const RATE = 60;
 
-/** @param mostContacts of each foot, the first ones: long takes have thousands */
+/** @param mostContacts limit per foot, from the start: long takes have thousands */
 export function measureSliding(plan: RetargetPlan, mostContacts = Infinity): Sliding {
   const out = Float64Array.from(plan.restDofs);
   const own = new Float64Array(3);

@@ -1,4 +1,4 @@
-/** A pose of the target by rotations alone: steps 1 to 4 of `retarget-pose.ts`. */
+/** A pose of the target from rotations alone: steps 1 to 4 of `retarget-pose.ts`. */
 import { backMultiply3, multiply3, writeRotationPart } from '../../math/mat3.ts';
 import { multiplyAffine } from '../../math/mat4.ts';
 import { worldMatrices } from '../kinematics.ts';
@@ -8,7 +8,7 @@ import type { RetargetPlan } from './plan.ts';
 import { sourcePose } from './source-pose.ts';
 import { fromScene, inProportion, moveBy, toScene } from './travel.ts';
 
-/** Scratch, never escapes. */
+/** Scratch; never escapes. */
 const own = new Float64Array(9);
 const turned = new Float64Array(9);
 const parentTurn = new Float64Array(9);
@@ -17,7 +17,7 @@ const point = new Float64Array(3);
 const middle = new Float64Array(3);
 
 /**
- * Writes those of the target's DOFs that follow something, as rotations alone would have it. Allocates nothing.
+ * Writes the target's paired DOFs from rotations alone. Allocates nothing.
  * @param clipSeconds of the source's clip
  */
 export function solveFreely(plan: RetargetPlan, clipSeconds: number, out: Float64Array): void {
@@ -43,7 +43,7 @@ function wantRotations(plan: RetargetPlan): void {
   }
 }
 
-/** Joints from `from` up to `to`, those above being where they are. */
+/** Fits joints `from` up to (excluding) `to`; those above must be final. */
 export function fitRange(plan: RetargetPlan, from: number, to: number, out: Float64Array): void {
   const { target, fits, wanted, bones, targetWorld } = plan;
   const { parent, motions, firstDof, offsets } = target;
@@ -67,7 +67,7 @@ export function fitRange(plan: RetargetPlan, from: number, to: number, out: Floa
   }
 }
 
-/** Brings the middle of what is carried to where it belongs. */
+/** Moves the target so that the centre of `carried` is where it belongs. */
 function carry(plan: RetargetPlan, out: Float64Array): void {
   const { ground, sourceOf, targetWorld } = plan;
   const { carried } = ground;

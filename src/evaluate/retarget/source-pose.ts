@@ -1,6 +1,6 @@
 /**
- * The pose of a source at a time of its clip: as `pose.ts` has it, but for what a source has not (morphs, a pose set by
- * hand over the clip, another one that drives it).
+ * The pose of a source at a clip time: as in `pose.ts`, without what sources lack (morphs, unkeyed changes, a driver of
+ * their own).
  */
 import type { DriverSource } from '../../model/document.ts';
 import { type CompiledClip, compileClip } from '../compiled-clip.ts';
@@ -17,7 +17,7 @@ export interface PlayedSource {
   readonly joints: SampledJoints;
   /** Of root and joints. */
   readonly dofCount: number;
-  /** Of them, those that have a channel: the first so many. */
+  /** Number of leading DOFs that have a channel. */
   readonly driven: number;
 }
 

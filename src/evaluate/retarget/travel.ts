@@ -1,7 +1,9 @@
-/** From where the source is to where the target belongs: points, in their own spaces and in the scene's. */
+/** Transforms points from source to target, between their own spaces and the scene's. */
 import type { RetargetPlan, SpaceRule } from './plan.ts';
 
-/** Moves the whole target, by its travelling DOFs and where its joints are; axes that nothing travels along stay. */
+/**
+ * Moves the whole target by its travel DOFs and updates its joints' positions; axes without such a DOF are left alone.
+ */
 export function moveBy(
   { target, targetWorld }: RetargetPlan,
   x: number,
@@ -19,7 +21,7 @@ export function moveBy(
   }
 }
 
-/** A point of a character: from its own space to the scene's metres. */
+/** A point of a character, from its own space to the scene's metres. */
 export function toScene({ up, metres, lift }: SpaceRule, p: Float64Array): void {
   const x = p[0];
   const y = p[1];
@@ -28,7 +30,7 @@ export function toScene({ up, metres, lift }: SpaceRule, p: Float64Array): void 
   p[1] += lift;
 }
 
-/** A point of the scene: to a character's own space. */
+/** A point of the scene, to a character's own space. */
 export function fromScene({ up, metres, lift }: SpaceRule, p: Float64Array): void {
   const x = p[0] / metres;
   const y = (p[1] - lift) / metres;
@@ -36,7 +38,7 @@ export function fromScene({ up, metres, lift }: SpaceRule, p: Float64Array): voi
   for (let k = 0; k < 3; k++) p[k] = up[3 * k] * x + up[3 * k + 1] * y + up[3 * k + 2] * z;
 }
 
-/** A point of the scene that the source is at: where the target's belongs, by both one's heights when standing. */
+/** Maps a point of the source in the scene to the target's position, by their heights when standing. */
 export function inProportion({ scale }: RetargetPlan, p: Float64Array, ownHeight: number, sourceHeight: number): void {
   p[0] *= scale;
   p[1] = ownHeight + scale * (p[1] - sourceHeight);
