@@ -141,6 +141,16 @@ describe('the files of src', () => {
     expect(findCircle(next)).toEqual([]);
   });
 
+  it('files of ui and view set tooltips by setTooltip, for neither focus nor touch shows a native title', () => {
+    const native =
+      /setAttribute\([^)]*'title'|\.title = |element\([^;]*?\{[^{}]*\btitle\b[,:]|button\([^;]*?\{[^{}]*\btitle\b[,:]/;
+    const wrong = files.filter(
+      (file) => /^(ui|view)\//.test(file) && native.test(readFileSync(join(SRC, file), 'utf8')),
+    );
+    expect(wrong).toEqual([]);
+    expect(native.test("element('p', { class: 'a', title: text }, 'b')")).toBe(true);
+  });
+
   it('can be read: the scan finds imports of every form', () => {
     // Guards the expression above: a scan that finds nothing would pass everything.
     expect(inside.length).toBeGreaterThan(files.length);

@@ -56,7 +56,6 @@ export class Orientation {
     this.buttons = ARMS.map(({ side, axis, sign, label }) => {
       const button = document.createElement('button');
       button.type = 'button';
-      button.title = label;
       button.setAttribute('aria-label', label);
       button.textContent = sign > 0 ? 'xyz'[axis] : '';
       const size = sign > 0 ? 17 : 11;

@@ -2,11 +2,12 @@
  * Making elements, in one expression and never from markup: text that comes out of files stays text.
  */
 import { isTextField, leaveField } from './focus.ts';
+import { setTooltip } from './tooltip.ts';
 
 type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
 type Child = Node | string | undefined | false;
 
-/** `true` sets an empty attribute, `false` and undefined none. */
+/** `true` sets an empty attribute, `false` and undefined none; `tooltip` is its tooltip, as by `setTooltip`. */
 export function element<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
@@ -15,7 +16,8 @@ export function element<K extends keyof HTMLElementTagNameMap>(
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (value === undefined || value === false) continue;
-    made.setAttribute(name, value === true ? '' : String(value));
+    if (name === 'tooltip') setTooltip(made, String(value));
+    else made.setAttribute(name, value === true ? '' : String(value));
   }
   for (const child of children) if (child) made.append(child);
   return made;
@@ -23,7 +25,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
 
 /** A button that does something; `label` is what a screen reader says and what the tooltip shows. */
 export function button(label: string, attributes: Attributes, content: Child, onClick: () => void): HTMLButtonElement {
-  const made = element('button', { type: 'button', 'aria-label': label, title: label, ...attributes }, content);
+  const made = element('button', { type: 'button', 'aria-label': label, tooltip: label, ...attributes }, content);
   made.addEventListener('click', onClick);
   return made;
 }

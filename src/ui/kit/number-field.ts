@@ -6,6 +6,7 @@ import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
 import { leaveField } from './focus.ts';
 import { exact, notANumber, parseNumber } from './number-text.ts';
+import { setTooltip } from './tooltip.ts';
 
 export interface NumberFieldOptions {
   readonly label: string;
@@ -27,8 +28,6 @@ export class NumberField {
   private value = Number.NaN;
   /** The text that stands for the value: while the field holds another one, someone is typing. */
   private own = '';
-  /** The pointer is over it, or it has the focus. */
-  private isLookedAt = false;
 
   constructor(private readonly options: NumberFieldOptions) {
     this.element = element('input', {
@@ -39,21 +38,13 @@ export class NumberField {
       class: `number-field ${options.class ?? ''}`,
       'aria-label': options.label,
     });
-    for (const coming of ['pointerenter', 'focus'] as const) {
-      this.element.addEventListener(coming, () => {
-        this.isLookedAt = true;
-        this.describe();
-      });
-    }
-    this.element.addEventListener('pointerleave', () => {
-      this.isLookedAt = document.activeElement === this.element;
-    });
+    const { label } = options;
+    setTooltip(this.element, () => (Number.isNaN(this.value) ? label : `${label}: ${exact(this.value)}`));
     this.element.addEventListener('focus', () => {
       this.write(this.exactText);
       this.element.select();
     });
     this.element.addEventListener('blur', () => {
-      this.isLookedAt = false;
       this.finish();
       this.refresh();
     });
@@ -75,13 +66,6 @@ export class NumberField {
   /** The same number in another manner. */
   refresh(): void {
     this.write(Number.isNaN(this.value) ? '' : this.options.text(this.value));
-    if (this.isLookedAt) this.describe();
-  }
-
-  /** Exact also for who only looks; written when someone does, for a field may show sixty numbers a second. */
-  private describe(): void {
-    const { label } = this.options;
-    this.element.title = Number.isNaN(this.value) ? label : `${label}: ${exact(this.value)}`;
   }
 
   private write(text: string): void {

@@ -5,6 +5,7 @@
 import { copyText } from './clipboard.ts';
 import { element, setText } from './dom.ts';
 import { aligned, decimalsWithin, exact } from './number-text.ts';
+import { setTooltip } from './tooltip.ts';
 
 export interface GridOptions {
   readonly label: string;
@@ -38,8 +39,8 @@ export class NumberGrid {
     for (let r = 0; r < rows; r++) {
       const row = element('tr', { role: 'row' });
       const text = rowLabels?.[r];
-      if (text !== undefined) row.append(element('th', { scope: 'row', class: axisClass(text), title: text }, text));
-      for (let c = 0; c < columns; c++) row.append(this.cell());
+      if (text !== undefined) row.append(element('th', { scope: 'row', class: axisClass(text), tooltip: text }, text));
+      for (let c = 0; c < columns; c++) row.append(this.cell(r * columns + c));
       this.element.append(row);
     }
     if (this.cells[0]) this.cells[0].tabIndex = 0;
@@ -55,7 +56,6 @@ export class NumberGrid {
     if (Object.is(this.values[index], value)) return;
     this.values[index] = value;
     setText(this.cells[index], aligned(value, decimalsWithin(value, CHARACTERS)));
-    this.cells[index].title = `${exactOrNone(value)}  (click to copy)`;
   }
 
   /** A 4×4 matrix that lies column-major at `offset`, shown with its columns as columns. */
@@ -78,8 +78,9 @@ export class NumberGrid {
     return lines.join('\n');
   }
 
-  private cell(): HTMLElement {
+  private cell(index: number): HTMLElement {
     const made = element('td', { role: 'gridcell', class: 'number', tabindex: -1 });
+    setTooltip(made, () => `${exactOrNone(this.values[index])}  (click to copy)`);
     this.cells.push(made);
     return made;
   }

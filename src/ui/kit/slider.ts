@@ -11,6 +11,7 @@ import type { Units } from './arithmetic.ts';
 import { element } from './dom.ts';
 import { isTypedIn, leaveField } from './focus.ts';
 import { exact, notANumber, parseNumber, shown } from './number-text.ts';
+import { setTooltip } from './tooltip.ts';
 
 export interface SliderOptions {
   /** What the slider spans; absent for a field without a slider. */
@@ -40,7 +41,6 @@ export class Slider extends NumberController {
   /** The number when the field got the focus. */
   private before = 0;
   private takenBack: (() => void) | undefined;
-  private isLookedAt = false;
 
   /** @param refuse is told why what was typed is not taken, or not all the way */
   constructor(
@@ -58,13 +58,10 @@ export class Slider extends NumberController {
     this.$input.setAttribute('inputmode', 'decimal');
     // Under a finger lil-gui begins with a field of type number, which takes no text such as `0°`.
     this.updateDisplay();
-    this.$input.addEventListener('pointerenter', () => {
-      this.isLookedAt = true;
-      this.describe();
-    });
-    this.$input.addEventListener('pointerleave', () => {
-      this.isLookedAt = false;
-    });
+    // Why it can't be typed into is said of the whole row.
+    setTooltip(this.$input, () =>
+      this.$input.disabled ? undefined : `${exact(this.object.value)}${options.suffix ?? ''}`,
+    );
     this.$input.addEventListener('focus', () => {
       this.before = this.object.value;
       this.$input.value = exact(this.object.value);
@@ -150,22 +147,7 @@ export class Slider extends NumberController {
       const text = shown(value, options.decimals) + (options.suffix ?? '');
       if (this.$input.value !== text) this.$input.value = text;
     }
-    if (this.isLookedAt) this.describe();
     return this;
-  }
-
-  override disable(disabled?: boolean): this {
-    super.disable(disabled);
-    this.describe();
-    return this;
-  }
-
-  /** The exact number for who looks; written when someone does, for sliders may show sixty numbers a second. */
-  private describe(): void {
-    const { value, options } = this.object;
-    // Why it can't be typed into is said of the whole row.
-    if (this.$input.disabled) this.$input.removeAttribute('title');
-    else if (this.isLookedAt) this.$input.title = `${exact(value)}${options.suffix ?? ''}`;
   }
 
   override _clamp(value: number): number {

@@ -6,6 +6,7 @@
 import { button, element } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
+import { setTooltip } from '../kit/tooltip.ts';
 import type { KeptOffer, KeptWork } from '../state/kept-offer.ts';
 import type { Uses } from '../state/workbench.ts';
 import { contentText, whenText } from './kept-text.ts';
@@ -45,7 +46,7 @@ export function keptSession(wb: Uses<'kept'>): HTMLElement {
     text.textContent = offer.isAside
       ? `Work from ${when}`
       : `Unsaved work from ${when}: ${contentText(work.characters)}.`;
-    text.title = contentText(work.characters);
+    setTooltip(text, contentText(work.characters));
     const restoring = offer.isAside ? 'Restore. Replaces what is open; undo brings that back' : 'Restore';
     line.replaceChildren(
       text,

@@ -1,15 +1,16 @@
 /** The bar on top: menus on the left, what is loaded on the right. */
 import { type Document, shownClip, shownSkin } from '../../model/document.ts';
 import { vertexCount } from '../../model/skin.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../kit/dom.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { type Menu, openMenu } from '../kit/menu.ts';
 import { bytes, plural } from '../kit/number-text.ts';
+import { setTooltip } from '../kit/tooltip.ts';
 import { runAction } from '../state/action.ts';
 import { menuEntries } from '../state/menu-entries.ts';
 import { MENUS, type MenuName } from '../state/menus.ts';
 import { isPanelOpen, NARROW } from '../state/panels.ts';
-import { keepTooltip } from '../state/tooltips.ts';
+import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses } from '../state/workbench.ts';
 
 export function menuBar(wb: Uses<'store' | 'actions' | 'settings' | 'loading' | 'files'>): HTMLElement {
@@ -92,7 +93,7 @@ function panelButton(
   const show = () => {
     made.setAttribute('aria-pressed', String(isPanelOpen(wb.settings.get(), name)));
   };
-  keepTooltip(wb, made, id, () => `${label} panel`);
+  setActionTooltip(wb, made, id, `${label} panel`);
   wb.settings.subscribe(show);
   window.matchMedia(NARROW).addEventListener('change', show);
   show();
@@ -108,14 +109,14 @@ function whatIsUnsaved(wb: Uses<'actions' | 'settings' | 'files'>): HTMLElement 
   const save = keepsFocusElsewhere(
     button('Save changes', { class: 'link' }, 'Save', () => runAction(wb, 'save.changed')),
   );
-  keepTooltip(wb, save, 'save.changed', () => 'Save changes');
+  setActionTooltip(wb, save, 'save.changed', 'Save changes');
   const all = element('div', { class: 'unsaved' }, text, save);
   const show = () => {
     const parts = wb.files.unsaved.get();
     // Room is kept for nothing here, so appearing pushes nothing aside.
     all.hidden = parts.length === 0;
     setText(names, unsavedNames(parts));
-    setAttribute(text, 'title', `Unsaved:\n${parts.map(({ name }) => name).join('\n')}`);
+    setTooltip(text, `Unsaved:\n${parts.map(({ name }) => name).join('\n')}`);
   };
   wb.files.unsaved.subscribe(show);
   show();
@@ -140,7 +141,7 @@ function whatIsLoaded(wb: Uses<'store' | 'loading'>): HTMLElement {
     if (!loading) {
       const sentence = loadedText(wb.store.document);
       setText(text, sentence);
-      setAttribute(text, 'title', sentence);
+      setTooltip(text, sentence);
       return;
     }
     setText(text, `Reading ${loading.label}, ${bytes(loading.done)}${loading.of ? ` of ${bytes(loading.of)}` : ''}`);

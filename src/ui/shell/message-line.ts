@@ -42,7 +42,7 @@ export function messageLine(wb: Uses<'messages'>): HTMLElement {
     region.className = `message-line severity-${first.severity}`;
     region.replaceChildren(
       icon(first.severity),
-      element('span', { class: 'message-text', title: first.text }, first.text),
+      element('span', { class: 'message-text', tooltip: first.text }, first.text),
       listed ? button('Show all messages', { class: 'link' }, more, showAll) : '',
       button('Dismiss', { class: 'tool small' }, icon('close'), () => messages.markAllRead()),
     );

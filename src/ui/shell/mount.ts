@@ -6,6 +6,7 @@ import { followPeriods } from '../editors/timeline/period.ts';
 import { Scrubber } from '../editors/transport/scrubber.ts';
 import { transport } from '../editors/transport/transport.ts';
 import type { Observable } from '../kit/observable.ts';
+import { startTooltips } from '../kit/tooltip-layer.ts';
 import { listenToKeys } from '../state/keys.ts';
 import type { TimelineTab, TimelineTabName } from '../state/timeline.ts';
 import type { Action, Workbench } from '../state/workbench.ts';
@@ -68,5 +69,6 @@ export function mountWorkbench(
     signal,
   );
   startDialogs(wb, root);
+  startTooltips(signal);
   listenToKeys(wb, signal);
 }

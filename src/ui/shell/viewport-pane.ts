@@ -18,9 +18,10 @@ import { listenToCanvas } from '../editors/viewport/canvas-tools.ts';
 import { button, element, keepsFocusElsewhere, setText } from '../kit/dom.ts';
 import { icon } from '../kit/icons.ts';
 import { menuButton } from '../kit/menu.ts';
+import { setTooltip } from '../kit/tooltip.ts';
 import { actionsOf, currentCharacter, isChecked, runAction } from '../state/action.ts';
 import { itemOf } from '../state/menu-entries.ts';
-import { keepTooltip } from '../state/tooltips.ts';
+import { setActionTooltip } from '../state/tooltips.ts';
 import type { Uses, Workbench } from '../state/workbench.ts';
 import { keptSession } from './kept-session.ts';
 import { messageLine } from './message-line.ts';
@@ -36,6 +37,8 @@ export function viewportPane(wb: Workbench, signal: AbortSignal): HTMLElement {
     'aria-label',
     'Viewport. Up and down arrows select the parent or child joint; left and right orbit the view when paused.',
   );
+  // The view's own buttons have labels, but it knows no tooltips.
+  for (const made of viewportElement.querySelectorAll('button')) setTooltip(made, made.ariaLabel ?? undefined);
   handTools(wb, signal);
   const head = element('div', { class: 'stage-head' }, displayStrip(wb), modeBar(wb));
   return element(
@@ -82,17 +85,15 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
       button(action.label, { class: 'tool' }, icon(action.icon), () => runAction(wb, action.id)),
     );
     const { label } = action;
-    keepTooltip(wb, made, action.id, () => label);
+    setActionTooltip(wb, made, action.id, label);
     shown.push(() => made.setAttribute('aria-pressed', String(isChecked(wb, action) ?? false)));
     strip.append(made);
   }
   const nameOf = <T>(styles: readonly (readonly [T, string])[], style: T) =>
     styles.find(([s]) => s === style)?.[1] ?? '';
   const boxStyle = () => nameOf(BOX_STYLES, wb.settings.get().display.boxes).toLowerCase();
-  const skinTitle = keepTooltip(wb, skin, 'draw.nextSkin', () => (isSkinVisible(wb) ? 'Skin' : NO_SKIN));
-  const boxesTitle = keepTooltip(wb, boxes, 'draw.nextBoxes', () =>
-    areBoxesVisible(wb) ? `Boxes: ${boxStyle()}` : NO_BOXES,
-  );
+  setActionTooltip(wb, skin, 'draw.nextSkin', () => (isSkinVisible(wb) ? 'Skin' : NO_SKIN));
+  setActionTooltip(wb, boxes, 'draw.nextBoxes', () => (areBoxesVisible(wb) ? `Boxes: ${boxStyle()}` : NO_BOXES));
   const show = () => {
     const { display } = wb.settings.get();
     const label = nameOf(SKIN_STYLES, display.skin);
@@ -101,13 +102,11 @@ function displayStrip(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     skin.replaceChildren(icon('skin'), element('span', {}, short), icon('fold'));
     skin.setAttribute('aria-label', hasSkin ? `Skin: ${label}` : 'Skin: none');
     skin.disabled = !hasSkin;
-    skinTitle();
     // Unless skinned is the rest state: lit, it would promise boxes where none are drawn.
     const hasBoxes = areBoxesVisible(wb);
     boxes.setAttribute('aria-pressed', String(hasBoxes && (display.boxes === 'wire' || display.boxes === 'solid')));
     boxes.classList.toggle('does-little', !hasBoxes);
     boxes.setAttribute('aria-label', `Boxes: ${boxStyle()}`);
-    boxesTitle();
     for (const update of shown) update();
   };
   wb.settings.subscribe(show);

@@ -11,6 +11,7 @@ import { icon } from '../../kit/icons.ts';
 import { isMac } from '../../kit/keyboard.ts';
 import { openMenu } from '../../kit/menu.ts';
 import { plural } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { CHANNEL_LISTS, type ChannelListKind as ListChoice } from '../../state/timeline.ts';
@@ -150,7 +151,7 @@ export class ChannelList {
     const showsAll = list === 'selected' && wb.store.selection.joint === undefined;
     const texts = showsAll ? { ...LIST_LABELS, selected: NO_JOINT_LABEL } : LIST_LABELS;
     for (const [i, one] of CHANNEL_LISTS.entries()) setText(choice.options[i], texts[one]);
-    setAttribute(choice, 'title', showsAll ? NO_JOINT_TITLE : undefined);
+    setTooltip(choice, showsAll ? NO_JOINT_TITLE : undefined);
   }
 
   private fill(row: Row, index: number, state: ListState): void {
@@ -321,7 +322,7 @@ interface ListState {
 
 function describe(target: HTMLElement, label: string, on = false): void {
   setAttribute(target, 'aria-label', label);
-  setAttribute(target, 'title', label);
+  setTooltip(target, label);
   target.classList.toggle('on', on);
 }
 

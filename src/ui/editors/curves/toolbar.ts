@@ -3,9 +3,10 @@ import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { findAction, isChecked, isEnabled, tryAction } from '../../state/action.ts';
 import { HANDLE_MODES, type HandleMode } from '../../state/timeline.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { HANDLE_LABELS } from '../timeline/actions.ts';
 import { CURVE_TOOLS, entriesOf, SAMPLE_TOOLS } from './context-menu.ts';
@@ -35,7 +36,7 @@ export function curveToolbar(
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
     );
-    keepTooltip(wb, made, `timeline.${id}`, () => label);
+    setActionTooltip(wb, made, `timeline.${id}`, label);
     tools.push(() => {
       if (isSwitch) made.setAttribute('aria-pressed', String((action && isChecked(wb, action)) ?? false));
       else made.disabled = !(action && isEnabled(wb, action));
@@ -44,7 +45,7 @@ export function curveToolbar(
   };
   const menu = (label: string, name: IconName, entries: () => readonly MenuEntry[]) => {
     const made = keepsFocusElsewhere(
-      element('button', { type: 'button', class: 'tool', 'aria-label': label, title: label }, icon(name)),
+      element('button', { type: 'button', class: 'tool', 'aria-label': label, tooltip: label }, icon(name)),
     );
     menuButton(made, label, entries);
     return made;
@@ -61,10 +62,10 @@ export function curveToolbar(
   const showModes = () => {
     const view = wb.timeline.view.get();
     handles.replaceChildren(icon(HANDLE_ICONS[view.handles]));
-    handles.title = `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`;
+    setTooltip(handles, `Dragging a handle: ${HANDLE_LABELS[view.handles].toLowerCase()}`);
     const replaces = view.onCollision === 'replace';
     collision.replaceChildren(icon(replaces ? 'collideReplace' : 'collideStep'));
-    collision.title = `Overlapping keys: ${replaces ? 'replace' : 'keep both (step)'}`;
+    setTooltip(collision, `Overlapping keys: ${replaces ? 'replace' : 'keep both (step)'}`);
   };
   const extrapolation = (side: string) => () => EXTRAPOLATIONS.map((e) => `extrapolation.${side}.${e}`);
   const group = (label: string, name: string, ...children: HTMLElement[]) =>

@@ -6,6 +6,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { plural } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
 
@@ -102,8 +103,8 @@ export class DopeNames {
     const twisty = element('span', { class: 'twisty' });
     if (row.fold !== undefined) twisty.append(icon('fold'));
     const text = rowName(row);
-    const title = follows === undefined ? text : `${text}: linked to ${follows}, so its keys have no effect`;
-    const label = element(row.label || row.kind === 'summary' ? 'span' : 'i', { class: 'label', title }, text);
+    const tooltip = follows === undefined ? text : `${text}: linked to ${follows}, so its keys have no effect`;
+    const label = element(row.label || row.kind === 'summary' ? 'span' : 'i', { class: 'label', tooltip }, text);
     if (follows !== undefined) label.append(element('span', { class: 'dope-follows' }, ` ← ${follows}`));
     name.replaceChildren(twisty, ...(axis ? [dot(axis)] : []), label);
     this.mark(view, row);
@@ -113,9 +114,9 @@ export class DopeNames {
     setAttribute(made, 'aria-selected', String(row.joint !== undefined && row.joint === this.selectedJoint));
     const { keys, selected } = this.countKeys(row);
     const words = selected ? `${selected} of ${plural(keys, 'key')} selected` : plural(keys, 'key');
-    if (count.title === words) return;
+    if (count.getAttribute('aria-label') === words) return;
     setText(count, keys === 0 ? '' : selected ? `${selected}/${keys}` : String(keys));
-    count.title = words;
+    setTooltip(count, words);
     count.setAttribute('aria-label', words);
     count.classList.toggle('some', selected > 0);
   }

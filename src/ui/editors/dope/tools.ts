@@ -2,7 +2,7 @@
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { findAction, isChecked, tryAction } from '../../state/action.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** Switches and what their tooltips say of them. */
@@ -20,7 +20,7 @@ export function dopeTools(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLEl
     const made = keepsFocusElsewhere(
       button(text.split(/[:;]/)[0], { class: 'tool' }, icon(action.icon), () => tryAction(wb, action)),
     );
-    keepTooltip(wb, made, id, () => text);
+    setActionTooltip(wb, made, id, text);
     const show = () => setAttribute(made, 'aria-pressed', String(isChecked(wb, action) ?? false));
     wb.timeline.view.subscribe(show);
     show();

@@ -28,8 +28,8 @@ export function dofButtons(wb: Uses<'store' | 'posing' | 'settings'>): {
       const couple = coupleOf(skeleton, dof);
       if (couple) {
         const followed = channelName(namedChannel(character, couple.follows));
-        const title = `${all[dof].name} ${coupleText(couple, all[dof], character, wb.settings.get().angles)}`;
-        return [element('span', { class: 'dof-note', title }, `${all[dof].name} ← ${followed}`)];
+        const tooltip = `${all[dof].name} ${coupleText(couple, all[dof], character, wb.settings.get().angles)}`;
+        return [element('span', { class: 'dof-note is-linked', tooltip }, `${all[dof].name} ← ${followed}`)];
       }
       return byHand.includes(dof)
         ? [dofButton(wb, dof, all[dof].name, axisOfDof(character.skeleton, all[dof]), dof === active)]
@@ -76,7 +76,7 @@ function dofButton(
       class: `tool dof-button axis-${axis ?? 'other'}`,
       role: 'radio',
       'aria-checked': String(isActive),
-      title: `${name}: drag the bone up or down to change it`,
+      tooltip: `${name}: drag the bone up or down to change it`,
       tabindex: isActive ? 0 : -1,
     },
     name,

@@ -3,7 +3,7 @@ import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
@@ -12,7 +12,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
   const root = keepsFocusElsewhere(
     button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => runAction(wb, 'ik.rootFree')),
   );
-  const rootTitle = keepTooltip(wb, root, 'ik.rootFree', () => {
+  setActionTooltip(wb, root, 'ik.rootFree', () => {
     const character = currentCharacter(wb);
     if (!character) return 'Allow root to move';
     return ikOf(character).rootIsFree
@@ -22,11 +22,11 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
   const all = keepsFocusElsewhere(
     button('Remove all pins', { class: 'tool' }, 'Unpin all', () => runAction(wb, 'ik.letAllGo')),
   );
-  keepTooltip(wb, all, 'ik.letAllGo', () => 'Remove all pins of the character');
+  setActionTooltip(wb, all, 'ik.letAllGo', 'Remove all pins of the character');
   const hold = keepsFocusElsewhere(
     button('Hold pins over range', { class: 'tool' }, 'Hold…', () => runAction(wb, 'ik.holdPins')),
   );
-  keepTooltip(wb, hold, 'ik.holdPins', () => 'Hold pins over a range of the take');
+  setActionTooltip(wb, hold, 'ik.holdPins', 'Hold pins over a range of the take');
   const hint = element('span', { class: 'ik-hint', role: 'note' });
   const tools = element('div', { class: 'ik-tools tools' }, root, all, hold);
   const inHand = wb.posing.ik;
@@ -38,7 +38,6 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
     setAttribute(root, 'aria-pressed', String(setup?.rootIsFree ?? false));
     setText(root, setup?.rootIsFree === false ? 'Root fixed' : 'Root moves');
     root.classList.toggle('asked', setup?.rootIsFree === false && inHand.wantsRoot.get());
-    rootTitle();
     setText(hint, ikHintText(setup?.pins.length ?? 0));
     hint.hidden = inHand.hasDragged.get() || setup === undefined;
   };

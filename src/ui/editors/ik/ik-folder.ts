@@ -11,6 +11,7 @@ import { button, element, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { shown } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -116,7 +117,7 @@ export class IkFolder {
     const own = ikOf(character).stiff.find((one) => one.joint === joint);
     const now: Bending = !own ? 'usual' : own.stiffness === undefined ? 'locked' : 'stiff';
     setText(this.joint, jointName(character.skeleton, joint));
-    this.joint.title = `${jointName(character.skeleton, joint)}: bending`;
+    setTooltip(this.joint, `${jointName(character.skeleton, joint)}: bending`);
     this.bending.value = now;
     this.stiffness.element.hidden = now !== 'stiff';
     this.stiffness.show(own?.stiffness ?? Number.NaN);
@@ -181,7 +182,7 @@ export class IkFolder {
         setText(name, jointName(character.skeleton, pin.joint));
         setText(kind, pointName(character, pin));
         setAttribute(choose, 'aria-label', `Select pin of ${text}`);
-        choose.title = text;
+        setTooltip(choose, text);
         setAttribute(free, 'aria-label', `Remove pin of ${text}`);
         setAttribute(turn, 'aria-label', `Pin orientation of ${text} too`);
         setAttribute(turn, 'aria-pressed', String(pin.holdsOrientation));

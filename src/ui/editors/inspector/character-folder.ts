@@ -15,6 +15,7 @@ import type { Units } from '../../kit/arithmetic.ts';
 import { button, element, setText } from '../../kit/dom.ts';
 import { exact } from '../../kit/number-text.ts';
 import { emptyFolder, Slider } from '../../kit/slider.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { runAction } from '../../state/action.ts';
 import { shownPerUnit, typedUnits, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
@@ -148,7 +149,7 @@ export class CharacterFolder {
   private addStart(character: Character): void {
     const options = { step: 0.01, decimals: 3, suffix: ' s' };
     const row = new Slider(this.folder, 'Start time', startSeconds(character), options, this.refuse);
-    row.domElement.title = 'When its take starts on the timeline, in seconds';
+    setTooltip(row.domElement, 'When its take starts on the timeline, in seconds');
     row.onChange((atSeconds: number) => {
       const { character: now } = this;
       if (!now) return;

@@ -10,6 +10,7 @@
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { button, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { deleteKeysNow, isKeyedNow, keyNow } from '../posing/pose-edits.ts';
@@ -41,7 +42,7 @@ export class DofMark {
     const state = dofState(this.wb, character, this.dof);
     if (this.row.dataset.driver === state) return;
     this.row.dataset.driver = state;
-    this.element.title = TITLES[state];
+    setTooltip(this.element, TITLES[state]);
     this.element.disabled =
       !character.skeleton || findCharacter(this.wb.store.document, this.characterId) === undefined;
     setAttribute(this.element, 'aria-label', markLabel(state, this.name));

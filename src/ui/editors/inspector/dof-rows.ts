@@ -10,6 +10,7 @@ import { isUnlimited, type Limit, type Skeleton, UNLIMITED } from '../../../mode
 import { element, uniqueId } from '../../kit/dom.ts';
 import { MAX_DECIMALS, shown } from '../../kit/number-text.ts';
 import { Slider, type SliderOptions } from '../../kit/slider.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { BesideDof } from '../../state/posing.ts';
@@ -58,10 +59,11 @@ export function addDofRow(
   slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
   const couple = coupleOf(character.skeleton, index);
   const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
-  slider.$name.title = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;
+  const text = `${prefix ? `${prefix} ` : ''}${dof.name}: ${held}`;
+  setTooltip(slider.$name, text);
   if (couple) {
     slider.disable();
-    slider.domElement.title = slider.$name.title;
+    setTooltip(slider.domElement, text);
     slider.$input.setAttribute('aria-description', held);
     const followed = channelName(namedChannel(character, couple.follows));
     slider.$input.before(element('span', { class: 'dof-follows', 'aria-hidden': 'true' }, `← ${followed}`));

@@ -41,7 +41,7 @@ export function displayFolder(wb: Uses<'store' | 'settings' | 'messages'>, folde
   const showSkin = () => {
     const hasSkin = isSkinVisible(wb);
     skin.enable(hasSkin);
-    skin.domElement.title = hasSkin ? '' : NO_SKIN;
+    setTooltip(skin.domElement, hasSkin ? '' : NO_SKIN);
   };
   wb.store.subscribe((now, before) => {
     if (now.document.characters !== before.document.characters) showSkin();
@@ -103,3 +103,5 @@ export function playbackFolder(wb: Uses<'transport' | 'settings' | 'messages'>, 
     time.updateDisplay();
   });
 }
+
+import { setTooltip } from '../../kit/tooltip.ts';

@@ -51,7 +51,7 @@ function messageBlock(wb: Uses<'messages'>, message: Message, room: number): HTM
       icon(severity),
       element(
         'span',
-        { class: `message-title ${file ? 'is-file' : ''}`, title: text },
+        { class: `message-title ${file ? 'is-file' : ''}`, tooltip: text },
         diagnostics.length ? file || 'Opening' : text,
       ),
       counted && element('span', { class: 'message-count' }, counted),
@@ -72,7 +72,7 @@ function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
   const place = d.line > 0 ? `${d.line}:${d.column}` : '';
   return element(
     'div',
-    { class: 'diagnostic', title: d.code },
+    { class: 'diagnostic', tooltip: d.code },
     element(
       'p',
       { class: `severity-${d.severity}` },

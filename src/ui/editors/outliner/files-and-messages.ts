@@ -132,7 +132,7 @@ function sameSources(a: Document, b: Document): boolean {
 function fileRow(name: IconName, source: SourceFile, why: string): HTMLElement {
   return element(
     'div',
-    { class: `file-row ${why ? 'is-unused' : ''}`, title: source.path },
+    { class: `file-row ${why ? 'is-unused' : ''}`, tooltip: source.path },
     icon(name),
     element('span', { class: 'label' }, source.name),
     element('span', { class: 'detail' }, bytes(source.bytes)),

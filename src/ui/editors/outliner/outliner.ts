@@ -8,6 +8,7 @@ import type { Selection } from '../../../model/session.ts';
 import { element } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, currentCharacter, runAction } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { itemOf } from '../../state/menu-entries.ts';
@@ -199,12 +200,17 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
   const label = row.label === '' ? element('i', { class: 'label' }, unnamed) : element('span', { class: 'label' });
   if (row.label) {
     label.textContent = row.label;
-    label.title = row.label;
+    setTooltip(label, row.label);
   }
   const isTold = row.kind === 'joint' && row.label === '';
   const detail = isTold ? '' : row.detail;
-  const nodes: Node[] = [label, element('span', { class: 'detail', title: detail }, detail)];
-  if (unsaved) nodes.splice(1, 0, element('span', { class: 'unsaved-dot', title: 'Not saved', role: 'img' }));
+  const nodes: Node[] = [label, element('span', { class: 'detail', tooltip: detail }, detail)];
+  if (unsaved)
+    nodes.splice(
+      1,
+      0,
+      element('span', { class: 'unsaved-dot', role: 'img', 'aria-label': 'Not saved', tooltip: 'Not saved' }),
+    );
   if (row.shown !== undefined) nodes.unshift(element('span', { class: 'radio', 'aria-hidden': 'true' }));
   else if (row.kind !== 'group') nodes.unshift(icon(ICONS[row.kind]));
   if (row.kind === 'character') nodes.push(eyeOf(wb, row));
@@ -213,13 +219,19 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
 
 /** For the mouse; the keyboard has the row's menu. A row's children are no stops of Tab. */
 function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
+  const text = `${hidden ? 'Show' : 'Hide'} ${label}`;
   const eye = element(
     'button',
-    { type: 'button', class: 'eye', tabindex: '-1', 'aria-pressed': String(hidden) },
+    {
+      type: 'button',
+      class: 'eye',
+      tabindex: '-1',
+      'aria-pressed': String(hidden),
+      'aria-label': text,
+      tooltip: text,
+    },
     icon(hidden ? 'eyeOff' : 'eye'),
   );
-  eye.title = `${hidden ? 'Show' : 'Hide'} ${label}`;
-  eye.setAttribute('aria-label', eye.title);
   eye.addEventListener('click', (event) => {
     event.stopPropagation();
     wb.store.apply(setHidden, { ids: [characterId], hidden: !hidden });

@@ -1,6 +1,7 @@
 /** The outliner's tree, a windowed list: what clicks and keys do to its rows, and what is the same in all of them. */
 import { element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-list.ts';
 import type { OutlineRow } from './outline-rows.ts';
 
@@ -116,7 +117,7 @@ export class Tree {
   private markRow(made: HTMLElement, { key }: OutlineRow): void {
     made.setAttribute('aria-selected', String(key === this.selectedKey));
     made.classList.toggle('meant', key === this.meantKey);
-    setAttribute(made, 'title', key === this.meantKey ? MEANT : undefined);
+    setTooltip(made, key === this.meantKey ? MEANT : undefined);
   }
 
   private fill(made: HTMLElement, index: number): void {

@@ -1,5 +1,6 @@
 /** One pose of the library: its picture, and its name, which is typed in place. */
 import { element, setAttribute, setText } from '../../kit/dom.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 
 /** CSS pixels. */
 const PICTURE = { width: 112, height: 112 };
@@ -26,8 +27,8 @@ export class PoseCard {
 
   show(name: string, isChosen: boolean): void {
     setText(this.name, name);
-    setAttribute(this.name, 'title', `${name}. Double-click to rename`);
-    setAttribute(this.element, 'title', `${name}. Click to apply, Alt+drag sideways to blend`);
+    setTooltip(this.name, `${name}. Double-click to rename`);
+    setTooltip(this.element, `${name}. Click to apply, Alt+drag sideways to blend`);
     setAttribute(this.element, 'aria-selected', String(isChosen));
     setAttribute(this.element, 'aria-label', name);
   }

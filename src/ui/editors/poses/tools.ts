@@ -3,7 +3,7 @@ import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts'
 import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
 import { findAction, isEnabled, tryAction } from '../../state/action.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /** How a click takes a pose on. */
@@ -31,7 +31,7 @@ export function poseTools(
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
     );
-    keepTooltip(wb, made, id, () => label);
+    setActionTooltip(wb, made, id, label);
     refreshing.push(() => {
       made.disabled = !(action && isEnabled(wb, action));
     });
@@ -49,7 +49,7 @@ export function poseTools(
   slider.addEventListener('dblclick', () => options.update((now) => ({ ...now, share: 1 })));
   const share = element(
     'label',
-    { class: 'pose-blend', title: 'Blend amount of an applied pose' },
+    { class: 'pose-blend', tooltip: 'Blend amount of an applied pose' },
     'Blend',
     slider,
     percent,
@@ -60,7 +60,7 @@ export function poseTools(
       {
         class: 'tool text-tool',
         'aria-pressed': 'false',
-        title: 'Apply only to the selected joint and its descendants',
+        tooltip: 'Apply only to the selected joint and its descendants',
       },
       'Hierarchy only',
       () => options.update((now) => ({ ...now, branch: !now.branch })),

@@ -6,7 +6,7 @@ import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/do
 import { icon } from '../../kit/icons.ts';
 import { currentCharacter, runAction } from '../../state/action.ts';
 import { POSING_MODES, type PosingMode } from '../../state/posing.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 const TEXT: Readonly<Record<PosingMode, string>> = { fk: 'FK', ik: 'IK', rig: 'Rig' };
@@ -35,7 +35,7 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
       button(TEXT[mode], { class: 'tool', role: 'radio' }, TEXT[mode], () => runAction(wb, `posing.${mode}`)),
     );
     // E goes from one to the other: it is told where it leads.
-    keepTooltip(wb, one, mode === 'rig' ? 'posing.rig' : 'posing.toggle', () => MODE_LABELS[mode]);
+    setActionTooltip(wb, one, mode === 'rig' ? 'posing.rig' : 'posing.toggle', MODE_LABELS[mode]);
     return { mode, one };
   });
   group.append(...made.map(({ one }) => one));
@@ -64,7 +64,7 @@ function limitsSwitch(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     button('Limits', { class: 'tool' }, icon('limits'), () => runAction(wb, 'pose.holdLimits')),
   );
   made.append(element('span', { class: 'limits-text' }, 'Limits'));
-  const title = keepTooltip(wb, made, 'pose.holdLimits', () => {
+  setActionTooltip(wb, made, 'pose.holdLimits', () => {
     const character = currentCharacter(wb);
     if (!character) return 'Enforce joint limits';
     return character.clampsToLimits
@@ -75,7 +75,6 @@ function limitsSwitch(wb: Uses<'store' | 'actions' | 'settings'>): HTMLElement {
     const character = currentCharacter(wb);
     made.disabled = !character?.skeleton;
     setAttribute(made, 'aria-pressed', String(character?.clampsToLimits ?? true));
-    title();
   };
   wb.store.subscribe((now, before) => {
     const { document, selection } = now;

@@ -17,6 +17,7 @@ import { button, element, setText } from '../../kit/dom.ts';
 import { atMostEvery } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { parseNumber, shown } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { stopsOnFrame } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { pairTable } from './pair-table.ts';
@@ -66,8 +67,8 @@ export function retargetDialog(
   const takeOff = element('button', { type: 'button', class: 'plain' }, 'Stop retargeting');
   const again = element('button', { type: 'button', class: 'plain' }, 'Rematch joints');
   const cancel = element('button', { type: 'button', class: 'plain' }, 'Cancel');
-  bake.title = 'Creates the character’s own take, with a pose for every frame';
-  apply.title = 'Live: follows the other character’s take as it is edited';
+  setTooltip(bake, 'Creates the character’s own take, with a pose for every frame');
+  setTooltip(apply, 'Live: follows the other character’s take as it is edited');
   const body = element(
     'form',
     { class: 'tool-form' },

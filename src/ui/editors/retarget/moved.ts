@@ -2,6 +2,7 @@
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { attempt } from '../../state/attempt.ts';
 import { onDemand } from '../../state/on-demand.ts';
@@ -9,7 +10,7 @@ import type { Uses } from '../../state/workbench.ts';
 
 export interface MovedChoice {
   readonly label: string;
-  readonly title: string;
+  readonly tooltip: string;
   run(): void;
 }
 
@@ -18,12 +19,12 @@ export function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characte
   return [
     {
       label: 'Bake',
-      title: 'Make it the character’s own take, which can be edited and saved',
+      tooltip: 'Make it the character’s own take, which can be edited and saved',
       run: () => void change(wb, ({ bakeRetarget }) => wb.store.apply(bakeRetarget, { characterId })),
     },
     {
       label: 'Change…',
-      title: 'Which joint follows which, and how',
+      tooltip: 'Which joint follows which, and how',
       run() {
         if (wb.store.selection.characterId !== characterId) wb.store.select({ characterId });
         wb.dialog.set('retarget');
@@ -31,7 +32,7 @@ export function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characte
     },
     {
       label: 'Stop',
-      title: 'Returns to its own take and pose',
+      tooltip: 'Returns to its own take and pose',
       run: () => void change(wb, ({ clearRetarget }) => wb.store.apply(clearRetarget, { characterId })),
     },
   ];
@@ -62,7 +63,7 @@ export function movedButtons(
 ): HTMLElement {
   const buttons = ['Bake', 'Change…', 'Stop'].map((label, i) => {
     const made = keepsFocusElsewhere(element('button', { type: 'button', class: 'plain' }, label));
-    made.title = movedChoices(wb, '')[i].title;
+    setTooltip(made, movedChoices(wb, '')[i].tooltip);
     made.addEventListener('click', () => {
       const id = characterId();
       if (id !== undefined) movedChoices(wb, id)[i].run();
@@ -89,7 +90,7 @@ export function movedNotice(wb: Uses<'store' | 'timeline' | 'messages' | 'dialog
     const take = by.source.clip.name || by.source.name;
     const how = isGone ? 'the source take was removed' : 'retargeted';
     setText(text, `${character.name} is retargeted from ${take} (${how}). Bake to edit it here.`);
-    text.title = text.textContent ?? '';
+    setTooltip(text, text.textContent ?? '');
   };
   wb.store.subscribe((now, before) => {
     if (now.document !== before.document || now.selection.characterId !== before.selection.characterId) show();

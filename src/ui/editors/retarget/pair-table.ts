@@ -8,6 +8,7 @@ import { jointName } from '../../../model/joint-name.ts';
 import type { JointPair } from '../../../model/retarget.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 import { element, setText, uniqueId } from '../../kit/dom.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 
 const AT_REST = 'keeps its pose';
 /** Matches below this are guesses. */
@@ -49,7 +50,7 @@ export function pairTable(changed: () => void): PairTable {
             {},
             element(
               'th',
-              { scope: 'row', title: name },
+              { scope: 'row', tooltip: name },
               element('span', { style: `padding-left: ${Math.min(depths[t], 12) * 6}px` }, name),
             ),
             element('td', {}, select),
@@ -64,7 +65,7 @@ export function pairTable(changed: () => void): PairTable {
             const reason = isFound ? match.reason : 'set by hand';
             const isGuess = isFound && match.confidence < UNSURE;
             setText(why, s === undefined ? AT_REST : isGuess ? `guess: ${reason}` : reason);
-            why.title = isFound ? `${reason}. ${sureness(match.confidence)}` : '';
+            setTooltip(why, isFound ? `${reason}. ${sureness(match.confidence)}` : '');
           };
           select.addEventListener('change', () => {
             if (select.value === '') chosen.delete(t);

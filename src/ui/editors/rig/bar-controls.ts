@@ -5,7 +5,7 @@ import type { Observable } from '../../kit/observable.ts';
 import { runAction } from '../../state/action.ts';
 import { RIG_SKINS, type RigSkin } from '../../state/posing.ts';
 import { RIG_CHILDREN, type RigChildren } from '../../state/rig-hand.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
@@ -26,7 +26,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
       runAction(wb, 'rigging.addJoints'),
     ),
   );
-  keepTooltip(wb, adding, 'rigging.addJoints', () => 'Add joints: each click adds a child to the selected joint');
+  setActionTooltip(wb, adding, 'rigging.addJoints', 'Add joints: each click adds a child to the selected joint');
   const text = element('span');
   const hint = element('p', { class: 'rig-hint', role: 'status' }, text);
   const show = () => {
@@ -94,7 +94,7 @@ function segments<T extends string>(
 ): { readonly element: HTMLElement; show(): void } {
   const buttons: HTMLButtonElement[] = choices.map((choice) => {
     const [text, tip] = texts[choice];
-    const made = button(`${name}: ${text}`, { class: 'tool', role: 'radio', title: tip }, text, () => {
+    const made = button(`${name}: ${text}`, { class: 'tool', role: 'radio', tooltip: tip }, text, () => {
       const other = choices.find((one, i) => one !== choice && buttons[i].offsetParent === null);
       value.set(other !== undefined && value.get() === choice ? other : choice);
     });
@@ -110,7 +110,7 @@ function segments<T extends string>(
   const whole = element(
     'div',
     { class: 'rig-group tools', role: 'radiogroup', 'aria-label': name },
-    element('span', { class: 'rig-name', 'aria-hidden': 'true', title: name }, wideOrNarrow(name, iconName)),
+    element('span', { class: 'rig-name', 'aria-hidden': 'true', tooltip: name }, wideOrNarrow(name, iconName)),
     ...buttons,
   );
   whole.addEventListener('keydown', (event) => {

@@ -7,6 +7,7 @@ import type { Couple, Dof, DofUnit, Skeleton } from '../../../model/skeleton.ts'
 import { button, element } from '../../kit/dom.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { shown } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { shownPerUnit, typedUnits, unitText, withoutNoise } from '../../state/angles.ts';
 import { attempt } from '../../state/attempt.ts';
 import { standStill } from '../../state/stand-still.ts';
@@ -69,7 +70,7 @@ export function coupleRow(
     const couple = now();
     if (!couple) return;
     whom.value = String(couple.joint);
-    whom.title = whom.selectedOptions[0]?.text ?? '';
+    setTooltip(whom, whom.selectedOptions[0]?.text ?? '');
     const names = namesOf(skeleton, joint, dof, couple.joint);
     which.replaceChildren(...names.map((name) => element('option', { value: name }, name)));
     which.value = couple.follows;

@@ -3,6 +3,7 @@ import type { GUI } from 'lil-gui';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { element, setText } from '../../kit/dom.ts';
 import { Slider } from '../../kit/slider.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { withoutNoise } from '../../state/angles.ts';
 import type { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -131,7 +132,7 @@ export function choiceRow<T extends string | number>(
     select.selectedIndex = options.findIndex(([value]) => value === now);
     const chosen = options[select.selectedIndex];
     const tip = chosen ? tipOf(chosen[0]) : '';
-    select.title = chosen ? `${chosen[1]}${tip && `: ${tip}`}` : '';
+    setTooltip(select, chosen ? `${chosen[1]}${tip && `: ${tip}`}` : '');
   };
   select.addEventListener('change', () => {
     const chosen = options[select.selectedIndex];
@@ -151,7 +152,7 @@ export function textRow(
   label: string,
   read: () => string,
   write: (text: string) => void,
-  title = '',
+  tooltip = '',
   noteOf: () => string = () => '',
 ): FolderRow & { readonly line: HTMLElement; readonly field: HTMLInputElement } {
   const field = element('input', {
@@ -159,7 +160,7 @@ export function textRow(
     spellcheck: 'false',
     autocomplete: 'off',
     'aria-label': label,
-    title: title || undefined,
+    tooltip,
   });
   const note = element('p', { class: 'rig-note', role: 'status', hidden: true });
   const update = () => {

@@ -2,6 +2,7 @@
 import type { Distances } from '../../../evaluate/distance.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { isMac } from '../../kit/keyboard.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import type { DistanceView } from '../../state/takes.ts';
 import { PALETTE } from './chart-picture.ts';
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';
@@ -32,8 +33,8 @@ export class DistanceList {
   constructor(private readonly events: ListEvents) {
     this.rows.setAttribute('aria-label', 'Joints by distance');
     this.rows.setAttribute('aria-multiselectable', 'true');
-    this.heads = HEADS.map(([order, label, title]) => {
-      const made = element('button', { type: 'button', tabindex: -1, title, 'data-order': order }, label);
+    this.heads = HEADS.map(([order, label, tooltip]) => {
+      const made = element('button', { type: 'button', tabindex: -1, tooltip, 'data-order': order }, label);
       made.addEventListener('mousedown', (event) => event.preventDefault());
       made.addEventListener('click', () => events.order(order));
       return made;
@@ -67,7 +68,7 @@ export class DistanceList {
       const [mark, name, mean, most] = option.children;
       const ordinal = picked.indexOf(pair);
       setText(name, names[pair] || 'unnamed');
-      setAttribute(name, 'title', names[pair]);
+      setTooltip(name, names[pair]);
       setText(mean, distanceNumber(distances.jointMean[pair], unit));
       setText(most, distanceNumber(distances.jointMost[pair], unit));
       setAttribute(option, 'aria-selected', String(ordinal >= 0));

@@ -4,10 +4,11 @@
  */
 import { ALIGNMENTS, type Alignment } from '../../../evaluate/distance.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
-import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
+import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { icon } from '../../kit/icons.ts';
 import { plural, shown } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { comparedIn } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { DistanceChart } from './chart.ts';
@@ -98,7 +99,7 @@ export class DistancePane {
     for (const [i, character] of [first, second].entries()) {
       const name = character.clips[character.shownClip]?.name ?? character.name;
       setText(this.names[i], name);
-      setAttribute(this.names[i], 'title', name);
+      setTooltip(this.names[i], name);
     }
     const missing = [
       ...namesOf(first.skeleton, match.onlyFirst, first.name),
@@ -106,7 +107,7 @@ export class DistancePane {
     ];
     const left = missing.length ? ` · ${plural(missing.length, 'joint')} without a counterpart` : '';
     setText(this.facts, (distances ? factsText(measured, this.unit) : '') + left);
-    setAttribute(this.facts, 'title', missing.length ? `Not compared: ${missing.join(', ')}` : undefined);
+    setTooltip(this.facts, missing.length ? `Not compared: ${missing.join(', ')}` : undefined);
     this.note.hidden = distances !== undefined;
     setText(this.note, 'These takes do not overlap in time. Align their starts or change a start time.');
   }
@@ -165,8 +166,7 @@ function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
     'aria-label': 'Space in which distances are measured',
   });
   for (const alignment of ALIGNMENTS) {
-    const [label, title] = ALIGNMENT_LABELS[alignment];
-    choice.append(element('option', { value: alignment, title }, label));
+    choice.append(element('option', { value: alignment }, ALIGNMENT_LABELS[alignment][0]));
   }
   choice.addEventListener('change', () => {
     const alignment = ALIGNMENTS.find((a) => a === choice.value);
@@ -176,7 +176,7 @@ function alignmentChoice(wb: Uses<'timeline'>): HTMLSelectElement {
   const show = () => {
     const { alignment } = distances.get();
     choice.value = alignment;
-    choice.title = ALIGNMENT_LABELS[alignment][1];
+    setTooltip(choice, ALIGNMENT_LABELS[alignment][1]);
   };
   distances.subscribe(show);
   show();

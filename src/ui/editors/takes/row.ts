@@ -3,6 +3,7 @@ import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { count, duration, shown } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import type { TakeRow } from './rows.ts';
 
 export interface RowEvents {
@@ -63,7 +64,7 @@ export class RowView {
     const play = keepsFocusElsewhere(
       button(
         'Play alone',
-        { class: 'tool small take-play', tabindex: -1, title: 'Play alone (Enter)' },
+        { class: 'tool small take-play', tabindex: -1, tooltip: 'Play alone (Enter)' },
         icon('play'),
         () => events.play(this.row),
       ),
@@ -100,13 +101,13 @@ export class RowView {
       eye.replaceChildren(icon(row.isShown ? 'eye' : 'eyeOff'));
       eye.classList.toggle('on', row.isShown);
       setAttribute(eye, 'aria-pressed', String(row.isShown));
-      eye.title = row.isShown ? 'Visible. Click to hide' : 'Hidden. Click to show';
+      setTooltip(eye, row.isShown ? 'Visible. Click to hide' : 'Hidden. Click to show');
     }
     setAttribute(eye, 'aria-label', `Show ${row.name}`);
     this.mark.className = `take-mark ${compared ?? ''}`;
     setText(this.name, row.name || 'unnamed');
     setText(this.note, row.note);
-    setAttribute(this.nameCell, 'title', row.note ? `${row.name}, ${row.note}` : row.name);
+    setTooltip(this.nameCell, row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);
     setText(this.duration, duration(row.durationSeconds));
     // Keys have no frames; how many the transport would count is said, and that it is the transport that counts.
@@ -114,11 +115,11 @@ export class RowView {
     const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
     setText(this.frames, count(frames));
     this.frames.classList.toggle('faint', isKeyed);
-    setAttribute(this.frames, 'title', isKeyed ? `Keys; ${count(frames)} frames at the playback rate` : undefined);
+    setTooltip(this.frames, isKeyed ? `Keys; ${count(frames)} frames at the playback rate` : undefined);
     setText(this.rate, isKeyed ? 'keys' : `${shown(row.framesPerSecond ?? 0, 2)}`);
     this.rate.classList.toggle('faint', isKeyed);
     setText(this.file, row.file);
-    setAttribute(this.file, 'title', row.file || undefined);
+    setTooltip(this.file, row.file || undefined);
     fields.start.show(row.startSeconds);
     fields.x.show(row.x);
     fields.z.show(row.z);

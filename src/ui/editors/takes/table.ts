@@ -32,7 +32,7 @@ export interface TableState {
   readonly framesPerSecond: number;
 }
 
-const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string, title: string])[] = [
+const COLUMNS: readonly (readonly [TakeColumn, label: string, className: string, tooltip: string])[] = [
   ['name', 'Take', '', 'Name of the take'],
   ['character', 'Character', 'take-character', 'If its name differs from the take'],
   ['duration', 'Length', 'number', 'Seconds from first to last played frame or key'],
@@ -108,7 +108,7 @@ export class TakeTable {
   private head(): HTMLElement {
     const head = element('div', { class: 'take-head', role: 'row', 'aria-rowindex': 1 });
     head.append(element('div', { role: 'columnheader', class: 'take-cell', 'aria-label': 'Shown' }));
-    for (const [column, label, className, title] of COLUMNS) {
+    for (const [column, label, className, tooltip] of COLUMNS) {
       const made = element(
         'button',
         {
@@ -116,7 +116,7 @@ export class TakeTable {
           role: 'columnheader',
           class: className,
           tabindex: -1,
-          title: `${title}. Click to sort`,
+          tooltip: `${tooltip}. Click to sort`,
         },
         element('span', {}, label),
       );

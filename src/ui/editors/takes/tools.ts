@@ -4,16 +4,17 @@ import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { actionLabel, findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
-import { keepTooltip } from '../../state/tooltips.ts';
+import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';
 import { countText } from './table.ts';
 
 /** Buttons with words, and what their tooltips say. */
-const BUTTONS: readonly (readonly [id: string, text: string, title: string])[] = [
+const BUTTONS: readonly (readonly [id: string, text: string, tooltip: string])[] = [
   ['take.alone', 'Alone', 'Play selected take alone (Enter)'],
   ['take.together', 'Together', 'Play only the selected takes, together'],
   ['take.compare', 'Compare', 'Overlay two selected takes and measure the distance between their joints'],
@@ -23,10 +24,10 @@ const ARRANGING = ['take.alignStarts', 'take.resetOffsets', 'line', 'take.put.gr
 
 export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>): HTMLElement {
   const refreshing: (() => void)[] = [];
-  const buttons = BUTTONS.map(([id, text, title]) => {
+  const buttons = BUTTONS.map(([id, text, tooltip]) => {
     const action = findAction(wb, id);
     const made = keepsFocusElsewhere(
-      button(title, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
+      button(tooltip, { class: 'tool text-tool' }, text, () => action && tryAction(wb, action)),
     );
     refreshing.push(() => {
       made.disabled = !(action && isEnabled(wb, action));
@@ -39,14 +40,14 @@ export function takeTools(wb: Uses<'store' | 'actions' | 'timeline' | 'settings'
   const arrange = keepsFocusElsewhere(
     element('button', { type: 'button', class: 'tool text-tool' }, 'Arrange', icon('fold')),
   );
-  arrange.title = 'When and where the selected takes play, or all visible ones';
+  setTooltip(arrange, 'When and where the selected takes play, or all visible ones');
   menuButton(arrange, 'Arrange', () => arrangeEntries(wb));
   const step = (id: string, label: string, name: 'previousTake' | 'nextTake') => {
     const action = findAction(wb, id);
     const made = keepsFocusElsewhere(
       button(label, { class: 'tool' }, icon(name), () => action && tryAction(wb, action)),
     );
-    keepTooltip(wb, made, id, () => label);
+    setActionTooltip(wb, made, id, label);
     return made;
   };
   const counted = element('span', { class: 'take-count', role: 'status' });

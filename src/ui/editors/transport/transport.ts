@@ -6,9 +6,10 @@ import { type IconName, icon } from '../../kit/icons.ts';
 import { type MenuEntry, menuButton } from '../../kit/menu.ts';
 import { NumberField } from '../../kit/number-field.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
+import { setTooltip } from '../../kit/tooltip.ts';
 import { actionsOf, findAction, runAction, tryAction } from '../../state/action.ts';
 import { itemOf } from '../../state/menu-entries.ts';
-import { keepTooltip, withKey } from '../../state/tooltips.ts';
+import { keyOf, setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { LOOP_LABELS, RATES, rateText } from './actions.ts';
 import { typeRange } from './range-edits.ts';
@@ -41,15 +42,13 @@ export function transport(
 function buttons(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   const make = (id: string, label: string, name: IconName, extra = '') => {
     const made = keepsFocusElsewhere(button(label, { class: `tool ${extra}` }, icon(name), () => tryRun(wb, id)));
-    keepTooltip(wb, made, id, () => made.getAttribute('aria-label') ?? label);
+    setActionTooltip(wb, made, id, () => made.getAttribute('aria-label') ?? label);
     return made;
   };
   const play = make('play.toggle', 'Play', 'play', 'play-button');
-  const playTitle = keepTooltip(wb, play, 'play.toggle', () => play.getAttribute('aria-label') ?? 'Play');
   const showPlaying = (playing: boolean) => {
     play.replaceChildren(icon(playing ? 'pause' : 'play'));
     setAttribute(play, 'aria-label', playing ? 'Pause' : 'Play');
-    playTitle();
     play.classList.toggle('is-playing', playing);
   };
   wb.transport.subscribe((now, before) => {
@@ -83,7 +82,7 @@ function loopModes(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement 
     ),
   }));
   // One key goes through all of them.
-  for (const { mode, button } of made) keepTooltip(wb, button, 'play.nextLoop', () => LOOP_LABELS[mode]);
+  for (const { mode, button } of made) setActionTooltip(wb, button, 'play.nextLoop', LOOP_LABELS[mode]);
   const show = () => {
     for (const { mode, button } of made) {
       const chosen = wb.transport.get().loop === mode;
@@ -110,11 +109,10 @@ function loopModes(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement 
 }
 
 function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
-  const made = element('button', { type: 'button', class: 'plain rate' });
+  const made = element('button', { type: 'button', class: 'plain rate', tooltip: 'Speed' });
   const show = () => {
     const text = rateText(wb.transport.get().rate);
     made.textContent = text;
-    made.title = 'Speed';
     made.setAttribute('aria-label', `Speed ${text}`);
   };
   menuButton(made, 'Speed', (): MenuEntry[] => {
@@ -131,18 +129,17 @@ function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
 /** The switch that records: red while it is on, and the page around the viewport with it. */
 function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   const key = keepsFocusElsewhere(button('Key pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
-  keepTooltip(wb, key, 'key.pose', () => 'Key pose');
+  setActionTooltip(wb, key, 'key.pose', 'Key pose');
   const auto = keepsFocusElsewhere(
     button('Auto-key', { class: 'tool auto-key' }, icon('record'), () => runAction(wb, 'key.auto')),
   );
   const isOn = () => wb.timeline.autoKey.get();
-  const title = keepTooltip(wb, auto, 'key.auto', () =>
+  setActionTooltip(wb, auto, 'key.auto', () =>
     isOn() ? 'Auto-key is on: changes are keyed automatically' : 'Auto-key: key changes automatically',
   );
   const show = () => {
     auto.setAttribute('aria-pressed', String(isOn()));
     document.documentElement.toggleAttribute('data-auto-key', isOn());
-    title();
   };
   wb.timeline.autoKey.subscribe(show);
   show();
@@ -232,21 +229,20 @@ function range(wb: Uses<'store' | 'actions' | 'transport' | 'settings' | 'messag
   };
   const begins = labelled('Range', first.element);
   // The fields' own tooltips give their numbers in full; the keys stand at the word.
-  const showKeys = () => {
+  setTooltip(begins, () => {
     const keys = [
       ['play.setIn', 'Start here'],
       ['play.setOut', 'End here'],
       ['play.wholeRange', 'Whole take'],
-    ].map(([id, text]) => withKey(wb, findAction(wb, id), text));
-    setAttribute(begins, 'title', `Playback range, saved with the take. ${keys.join(', ')}`);
-  };
-  wb.transport.subscribe(show);
-  wb.settings.subscribe(() => {
-    show();
-    showKeys();
+    ].map(([id, text]) => {
+      const key = keyOf(wb, id);
+      return key ? `${text} (${key})` : text;
+    });
+    return `Playback range, saved with the take. ${keys.join(', ')}`;
   });
+  wb.transport.subscribe(show);
+  wb.settings.subscribe(show);
   show();
-  showKeys();
   return [
     element('div', { class: 'fields range-fields' }, begins, element('span', { class: 'faint' }, '–'), last.element),
   ];

@@ -1,0 +1,45 @@
+/**
+ * Tooltips: what an element says when the pointer rests on it, the keyboard focuses it, or a finger holds it. Instead of
+ * the browser's `title`, which neither focus nor touch shows. `startTooltips` (tooltip-layer.ts) shows them.
+ */
+
+/** A text that depends on something is a function, called while it is shown; empty or undefined is none. */
+export type TooltipText = string | (() => string | undefined);
+
+export interface Tooltip {
+  readonly target: Element;
+  readonly text: string;
+  readonly shortcut: string | undefined;
+}
+
+interface Source {
+  readonly text: TooltipText;
+  readonly shortcut: (() => string | undefined) | undefined;
+}
+
+const sources = new WeakMap<Element, Source>();
+
+/**
+ * Replaces the tooltip of an element. It is no accessible name: an element without a label needs an `aria-label` too.
+ * @param shortcut the key that does the same, as text
+ */
+export function setTooltip(target: Element, text: TooltipText | undefined, shortcut?: () => string | undefined): void {
+  if (text === undefined || text === '') sources.delete(target);
+  else sources.set(target, { text, shortcut });
+}
+
+/** The tooltip of an element; undefined if it has none now. */
+export function tooltipOf(target: Element): Tooltip | undefined {
+  const source = sources.get(target);
+  const text = typeof source?.text === 'function' ? source.text() : source?.text;
+  return text ? { target, text, shortcut: source?.shortcut?.() } : undefined;
+}
+
+/** The tooltip of an element, or of the nearest one around it that has one. */
+export function tooltipAround(inner: Element | null): Tooltip | undefined {
+  for (let target = inner; target; target = target.parentElement) {
+    const tooltip = tooltipOf(target);
+    if (tooltip) return tooltip;
+  }
+  return undefined;
+}
