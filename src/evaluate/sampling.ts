@@ -1,21 +1,21 @@
 /**
- * Sampled motion at any time, a column by itself. Finding the frame is one division: the rows are at uniform times.
+ * Sampled motion at any time, column by column. Finding the frame is one division, since frames are evenly spaced.
  *
- *     frame f = (time − start) / frameSeconds        row ⌊f⌋, and the part of the way to the next one
+ *     frame f = (time − start) / frameSeconds        row ⌊f⌋, and the fraction of the way to the next
  *
- * Before the first frame and after the last one their values hold. A time that is no finite number gives the first
- * frame's, but +∞ the last one's.
+ * Before the first frame and after the last one their values hold. NaN and −∞ give the first frame's value, +∞ the last
+ * one's.
  *
- * These are the curves that the channel editor draws, and nothing here knows what they drive: between two samples an
- * angle goes straight from one number to the other, from 179° back to −179° too. What a character does there is for its
- * joints to say (`sampled-pose.ts`). At the frames, both are the file's values.
+ * These are the curves of the curve editor, independent of what they drive: between two samples an angle is
+ * interpolated numerically, even from 179° to −179°. What a character does in between depends on its joints
+ * (`sampled-pose.ts`). At frames, both equal the file's values.
  */
 import type { Samples } from '../model/samples.ts';
 
-/** Nearer to a frame than this part of one is that frame: 10 · 0.0333333 is meant to be frame 10. */
+/** Fraction of a frame below which a time counts as that frame: 10 · 0.0333333 is meant to be frame 10. */
 const SAME_FRAME = 1e-6;
 
-/** Which frame a time is, from 0 to the last one, with the part of the way to the next one. */
+/** The frame at a time, from 0 to the last, with the fraction of the way to the next. */
 export function frameAt({ frameCount, frameSeconds, startSeconds }: Samples, timeSeconds: number): number {
   const frame = (timeSeconds - startSeconds) / frameSeconds;
   if (!(frame > 0)) return 0;
@@ -24,7 +24,7 @@ export function frameAt({ frameCount, frameSeconds, startSeconds }: Samples, tim
   return Math.abs(frame - nearest) < SAME_FRAME ? nearest : frame;
 }
 
-/** One column at a time, by itself: angles between frames are those of the curve, not of the joint's rotation. */
+/** The value of a single column: angles between frames follow the curve, not the joint's rotation. */
 export function sampleColumn(samples: Samples, column: number, timeSeconds: number): number {
   const { values, scales, frameCount, interpolation } = samples;
   const frame = frameAt(samples, timeSeconds);
@@ -43,7 +43,7 @@ export function sampleColumn(samples: Samples, column: number, timeSeconds: numb
   return catmullRom(before, here, next, after, part) * scale;
 }
 
-/** How fast a column changes at a time, a second; on one side of it where there is a corner. */
+/** Slope of a column at a time, per second; `side` selects one side of a corner. */
 export function columnSlope(samples: Samples, column: number, timeSeconds: number, side: 'in' | 'out'): number {
   const { values, scales, frameCount, frameSeconds, startSeconds, interpolation } = samples;
   const frame = frameAt(samples, timeSeconds);
@@ -62,7 +62,10 @@ export function columnSlope(samples: Samples, column: number, timeSeconds: numbe
   return catmullRomSlope(before, here, next, after, frame - row) * perSecond;
 }
 
-/** Writes to `out[c]` what channel c follows in a row, of the first `count` channels; those of column -1 stay. */
+/**
+ * Writes to `out[c]` the value that channel c follows in a row, for the first `count` channels; those with column -1
+ * are left alone.
+ */
 export function sampleRow(
   { values, scales }: Samples,
   columns: Int32Array,
@@ -78,8 +81,8 @@ export function sampleRow(
 }
 
 /**
- * Catmull and Rom's cubic (1974) from `here` (t = 0) to `next` (t = 1): its slope at a frame is that from the frame
- * before to the one after, so that it has no corners. At the ends of the samples the way goes on as it came.
+ * Catmull and Rom's cubic (1974) from `here` (t = 0) to `next` (t = 1): its slope at a frame is that from the previous
+ * to the next frame, so that it has no corners. At the ends of the samples the slope is extrapolated.
  */
 export function catmullRom(before: number, here: number, next: number, after: number, t: number): number {
   const m0 = (next - before) / 2;
@@ -89,7 +92,7 @@ export function catmullRom(before: number, here: number, next: number, after: nu
   return ((c3 * t + c2) * t + m0) * t + here;
 }
 
-/** Its derivative by t. */
+/** Its derivative with respect to t. */
 function catmullRomSlope(before: number, here: number, next: number, after: number, t: number): number {
   const m0 = (next - before) / 2;
   const m1 = (after - here) / 2;

@@ -1,10 +1,10 @@
 /**
  * From a character's own space to the scene's: metres, y up, feet on the ground y = 0.
  *
- *     M = T(0, lift, 0) · S(metres per unit) · Up            Up: y stays; z up → y up is (x, y, z) → (x, z, −y)
+ *     M = T(0, lift, 0) · S(metres per unit) · Up            Up: identity for y; for z (x, y, z) → (x, z, −y)
  *
- * Files of motion capture say neither their unit nor their up axis, nor where the ground is: `guessSpace` looks at how
- * the figure stands and how tall it is.
+ * Motion capture files state neither unit, up axis nor ground level: `guessSpace` estimates them from the figure's
+ * posture and height.
  */
 import type { Vec3 } from '../math/vec3.ts';
 import type { ChannelClip } from '../model/clip.ts';
@@ -15,12 +15,12 @@ import { forFrames } from './figure-frames.ts';
 import { compileSkeleton, worldMatrices } from './kinematics.ts';
 import { METRES, metresPerUnit } from './metres.ts';
 
-/** The axis that points up in the character's own space: 1 for y, 2 for z. */
+/** The up axis in the character's own space: 1 for y, 2 for z. */
 export function upAxis(space: Space = DEFAULT_SPACE): 1 | 2 {
   return space.up === 'z' ? 2 : 1;
 }
 
-/** Writes where a point of the character's own space is in metres with y up, before any placement. */
+/** Writes a point of the character's own space in metres with y up, before any placement. */
 export function applySpace(space: Space | undefined, x: number, y: number, z: number, out: Float64Array): void {
   const { up, lift } = space ?? DEFAULT_SPACE;
   const m = space ? metresPerUnit(space) : 1;
@@ -29,29 +29,29 @@ export function applySpace(space: Space | undefined, x: number, y: number, z: nu
   out[2] = m * (up === 'z' ? -y : z);
 }
 
-/** What a person is taken to measure, metres; the units that come nearest to it are how tall figures are guessed. */
+/** Assumed height of a person, metres; figures get the unit that brings them closest. */
 const PERSON = 1.7;
 /** A figure that no unit brings within this factor of a person's height is scaled to that height. */
 const MAX_DEVIATION = 2;
-/** In which to find the unit; ordered by how common they are, for ties. */
+/** Candidate units, most common first, for ties. */
 const GUESSED_UNITS = ['centimetres', 'metres', 'inches', 'millimetres', 'cmu', 'decimetres'] as const;
-/** Frames that are looked at, evenly over the clip. */
+/** Frames examined, evenly over the clip. */
 const MAX_FRAMES = 64;
-/** Of the frames' heights: who stands in any of ten frames is measured standing. */
+/** Percentile of the frames' heights: a figure that stands in one of ten frames is measured standing. */
 const STANDING = 0.9;
-/** Of the frames' lowest points: noise and a toe through the floor are below, jumps above. */
+/** Percentile of the frames' lowest points: noise and toes through the floor are below, jumps above. */
 const ON_GROUND = 0.15;
-/** A ground that is off by less than this part of the height is believed. */
+/** A ground level off by less than this fraction of the height is kept. */
 const BELIEVED = 0.006;
 
 /**
- * Up axis, unit and lift of a figure that does not say.
+ * Guesses up axis, unit and lift of a figure.
  *
- * - Up, by names where there are some: from the feet (or else the hips) to the head, over all frames looked at. Without
- *   names: the axis along which the figure extends more, frame by frame. The rest pose is no witness where there is a
- *   clip: in real files (LAFAN1) its bones lie along x.
- * - Unit: the one in which the figure is nearest to 1.7 m, as a ratio. Where none comes within a factor of 2 the figure
- *   is made 1.7 m tall (`own`): what it is, nobody can tell, but it can be seen beside others.
+ * - Up, by names if possible: from the feet (or else the hips) to the head, over all examined frames. Without names:
+ *   the axis along which the figure extends most, frame by frame. The rest pose is not used if there is a clip: in real
+ *   files (LAFAN1) its bones lie along x.
+ * - Unit: the one that brings the figure closest to 1.7 m, as a ratio. If none is within a factor of 2, the figure is
+ *   made 1.7 m tall (`own`): its true size is unknown, but it can be seen beside others.
  * - Lift: puts the lowest joint or End Site on the ground, at the 15th percentile of the frames.
  */
 export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): Space {
@@ -68,7 +68,7 @@ export function guessSpace(skeleton: Skeleton, clip: ChannelClip | undefined): S
   return { up, ...sized, lift: lift || 0 };
 }
 
-/** Of figures that are in one file together, and so in one space: that of the tallest. */
+/** For figures in one file, which share a space: that of the tallest. */
 export function guessSharedSpace(figures: readonly CapturedFigure[]): Space {
   const heights = figures.map(({ skeleton, clip }) => {
     const frames = framesOf(skeleton, clip);
@@ -78,13 +78,13 @@ export function guessSharedSpace(figures: readonly CapturedFigure[]): Space {
   return tallest ? guessSpace(tallest.skeleton, tallest.clip) : DEFAULT_SPACE;
 }
 
-/** The unit in which a figure is as tall as a person, whatever it is. */
+/** Metres per unit that make a figure as tall as a person. */
 export function metresForPerson(skeleton: Skeleton, clip: ChannelClip | undefined, up: Space['up']): number {
   const height = heightOf(framesOf(skeleton, clip), clip !== undefined, up === 'z' ? 2 : 1);
   return height > 0 && Number.isFinite(height) ? Number((PERSON / height).toPrecision(3)) : 1;
 }
 
-/** The lift that puts a figure on the ground in a space whose up axis and unit are known. */
+/** The lift that puts a figure on the ground in a space with known up axis and unit. */
 export function liftOntoGround(skeleton: Skeleton, clip: ChannelClip | undefined, space: Space): number {
   const axis = upAxis(space);
   const lows = framesOf(skeleton, clip).map(({ min }) => min[axis]);
@@ -98,7 +98,7 @@ function heightOf(frames: readonly FrameShape[], moving: boolean, axis: 1 | 2): 
     const heights = frames.map((frame) => extent(frame, axis));
     return percentile(heights, STANDING);
   }
-  // A lone rest pose may lie on its side.
+  // A rest pose without a clip may lie on its side.
   return Math.max(...[0, 1, 2].map((k) => extent(frames[0], k)));
 }
 
@@ -115,7 +115,7 @@ function unitFor(height: number): Pick<Space, 'unit' | 'metres'> {
   return { unit: 'own', metres: Number((PERSON / height).toPrecision(3)) };
 }
 
-/** One frame's figure, in the character's own space: the box around it, and from its feet to its head. */
+/** A figure in one frame, in the character's own space: its bounding box, and the vector from feet to head. */
 interface FrameShape {
   readonly min: readonly number[];
   readonly max: readonly number[];
@@ -179,13 +179,13 @@ function upOf(skeleton: Skeleton, frames: readonly FrameShape[]): 'y' | 'z' {
       y += max[1] - min[1];
       z += max[2] - min[2];
     }
-    // Most files are y up: a figure as deep as it is tall is.
+    // Most files are y up, so z must be clearly larger.
     return z > 1.2 * y ? 'z' : 'y';
   }
   return Math.abs(z) > Math.abs(y) ? 'z' : 'y';
 }
 
-/** Of finite numbers; NaN of none. */
+/** Of the finite numbers; NaN if there are none. */
 function percentile(values: readonly number[], part: number): number {
   const sorted = values.filter(Number.isFinite).sort((a, b) => a - b);
   return sorted[Math.round(part * (sorted.length - 1))] ?? Number.NaN;

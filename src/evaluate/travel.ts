@@ -1,10 +1,10 @@
 /**
- * What carries a character over the ground: what "in place" takes out of the picture.
+ * What moves a character over the ground, for display "in place".
  *
- * Usually it is the root. But in some captures (Bandai Namco's) the root stands still as the origin of the studio, and
- * the hips below it do the walking. So the carrier is the first joint, from the root down to where the skeleton branches,
- * whose translation changes over the clip, by a 20th at least of the most that any of these joints' does: noise on a root
- * that stands is no travel.
+ * Usually it is the root. But in some captures (Bandai Namco's) the root stays at the studio's origin, and the hips
+ * below it move. So the carrier is the first joint, from the root down to where the skeleton branches, whose
+ * translation changes over the clip by at least a 20th of the largest change among these joints: noise on a static root
+ * doesn't count.
  */
 import type { ChannelClip } from '../model/clip.ts';
 import { type Character, type Space, shownClip } from '../model/document.ts';
@@ -16,23 +16,23 @@ import type { Skeleton } from '../model/skeleton.ts';
 import type { CompiledSkeleton } from './kinematics.ts';
 import { upAxis } from './space.ts';
 
-/** Less of the most that a joint of the chain translates is noise. */
+/** Smaller fractions of the largest translation in the chain are noise. */
 const NOISE = 0.05;
 
 const carrierIn = perPair(findCarrier);
 
-/** Index of the joint that carries the character over the clip that it shows; found once for each clip and skeleton. */
+/** Index of the joint that moves the character in its shown clip; cached per clip and skeleton. */
 export function carrierOf(character: Character): number {
   const { skeleton, driver } = character;
   const clip = shownClip(character);
-  // Another's take is put onto the root.
+  // A retargeted take moves the root.
   if (!skeleton || !clip || driver) return 0;
   return carrierIn(skeleton, clip);
 }
 
 /**
- * Writes how far the character is carried over the ground, x y z in its own space; 0 along its up axis.
- * @param carrier as `carrierOf` gives it; its place counts, and of the root what its DOFs add to its offset
+ * Writes how far the character has moved over the ground, x y z in its own space; 0 along its up axis.
+ * @param carrier from `carrierOf`; its position, or for the root what its DOFs add to its offset
  * @param world its joints' matrices, 16 each
  */
 export function groundTravel(
@@ -65,7 +65,9 @@ function findCarrier(skeleton: Skeleton, clip: ChannelClip): number {
   return most > 0 ? chain[moved.findIndex((m) => m >= NOISE * most)] : 0;
 }
 
-/** From the root down to the first joint that has several below it, or none. In pre-order an only child is the next. */
+/**
+ * From the root down to the first joint with several children or none. In pre-order an only child is the next joint.
+ */
 function chainOf({ joints }: Skeleton): number[] {
   const below = new Uint32Array(joints.length);
   for (const { parent } of joints) if (parent >= 0) below[parent]++;
@@ -74,7 +76,7 @@ function chainOf({ joints }: Skeleton): number[] {
   return chain;
 }
 
-/** From the least to the greatest value of a channel's keys or frames. */
+/** Range of the values of a channel's keys or samples. */
 function rangeOf({ channels, samples }: ChannelClip, index: number): number {
   let least = Infinity;
   let greatest = -Infinity;

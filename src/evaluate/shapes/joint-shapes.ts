@@ -1,34 +1,33 @@
 /**
- * The shapes drawn for joints, as matrices of instances: what turns a unit shape into the box, sphere or bone of one
- * joint. All take and give column-major matrices, read doubles and write floats, and allocate nothing. (`Math.hypot`
- * does: numbers that it is given and gives are boxed, which was most of the garbage of a frame. It is for what is done
- * once.)
+ * Instance matrices of the shapes drawn for joints: from a unit shape to the box, sphere or bone of a joint. All are
+ * column-major, read doubles and write floats, and allocate nothing. (`Math.hypot` boxes its arguments and results,
+ * which was most of a frame's garbage; it is only used outside of frames.)
  *
  *     box      unit cube −½…½          J · T((min + max) / 2) · S(|max − min|)
  *     sphere   radius 1 at the origin  T(joint) · S(radius)
- *     bone     from y = 0, radius 1, to y = 1, tapering: turned from +y onto the way from parent to joint
- *     axes     unit segments           the joint's own directions without their lengths, · S(length)
+ *     bone     from y = 0, radius 1, to y = 1, tapering: rotated from +y to the direction from parent to joint
+ *     axes     unit segments           the joint's directions, normalised, · S(length)
  *
- * Only a box takes the joint's matrix as it is, shear, mirroring and all: the others show where joints are.
+ * Only boxes use the joint's whole matrix, including shear and mirroring; the others show where joints are.
  */
 import { boneEnds } from '../../model/bone-ends.ts';
 import type { Box, Joint, Skeleton } from '../../model/skeleton.ts';
 
-/** Sizes that suit a skeleton, from its rest offsets: as small as a finger's bone wants, and never a speck. */
+/** Sizes that suit a skeleton, from its rest offsets: small enough for finger bones, but always visible. */
 export interface JointSizes {
   /** Radius of each joint's sphere, in the skeleton's units. */
   readonly radii: Float32Array;
-  /** Of the ball at each end of a bone that no joint continues, in the order of `boneEnds`. */
+  /** Radius of the ball at each end of a bone that no joint continues, in the order of `boneEnds`. */
   readonly endRadii: Float32Array;
   /** Length of drawn axes. */
   readonly axis: number;
-  /** Rough size of the whole skeleton: twice the distance of its furthest joint from the middle. */
+  /** Rough size of the whole skeleton: twice the distance of its farthest joint from the centre. */
   readonly extent: number;
 }
 
-/** A ball's radius is at most so much of a bone that it is at an end of. */
+/** Maximum radius of a ball as a fraction of the bones that it ends. */
 const SHARE_OF_BONE = 0.22;
-/** And at most so many times that at the bone's other end. */
+/** Maximum ratio to the radius at the bone's other end. */
 const MAX_BESIDE = 1.4;
 
 export function jointSizes(skeleton: Skeleton): JointSizes {
@@ -38,12 +37,11 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   const sorted = [...lengths, ...ends.map((e) => e.length)].filter((l) => l > 0).sort((a, b) => a - b);
   const median = sorted[sorted.length >> 1] ?? 0;
   const extent = restExtent(skeleton) || largestBox(joints) || 1;
-  // By the long bones: most of a figure's joints may be those of its fingers, which are made smaller below.
+  // Based on the long bones: most joints may be those of fingers, which are reduced below.
   const long = sorted[Math.floor(0.93 * sorted.length)] ?? 0;
   const usual = median > 0 ? Math.min(0.09 * long, 0.014 * extent) : 0.03 * extent;
   const radii = new Float32Array(joints.length).fill(Math.max(usual, 0.003 * extent));
-  // A short bone (a finger's, the End Site of a toe) has small balls at both ends; a limb stays a limb where it ends in
-  // fingers.
+  // A short bone (of a finger, or a toe's End Site) has small balls at both ends; a limb that ends in fingers does not.
   const meets = (j: number, length: number) => {
     radii[j] = Math.min(radii[j], Math.max(SHARE_OF_BONE * length, 0.5 * usual));
   };
@@ -57,7 +55,7 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   joints.forEach(({ parent }, j) => {
     if (parent >= 0 && !goesOn.has(j)) radii[j] *= 0.7;
   });
-  // And no bone looks like a club: thin at the shoulder and with the largest ball of all at its elbow.
+  // Keeps bones from looking like clubs, thin at the shoulder and with the largest ball at the elbow.
   const evenOut = (j: number, beside: number) => {
     radii[j] = Math.min(radii[j], Math.max(MAX_BESIDE * radii[beside], 0.5 * usual));
   };
@@ -67,7 +65,7 @@ export function jointSizes(skeleton: Skeleton): JointSizes {
   return { radii, endRadii, axis: Math.min(0.35 * (median || 0.3 * extent), 0.08 * extent), extent };
 }
 
-/** Diagonal of the box around all joints and ends of bones in the pose of offsets alone. */
+/** Diagonal of the box around all joints and bone ends in the pose given by offsets alone. */
 function restExtent(skeleton: Skeleton): number {
   const { joints } = skeleton;
   const at = new Float64Array(3 * joints.length);
@@ -96,8 +94,8 @@ function largestBox(joints: readonly Joint[]): number {
 }
 
 /**
- * min > max is drawn like its opposite, for a cube is the same either way. A side of length 0 gets `least`, so that a
- * flat box's faces still have a normal.
+ * A box with min > max is drawn like its opposite, since a cube is symmetric. A side of length 0 gets `least`, so that
+ * a flat box's faces still have normals.
  */
 export function boxMatrix(j: Float64Array, o: number, box: Box, least: number, out: Float32Array, to: number): void {
   const { min, max } = box;
@@ -118,8 +116,8 @@ export function boxMatrix(j: Float64Array, o: number, box: Box, least: number, o
 }
 
 /**
- * A ball of this radius at (x, y, z); radius 0 draws nothing. Of `out` the elements off the diagonal are left alone: there
- * must have been nothing but 0 or balls in it.
+ * A ball of this radius at (x, y, z); radius 0 draws nothing. Off-diagonal elements of `out` are not written: they must
+ * be 0 already.
  */
 export function sphereMatrix(x: number, y: number, z: number, radius: number, out: Float32Array, to: number): void {
   out[to] = out[to + 5] = out[to + 10] = radius;
@@ -129,7 +127,7 @@ export function sphereMatrix(x: number, y: number, z: number, radius: number, ou
   out[to + 15] = 1;
 }
 
-/** From joint `p` to joint `j` (offsets of their matrices), `radius` at the thick end; nothing between equal places. */
+/** From joint `p` to joint `j` (offsets of their matrices), `radius` at the thick end; empty if they coincide. */
 export function boneMatrix(
   world: Float64Array,
   p: number,
@@ -155,7 +153,7 @@ export function boneMatrix(
   const dx = x * perLength;
   const dy = y * perLength;
   const dz = z * perLength;
-  // Duff et al., "Building an Orthonormal Basis, Revisited" (2017), about (dx, dz, dy): no special case but the sign.
+  // Duff et al., "Building an Orthonormal Basis, Revisited" (2017), with (dx, dz, dy): no special case except the sign.
   const sign = dy >= 0 ? 1 : -1;
   const a = -1 / (sign + dy);
   const b = dx * dz * a;
@@ -170,7 +168,7 @@ export function boneMatrix(
   out[to + 10] = (sign + dz * dz * a) * radius;
 }
 
-/** The joint's axes, all of one length; an axis that its matrix flattens away has none. */
+/** The joint's axes, all of the same length; an axis that its matrix flattens has length 0. */
 export function axesMatrix(j: Float64Array, o: number, length: number, out: Float32Array, to: number): void {
   for (let c = 0; c < 12; c += 4) {
     const size = Math.sqrt(j[o + c] ** 2 + j[o + c + 1] ** 2 + j[o + c + 2] ** 2);

@@ -1,4 +1,4 @@
-/** From where a small picture of a pose is taken: from the front and a little from the left and above. */
+/** The camera for thumbnails of poses: from the front, slightly from the left and above. */
 import { isBvh } from '../../model/document.ts';
 import { filePose } from '../../model/dofs.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
@@ -8,13 +8,13 @@ import { type Solid, worldOf } from './solids.ts';
 
 const YAW = (-35 * Math.PI) / 180;
 const PITCH = (14 * Math.PI) / 180;
-/** Of the picture's sides, left free. */
+/** Fraction of the picture's sides that is left free. */
 const MARGIN = 0.07;
-/** Where light comes from, as the eye sees it: from the upper left, and behind it. */
+/** Direction of the light in view space: from the upper left, behind the camera. */
 const LIGHT = [-0.42, 0.62, 0.66];
 const MIN_LIGHT = 0.12;
 
-/** A solid as it is seen in a picture of that size, as large as fits. */
+/** A solid as seen in a picture of this size, as large as fits. */
 export function look(
   solid: Solid,
   up: 'y' | 'z',
@@ -42,7 +42,7 @@ export function look(
       lit += n * LIGHT[r];
       if (r === 2) facing = n;
     }
-    // Files have normals that point inward: whatever is seen is seen from its outside.
+    // Some files have normals that point inward: visible faces are always lit from outside.
     const length = Math.hypot(nx, ny, nz) || 1;
     const part = (facing < 0 ? -lit : lit) / length;
     light[v] = MIN_LIGHT + (1 - MIN_LIGHT) * Math.min(1, Math.max(0, 0.5 + 0.5 * part) ** 1.3);
@@ -60,16 +60,16 @@ export function look(
   return { points: seen, light, triangles };
 }
 
-/** The character's axes as the eye sees them, nine numbers: x to the right, y up, z towards it. */
+/** View matrix of the character's axes, nine numbers: x to the right, y up, z towards the viewer. */
 function viewMatrix(up: 'y' | 'z', [fx, fz]: readonly [number, number]): Float64Array {
-  // The front towards the eye, then turned by the yaw.
+  // Front towards the viewer, then turned by the yaw.
   const yaw = YAW - Math.atan2(fx, fz);
   const [cy, sy] = [Math.cos(yaw), Math.sin(yaw)];
   const [cp, sp] = [Math.cos(PITCH), Math.sin(PITCH)];
   const out = new Float64Array(9);
   for (let c = 0; c < 3; c++) {
     const own = [c === 0 ? 1 : 0, c === 1 ? 1 : 0, c === 2 ? 1 : 0];
-    // (x, y, z) → (x, z, −y) where z is up.
+    // (x, y, z) → (x, z, −y) if z is up.
     const [x, y, z] = up === 'y' ? own : [own[0], own[2], -own[1]];
     const turnedX = cy * x + sy * z;
     const turnedZ = cy * z - sy * x;
@@ -81,9 +81,9 @@ function viewMatrix(up: 'y' | 'z', [fx, fz]: readonly [number, number]): Float64
 }
 
 /**
- * Which way a character looks, as x and z with y up: at right angles to what lies between joints that are called left and
- * right; along z where no names say it. Motion capture looks anywhere, so there it is the pose that counts; elsewhere a
- * pose that turns the whole figure is seen as turned.
+ * Facing direction of a character as x and z with y up: perpendicular to the line between joints named left and right;
+ * z if names don't tell. Motion capture may face anywhere, so there the pose decides; elsewhere a pose that turns the
+ * whole figure is shown as turned.
  */
 export function frontOf(
   skeleton: Skeleton | undefined,

@@ -1,6 +1,6 @@
 /**
- * Triangles onto a small picture, with a depth buffer: half-space tests over each triangle's box (Pineda, "A Parallel
- * Algorithm for Polygon Rasterization", 1988), light interpolated from its corners.
+ * Rasterises triangles to a small picture with a depth buffer: half-space tests over each triangle's box (Pineda, "A
+ * Parallel Algorithm for Polygon Rasterization", 1988), with light interpolated between vertices.
  */
 
 export interface Rgb {
@@ -10,17 +10,17 @@ export interface Rgb {
 }
 
 export interface Shaded {
-  /** x to the right, y down, in pixels; z towards the eye, in any unit. Three a vertex. */
+  /** x to the right, y down, in pixels; z towards the viewer, in any unit. Three per vertex. */
   readonly points: Float64Array;
-  /** How light each vertex is, from 0 to 1. */
+  /** Brightness of each vertex, from 0 to 1. */
   readonly light: Float64Array;
   /** Three vertices each. */
   readonly triangles: ArrayLike<number>;
 }
 
 /**
- * @param dark the colour of what is not lit, and `bright` of what is
- * @returns RGBA, straight alpha: 0 where nothing is
+ * @param dark colour of unlit parts, `bright` of lit ones
+ * @returns RGBA, straight alpha: 0 in the background
  */
 export function rasterise(
   { points, light, triangles }: Shaded,
@@ -42,7 +42,7 @@ export function rasterise(
     const cx = points[3 * c];
     const cy = points[3 * c + 1];
     const area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-    // Edge-on, or not a number.
+    // Edge-on, or NaN.
     if (!(Math.abs(area) > 1e-9)) continue;
     const left = Math.max(0, Math.floor(Math.min(ax, bx, cx)));
     const right = Math.min(width - 1, Math.ceil(Math.max(ax, bx, cx)));

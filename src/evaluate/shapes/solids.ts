@@ -1,6 +1,6 @@
 /**
- * A posed character as triangles with normals, in its own space with y up: the skin that is shown, or boxes and bones
- * where there is none. For small pictures: everything is plain arrays, and no GPU is needed.
+ * A posed character as triangles with normals, in its own space with y up: the shown skin, or boxes and bones without
+ * one. For thumbnails: only plain arrays, no GPU.
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { boneEnds } from '../../model/bone-ends.ts';
@@ -12,7 +12,7 @@ import { blendMorphs, compileSkin, deform } from '../deform.ts';
 import { applyConstraints, compileSkeleton, worldMatrices } from '../kinematics.ts';
 
 export interface Solid {
-  /** x y z a vertex. */
+  /** x y z per vertex. */
   readonly points: Float64Array;
   /** Of any length. */
   readonly normals: Float64Array;
@@ -20,14 +20,14 @@ export interface Solid {
   readonly triangles: ArrayLike<number>;
 }
 
-/** A skin with more vertices than that is not deformed for a picture of that size: its bones stand for it. */
+/** Skins with more vertices are not deformed for a thumbnail; their bones are drawn instead. */
 const MAX_VERTICES = 150_000;
 
 export type Posed = Pick<Character, 'skeleton' | 'skins' | 'shownSkin' | 'morphs' | 'clampsToLimits'>;
 
 /**
- * @param values one for each of the character's DOFs; absent ones are 0
- * @returns undefined where there is nothing to see
+ * @param values one per DOF of the character; missing ones are 0
+ * @returns undefined if there is nothing to draw
  */
 export function solidOf(character: Posed, values: ArrayLike<number>): Solid | undefined {
   const { skeleton } = character;
@@ -48,7 +48,7 @@ export function solidOf(character: Posed, values: ArrayLike<number>): Solid | un
   return skeleton && world ? bonesOf(skeleton, world) : undefined;
 }
 
-/** 16 numbers a joint. */
+/** 16 numbers per joint. */
 export function worldOf(skeleton: Skeleton, values: ArrayLike<number>, clamps: boolean): Float64Array {
   const compiled = compileSkeleton(skeleton);
   const dofs = new Float64Array(Math.max(values.length, compiled.firstDof[compiled.jointCount]));
@@ -59,7 +59,7 @@ export function worldOf(skeleton: Skeleton, values: ArrayLike<number>, clamps: b
   return world;
 }
 
-/** As part of a bone's length, and of the whole figure. */
+/** Fractions of a bone's length, and of the whole figure. */
 const BONE_WIDTH = 0.09;
 const WIDEST = 0.032;
 const NARROWEST = 0.008;
@@ -88,7 +88,7 @@ function bonesOf({ joints, ...skeleton }: Skeleton, world: Float64Array): Solid 
   return made.solid();
 }
 
-/** Each face has corners of its own, so that it is one colour. */
+/** Faces don't share vertices, so that each has a uniform colour. */
 class Solids {
   private readonly points: number[] = [];
   private readonly normals: number[] = [];
@@ -102,14 +102,14 @@ class Solids {
     };
   }
 
-  /** Four-sided, thickest near its beginning. */
+  /** Four-sided, thickest near its start. */
   bone(from: readonly number[], to: readonly number[], size: number): void {
     const along = to.map((v, k) => v - from[k]);
     const length = Math.hypot(...along);
     if (!(length > 0)) return;
     const axis = along.map((v) => v / length);
     const width = Math.max(NARROWEST * size, Math.min(WIDEST * size, BONE_WIDTH * length));
-    // Across it, whichever way it points.
+    // Any direction perpendicular to it.
     const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
     const side = cross(
       axis,
@@ -135,12 +135,12 @@ class Solids {
     }
   }
 
-  /** Corners numbered by bits: x, y, z. */
+  /** Corners indexed by bits: x, y, z. */
   box(corners: readonly (readonly number[])[]): void {
     for (const [a, b, c, d] of BOX_FACES) this.face([corners[a], corners[b], corners[c], corners[d]]);
   }
 
-  /** Of three or four corners; seen from both sides alike. */
+  /** Of three or four corners; double-sided. */
   private face(corners: readonly (readonly number[])[]): void {
     const [a, b, c] = corners;
     const normal = cross(

@@ -1,8 +1,8 @@
 /**
- * What gives off heat when weights are found: the bones of a skeleton, as segments, each one of the joint that it turns
- * with. From a joint's pivot to that of each child, to its tip and its End Sites, and through its box where none of these
- * goes that way: a hand ends with no joint, and of a head the joints are the ears. Last joints with nothing of all this
- * are points here; how far they reach the mesh tells (`last-bones.ts`).
+ * The heat sources for computing weights: a skeleton's bones as segments, each assigned to the joint that it rotates
+ * with. From a joint's pivot to each child, to its tip and its End Sites, and through its box if none of these runs
+ * that way: a hand may end without a joint, and a head's only joints may be its ears. Leaf joints with none of these
+ * are points here; the mesh determines their length (`last-bones.ts`).
  */
 import { transformPoint, type Vec3 } from '../../math/vec3.ts';
 import { boneEnds } from '../../model/bone-ends.ts';
@@ -12,18 +12,21 @@ import type { Box, Skeleton } from '../../model/skeleton.ts';
 export interface BoneSegments {
   /** The joint of each bone. */
   readonly joints: Uint32Array;
-  /** x y z of both ends of each bone, from the pivot outwards; both are one for a joint that is only a point. */
+  /** x y z of both ends of each bone, from the pivot outwards; equal for a joint that is only a point. */
   readonly ends: Float64Array;
 }
 
-/** Shorter bones, as a part of the skeleton's size, are none. */
+/** Shorter bones, as a fraction of the skeleton's size, are ignored. */
 const SHORTEST = 1e-6;
-/** From the end of a box to the joint's other bones, beside its own length: less, and they run through it. */
+/**
+ * Minimum distance from the end of a box to the joint's other bones, relative to the box's length; if less, they run
+ * through the box already.
+ */
 const APART = 0.3;
 
 /**
- * Every joint has a bone, but for those whose children all stand where they do: the children's bones begin there.
- * @param frames 16 numbers a joint, column-major: where the joints are as the skin is bound
+ * Every joint has a bone, except those whose children all coincide with it: the children's bones start there.
+ * @param frames 16 numbers per joint, column-major: the joints in the binding pose
  */
 export function boneSegments(skeleton: Skeleton, frames: Float64Array): BoneSegments {
   const { joints } = skeleton;
@@ -40,7 +43,7 @@ export function boneSegments(skeleton: Skeleton, frames: Float64Array): BoneSegm
     else if (isApart(end, from, far)) far.push(end);
     for (const to of far) bones.push({ joint: j, ends: [...from, ...to] });
   });
-  // All joints in one place.
+  // All joints coincide.
   if (bones.length === 0) bones.push({ joint: 0, ends: [...pivot(frames, 0), ...pivot(frames, 0)] });
   return {
     joints: Uint32Array.from(bones, (bone) => bone.joint),
@@ -48,13 +51,13 @@ export function boneSegments(skeleton: Skeleton, frames: Float64Array): BoneSegm
   };
 }
 
-/** Whether a bone has no length. */
+/** Whether a bone has length 0. */
 export function isPoint(ends: Float64Array, bone: number): boolean {
   const o = 6 * bone;
   return ends[o] === ends[o + 3] && ends[o + 1] === ends[o + 4] && ends[o + 2] === ends[o + 5];
 }
 
-/** Whether a bone ends at another that has no length: the pivot of a last joint. */
+/** Whether a bone ends at a bone of length 0: the pivot of a leaf joint. */
 export function endsAt(ends: Float64Array, bone: number, point: number): boolean {
   if (bone === point || !isPoint(ends, point)) return false;
   for (let k = 0; k < 3; k++) if (ends[6 * bone + 3 + k] !== ends[6 * point + k]) return false;
@@ -62,7 +65,7 @@ export function endsAt(ends: Float64Array, bone: number, point: number): boolean
 }
 
 /**
- * The square of the distance from a point to a bone, with how far along the bone the nearest point is, 0 to 1, in
+ * Squared distance from a point to a bone; writes the position of the nearest point along the bone, 0 to 1, to
  * `nearest.along`. Allocates nothing.
  */
 export function squareToBone(ends: Float64Array, bone: number, x: number, y: number, z: number): number {
@@ -87,20 +90,20 @@ export const nearest = { along: 0 };
 
 const ORIGIN = [0, 0, 0] as const;
 
-/** Where the line from the pivot through the middle of the box leaves it; the pivot, where it is that middle. */
+/** Where the line from the pivot through the centre of the box leaves it; the pivot if it is the centre. */
 function boxEnd({ min, max }: Box): Vec3 {
   const middle = [0, 1, 2].map((k) => (min[k] + max[k]) / 2);
   const half = [0, 1, 2].map((k) => Math.abs(max[k] - min[k]) / 2);
   let reach = Infinity;
   for (let k = 0; k < 3; k++) {
-    // Hardly off the middle: it leaves by another face.
+    // Almost at the centre: it leaves through another face.
     if (Math.abs(middle[k]) > 1e-3 * half[k]) reach = Math.min(reach, 1 + half[k] / Math.abs(middle[k]));
   }
   if (!Number.isFinite(reach)) return ORIGIN;
   return [reach * middle[0], reach * middle[1], reach * middle[2]];
 }
 
-/** Whether a box reaches where no other bone of its joint does. */
+/** Whether a box extends where no other bone of its joint does. */
 function isApart(end: Vec3, from: Vec3, far: readonly Vec3[]): boolean {
   const length = Math.hypot(end[0] - from[0], end[1] - from[1], end[2] - from[2]);
   const others = Float64Array.from(far.flatMap((to) => [...from, ...to]));
@@ -112,7 +115,7 @@ function pivot(frames: Float64Array, joint: number): Vec3 {
   return [frames[o], frames[o + 1], frames[o + 2]];
 }
 
-/** The diagonal of the box around all pivots; 1 where that is nothing. */
+/** The diagonal of the box around all pivots; 1 if that is 0. */
 function sizeOf(frames: Float64Array): number {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];

@@ -1,28 +1,28 @@
 /**
- * Solves A·x = b for A = Laplacian + diagonal, symmetric and positive definite, by a sparse Cholesky factorisation
- * A = L·Lᵀ: row after row, each one's pattern from the elimination tree (T. Davis, "Direct Methods for Sparse Linear
- * Systems", 2006, chapter 4). One factorisation serves all joints, and each then costs a walk over L.
+ * Solves A·x = b for A = Laplacian + diagonal, symmetric and positive definite, by a sparse Cholesky factorisation A =
+ * L·Lᵀ: row by row, with patterns from the elimination tree (T. Davis, "Direct Methods for Sparse Linear Systems",
+ * 2006, chapter 4). One factorisation serves all joints; each then costs one pass over L.
  *
- * Conjugate gradients with an incomplete factorisation were tried first: on a tube of 100,000 vertices whose triangles
- * are five times as long as wide they take 190 iterations a joint, a second each.
+ * Conjugate gradients with an incomplete factorisation are slower: on a tube of 100,000 vertices with triangles five
+ * times as long as wide they take 190 iterations per joint, a second each.
  */
 import { type Steps, within } from '../steps.ts';
 import { eliminationOrder } from './elimination-order.ts';
 import type { Laplacian } from './laplacian.ts';
 
-/** Multiplications between two pauses: a few milliseconds' worth. */
+/** Multiplications between two yields: a few milliseconds. */
 const WORK_A_STEP = 2e5;
 const ROWS_A_STEP = 4000;
-/** Part of the time that the order takes. */
+/** Fraction of the time for the elimination order. */
 const ORDERED = 0.2;
 
 interface Pattern {
-  /** The matrix's entries left of the diagonal, in the order of elimination: row k's are `start[k]` … */
+  /** The matrix's entries left of the diagonal, in elimination order: row k starts at `start[k]`. */
   readonly start: Uint32Array;
   readonly columns: Uint32Array;
   readonly values: Float64Array;
   readonly diagonal: Float64Array;
-  /** Of the elimination tree; -1 for a root. */
+  /** Parents in the elimination tree; -1 for a root. */
   readonly parents: Int32Array;
 }
 
@@ -31,7 +31,7 @@ export class Cholesky {
 
   private constructor(
     private readonly order: Uint32Array,
-    /** Column k of L: `start[k]` up to, not including, `start[k + 1]`; its diagonal first. */
+    /** Column k of L: `start[k]` up to (excluding) `start[k + 1]`; its diagonal first. */
     private readonly start: Float64Array,
     private readonly rows: Uint32Array,
     private readonly values: Float64Array,
@@ -40,9 +40,9 @@ export class Cholesky {
   }
 
   /**
-   * Pauses every few milliseconds with the part that is done.
-   * @param added to the Laplacian's diagonal; above 0 in one row at least of what hangs together
-   * @param positions x y z a vertex
+   * Yields its progress every few milliseconds.
+   * @param added to the Laplacian's diagonal; greater than 0 in at least one row of each connected part
+   * @param positions x y z per vertex
    */
   static *of(matrix: Laplacian, added: Float64Array, positions: Float64Array): Steps<Cholesky> {
     const size = added.length;
@@ -56,7 +56,7 @@ export class Cholesky {
       for (let i = reach.find(k); i < size; i++) start[reach.stack[i] + 1]++;
       if (k % ROWS_A_STEP === 0) yield ORDERED;
     }
-    // Sums of up to 2⁵³, where a mesh is so large that 2³² entries are too few.
+    // As doubles: in very large meshes the sums exceed 2³².
     for (let k = 0; k < size; k++) start[k + 1] += start[k];
     const rows = new Uint32Array(start[size]);
     const factor = new Float64Array(start[size]);
@@ -83,7 +83,7 @@ export class Cholesky {
         work += to - from;
       }
       rows[end[k]] = k;
-      // Above 0 in exact arithmetic.
+      // Positive in exact arithmetic.
       factor[end[k]++] = Math.sqrt(left > 1e-14 * diagonal[k] ? left : diagonal[k]);
       all += start[k + 1] - start[k];
       if (work > WORK_A_STEP) {
@@ -94,14 +94,14 @@ export class Cholesky {
     return new Cholesky(order, start, rows, factor);
   }
 
-  /** Pauses every few milliseconds. */
+  /** Yields every few milliseconds. */
   *solve(b: Float64Array, x: Float64Array): Generator<undefined, void> {
     const { order, start, rows, values, scratch: y } = this;
     const size = order.length;
     for (let k = 0; k < size; k++) y[k] = b[order[k]];
     let work = 0;
     for (let k = 0; k < size; k++) {
-      // Nothing above comes to nothing: heat from one joint begins in few rows.
+      // Leading zeros stay zero: heat from one joint starts in few rows.
       if (y[k] === 0) continue;
       const from = start[k];
       const to = start[k + 1];
@@ -130,7 +130,7 @@ export class Cholesky {
   }
 }
 
-/** The matrix with its rows and columns in the order of elimination, and the tree that follows from it. */
+/** The matrix with rows and columns in elimination order, and the resulting tree. */
 function* reordered(matrix: Laplacian, added: Float64Array, order: Uint32Array): Steps<Pattern> {
   const size = order.length;
   const place = new Uint32Array(size);
@@ -163,9 +163,9 @@ function* reordered(matrix: Laplacian, added: Float64Array, order: Uint32Array):
   return { start, columns, values, diagonal, parents };
 }
 
-/** The pattern of one row of L after another. */
+/** The patterns of the rows of L, one at a time. */
 class Reach {
-  /** What `find` found: from the place that it gives to the end. */
+  /** Result of `find`: from the returned index to the end. */
   readonly stack: Uint32Array;
   private readonly marks: Int32Array;
   private readonly path: Uint32Array;
@@ -181,7 +181,10 @@ class Reach {
     this.marks.fill(-1);
   }
 
-  /** Columns of row k left of its diagonal, in an order in which they may be eliminated; gives where they begin. */
+  /**
+   * Finds the columns of row k left of its diagonal, in an order in which they can be eliminated. @returns their start
+   * in `stack`
+   */
   find(k: number): number {
     const { marks, stack, path } = this;
     const { start, columns, parents } = this.pattern;

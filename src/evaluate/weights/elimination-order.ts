@@ -1,29 +1,29 @@
 /**
- * In which order a mesh's vertices are eliminated so that the factor of its matrix stays sparse: nested dissection
- * (A. George 1973), the mesh halved in space again and again. What separates two halves comes after both:
+ * An elimination order of a mesh's vertices that keeps the matrix factor sparse: nested dissection (A. George 1973), by
+ * recursive bisection in space. The separator comes after both halves:
  *
  *     order   [ half, its halves likewise | other half | vertices of that one with neighbours in the first ]
  *
- * On a surface of n vertices the separators have about √n of them, and the factor n·log n entries.
+ * On a surface of n vertices the separators have about √n vertices, and the factor has n·log n entries.
  */
 import type { Steps } from '../steps.ts';
 import type { Laplacian } from './laplacian.ts';
 import { longestAxis, selectMiddle } from './select.ts';
 
-/** Too few to be halved any more. */
+/** Too few to be split further. */
 const LEAF = 24;
-/** Vertices sorted between two pauses. */
+/** Vertices sorted between two yields. */
 const SORTED_A_STEP = 20000;
 
 /**
- * The vertices in their order. Pauses every few milliseconds with the part that is done.
- * @param positions x y z a vertex
+ * The vertices in elimination order. Yields its progress every few milliseconds.
+ * @param positions x y z per vertex
  */
 export function* eliminationOrder(matrix: Laplacian, positions: Float64Array): Steps<Uint32Array> {
   const count = positions.length / 3;
   const { start, columns } = matrix;
   const order = Uint32Array.from({ length: count }, (_, v) => v);
-  /** Of each vertex, the halving in which it was in the first half last. */
+  /** For each vertex, the last bisection in which it was in the first half. */
   const halving = new Uint32Array(count);
   let halvings = 0;
   let done = 0;

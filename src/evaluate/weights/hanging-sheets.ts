@@ -1,19 +1,19 @@
 /**
- * What of a mesh hangs on a last joint as a whole: wings, ears, feathers. These are sheets: they have no inside through
- * which a bone could be seen, and lie nearer to the trunk's bones, which they run beside, than to where they begin. Such a
- * sheet begins at the pivot that is the nearest to it, and hangs there if the bone that leads to that pivot comes from
- * away: it nears the sheet by more than half of its length. A bone that runs within clothes, or within a body that is
- * modelled as an open surface, does not.
+ * Parts of a mesh that belong to a leaf joint as a whole: wings, ears, feathers. These are open sheets: there is no
+ * inside through which a bone could be seen, and they are closer to the trunk's bones, which they run beside, than to
+ * their own base. A sheet starts at the pivot nearest to it, and belongs there if the bone that leads to that pivot
+ * approaches it from outside, by more than half its length. Bones inside clothes, or inside a body modelled as an open
+ * surface, don't.
  */
 import type { Steps } from '../steps.ts';
 import { type BoneSegments, endsAt, isPoint } from './bones.ts';
 import type { WeldedMesh } from './weld.ts';
 
-/** Distances measured between two pauses. */
+/** Distances measured between two yields. */
 const A_STEP = 100_000;
 
 /**
- * Of each part of the mesh, the bone without length that it hangs on, or -1. Pauses with the part that is done.
+ * For each part of the mesh, the bone of length 0 that it belongs to, or -1. Yields its progress.
  * @param sides of each part, 0 for sheets (`surface-sides.ts`)
  */
 export function* hangingSheets(mesh: WeldedMesh, sides: Int8Array, { joints, ends }: BoneSegments): Steps<Int32Array> {
@@ -32,7 +32,7 @@ export function* hangingSheets(mesh: WeldedMesh, sides: Int8Array, { joints, end
       nearest[part] = b;
     }
   }
-  /** The bone that leads to each pivot that is all of its joint's bone. */
+  /** For each joint that is only a pivot, the bone that leads to it. */
   const leading = Int32Array.from(joints, (_, point) =>
     isPoint(ends, point) ? joints.findIndex((_, b) => endsAt(ends, b, point)) : -1,
   );
@@ -52,7 +52,7 @@ export function* hangingSheets(mesh: WeldedMesh, sides: Int8Array, { joints, end
   });
 }
 
-/** The square of the distance from a vertex to where a bone begins. */
+/** Squared distance from a vertex to the start of a bone. */
 function squareToPivot({ positions }: WeldedMesh, v: number, ends: Float64Array, bone: number): number {
   const x = positions[3 * v] - ends[6 * bone];
   const y = positions[3 * v + 1] - ends[6 * bone + 1];

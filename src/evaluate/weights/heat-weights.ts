@@ -1,19 +1,19 @@
 /**
- * Skin weights by the equilibrium of heat: I. Baran and J. Popović, "Automatic Rigging and Animation of 3D Characters",
- * ACM Transactions on Graphics 26 (3), 2007, section 4. The surface is a skin that conducts heat; one joint's bones are
- * held at 1, all others at 0, and the temperature that settles at a vertex is its weight for that joint:
+ * Skin weights by heat equilibrium: I. Baran and J. Popović, "Automatic Rigging and Animation of 3D Characters", ACM
+ * Transactions on Graphics 26 (3), 2007, section 4. The surface conducts heat; one joint's bones are held at 1, all
+ * others at 0, and the equilibrium temperature of a vertex is its weight for that joint:
  *
- *     −Δw + H·w = H·p             p  1 where the joint's bone is the nearest that the vertex sees (shared among equals)
- *                                 H  1/d², d the distance to it; 0 where no bone is seen
+ *     −Δw + H·w = H·p             p  1 if the joint's bone is the nearest visible from the vertex (shared among equals)
+ *                                 H  1/d², d the distance to it; 0 if no bone is visible
  *
- * that is (L + A·H)·w = A·H·p with cotangents and areas of the welded mesh (`laplacian.ts`), one system for each joint.
- * L has no negative weights and its rows sum to 0, so every w lies in 0 … 1 and all of them together are 1. Units of
- * length cancel. What is seen: `visible-bones.ts`; where the bones of last joints end: `last-bones.ts`.
+ * that is (L + A·H)·w = A·H·p with cotangents and areas of the welded mesh (`laplacian.ts`), one system per joint. L
+ * has no negative weights and its rows sum to 0, so every w lies in 0 … 1 and they sum to 1. Units of length cancel.
+ * Visibility: `visible-bones.ts`; ends of leaf bones: `last-bones.ts`.
  *
- * Parts of a mesh that no bone warms, and vertices in no triangle, get weights by 1/d² of the bones' distances.
+ * Parts of a mesh that no bone heats, and vertices without triangles, get weights by 1/d² of the bones' distances.
  *
- * Bounded biharmonic weights (Jacobson 2011) are smoother, and need the volume filled with tetrahedra, which real files
- * with their holes and overlapping parts do not let one do.
+ * Bounded biharmonic weights (Jacobson 2011) are smoother, but need a tetrahedral mesh of the volume, which real files
+ * with holes and overlapping parts don't allow.
  */
 
 import type { Attachments, Skin } from '../../model/skin.ts';
@@ -30,27 +30,27 @@ import { type WeldedMesh, weld } from './weld.ts';
 
 export interface HeatWeights {
   readonly attachments: Attachments;
-  /** Vertices of the skin that heat did not reach: by distance alone. */
+  /** Vertices of the skin that heat did not reach, weighted by distance. */
   readonly byDistance: number;
 }
 
-/** Nearer to a bone than this part of the mesh's diagonal is no nearer: heat stays finite. */
+/** Minimum distance to a bone, as a fraction of the mesh's diagonal, so that heat stays finite. */
 const NEAREST = 1e-4;
-/** How the time goes, about. */
+/** Approximate shares of the time. */
 const WELD_DONE = 0.02;
 const TREE_DONE = 0.08;
 const BONES_DONE = 0.25;
 const SIGHT_DONE = 0.4;
 const SETTLED = 0.98;
-/** Of the systems' time, what their matrix and its factor take. */
+/** Of the time for the systems, the shares of the matrix and its factor. */
 const MATRIX_MADE = 0.05;
 const FACTORISED = 0.5;
-/** Vertices between two pauses. */
+/** Vertices between two yields. */
 const VERTICES_A_STEP = 5000;
 
 /**
- * Weights for a mesh around bones, both as they are bound. Pauses every few milliseconds with the part that is done.
- * @param mostInfluences joints that move a vertex, at most; at least 1
+ * Weights for a mesh around bones, both in the binding pose. Yields its progress every few milliseconds.
+ * @param mostInfluences maximum number of joints per vertex; at least 1
  */
 export function* heatWeights(
   { positions, triangles }: Pick<Skin, 'positions' | 'triangles'>,
@@ -76,7 +76,7 @@ export function* heatWeights(
   return { attachments: yield* within(influences.attachments(mesh.of), SETTLED, 1), byDistance };
 }
 
-/** One system for each joint that warms anything. */
+/** Solves one system for each joint that heats anything. */
 function* equilibria(mesh: WeldedMesh, warmth: Warmth, influences: Influences): Steps<void> {
   const matrix = yield* within(laplacian(mesh), 0, MATRIX_MADE);
   const { squares, start, joints } = warmth;
@@ -87,7 +87,7 @@ function* equilibria(mesh: WeldedMesh, warmth: Warmth, influences: Influences): 
     if (squares[v] < Infinity) heat[v] = matrix.areas[v] / Math.max(squares[v], least);
     if (heat[v] > 0) isWarm[mesh.parts[v]] = 1;
   }
-  // Parts without heat would be singular; with any on the diagonal they stay at 0.
+  // Parts without heat would be singular; with any positive diagonal they stay at 0.
   const added = heat.map((h, v) => (isWarm[mesh.parts[v]] ? h : 1));
   const system = yield* within(Cholesky.of(matrix, added, mesh.positions), MATRIX_MADE, FACTORISED);
   const warming = [...new Set(joints)].sort((a, b) => a - b);
@@ -106,7 +106,7 @@ function* equilibria(mesh: WeldedMesh, warmth: Warmth, influences: Influences): 
   }
 }
 
-/** What of a vertex's heat comes from a joint: it has as much as any other that is as near. */
+/** The fraction of a vertex's heat that comes from a joint: shared equally by the nearest ones. */
 function partOf(joint: number, joints: Uint32Array, from: number, to: number): number {
   for (let i = from; i < to; i++) if (joints[i] === joint) return 1 / (to - from);
   return 0;

@@ -1,17 +1,20 @@
-/** The few joints that move each vertex most, gathered one joint after another, and made the weights of a skin. */
+/**
+ * Collects the joints with the largest weights of each vertex, one joint after another, and makes a skin's attachments
+ * of them.
+ */
 
 import type { Attachments } from '../../model/skin.ts';
 import type { Steps } from '../steps.ts';
 
-/** Less, beside all of a vertex's weight, moves nothing that anyone sees, and takes its place in the file. */
+/** Smaller fractions of a vertex's weight have no visible effect, and only take space in the file. */
 const MIN_FRACTION = 0.004;
-/** Weights are written with so many decimals. */
+/** Weights are written with this precision. */
 const SCALE = 1e4;
-/** Vertices between two pauses. */
+/** Vertices between two yields. */
 const A_STEP = 5000;
 
 export class Influences {
-  /** `most` a vertex, heaviest first; weight 0 where there are fewer. */
+  /** `most` per vertex, heaviest first; unused ones have weight 0. */
   private readonly joints: Uint32Array;
   private readonly weights: Float64Array;
 
@@ -23,7 +26,7 @@ export class Influences {
     this.weights = new Float64Array(vertexCount * most);
   }
 
-  /** Each joint once at most. */
+  /** Each joint at most once. */
   add(vertex: number, joint: number, weight: number): void {
     const { joints, weights, most } = this;
     const from = vertex * most;
@@ -42,9 +45,9 @@ export class Influences {
   }
 
   /**
-   * Weights that sum to 1, in ten-thousandths; what rounding leaves goes to the heaviest. Joints ascend at each vertex.
-   * Pauses every few milliseconds with the part that is done.
-   * @param of the vertex here of each vertex of the skin
+   * Weights that sum to 1, in ten-thousandths; the heaviest takes the rounding error. Joints ascend at each vertex.
+   * Yields its progress every few milliseconds.
+   * @param of for each vertex of the skin, its vertex here
    */
   *attachments(of: Uint32Array): Steps<Attachments> {
     const start = new Uint32Array(of.length + 1);
@@ -71,7 +74,7 @@ export class Influences {
     return { start, joints: joints.slice(0, end), weights: weights.slice(0, end) };
   }
 
-  /** Whole numbers that sum to `SCALE`, heaviest first; gives how many there are. */
+  /** Integers that sum to `SCALE`, heaviest first. @returns their number */
   private rounded(from: number, parts: Float64Array): number {
     const { weights, most } = this;
     let all = 0;

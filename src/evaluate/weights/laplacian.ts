@@ -1,20 +1,20 @@
 /**
- * The Laplace operator of a surface, as a symmetric matrix with one row a vertex:
+ * The Laplace operator of a surface, as a symmetric matrix with a row per vertex:
  *
- *     (L·w)ᵢ = Σⱼ cᵢⱼ (wᵢ − wⱼ)          cᵢⱼ = (cot α + cot β) / 2 over the triangles at the edge, at least a little
+ *     (L·w)ᵢ = Σⱼ cᵢⱼ (wᵢ − wⱼ)          cᵢⱼ = (cot α + cot β) / 2 over the triangles at the edge, clamped above 0
  *
- * and the area around each vertex, a third of that of its triangles. Cotangents may be negative where triangles are
- * obtuse; kept above 0 no weight leaves 0 … 1, whatever the mesh is like (Wardetzky et al. 2007 show that nothing has all
- * one would wish for). Its rows are kept compressed, without the diagonal.
+ * and the area around each vertex, a third of that of its triangles. Cotangents may be negative for obtuse triangles;
+ * clamping them keeps all weights in 0 … 1, whatever the mesh (Wardetzky et al. 2007 show that no discretisation has
+ * all desirable properties). Rows are stored compressed, without the diagonal.
  */
 import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
 
 export interface Laplacian {
-  /** Neighbours of vertex i: `columns[start[i]]` up to, not including, `start[i + 1]`; ascending. */
+  /** Neighbours of vertex i: `columns[start[i]]` up to (excluding) `start[i + 1]`; ascending. */
   readonly start: Uint32Array;
   readonly columns: Uint32Array;
-  /** cᵢⱼ, of each neighbour; above 0. */
+  /** cᵢⱼ for each neighbour; greater than 0. */
   readonly values: Float64Array;
   /** Σⱼ cᵢⱼ. */
   readonly diagonal: Float64Array;
@@ -22,15 +22,15 @@ export interface Laplacian {
 }
 
 const LEAST = 1e-2;
-/** Of one cotangent: what has no area has any. */
+/** Maximum cotangent, for triangles without area. */
 const MOST = 1e3;
-/** Corners or vertices between two pauses; a multiple of 3. */
+/** Corners or vertices between two yields; a multiple of 3. */
 const A_STEP = 6000;
 
-/** Pauses every few milliseconds with the part that is done. */
+/** Yields its progress every few milliseconds. */
 export function* laplacian({ vertexCount, positions, triangles }: WeldedMesh): Steps<Laplacian> {
   const areas = new Float64Array(vertexCount);
-  /** Room of each row while edges stand in it once a triangle, from both ends. */
+  /** Row sizes while edges are listed once per triangle and direction. */
   const room = new Uint32Array(vertexCount + 1);
   for (let k = 0; k < triangles.length; k++) room[triangles[k] + 1] += 2;
   for (let v = 0; v < vertexCount; v++) room[v + 1] += room[v];
@@ -57,13 +57,13 @@ export function* laplacian({ vertexCount, positions, triangles }: WeldedMesh): S
   const columns = new Uint32Array(room[vertexCount]);
   const values = new Float64Array(room[vertexCount]);
   const diagonal = new Float64Array(vertexCount);
-  /** The place of a neighbour in the row that is being made, if it is in it. */
+  /** Index of a neighbour in the current row, if present. */
   const place = new Int32Array(vertexCount).fill(-1);
   let end = 0;
   for (let i = 0; i < vertexCount; i++) {
     if (i % A_STEP === 0) yield 0.5 + (0.5 * i) / vertexCount;
     const from = end;
-    // Few: sorted by insertion.
+    // Short rows: insertion sort.
     for (let e = room[i]; e < room[i + 1]; e++) {
       const j = neighbours[e];
       if (place[j] >= from) continue;
@@ -84,7 +84,7 @@ export function* laplacian({ vertexCount, positions, triangles }: WeldedMesh): S
   return { start, columns: columns.slice(0, end), values: values.slice(0, end), diagonal, areas };
 }
 
-/** Twice the area of the triangle that `cotangent` looked at last. */
+/** Twice the area of the triangle last passed to `cotangent`. */
 let doubleArea = 0;
 
 /** Of the angle at a vertex, between the sides to two others. */
@@ -100,7 +100,7 @@ function cotangent(p: Float64Array, at: number, i: number, j: number): number {
   const z = ax * by - ay * bx;
   doubleArea = Math.sqrt(x * x + y * y + z * z);
   const dot = ax * bx + ay * by + az * bz;
-  // No area: a needle's cotangents are infinite to both sides.
+  // No area: a degenerate triangle has infinite cotangents.
   if (Math.abs(dot) >= MOST * doubleArea) return dot > 0 ? MOST : -MOST;
   return dot / doubleArea;
 }

@@ -1,15 +1,16 @@
 /**
- * How far the bones of last joints reach that the skeleton knows only as points: no child, box, length or End Site, as the
- * knees of legs whose feet need no joint. The mesh tells. To such a joint belong the vertices to which its pivot is the
- * nearest that they see of all bones, and sheets that hang on it (`hanging-sheets.ts`). With c the middle of that surface
- * by area and r how far it reaches along c, both seen from the pivot, the bone goes from there to
+ * Finds the length of leaf bones that the skeleton only has as points, without child, box, length or End Site, such as
+ * the last joint of a leg without feet. The mesh determines it. To such a joint belong the vertices for which its pivot
+ * is the nearest visible bone, and sheets attached to it (`hanging-sheets.ts`). With c the centroid of that surface by
+ * area and r its extent along c, both relative to the pivot, the bone goes from there to
  *
  *     min(2 |c|, r) · c / |c|
  *
- * the far end of a limb, which has its middle half-way. Around a pivot that stands in the middle c is 0, and a point it
- * stays. To go by the farthest vertex alone does as well for limbs, but a stray one turns the bone.
+ * the far end of a limb, whose centroid is half way. Around a pivot in the middle c is 0, and the bone stays a point.
+ * Using only the farthest vertex works as well for limbs, but a stray one would turn the bone.
  *
- * Baran and Popović (`heat-weights.ts`) have no such joints: their skeletons are their own, and all bones have two ends.
+ * Baran and Popović (`heat-weights.ts`) have no such joints: their skeletons are their own, and all bones have two
+ * ends.
  */
 import { type Steps, within } from '../steps.ts';
 import { type BoneSegments, isPoint } from './bones.ts';
@@ -18,14 +19,14 @@ import type { SurfaceSides } from './surface-sides.ts';
 import type { TriangleTree } from './triangle-tree.ts';
 import { visibleBones } from './visible-bones.ts';
 
-/** How the time goes, about. */
+/** Approximate share of the time. */
 const SEEN = 0.9;
-/** Shorter bones, beside the mesh's diagonal, stay points. */
+/** Shorter bones, relative to the mesh's diagonal, stay points. */
 const SHORTEST = 1e-4;
-/** Vertices between two pauses. */
+/** Vertices between two yields. */
 const A_STEP = 15000;
 
-/** The same bones, in their order, with ends for those that are points. Pauses with the part that is done. */
+/** The same bones in the same order, extended where they were points. Yields its progress. */
 export function* lastBones(tree: TriangleTree, surface: SurfaceSides, bones: BoneSegments): Steps<BoneSegments> {
   const points = [...bones.joints.keys()].filter((bone) => isPoint(bones.ends, bone));
   if (points.length === 0) return bones;
@@ -34,7 +35,7 @@ export function* lastBones(tree: TriangleTree, surface: SurfaceSides, bones: Bon
   const sheets = yield* within(hangingSheets(mesh, surface.sides, bones), SEEN, 1);
   const { areas } = surface;
   const pointOf = new Map(points.map((point) => [bones.joints[point], point]));
-  /** Every vertex with each point that it belongs to. */
+  /** Visits every vertex with each point that it belongs to. */
   const each = function* (visit: (v: number, point: number) => void): Steps<void> {
     for (let v = 0; v < mesh.vertexCount; v++) {
       if (v % A_STEP === 0) yield 1;
@@ -70,7 +71,7 @@ export function* lastBones(tree: TriangleTree, surface: SurfaceSides, bones: Bon
     const middle = middles.subarray(3 * point, 3 * point + 3);
     const length = Math.hypot(...middle);
     if (2 * length <= SHORTEST * mesh.diagonal) continue;
-    // In |c|, along c.
+    // In units of |c|, along c.
     const times = Math.min(2, reaches[point] / length ** 2);
     for (let k = 0; k < 3; k++) grown[6 * point + 3 + k] += times * middle[k];
   }

@@ -1,6 +1,6 @@
 /**
- * Hoare's selection: puts the items with the smallest keys of `items[first … last]` before the place `middle`, the others
- * from it on. What halves things in space asks for no more order than that.
+ * Hoare's selection: moves the items with the smallest keys of `items[first … last]` before index `middle`, the others
+ * to it or after. Bisection in space needs no more order than that.
  * @param keys `keys[3 · item + axis]`
  */
 export function selectMiddle(
@@ -31,7 +31,7 @@ export function selectMiddle(
   }
 }
 
-/** The axis along which some points lie farthest apart: 0, 1 or 2. @param keys x y z of each item */
+/** The axis along which some points extend farthest: 0, 1 or 2. @param keys x y z of each item */
 export function longestAxis(items: Uint32Array, keys: Float64Array, first: number, last: number): number {
   let best = 0;
   let length = -1;

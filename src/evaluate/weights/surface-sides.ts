@@ -1,26 +1,29 @@
-/** Which side of a mesh is out. */
+/** Finds the outside of a mesh. */
 
 import { normalizeAt } from '../../math/vec3.ts';
 import type { Steps } from '../steps.ts';
 import type { WeldedMesh } from './weld.ts';
 
 export interface SurfaceSides {
-  /** Of triangles as they are wound: area-weighted, of length 1, or 0 where a vertex has none; x y z a vertex. */
+  /** Normals by winding: area-weighted, normalised, or 0 for a vertex without any; x y z per vertex. */
   readonly normals: Float64Array;
-  /** Of each part: 1 where these point outwards, -1 inwards, 0 where it has no volume: a sheet. */
+  /** For each part: 1 if these point outwards, -1 inwards, 0 if it has no volume: a sheet. */
   readonly sides: Int8Array;
-  /** Three times the area around each vertex: of its triangles. */
+  /** Three times the area around each vertex: the sum of its triangles' areas. */
   readonly areas: Float64Array;
 }
 
-/** Volume² of a part beside area³: less is a sheet. A ball has 9·10⁻³, a tube 100 times as long as thick 4·10⁻⁴. */
+/**
+ * Volume² of a part relative to area³; below it is a sheet. A ball has 9·10⁻³, a tube 100 times as long as thick
+ * 4·10⁻⁴.
+ */
 const SHEET = 4e-6;
-/** Corners between two pauses; a multiple of 3. */
+/** Corners between two yields; a multiple of 3. */
 const A_STEP = 30000;
 
 /**
- * By the sign of each part's volume, seen from its middle: files wind triangles either way. Pauses every few
- * milliseconds, with nothing to say.
+ * By the sign of each part's volume about its centre, since files wind triangles either way. Yields every few
+ * milliseconds.
  */
 export function* surfaceSides(mesh: WeldedMesh): Steps<SurfaceSides> {
   const { positions: p, triangles, parts, partCount, vertexCount } = mesh;
@@ -66,7 +69,7 @@ export function* surfaceSides(mesh: WeldedMesh): Steps<SurfaceSides> {
   };
 }
 
-/** Of the corners of each part's triangles; x y z a part. */
+/** Centres of the corners of each part's triangles; x y z per part. */
 function middlesOf({ positions, triangles, parts, partCount }: WeldedMesh): Float64Array {
   const middles = new Float64Array(3 * partCount);
   const counts = new Uint32Array(partCount);

@@ -1,33 +1,33 @@
 /**
- * Which triangles a segment goes through: a tree of boxes over them, halved at the median of the longest side. Built in
- * steps; asking allocates nothing.
+ * Finds the triangles that a segment passes through: a bounding volume hierarchy, split at the median of the longest
+ * side. Built in steps; queries allocate nothing.
  *
- * A regular grid is simpler, and slow where a mesh is dense in one place (a face on a body).
+ * A regular grid is simpler, but slow if a mesh is dense in one place (a face on a body).
  */
 import type { Steps } from '../steps.ts';
 import { longestAxis, selectMiddle } from './select.ts';
 import type { WeldedMesh } from './weld.ts';
 
-/** Triangles in a leaf. */
+/** Triangles per leaf. */
 const LEAF = 4;
-/** Nodes made between two pauses. */
+/** Nodes created between two yields. */
 const NODES_A_STEP = 2000;
-/** Triangles sorted between two pauses. */
+/** Triangles sorted between two yields. */
 const SORTED_A_STEP = 20000;
 
 export interface TriangleTree {
   readonly mesh: WeldedMesh;
-  /** Triangles by number, those of a node together. */
+  /** Triangle indices, those of a node together. */
   readonly order: Uint32Array;
-  /** min x y z, max x y z a node. */
+  /** min x y z, max x y z per node. */
   readonly boxes: Float64Array;
-  /** First and one past the last of `order` a node. */
+  /** First and one past the last of `order` per node. */
   readonly spans: Uint32Array;
-  /** The second child; the first one comes right after the node. 0 for a leaf. */
+  /** The second child; the first directly follows its parent. 0 for a leaf. */
   readonly second: Uint32Array;
 }
 
-/** Pauses with the part that is done. */
+/** Yields its progress. */
 export function* triangleTree(mesh: WeldedMesh): Steps<TriangleTree> {
   const { positions, triangles } = mesh;
   const count = triangles.length / 3;
@@ -47,7 +47,7 @@ export function* triangleTree(mesh: WeldedMesh): Steps<TriangleTree> {
   let nodes = 0;
   let done = 0;
   let work = 0;
-  /** Spans that are still to be made nodes, each with the node that it is the second child of, or -1. */
+  /** Ranges still to become nodes, each with the node that it is the second child of, or -1. */
   const open = [0, count, -1];
   while (open.length > 0) {
     const parent = open.pop() ?? -1;
@@ -73,14 +73,14 @@ export function* triangleTree(mesh: WeldedMesh): Steps<TriangleTree> {
   return { mesh, order, boxes, spans, second };
 }
 
-/** Hits of one segment, filled anew by each question. Grows. */
+/** Hits of a segment, overwritten by each query. Grows. */
 export class Hits {
   count = 0;
-  /** Where on the segment, 0 to 1, ascending. */
+  /** Positions on the segment, 0 to 1, ascending. */
   times = new Float64Array(32);
-  /** Triangles by number. */
+  /** Triangle indices. */
   triangles = new Uint32Array(32);
-  /** Whether it goes along with the triangle's normal (a, b, c counterclockwise seen from its tip). */
+  /** Whether the segment runs along the triangle's normal (a, b, c counterclockwise seen from its tip). */
   along = new Uint8Array(32);
 
   add(time: number, triangle: number, along: boolean): void {
@@ -109,8 +109,8 @@ function grown<T extends Float64Array | Uint32Array | Uint8Array>(old: T, wide: 
 const stack = new Uint32Array(128);
 
 /**
- * All triangles between two points, but for those at a vertex.
- * @param from x y z, and `to` likewise
+ * Finds all triangles between two points, except those at a vertex.
+ * @param from x y z, like `to`
  */
 export function hitsBetween(
   tree: TriangleTree,
@@ -193,7 +193,7 @@ function hitTriangle(
   const sy = oy - ay;
   const sz = oz - az;
   const u = (sx * qx + sy * qy + sz * qz) / determinant;
-  // A hair wider than it is: nothing slips through between two.
+  // Slightly enlarged, so that nothing slips through between two.
   if (u < -1e-9 || u > 1 + 1e-9) return;
   const rx = sy * uz - sz * uy;
   const ry = sz * ux - sx * uz;

@@ -1,46 +1,46 @@
 /**
- * Which bones warm a vertex: the nearest one that it sees through the inside of the body, and those just as near. Where
- * the nearest is the end of a bone, and a last joint's pivot stands there without a bone of its own, it is that joint's.
+ * Which bones heat a vertex: the nearest one that it sees through the inside of the body, and equally near ones. If the
+ * nearest is the end of a bone, and a leaf joint's pivot without a bone of its own is there, that joint heats it.
  *
- * Inside is told along the segment from the vertex to the nearest point of the bone. Every part of the mesh that has a
- * volume is entered and left by its triangles' sides; a part is also inside at the start where it is left before it is
- * entered. While one part at least is inside, the segment is in the body: bodies may be put together from parts that
- * overlap, and holes let it through. A part without a volume (a cape, a membrane) hides nothing.
+ * Inside is determined along the segment from the vertex to the nearest point of the bone. Every part of the mesh with
+ * volume is entered and left through its triangles; a part that is left before it is entered was inside from the start.
+ * The segment is in the body while it is inside at least one part: bodies may consist of overlapping parts, and holes
+ * let it through. A part without volume (a cape, a membrane) hides nothing.
  *
- * Baran and Popović ask the same of a distance field of the whole volume, and take a vertex whose nearest bone is hidden
- * for warmed by none. Here it looks further, for the nearest that is not: a skeleton that a person has put in by eye lies
- * out of the middle, and the inner side of a leg is often nearer to the other leg's bone. Where none is seen through the
- * inside, the nearest that nothing at all hides counts: bones may run beside the mesh.
+ * Baran and Popović test this with a distance field of the whole volume, and a vertex whose nearest bone is hidden gets
+ * no heat. Here the search continues to the nearest visible one: skeletons placed by eye are off-centre, and the inner
+ * side of a leg is often closer to the other leg's bone. If none is visible through the inside, the nearest one not
+ * hidden by anything counts: bones may run beside the mesh.
  */
 import type { Steps } from '../steps.ts';
 import { type BoneSegments, endsAt, nearest, squareToBone } from './bones.ts';
 import type { SurfaceSides } from './surface-sides.ts';
 import { Hits, hitsBetween, type TriangleTree } from './triangle-tree.ts';
 
-/** Bones looked at for each vertex, nearest first. */
+/** Bones tested per vertex, nearest first. */
 const MAX_CANDIDATES = 12;
-/** Distances that differ by a smaller part are the same. */
+/** Relative difference below which distances are equal. */
 const AS_NEAR = 1e-4;
-/** Nearer than this part of the mesh's diagonal, they are the same, too. */
+/** Distances below this fraction of the mesh's diagonal are equal too. */
 const AT_BONE = 1e-9;
-/** A part of the segment that may run outside: pivots stand a hair out of the skin, and meshes have gaps. */
+/** Fraction of the segment that may run outside: pivots may be slightly outside the skin, and meshes have gaps. */
 const OUTSIDE = 0.02;
-/** Of a bone's length, at both ends: looked for a little inside of them, since bones end at the skin, or stand out of it. */
+/** Fraction of a bone's length cut at both ends when testing, since bones end at the skin or outside it. */
 const END = 0.05;
-/** How far below the surface it looks from, beside the distance. */
+/** Depth of the starting point below the surface, relative to the distance. */
 const BELOW = 2e-3;
-/** Vertices between two pauses. */
+/** Vertices between two yields. */
 const VERTICES_A_STEP = 50;
 
 export interface Warmth {
-  /** The square of the distance to the bones that warm a vertex; Infinity where none does. */
+  /** Squared distance to the bones that heat a vertex; Infinity if none does. */
   readonly squares: Float64Array;
-  /** Joints that warm vertex i, alike: `joints[start[i]]` up to, not including, `start[i + 1]`; ascending. */
+  /** Joints that heat vertex i, equally: `joints[start[i]]` up to (excluding) `start[i + 1]`; ascending. */
   readonly start: Uint32Array;
   readonly joints: Uint32Array;
 }
 
-/** Pauses with the part that is done. */
+/** Yields its progress. */
 export function* visibleBones(tree: TriangleTree, surface: SurfaceSides, bones: BoneSegments): Steps<Warmth> {
   const { mesh } = tree;
   const sight = new Sight(tree, surface);
@@ -50,7 +50,7 @@ export function* visibleBones(tree: TriangleTree, surface: SurfaceSides, bones: 
   const squares = new Float64Array(mesh.vertexCount).fill(Infinity);
   const start = new Uint32Array(mesh.vertexCount + 1);
   const joints: number[] = [];
-  /** Bones as near as the nearest, and as well seen. */
+  /** Bones as near as the nearest, and equally visible. */
   const equals: number[] = [];
   for (let v = 0; v < mesh.vertexCount; v++) {
     const x = mesh.positions[3 * v];
@@ -82,13 +82,13 @@ export function* visibleBones(tree: TriangleTree, surface: SurfaceSides, bones: 
       equals.length = 0;
       for (let b = 0; b < boneCount; b++) {
         if (distances[b] > most) continue;
-        // What stands at the end of one is seen where that is.
+        // A point at the end of a visible bone is visible.
         const isSeen = b === found || endsAt(bones.ends, found, b) || sight.from(v, bones, b, along[b]) === through;
         if (isSeen) equals.push(b);
       }
       for (const b of equals) {
         if (along[b] === 1 && equals.some((other) => endsAt(bones.ends, b, other))) continue;
-        // Several bones of one joint are one source, and come one after another.
+        // Several bones of one joint are one source, and are consecutive.
         if (joints.length === from || joints[joints.length - 1] !== bones.joints[b]) joints.push(bones.joints[b]);
       }
     }
@@ -98,7 +98,7 @@ export function* visibleBones(tree: TriangleTree, surface: SurfaceSides, bones: 
   return { squares, start, joints: Uint32Array.from(joints) };
 }
 
-/** The bone that comes after another by distance, then by number; -1 begins. */
+/** The next bone by distance, then by index; -1 starts. */
 function nextNearest(distances: Float64Array, after: number): number {
   const least = after < 0 ? -1 : distances[after];
   let best = -1;
@@ -113,7 +113,7 @@ function nextNearest(distances: Float64Array, after: number): number {
 /** No vertex. */
 const NONE = 0xffffffff;
 const HIDDEN = 0;
-/** Through the open, with nothing between. */
+/** Outside, with nothing in between. */
 const OPEN = 1;
 const INSIDE = 2;
 
@@ -123,7 +123,7 @@ class Sight {
   private readonly sides: Int8Array;
   private readonly origin = new Float64Array(3);
   private readonly target = new Float64Array(3);
-  /** Parts that the segment meets, and whether it is inside of each. */
+  /** Parts that the segment meets, and whether it is inside each. */
   private readonly met: number[] = [];
   private readonly isIn: boolean[] = [];
 
@@ -135,7 +135,7 @@ class Sight {
     this.sides = sides;
   }
 
-  /** Whether a vertex sees the point of a bone that is nearest to it. */
+  /** Whether a vertex sees the point of a bone nearest to it. */
   from(vertex: number, { ends }: BoneSegments, bone: number, along: number): number {
     const { mesh } = this.tree;
     const { origin, target, normals, hits } = this;
@@ -157,22 +157,22 @@ class Sight {
       hitsBetween(this.tree, origin, target, vertex, hits);
       return this.isInside(own, true) ? INSIDE : this.orOpen();
     }
-    // From a little below the surface: whether it goes out by the very triangles at the vertex is seen then.
+    // From slightly below the surface, to detect that it leaves through the triangles at the vertex itself.
     for (let k = 0; k < 3; k++) origin[k] -= side * BELOW * distance * normals[3 * vertex + k];
     hitsBetween(this.tree, origin, target, NONE, hits);
     if (this.isInside(own, side * out <= 0)) return INSIDE;
     return this.orOpen();
   }
 
-  /** Out of its own skin, and through nothing else. */
+  /** Through its own surface and nothing else. */
   private orOpen(): number {
     return this.hits.count <= 1 ? OPEN : HIDDEN;
   }
 
   /**
-   * @param own the part that the segment begins at
-   * @param sinks whether it sets out into that, as far as the normal tells; where triangles of the part are met on the
-   * way they tell better
+   * @param own the part that the segment starts at
+   * @param sinks whether it starts into that part according to the normal; triangles of the part met on the way tell
+   * more reliably
    */
   private isInside(own: number, sinks: boolean): boolean {
     const { hits, met, isIn, sides } = this;
@@ -188,7 +188,7 @@ class Sight {
       isIn.push(leaves);
       if (leaves) inside++;
     }
-    // What is nowhere met is inside all the way, or nowhere.
+    // Without crossings the segment is inside all the way, or not at all.
     if (sinks && !met.includes(own)) return true;
     let outside = 0;
     let before = 0;
@@ -199,7 +199,7 @@ class Sight {
       if (sides[part] === 0) continue;
       const slot = met.indexOf(part);
       const leaves = (hits.along[h] === 1) === sides[part] > 0;
-      // Met twice where two triangles share an edge.
+      // Counted twice if two triangles share an edge.
       if (isIn[slot] !== leaves) continue;
       isIn[slot] = !leaves;
       inside += leaves ? -1 : 1;

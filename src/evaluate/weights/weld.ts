@@ -1,31 +1,31 @@
 /**
- * A mesh as a surface: vertices that files have twice, because a texture or an edge parts there, are one, and what hangs
- * together is a part. Heat flows within a part only.
+ * Makes a surface of a mesh: duplicate vertices, from seams of textures or hard edges, are merged, and connected
+ * triangles form parts. Heat flows only within a part.
  */
 import type { Steps } from '../steps.ts';
 
 export interface WeldedMesh {
-  /** Of each vertex of the mesh, its vertex here. */
+  /** For each vertex of the mesh, its vertex here. */
   readonly of: Uint32Array;
   readonly vertexCount: number;
-  /** x y z a vertex. */
+  /** x y z per vertex. */
   readonly positions: Float64Array;
-  /** Three vertices a triangle, all different. */
+  /** Three vertices per triangle, all different. */
   readonly triangles: Uint32Array;
-  /** Of each vertex here. */
+  /** For each vertex here. */
   readonly parts: Uint32Array;
   readonly partCount: number;
   /** Of the box around all vertices. */
   readonly diagonal: number;
 }
 
-/** Nearer than this part of the mesh's diagonal is the same place: what writing decimals makes of one. */
+/** Distance, as a fraction of the mesh's diagonal, below which positions are the same: covers rounded decimals. */
 const SAME_PLACE = 1e-6;
 
-/** Vertices or triangles between two pauses. */
+/** Vertices or triangles between two yields. */
 const A_STEP = 5000;
 
-/** Pauses every few milliseconds with the part that is done. */
+/** Yields its progress every few milliseconds. */
 export function* weld(positions: Float64Array, triangles: Uint32Array): Steps<WeldedMesh> {
   const diagonal = diagonalOf(positions);
   const { of, firsts } = yield* samePlaces(positions, SAME_PLACE * diagonal);
@@ -63,8 +63,8 @@ interface Places {
 }
 
 /**
- * A grid of cells, wide beside the tolerance: a vertex is looked for in its own cell, and in those next to it that are
- * within the tolerance.
+ * Uses a grid of cells that are large compared with the tolerance: a vertex is searched in its own cell, and in
+ * neighbours within the tolerance.
  */
 function* samePlaces(positions: Float64Array, tolerance: number): Steps<Places> {
   const count = positions.length / 3;
@@ -72,7 +72,7 @@ function* samePlaces(positions: Float64Array, tolerance: number): Steps<Places> 
   const firsts: number[] = [];
   const cell = 8 * tolerance || 1;
   const size = 2 ** Math.ceil(Math.log2(2 * count + 2));
-  /** Chains of welded vertices by cell: one more than the vertex; 0 ends. */
+  /** Linked lists of welded vertices by cell: index plus one; 0 ends. */
   const heads = new Uint32Array(size);
   const next = new Uint32Array(count);
   const slot = (x: number, y: number, z: number) =>
@@ -115,7 +115,7 @@ function* samePlaces(positions: Float64Array, tolerance: number): Steps<Places> 
   return { of, firsts };
 }
 
-/** What hangs together by triangles, numbered in the order of vertices. */
+/** Parts connected by triangles, numbered in vertex order. */
 function* partsOf(vertexCount: number, triangles: Uint32Array): Steps<Pick<WeldedMesh, 'parts' | 'partCount'>> {
   const root = Uint32Array.from({ length: vertexCount }, (_, v) => v);
   const rootOf = (vertex: number) => {
