@@ -1,7 +1,7 @@
 /**
- * The list of channels beside the plot, a windowed list. For the keyboard it is one grid with one tab stop: arrows go
- * from row to row and from control to control, Enter or Space does what a click does. The focus stays on the grid, which
- * names the control that is meant.
+ * The list of channels beside the plot, a windowed list. For the keyboard it is one grid with one tab stop: arrows move
+ * from row to row and from control to control, Enter or Space acts like a click. The focus stays on the grid, whose
+ * active descendant is the current control.
  */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, unionKeys } from '../../../edit/keys/selection.ts';
@@ -38,11 +38,11 @@ interface Row extends WindowedRow {
   readonly follows: HTMLElement;
 }
 
-/** In place of `Selected joint` while there is none, in what room there is. */
+/** Replaces `Selected joint` while none is selected; short enough for the button. */
 const NO_JOINT_LABEL = 'All (no joint)';
 const NO_JOINT_TITLE = 'No joint is selected, so all channels are listed';
 
-/** What the plot knows of the channels. */
+/** The plot's channels. */
 export interface ListSource {
   readonly channels: readonly ListedChannel[];
   line(channel: number): CurveLine | undefined;
@@ -71,7 +71,7 @@ export class ChannelList {
   private channels: readonly ListedChannel[] = [];
   private active = 0;
   private activeCell: Cell = 'name';
-  /** Where Shift and a click count from. */
+  /** Index from which Shift+click extends. */
   private anchor = 0;
   private visible = false;
   readonly showSoon = oncePerFrame(() => this.show());
@@ -185,7 +185,7 @@ export class ChannelList {
     for (const side of ['in', 'out'] as const) {
       const way = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
       const cell = cells[side];
-      // Beyond samples their ends hold: there is nothing to choose.
+      // Sampled channels are constant beyond their ends: there is no choice.
       cell.hidden = keyCount === 0;
       if (!way || cell.dataset.way === way) continue;
       cell.dataset.way = way;
@@ -216,7 +216,7 @@ export class ChannelList {
     this.press(at.index, at.cell, event.shiftKey, isMac ? event.metaKey : event.ctrlKey, box, false);
   }
 
-  /** What a control does. */
+  /** Runs a control. */
   private press(
     index: number,
     cell: Cell,
@@ -298,7 +298,7 @@ function makeRow(): Row {
     const made = element('button', { type: 'button', role: 'gridcell', tabindex: -1, class: `channel-${name}` });
     made.dataset.cell = name;
     made.append(...content);
-    // The focus belongs to the grid, and a click on a control leaves it where it was.
+    // The focus stays on the grid when a control is clicked.
     made.addEventListener('mousedown', (event) => event.preventDefault());
     return made;
   };

@@ -1,4 +1,7 @@
-/** Menus of the plot and of the channel list. What is pressed on is selected first: then the menu is about what one sees. */
+/**
+ * Context menus of the plot and the channel list. What was clicked is selected first, so that the menu applies to what
+ * one sees.
+ */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { allKeys, hasKey } from '../../../edit/keys/selection.ts';
 import { EXTRAPOLATIONS } from '../../../model/clip.ts';
@@ -31,13 +34,13 @@ export const SAMPLE_TOOLS = [
 ];
 export const CURVE_TOOLS = ['simplify', 'resample', 'bake', 'euler', 'loop', 'scaleKeys'];
 
-/** Actions of the timeline as entries. */
+/** Timeline actions as entries. */
 export function entriesOf(wb: Uses<'actions' | 'settings'>, ids: readonly string[]): MenuEntry[] {
   const actions = actionsOf(wb);
   return ids.flatMap((id) => actions.filter((a) => a.id === `timeline.${id}`).map((a) => itemOf(wb, a)));
 }
 
-/** @param byKeyboard there is nothing under a pointer: the menu is about what is selected */
+/** @param byKeyboard applies to the selection, since nothing is under a pointer */
 export function openPlotMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   hit: CurveHit,
@@ -66,7 +69,7 @@ export function openPlotMenu(
   else openMenu(where, groundEntries(wb), { label: 'Curves', focusFirst });
 }
 
-/** Of a channel in the list. */
+/** The menu of a channel in the list. */
 export function openChannelMenu(
   wb: Uses<'store' | 'actions' | 'timeline' | 'settings'>,
   channel: number,
@@ -87,7 +90,7 @@ export function openChannelMenu(
   }
 }
 
-/** All keys of a channel, unless some of it are selected. */
+/** Selects all keys of a channel, unless some of them are selected. */
 function selectCurve(wb: Uses<'store' | 'timeline'>, channel: number): void {
   const take = takeInHand(wb);
   if (!take || keysInHand(wb).some((k) => k.channel === channel)) return;
@@ -121,12 +124,12 @@ function isSampledHere(wb: Uses<'store'>, channel: number): boolean {
   return takeInHand(wb)?.clip.channels[channel]?.kind === 'samples';
 }
 
-/** Of a curve that follows samples: it has no keys to do anything with. */
+/** The menu of a sampled curve, which has no keys. */
 function sampledEntries(wb: Uses<'actions' | 'timeline' | 'settings'>, channel: number): MenuEntry[] {
   return [...showEntries(wb, channel), LINE, ...entriesOf(wb, SAMPLE_TOOLS)];
 }
 
-/** What of a channel is shown. */
+/** Entries for what is shown of a channel. */
 function showEntries(wb: Uses<'timeline'>, channel: number): MenuEntry[] {
   const { view } = wb.timeline;
   const { isolated } = view.get();
@@ -180,7 +183,7 @@ function pinEntry(wb: Uses<'timeline'>, channel: number): MenuEntry {
   return { kind: 'item', label: 'Pin', checked, enabled: true, run: () => toggleIn(wb, 'pinned', channel) };
 }
 
-/** How one channel goes on past an end. */
+/** Extrapolation of one channel on one side. */
 export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: number, side: 'in' | 'out'): MenuEntry[] {
   const held = takeInHand(wb)?.clip.channels[channel];
   const now = side === 'in' ? held?.extrapolateIn : held?.extrapolateOut;
@@ -194,7 +197,7 @@ export function extrapolationEntries(wb: Uses<'store' | 'timeline'>, channel: nu
   }));
 }
 
-/** Hides or shows a channel, pins it or lets it go. */
+/** Hides or shows a channel, or pins or unpins it. */
 export function toggleIn(wb: Uses<'timeline'>, what: 'hidden' | 'pinned', channel: number): void {
   const now = wb.timeline.view.get()[what];
   const next = now.includes(channel) ? now.filter((c) => c !== channel) : [...now, channel].sort((a, b) => a - b);

@@ -1,4 +1,4 @@
-/** What stands in the plot while there is no curve in it: what would make one. */
+/** Text of an empty plot: how to get curves. */
 import { spanOfChannel } from '../../../model/clip.ts';
 import { shown } from '../../kit/number-text.ts';
 import { currentCharacter } from '../../state/action.ts';

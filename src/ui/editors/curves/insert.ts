@@ -1,9 +1,9 @@
-/** A key on a curve where it was clicked. */
+/** Inserts a key on a curve where it was clicked. */
 import { insertKeys } from '../../../edit/commands/keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { takeInHand } from '../timeline/in-hand.ts';
 
-/** On the curve, whose shape stays; on the nearest frame where keys snap to frames. @param clipSeconds of the clip */
+/** On the curve, preserving its shape; on the nearest frame if keys snap to frames. @param clipSeconds of the clip */
 export function insertOnCurve(
   wb: Uses<'store' | 'transport' | 'timeline'>,
   channel: number,

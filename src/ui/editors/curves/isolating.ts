@@ -1,9 +1,6 @@
-/** Which channels are isolated after a click on names in the list. */
+/** Isolated channels after a click on names in the list. */
 
-/**
- * A click shows these alone; a second one on what already stands alone shows all again. With Ctrl they join those that
- * are isolated, or leave them.
- */
+/** A click isolates these; a second one shows all again. Ctrl+click adds or removes them. */
 export function isolatedAfter(
   before: readonly number[] | undefined,
   clicked: readonly number[],

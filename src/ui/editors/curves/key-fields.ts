@@ -1,6 +1,6 @@
 /**
- * The exact numbers of the selected keys: time, value, slope on both sides. Where they differ a dash stands, and typing
- * sets all of them; where all keys are on one axis that is what one means by it.
+ * Fields for the selected keys: time, value, slopes. Differing values show a dash, and typing sets all of them,
+ * provided that all keys have the same unit.
  */
 import { setKeys } from '../../../edit/commands/keys.ts';
 import { countKeys } from '../../../edit/keys/selection.ts';
@@ -20,7 +20,7 @@ import { dofsFor } from '../timeline/channels.ts';
 import { aboutKeysInHand, keysInHand, type Take, takeInHand } from '../timeline/in-hand.ts';
 import { frameNumber } from '../timeline/snapping.ts';
 
-/** Numbers that all selected keys share; undefined where they differ. Of the clip, in model units. */
+/** Numbers shared by all selected keys; undefined if they differ. Seconds of the clip, model units. */
 export interface SharedNumbers {
   readonly time: number | undefined;
   readonly value: number | undefined;
@@ -28,9 +28,9 @@ export interface SharedNumbers {
   readonly slopeOut: number | undefined;
 }
 
-/** More than this are not looked through: nobody types a time for all of them. */
+/** Not computed for more keys than this: nobody types a time for all of them. */
 const MAX_KEYS = 5000;
-/** What a field has room for: `-418.731`. */
+/** What fits into a field: `-418.731`. */
 const MAX_CHARACTERS = 8;
 const brief = (value: number) => shown(value, decimalsWithin(value, MAX_CHARACTERS));
 const MIXED: SharedNumbers = { time: undefined, value: undefined, slopeIn: undefined, slopeOut: undefined };
@@ -59,7 +59,7 @@ function sharedNumbers({ clip }: Pick<Take, 'clip'>, keys: readonly ChannelKeys[
 
 export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>): HTMLElement {
   const inFrames = () => wb.settings.get().timeDisplay === 'frames';
-  /** Model units to what is shown; undefined for keys of different units, whose numbers mean different things. */
+  /** From model units to displayed ones; undefined for keys of different units. */
   const unitOf = (): DofUnit | undefined => {
     const take = takeInHand(wb);
     if (!take) return undefined;
@@ -139,7 +139,7 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
     value.show(scaled(numbers.value));
     slopeIn.show(scaled(numbers.slopeIn));
     slopeOut.show(scaled(numbers.slopeOut));
-    // A number for radians and lengths alike would be nonsense.
+    // One number can't be both radians and a length.
     for (const one of [value, slopeIn, slopeOut]) one.enable(unit !== undefined);
   });
   wb.store.subscribe((now, before) => {
@@ -154,7 +154,7 @@ export function keyFields(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
   return made;
 }
 
-/** A number field that can also stand for several numbers. */
+/** A number field that may show several values. */
 class MixedField {
   readonly element: HTMLInputElement;
   private readonly field: NumberField;
@@ -164,7 +164,7 @@ class MixedField {
     this.element = this.field.element;
   }
 
-  /** @param otherwise what stands there for no one number */
+  /** @param otherwise shown if there is no single value */
   show(value: number | undefined, otherwise = '—'): void {
     this.element.placeholder = value === undefined ? otherwise : '';
     this.field.show(value ?? Number.NaN);

@@ -1,4 +1,4 @@
-/** The curve editor: channels on the left, the plot beside them, its buttons in the row of the tabs. */
+/** The curve editor: channels on the left, the plot beside them, its buttons in the row of tabs. */
 import { element } from '../../kit/dom.ts';
 import type { TimelineTab } from '../../state/timeline.ts';
 import type { Uses } from '../../state/workbench.ts';

@@ -1,4 +1,4 @@
-/** Everything a pointer and the held keys do in the plot: what they mean is `tools/intent.ts`, what follows the tools. */
+/** Pointer and held keys in the plot. Their meaning is in `tools/intent.ts`, what they do in the other tools. */
 import { hasKey } from '../../../edit/keys/selection.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -17,7 +17,7 @@ import { scrubDrag } from './tools/scrub.ts';
 import { slopeDrag } from './tools/slope.ts';
 import type { Drag, PlotAccess, PointerAt } from './tools/tool.ts';
 
-/** A press that goes no further than this is a click. */
+/** A press that moves no further than this is a click. */
 const TREMBLE_PIXELS = 3;
 const REACH_MOUSE = 6;
 const REACH_TOUCH = 14;
@@ -25,24 +25,29 @@ const NO_HIT: CurveHit = { kind: 'empty' };
 /** Drags that change neither document nor selection. */
 const LOOKING: readonly Intent[] = ['scrub', 'pan', 'zoom'];
 
-/** What input needs of the plot beside what drags do. */
+/** What input needs of the plot, beyond `PlotAccess`. */
 export interface PlotHost extends PlotAccess {
   readonly element: HTMLElement;
-  /** While it is so, nothing rescales by itself. */
+  /** While frozen, nothing is refitted or renormalised. */
   freeze(frozen: boolean): void;
-  /** Something under the pointer is another. */
+  /** Redraws with the next frame, since the hover has changed. */
   drawSoon(): void;
-  /** A drag is over, or was given up. */
+  /** After a drag was finished or cancelled. */
   afterDrag(): void;
 }
 
 export class PlotInput {
   private hover: CurveHit = NO_HIT;
-  /** Which of its channel's selected keys is being dragged; its index in the channel changes as it passes others. */
+  /**
+   * The dragged key, as an index into its channel's selected keys: its index in the channel changes as it passes
+   * others.
+   */
   private grabbed = -1;
-  /** Where it is; undefined outside. */
+  /** Pointer position; undefined outside. */
   pointer: PointerAt | undefined;
-  /** Code of the key that is down, and of the one that scaling lasts as long as; none where it was asked for otherwise. */
+  /**
+   * Code of the key that is down, and of the one that holds scaling on; undefined if scaling was switched on otherwise.
+   */
   private down: string | undefined;
   private heldForScaling: string | undefined;
   private drag: { readonly drag: Drag; readonly from: PointerAt; moved: boolean; waiting?: PointerAt } | undefined;
@@ -56,7 +61,7 @@ export class PlotInput {
     return this.drag !== undefined;
   }
 
-  /** What is under the pointer, or being dragged. */
+  /** What is hovered or dragged. */
   shownHover(): CurveHit {
     const { hover, drag } = this;
     if (!drag || hover.kind !== 'key') return hover;
@@ -65,12 +70,12 @@ export class PlotInput {
     return index === undefined ? NO_HIT : { ...hover, index };
   }
 
-  /** The picture is another: looks again at what is under the pointer. */
+  /** The scene has changed: updates the hover. */
   refresh(): void {
     if (this.pointer && !this.drag) this.lookUnder(this.pointer);
   }
 
-  /** Given up, with the button still down. */
+  /** Cancelled, with the button still down. */
   get cancelled(): boolean {
     return this.drag?.drag.cancelled?.() ?? false;
   }
@@ -144,7 +149,7 @@ export class PlotInput {
     followPointer(this.plot.element, event, { over: (lost) => this.endDrag(this.at(lost)) });
     this.plot.element.style.cursor = drag.cursor(at);
     window.addEventListener('keydown', LOOKING.includes(intent) ? this.onLookingKey : this.onDragKey, true);
-    // The ruler answers to the press itself.
+    // Scrubbing responds to the press itself.
     if (intent === 'scrub') drag.move(at);
   }
 
@@ -212,14 +217,14 @@ export class PlotInput {
   private readonly onDragKey = (event: KeyboardEvent) => {
     waitOutDrag(event);
     if (event.key === 'Escape') this.cancelDrag(event);
-    // What is held changes what the drag does at once, wherever the focus is.
+    // Modifiers change a drag at once, wherever the focus is.
     else this.holdKeys(event);
   };
 
   private afterDrag(): void {
     window.removeEventListener('keydown', this.onLookingKey, true);
     window.removeEventListener('keydown', this.onDragKey, true);
-    // It was for this drag alone, unless its key is still held.
+    // Scaling was on for this drag only, unless its key is still down.
     if (this.heldForScaling === undefined) this.plot.wb.timeline.scaling.set(false);
     if (this.pointer) this.lookUnder(this.pointer);
     this.plot.afterDrag();
@@ -232,7 +237,7 @@ export class PlotInput {
     this.plot.drawSoon();
   }
 
-  /** What is under the pointer, and what a press would do there. */
+  /** Updates the hover, and the cursor for a press there. */
   private lookUnder(at: PointerAt): void {
     this.hover = this.hitAt(at, REACH_MOUSE);
     const { hover } = this;
@@ -256,7 +261,7 @@ export class PlotInput {
     if (!scene || at.y < PLOT_TOP || at.alt || at.shift || at.ctrl) return;
     const hit = hitTest(scene, at.x, at.y, REACH_MOUSE);
     if (hit.kind === 'curve') insertOnCurve(this.plot.wb, hit.channel, hit.timeSeconds);
-    // Beside the only curve there is, it is that curve that is meant.
+    // Next to the only curve, that curve is meant.
     else if (hit.kind === 'empty' && scene.lines.length === 1) {
       insertOnCurve(this.plot.wb, scene.lines[0].channel, timeAt(scene.space, at.x) + scene.offsetSeconds);
     }
@@ -274,7 +279,7 @@ export class PlotInput {
     openPlotMenu(this.plot.wb, hit, where, byKeyboard);
   }
 
-  /** The cursor, and what is being dragged, tell at once what a key that is held changes. */
+  /** Updates the cursor and the drag when a modifier changes. */
   private holdKeys(event: KeyboardEvent): void {
     const { pointer } = this;
     if (!pointer) return;

@@ -1,6 +1,6 @@
 /**
- * The scene of the moment, from document, selection and settings. Parts that did not change keep their identity from
- * one scene to the next, by which the picture knows what to draw anew.
+ * The current scene, from document, selection and settings. Unchanged parts keep their identity, by which the picture
+ * knows what to redraw.
  */
 import { compileClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
@@ -12,18 +12,18 @@ import { keysInHand, takeInHand } from '../timeline/in-hand.ts';
 import { type CurveLine, type CurveScene, NO_CHANNELS, sceneLines } from './scene/scene.ts';
 import { type CurveSpace, DEFAULT_AXES } from './scene/space.ts';
 
-/** Time goes on without a take: there is a ruler to scrub in, and nothing above it. */
+/** Without a take there is still a ruler to scrub in. */
 const NO_CLIP: ChannelClip = { name: '', range: [0, 0], channels: [] };
 const NO_LINES: readonly CurveLine[] = [];
 
 export class PlotScene {
-  /** Values shown; the time window is the timeline's. */
+  /** Value ranges; the time window is the timeline's. */
   axes: CurveSpace['axes'] = DEFAULT_AXES;
   width = 0;
   height = 0;
   /**
-   * While keys are dragged nothing rescales by itself: a normalised curve keeps the scale it had, though its largest key
-   * is on the way somewhere else.
+   * While keys are dragged nothing is rescaled: a normalised curve keeps its scale even if its largest key is being
+   * moved.
    */
   frozen = false;
   private listed: readonly ListedChannel[] = [];
@@ -37,7 +37,7 @@ export class PlotScene {
 
   constructor(private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>) {}
 
-  /** Something that the scene is made of has changed. */
+  /** Something that the scene depends on has changed. */
   invalidate(): void {
     this.stale = true;
   }
@@ -47,7 +47,7 @@ export class PlotScene {
     return this.listed;
   }
 
-  /** Without a take there are no lines in it. */
+  /** Without a take it has no lines. */
   get scene(): CurveScene {
     return this.update();
   }
@@ -89,7 +89,7 @@ export class PlotScene {
   }
 
   private updateLines(character: Character, clip: ChannelClip, normalised: boolean): void {
-    // Only normalised lines depend on where the keys and samples are.
+    // Only normalised lines depend on keys and samples.
     const keys = normalised ? (this.frozen ? this.linesOf[4] : clip.channels) : undefined;
     const samples = normalised ? (this.frozen ? this.linesOf[5] : clip.samples) : undefined;
     const count = clip.channels.length;
@@ -105,7 +105,7 @@ export class PlotScene {
     ];
     const same = from.every((part, i) => part === this.linesOf[i]);
     if (same && this.drawn === this.linesDrawn) return;
-    // Of all that are listed, so that a curve keeps its colour when another one is hidden.
+    // From all listed channels, so that a curve keeps its colour when another is hidden.
     if (!same)
       this.byChannel = new Map(sceneLines(character, this.listedNumbers(), normalised).map((l) => [l.channel, l]));
     this.linesOf = from;
@@ -113,7 +113,7 @@ export class PlotScene {
     this.lines = this.drawn.flatMap((c) => this.byChannel.get(c) ?? []);
   }
 
-  /** The line of a listed channel that the clip has, drawn or not. */
+  /** The line of a listed channel of the clip, drawn or not. */
   line(channel: number): CurveLine | undefined {
     this.update();
     return this.byChannel.get(channel);

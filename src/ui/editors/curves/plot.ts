@@ -1,4 +1,4 @@
-/** The plot: the picture of the curves and what floats over it, kept in step with document, settings and time. */
+/** The plot: the picture of the curves with its overlays, kept up to date with document, settings and time. */
 import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -38,7 +38,7 @@ export class CurvePlot implements PlotHost {
   private pendingFit: FitKind | undefined = 'all';
   private box: SelectionBox | undefined;
   private drawn: CurveScene | undefined;
-  /** What the view was fitted to, so that it is fitted anew when that is something else. */
+  /** What the view was last fitted to, to refit when that changes. */
   private fittedTo: { readonly take: string; readonly channels: readonly number[] } = { take: '', channels: [] };
 
   constructor(readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>) {
@@ -65,7 +65,7 @@ export class CurvePlot implements PlotHost {
     return this.plotScene.scene;
   }
 
-  /** What the list of channels shows. */
+  /** Source of the channel list. */
   get source(): ListSource {
     return this.plotScene;
   }
@@ -104,7 +104,7 @@ export class CurvePlot implements PlotHost {
     if (window !== wb.timeline.view.get().window) wb.timeline.change({ window });
   }
 
-  /** About the playhead where it is in view, else the middle. */
+  /** About the playhead if it is in view, else about the centre. */
   zoom(timeFactor: number, valueFactor: number): void {
     const { space } = this.scene();
     const playhead = xOf(space, this.wb.transport.get().timeSeconds);
@@ -134,7 +134,7 @@ export class CurvePlot implements PlotHost {
     this.readout.say(text);
   }
 
-  /** While something is dragged nothing rescales by itself. */
+  /** While something is dragged nothing is refitted or renormalised. */
   freeze(frozen: boolean): void {
     this.plotScene.frozen = frozen;
     if (!frozen) this.redraw();
@@ -165,7 +165,8 @@ export class CurvePlot implements PlotHost {
     wb.transport.subscribe((now, before) => {
       if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
       if (now.timeSeconds === before.timeSeconds) return;
-      // Jumped to, by a key or a number. While playing the window stays where it was put.
+      // Time was changed by a key or a field: bring it into view. While playing, the window stays where the user put
+      // it.
       if (this.visible && !now.playing && !this.input.dragging) {
         const { window } = wb.timeline.view.get();
         const next = revealTime(window, now.timeSeconds);
@@ -189,11 +190,11 @@ export class CurvePlot implements PlotHost {
     if (!this.visible || !plotScene.width || !plotScene.height) return;
     this.fitWhereNew();
     const { scene } = plotScene;
-    // What was under the pointer may be gone, or something else be there.
+    // The hovered item may have gone or changed.
     if (scene !== this.drawn) this.input.refresh();
     this.drawn = scene;
     const hover = this.input.shownHover();
-    // Escape has put everything back, though the button is still down.
+    // Escape has cancelled the drag, though the button is still down.
     if (this.input.cancelled) this.say('');
     const isEmpty = !scene.lines.length;
     this.empty.hidden = !isEmpty;
@@ -204,7 +205,7 @@ export class CurvePlot implements PlotHost {
     this.readout.show(scene, this.input.pointer, hover);
   }
 
-  /** Other channels, another take: the view shows all of them. Keys that move never move it. */
+  /** Fits the view when other channels or another take are shown, but not when keys move. */
   private fitWhereNew(): void {
     const { plotScene, wb } = this;
     if (this.dragging) return;
@@ -212,7 +213,7 @@ export class CurvePlot implements PlotHost {
     const view = wb.timeline.view.get();
     const name = take ? `${take.character.id} ${take.character.shownClip}` : '';
     const { lines } = plotScene.scene;
-    // Hiding one curve leaves the others where they are.
+    // Hiding a curve doesn't refit the others.
     const channels = [
       view.normalised ? 1 : 0,
       lines.length ? 1 : 0,

@@ -1,4 +1,4 @@
-/** The corner that says in numbers what is under the pointer, and what a drag has come to. */
+/** The corner readout: values under the pointer, and the result of a drag. */
 import { keysOf } from '../../../model/clip.ts';
 import { element, setText } from '../../kit/dom.ts';
 import type { Uses } from '../../state/workbench.ts';
@@ -18,7 +18,7 @@ export class CurveReadout {
 
   constructor(private readonly wb: Uses<'store' | 'transport' | 'settings'>) {}
 
-  /** What a drag has come to; empty takes it away. */
+  /** Shows a drag's result; empty clears it. */
   say(text: string): void {
     setText(this.drag, text);
   }
@@ -45,14 +45,14 @@ export class CurveReadout {
     if (hover.kind === 'curve')
       return [hover.timeSeconds - offsetSeconds, name, curveValueText(wb, line.unit, hover.value)];
     const { times, values } = keysOf(clip.channels[hover.channel]);
-    // A key that a drag has taken away.
+    // The key was deleted by a drag.
     if (!(hover.index < times.length)) return [at, name, ''];
     const value = curveValueText(wb, line.unit, values[hover.index]);
     return [times[hover.index] - offsetSeconds, name, value];
   }
 }
 
-/** The height of the pointer on each axis that is drawn. */
+/** The pointer's value on each axis drawn. */
 function heights(wb: Uses<'settings'>, scene: CurveScene, y: number): string {
   const onAxis = new Map<string, CurveLine>();
   for (const line of scene.lines) if (!line.normalise && !onAxis.has(line.axis)) onAxis.set(line.axis, line);

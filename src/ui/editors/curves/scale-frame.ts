@@ -1,4 +1,7 @@
-/** A frame around the selected keys, whose edges and corners scale them about the opposite edge; with Alt about the middle. */
+/**
+ * The transform box around the selected keys: its edges and corners scale them about the opposite edge, with Alt about
+ * the centre.
+ */
 import { keysOf } from '../../../model/clip.ts';
 import { button, element } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
@@ -9,10 +12,10 @@ import { PLOT_TOP, timeAt, xOf, yOf } from './scene/space.ts';
 import { scaler } from './tools/scale.ts';
 import type { PlotAccess } from './tools/tool.ts';
 
-/** What the frame needs of the plot beside what drags do. */
+/** What the transform box needs of the plot, beyond `PlotAccess`. */
 export interface FramedPlot extends PlotAccess {
   readonly element: HTMLElement;
-  /** Nothing rescales by itself meanwhile. */
+  /** Stops refitting and renormalising meanwhile. */
   freeze(frozen: boolean): void;
 }
 
@@ -34,9 +37,9 @@ const GRIPS: readonly (readonly [-1 | 0 | 1, -1 | 0 | 1, string])[] = [
   [0, 1, 'ns-resize'],
   [1, 1, 'nwse-resize'],
 ];
-/** Kept free between the keys and the frame, so that keys can still be taken. */
+/** Gap between the keys and the box, so that keys can still be clicked. */
 const MARGIN = 12;
-/** A side that is shorter has nothing to scale. */
+/** A side shorter than this can't be scaled. */
 const MIN_PIXELS = 2;
 
 export class ScaleFrame {
@@ -118,7 +121,7 @@ export class ScaleFrame {
   }
 }
 
-/** Where the selected keys in view of the list are; undefined where there is nothing to scale. */
+/** Bounds of the selected keys in view; undefined if there is nothing to scale. */
 function edgesOf(scene: CurveScene): Edges | undefined {
   const { space, clip, offsetSeconds } = scene;
   let left = Number.POSITIVE_INFINITY;

@@ -1,4 +1,4 @@
-/** The buttons of the curve editor, in the row of the tabs. All of them are actions; none does anything of its own. */
+/** The curve editor's buttons, in the row of tabs. All of them run actions. */
 import { button, element, keepsFocusElsewhere } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
@@ -18,7 +18,7 @@ const HANDLE_ICONS: Readonly<Record<HandleMode, IconName>> = {
   together: 'handlesTogether',
 };
 
-/** Groups that give way where there is no room (`curves.css`): what of them a menu has then. */
+/** Groups that collapse into menus when the row is narrow (`curves.css`), with the menus' entries. */
 const YIELDING: Readonly<Record<string, readonly string[]>> = {
   'key-tools': ['insertKey', 'delete', 'onCollision.replace', 'onCollision.step'],
   'snap-tools': ['snapsToFrames', 'snapsToValues', 'scaleFrame'],

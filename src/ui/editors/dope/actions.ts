@@ -1,4 +1,4 @@
-/** What the dope sheet has beyond the keys' own actions: ripple, folds, and the way to the curves. */
+/** Actions of the dope sheet beyond those on keys: ripple, collapsing rows, showing curves. */
 import { rippleKeys } from '../../../edit/commands/keys.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { allFolds } from '../timeline/dope-rows.ts';

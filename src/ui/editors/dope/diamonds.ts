@@ -1,13 +1,13 @@
 /**
- * Keys as diamonds, drawn once for each size and state and then copied: a full sheet shows thousands of them, and
- * copying costs half of what filling paths does. They lie on whole device pixels, so that all of them are alike.
+ * Key diamonds, drawn once per size and state and then copied: a full sheet has thousands, and copying costs half as
+ * much as filling paths. Aligned to device pixels, so that all look alike.
  */
 import { PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 
 export interface DiamondColours {
   readonly key: string;
   readonly selected: string;
-  /** Around each, so that diamonds that overlap can be told apart. */
+  /** Outline, so that overlapping diamonds can be told apart. */
   readonly rim: string;
 }
 
@@ -15,7 +15,7 @@ export interface DiamondColours {
 export const DIAMOND_SIZES = { summary: 5.5, group: 4.5, channel: 3.5 } as const;
 export type DiamondSize = keyof typeof DIAMOND_SIZES;
 
-/** Room for the rim. */
+/** Margin for the outline. */
 const MARGIN = 1.5;
 
 export class Diamonds {

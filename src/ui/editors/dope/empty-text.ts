@@ -1,4 +1,4 @@
-/** What would fill an empty dope sheet. */
+/** Text of an empty dope sheet: how to get keys. */
 import { spanOfChannel } from '../../../model/clip.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';

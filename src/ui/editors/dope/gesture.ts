@@ -1,10 +1,10 @@
-/** What a drag in the sheet is, and what it may use. */
+/** The interface of drags in the sheet. */
 import type { Uses } from '../../state/workbench.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { SheetKeys } from './hit.ts';
 import type { Sheet } from './sheet.ts';
 
-/** Where the pointer is, in the sheet, and what is held down. */
+/** Pointer position in the sheet, with modifiers. */
 export interface Pointer {
   readonly x: number;
   readonly y: number;
@@ -14,21 +14,21 @@ export interface Pointer {
   readonly alt: boolean;
 }
 
-/** What gestures see of the panel: always as it is now, for it may be scrolled and zoomed under them. */
+/** The panel as gestures see it: always current, since it may be scrolled and zoomed meanwhile. */
 export interface DopeHost {
   readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>;
   sheet(): Sheet;
   shown(): SheetKeys;
 }
 
-/** `move` works from the press on and not from the last call, so that nothing drifts. */
+/** `move` computes from the press, not from the last call, so that nothing drifts. */
 export interface DopeDrag {
   move(at: Pointer): void;
-  /** @param moved the pointer went further than a click's */
+  /** @param moved the pointer moved further than a click */
   release(at: Pointer, moved: boolean): void;
-  /** Escape: everything as it was. */
+  /** Escape: restores everything. */
   cancel(): void;
   readonly box?: SelectionBox | undefined;
-  /** What it has come to, to be read beside the pointer. */
+  /** The result so far, shown beside the pointer. */
   readonly readout?: string | undefined;
 }

@@ -1,11 +1,11 @@
 /**
- * What a press with the first button begins.
+ * What a press of the left button starts.
  *
- *     a diamond        selects its keys; Shift adds or takes away; dragging moves what is selected
- *       with Ctrl      drags a copy and leaves the keys where they are
- *       with Alt       takes all later keys along (ripple); with the ripple switch on, the other way round
- *     the strip's bar  moves what is selected, its ends scale it about the other end, with Alt about the playhead
- *     anything else    a box: Shift adds, Ctrl takes away; a click selects nothing
+ *     a diamond        selects its keys; Shift adds or removes; dragging moves the selection
+ *       with Ctrl      drags a copy
+ *       with Alt       moves all later keys along (ripple); inverted if ripple is switched on
+ *     the strip's bar  moves the selection, its ends scale it about the other end, with Alt about the playhead
+ *     anything else    a box: Shift adds, Ctrl removes; a click deselects
  */
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { toggleKeys, unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
@@ -15,7 +15,7 @@ import type { SheetHit } from './hit.ts';
 import { MoveKeys, type MoveWay, ScaleKeys } from './key-drags.ts';
 import { SelectBox } from './select-box.ts';
 
-/** Undefined where a press means nothing more. */
+/** Undefined if the press does nothing more. */
 export function gestureAt(host: DopeHost, hit: SheetHit, at: Pointer): DopeDrag | undefined {
   switch (hit.kind) {
     case 'keys':
@@ -31,7 +31,7 @@ export function gestureAt(host: DopeHost, hit: SheetHit, at: Pointer): DopeDrag 
   }
 }
 
-/** A press on a diamond selects before it moves anything. */
+/** A press on a diamond selects before anything is moved. */
 function pressKeys(
   host: DopeHost,
   { keys, timeSeconds }: Extract<SheetHit, { kind: 'keys' }>,
@@ -54,7 +54,7 @@ function pressKeys(
     cancel: () => drag.cancel(),
     release(to, moved) {
       drag.release(to, moved);
-      // What was a click after all means this diamond, and no other that was selected with it.
+      // A click selects this diamond only, even if it was part of a selection.
       if (!moved && !at.shift) selectKeys(wb, at.ctrl ? toggleKeys(before, keys) : keys);
     },
   };
@@ -65,7 +65,7 @@ function moveWay({ wb }: DopeHost, at: Pointer): MoveWay {
   return at.alt === wb.timeline.view.get().ripples ? 'move' : 'ripple';
 }
 
-/** The cursor that says what a press would do. */
+/** The cursor for a press. */
 export function cursorFor({ wb }: DopeHost, hit: SheetHit, held: Pick<Pointer, 'ctrl' | 'shift'>): string {
   switch (hit.kind) {
     case 'ruler':

@@ -1,4 +1,4 @@
-/** What is under the pointer, and what a box takes in. Pure: the sheet's geometry and the clip's keys, no canvas. */
+/** Hit testing in the sheet, for points and boxes. Pure: the sheet's geometry and the clip's keys, no canvas. */
 import { keysBetween, nearestKeyTime } from '../../../edit/keys/row-keys.ts';
 import type { Channel } from '../../../model/clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
@@ -11,26 +11,26 @@ export interface SheetKeys {
   readonly rows: readonly DopeRow[];
   /** Of the clip. */
   readonly channels: readonly Channel[];
-  /** Clip's time = transport's time + this. */
+  /** Clip time = transport time + this. */
   readonly offsetSeconds: number;
-  /** First and last time of the selected keys, the transport's; absent where none is selected. */
+  /** First and last time of the selected keys, of the transport; absent if none is selected. */
   readonly selectedSpan?: readonly [number, number] | undefined;
 }
 
 export type SheetHit =
   | { readonly kind: 'ruler' }
-  /** The bar of the selection: one of its ends scales, the rest moves. */
+  /** The selection's bar: its ends scale, the rest moves. */
   | { readonly kind: 'strip'; readonly part: 'start' | 'end' | 'body' }
-  /** A diamond, and the keys that it stands for. */
+  /** A diamond, and its keys. */
   | { readonly kind: 'keys'; readonly row: number; readonly timeSeconds: number; readonly keys: readonly ChannelKeys[] }
   | { readonly kind: 'row'; readonly row: number }
   | { readonly kind: 'nothing' };
 
-/** A diamond is taken from this many pixels away, and a box that reaches as far into a row touches its keys. */
+/** Hit tolerance in pixels for diamonds, and for boxes that reach into a row. */
 export const REACH = 6;
-/** Width of what is grabbed at each end of the strip's bar, outside and inside of it. */
+/** Width of the grips at each end of the strip's bar, outside and inside. */
 export const GRIP = 7;
-/** Times nearer than this are one: the same frame, come to by different sums. */
+/** Closer times are the same frame, up to rounding. */
 const SAME_SECONDS = 1e-6;
 
 export function hitSheet(sheet: Sheet, shown: SheetKeys, x: number, y: number): SheetHit {
@@ -44,14 +44,14 @@ export function hitSheet(sheet: Sheet, shown: SheetKeys, x: number, y: number): 
   return { kind: 'keys', row, timeSeconds, keys: keysUnder(sheet, shown, row, timeSeconds) };
 }
 
-/** The transport's time of the key in a row that is nearest to x, if it is near enough to be meant. */
+/** The transport time of the key in a row nearest to x, if within reach. */
 function diamondNear(sheet: Sheet, shown: SheetKeys, row: number, x: number): number | undefined {
   const at = sheetTime(sheet, x) + shown.offsetSeconds;
   const time = nearestKeyTime(shown.channels, shown.rows[row].channels, at, REACH * secondsPerPixel(sheet));
   return time === undefined ? undefined : time - shown.offsetSeconds;
 }
 
-/** All keys that one diamond stands for: the row's keys in the pixel of one of them, as they are drawn. */
+/** All keys of one diamond: the row's keys within one pixel, as drawn. */
 function keysUnder(sheet: Sheet, shown: SheetKeys, row: number, timeSeconds: number): ChannelKeys[] {
   const pixel = secondsPerPixel(sheet);
   const left = sheet.window.from + Math.floor((timeSeconds - sheet.window.from) / pixel) * pixel;
@@ -66,9 +66,9 @@ function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHi
   const start = sheetX(sheet, selectedSpan[0]);
   const end = sheetX(sheet, selectedSpan[1]);
   if (x < start - GRIP || x > end + GRIP) return { kind: 'nothing' };
-  // Keys of one moment can only be moved.
+  // Keys at a single time can only be moved.
   if (!(selectedSpan[1] > selectedSpan[0])) return { kind: 'strip', part: 'body' };
-  // A short bar keeps a middle to be moved by: its grips lie outside.
+  // A short bar keeps a middle part for moving: its grips are outside.
   const inside = Math.min(GRIP, (end - start) / 4);
   if (x <= start + inside) return { kind: 'strip', part: 'start' };
   if (x >= end - inside) return { kind: 'strip', part: 'end' };
@@ -76,11 +76,11 @@ function hitStrip(sheet: Sheet, { selectedSpan }: SheetKeys, x: number): SheetHi
 }
 
 /**
- * The keys whose diamonds lie in a box: of every row that it reaches into, those between its left and right edge. The
- * summary stands in front of rows that are scrolled below it, so it is a box of its own: only one that begins on it
- * means it, and then whole columns.
+ * The keys whose diamonds are in a box: in every row that it touches, those between its left and right edge. The
+ * summary covers rows scrolled below it, so a box that starts on it selects whole columns, and any other box ignores
+ * it.
  *
- * @param box pixels; what is scrolled out of sight lies above or below the sheet
+ * @param box pixels; rows scrolled out of view are above or below the sheet
  */
 export function sheetKeysInBox(sheet: Sheet, shown: SheetKeys, box: SelectionBox, onSummary: boolean): ChannelKeys[] {
   const from = sheetTime(sheet, Math.min(box.x0, box.x1)) + shown.offsetSeconds;
@@ -93,11 +93,11 @@ export function sheetKeysInBox(sheet: Sheet, shown: SheetKeys, box: SelectionBox
   return keysBetween(shown.channels, inOrder, from, to);
 }
 
-/** First and end (not included) of the rows below the summary whose diamonds an upright span touches. */
+/** First and end (exclusive) of the rows below the summary whose diamonds a vertical span touches. */
 export function rowsTouched(sheet: Sheet, top: number, bottom: number): readonly [number, number] {
   const { rowHeight, rowCount } = sheet;
   const half = Math.min(REACH, rowHeight / 2);
-  // A row's diamonds reach from its middle − half to its middle + half, its middle being at rowTop + rowHeight / 2.
+  // A row's diamonds extend by `half` above and below its centre, rowTop + rowHeight / 2.
   const rowsDown = (y: number) => (y - rowTop(sheet, 1)) / rowHeight + 0.5;
   const first = Math.ceil(rowsDown(top - half));
   const end = Math.floor(rowsDown(bottom + half)) + 1;

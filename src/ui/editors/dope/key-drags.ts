@@ -1,6 +1,6 @@
 /**
- * Dragging keys: moving them in time, alone or with all later ones or as copies, and scaling their times. Each is one
- * command, previewed from the document as it was at the press: one step of undo at the release, none after Escape.
+ * Drags of keys: moving them in time (alone, with all later ones, or as copies) and scaling their times. Each is one
+ * command, previewed from the document at the press: one undo step on release, none after Escape.
  */
 import { moveKeys, rippleKeys, scaleKeys } from '../../../edit/commands/keys.ts';
 import { pasteKeys } from '../../../edit/commands/paste.ts';
@@ -15,13 +15,13 @@ import { frameNumber, snapSeconds } from '../timeline/snapping.ts';
 import type { DopeDrag, DopeHost, Pointer } from './gesture.ts';
 import { secondsPerPixel, sheetTime } from './sheet.ts';
 
-/** What moving and scaling have in common: the keys as they were, and an edit that is kept or given up. */
+/** Shared by moving and scaling: the original keys, and an edit that is committed or cancelled. */
 abstract class KeyDrag implements DopeDrag {
   readout: string | undefined;
   protected readonly edit: HandEdit | undefined;
   protected readonly take: Take | undefined;
   protected readonly keys: readonly ChannelKeys[];
-  /** From the first selected key to the last, the transport's seconds. */
+  /** From the first selected key to the last, seconds of the transport. */
   protected readonly span: readonly [number, number];
 
   constructor(
@@ -42,7 +42,7 @@ abstract class KeyDrag implements DopeDrag {
     this.readout = text && !edit?.cancelled ? `${text} · ${plural(countKeys(keys), 'key')}` : undefined;
   }
 
-  /** Shows the edit as it would be here, and says what it comes to. */
+  /** Previews the edit at a position, and returns its readout. */
   protected abstract preview(at: Pointer, take: Take, edit: HandEdit): string | undefined;
 
   release(_at: Pointer, moved: boolean): void {
@@ -59,7 +59,7 @@ abstract class KeyDrag implements DopeDrag {
     this.edit?.cancel();
   }
 
-  /** Seconds that the pointer has gone since the press, such that a key taken at `grabbed` lands on a frame. */
+  /** Seconds moved since the press, snapped so that a key at `grabbed` is on a frame. */
   protected dragged(at: Pointer, grabbed: number, snapTurned: boolean): number {
     const { wb } = this.host;
     const sheet = this.host.sheet();
@@ -69,7 +69,7 @@ abstract class KeyDrag implements DopeDrag {
   }
 }
 
-/** `ripple` takes all later keys of the same channels along; `copy` leaves the keys and moves others like them. */
+/** `ripple` moves all later keys of the same channels too; `copy` leaves the keys and moves duplicates. */
 export type MoveWay = 'move' | 'ripple' | 'copy';
 
 const WAY_WORDS: Readonly<Record<MoveWay, string>> = { move: '', ripple: 'Ripple ', copy: 'Copy ' };
@@ -79,7 +79,7 @@ export class MoveKeys extends KeyDrag {
   private readonly moving: typeof moveKeys;
   private readonly rippling: typeof rippleKeys;
 
-  /** @param grabbedSeconds the key that is put on frames: the one taken hold of, else the first */
+  /** @param grabbedSeconds the key to be snapped: the grabbed one, else the first */
   constructor(
     host: DopeHost,
     from: Pointer,
@@ -96,7 +96,7 @@ export class MoveKeys extends KeyDrag {
     const { keys, way, copied } = this;
     const { wb } = this.host;
     const { id: characterId, timeOffsetSeconds } = character;
-    // Ctrl held for a copy is not held to come off the frames.
+    // While copying, Ctrl doesn't switch snapping off.
     const seconds = this.dragged(at, this.grabbedSeconds ?? this.span[0], at.ctrl && way !== 'copy');
     if (copied) {
       const timeSeconds = this.span[0] + timeOffsetSeconds + seconds;
@@ -131,10 +131,10 @@ export class ScaleKeys extends KeyDrag {
     const [moving, other] = this.end === 'end' ? [end, start] : [start, end];
     const pivot = at.alt ? timeSeconds : other;
     const reach = moving - pivot;
-    // A playhead on the very end that is dragged: there is nothing to scale by.
+    // The playhead is at the dragged end: no factor is defined.
     if (Math.abs(reach) < 1e-9) return undefined;
     const by = this.dragged(at, moving, at.ctrl);
-    // Never onto the pivot or through it: all keys would fall on each other.
+    // Never to the pivot or past it: all keys would coincide.
     const least = snapsToFrames === at.ctrl ? secondsPerPixel(this.host.sheet()) : 1 / framesPerSecond;
     const timeFactor = Math.max(Math.min(1, least / Math.abs(reach)), (reach + by) / reach);
     edit.preview(this.scaling, {

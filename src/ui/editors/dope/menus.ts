@@ -1,4 +1,4 @@
-/** Context menus of the dope sheet: what can be done with the keys or the row under the pointer. */
+/** Context menus of the dope sheet, for keys and rows. */
 import { areSelected } from '../../../edit/keys/row-keys.ts';
 import { allKeys, countKeys, keysAtTime, unionKeys } from '../../../edit/keys/selection.ts';
 import { type MenuEntry, openMenu } from '../../kit/menu.ts';
@@ -15,7 +15,7 @@ import { showCurves } from './show-curves.ts';
 
 type Place = { readonly x: number; readonly y: number };
 
-/** Actions, or a menu of the menu bar's as one within. */
+/** Actions, or a menu of the menu bar as a submenu. */
 const KEY_IDS = [
   ['timeline.cut', 'timeline.copy', 'timeline.paste', 'timeline.duplicate', 'timeline.delete'],
   ['Keys/Tangents', 'timeline.snapToFrames', 'timeline.scaleKeys', 'dope.rippleEarlier', 'dope.rippleLater'],
@@ -27,7 +27,7 @@ const EMPTY_IDS = [
   ['dope.allRows', 'dope.unfoldAll', 'dope.foldAll', 'timeline.fitAll'],
 ] as const;
 
-/** The menu of a place in the sheet. Keys that are not selected yet become so first: it is about what one points at. */
+/** The menu at a point of the sheet. Keys there are selected first, so that the menu applies to what was clicked. */
 export function sheetMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   rows: readonly DopeRow[],
@@ -63,7 +63,7 @@ function keysMenu(
   show(wb, KEY_IDS, own, at, 'Keys');
 }
 
-/** The menu of a row, on its name and beside its keys alike. */
+/** The menu of a row, on its name as well as beside its keys. */
 export function rowMenu(
   wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings'>,
   row: DopeRow,

@@ -1,6 +1,6 @@
 /**
- * The names beside the sheet: a windowed list of all rows but the summary, which stays on top. It is the scroller of
- * both: the sheet is drawn to how far it is scrolled.
+ * The names beside the sheet: a windowed list of all rows except the summary, which stays on top. It scrolls for both:
+ * the sheet is drawn at its scroll position.
  */
 import { jointName } from '../../../model/joint-name.ts';
 import { element, setAttribute, setText } from '../../kit/dom.ts';
@@ -11,16 +11,16 @@ import { rowAfterKey, WindowedList, type WindowedRow } from '../../kit/windowed-
 import type { DopeRow } from '../timeline/dope-rows.ts';
 
 export interface NameEvents {
-  /** @param every all rows along with it */
+  /** @param every all other rows too */
   fold(row: DopeRow, open: boolean, every: boolean): void;
-  /** Gone to, by a click or the arrow keys. */
+  /** By click or arrow keys. */
   choose(row: DopeRow): void;
   selectKeys(row: DopeRow, adds: boolean): void;
   menu(row: DopeRow, at: { readonly x: number; readonly y: number }): void;
   scrolled(): void;
 }
 
-/** How many keys a row has, and how many of them are selected. */
+/** Number of keys of a row, and of selected ones. */
 export type CountKeys = (row: DopeRow) => { readonly keys: number; readonly selected: number };
 
 export class DopeNames {
@@ -68,7 +68,7 @@ export class DopeNames {
     return this.element.scrollTop;
   }
 
-  /** As far as there are rows. */
+  /** Clamped to the rows. */
   scrollTo(top: number): void {
     this.element.scrollTop = top;
   }
@@ -79,13 +79,13 @@ export class DopeNames {
     this.point();
   }
 
-  /** Counts and marks, on the rows that are there. */
+  /** Updates counts and marks of the rows in view. */
   refresh(selectedJoint: number | undefined): void {
     this.selectedJoint = selectedJoint;
     this.list.each((row, index) => this.mark(row, this.rows[index]));
   }
 
-  /** Brings a joint's row into view. */
+  /** Scrolls a joint's row into view. */
   reveal(joint: number): void {
     const index = this.rows.findIndex((row) => row.kind === 'joint' && row.joint === joint);
     if (index < 0) return;
@@ -220,7 +220,7 @@ function makeRow(): NameRow {
   return { element: element('div', { role: 'row' }, name, count), name, count };
 }
 
-/** What a row is called on screen. */
+/** The displayed name of a row. */
 export function rowName(row: DopeRow): string {
   if (row.kind === 'summary') return 'All keys';
   return row.label || (row.joint === undefined ? 'unnamed' : jointName(undefined, row.joint));

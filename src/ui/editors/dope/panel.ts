@@ -1,7 +1,7 @@
 /**
- * The dope sheet: when things are keyed, for the whole character at a glance. Names and counts of the rows to the left,
- * their keys on canvases to the right; both follow the document, the selection and the timeline's view, and draw once a
- * frame what has changed of them, only while they can be seen.
+ * The dope sheet: the timing of all keys of a character at a glance. Names and counts of the rows to the left, their
+ * keys on canvases to the right; both follow the document, the selection and the timeline's view, and redraw once a
+ * frame what has changed, only while visible.
  */
 import { keyCount, selectedCount, spanOf } from '../../../edit/keys/row-keys.ts';
 import { allKeys, NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
@@ -33,7 +33,7 @@ export function dopePanel(
 }
 
 const NO_CURVES = compileChannels([]);
-/** A single moment is shown in the middle of this much. */
+/** Window around a single time. */
 const AROUND_SECONDS = 0.5;
 
 class DopePanel implements TimelineTab, SheetPointerHost {
@@ -93,7 +93,8 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     wb.transport.subscribe((now, before) => {
       if (!this.visible) return;
       if (now.framesPerSecond !== before.framesPerSecond || now.range !== before.range) this.redraw();
-      // Jumped to, by a key or a number: bring it into view. While playing the window stays where it was put.
+      // Time was changed by a key or a field: bring it into view. While playing, the window stays where the user put
+      // it.
       if (now.timeSeconds !== before.timeSeconds && !now.playing) {
         const { window } = wb.timeline.view.get();
         const next = revealTime(window, now.timeSeconds);
@@ -147,7 +148,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     this.redraw();
   }
 
-  // What gestures and the pointer ask for.
+  // For gestures and pointer.
 
   sheet(): Sheet {
     const { window } = this.wb.timeline.view.get();
@@ -191,7 +192,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     return { keys: keyCount(channels, row.channels), selected: selectedCount(row.channels, this.selected()) };
   }
 
-  /** The rows anew where they are others, everything drawn anew in any case. */
+  /** Rebuilds the rows if they have changed; always redraws. */
   private refresh(force = false): void {
     const before = this.take;
     this.take = takeInHand(this.wb);
@@ -214,14 +215,14 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     this.redraw();
   }
 
-  /** Another take: where one looked at the one before says nothing about it. */
+  /** Shows another take: the previous window says nothing about it. */
   private meet(isAnother: boolean): void {
     const span = this.wholeSpan();
     if (!span) return;
     const { window } = this.wb.timeline.view.get();
     const shared = Math.min(window.to, span[1]) - Math.max(window.from, span[0]);
     const whole = Math.max(window.to, span[1]) - Math.min(window.from, span[0]);
-    // Coming from the curves one goes on looking where one was.
+    // Coming from the curve editor keeps the window.
     if (isAnother || shared < whole / 2) this.fitAll();
   }
 
@@ -265,7 +266,7 @@ class DopePanel implements TimelineTab, SheetPointerHost {
     else this.wb.timeline.change({ unfolded: open ? [...others, fold] : others });
   }
 
-  /** Selects the row's joint; selected keys stay, for one looks for the joint that they are of. */
+  /** Selects the row's joint and keeps the selected keys: one may be looking for the joint that they belong to. */
   private choose({ joint }: DopeRow): void {
     const { take } = this;
     if (!take || joint === undefined) return;

@@ -1,4 +1,4 @@
-/** The pieces of the dope sheet's picture: grounds of rows, held stretches, the strip, the box, the readout. */
+/** Parts of the dope sheet's picture: row backgrounds, held spans, the strip, the box, the readout. */
 import { STILL } from '../../../edit/keys/marks.ts';
 import type { SelectionBox } from '../timeline/box.ts';
 import type { DopeRow } from '../timeline/dope-rows.ts';
@@ -19,7 +19,7 @@ export interface DopeColours extends TimeColours {
   readonly text: string;
 }
 
-/** Pixels of marks beyond both edges: of keys that lie just outside half of the diamond is in view. */
+/** Margin beyond both edges: half a diamond of keys just outside is visible. */
 export const PAD = 8;
 const HELD_HEIGHT = 4;
 const SAMPLED_HEIGHT = 6;
@@ -37,7 +37,7 @@ export function drawSheetGround(
   const chosen = row.joint !== undefined && row.joint === selectedJoint;
   if (chosen || row.kind === 'channel') {
     g.fillStyle = chosen ? colours.selectedQuiet : colours.field;
-    // Quieter than the name: the keys in it have to be told apart.
+    // Fainter than the name, so that the keys on it stay visible.
     g.globalAlpha = chosen ? (row.kind === 'channel' ? 0.3 : 0.6) : 1;
     g.fillRect(0, top, sheet.width, sheet.rowHeight);
     g.globalAlpha = 1;
@@ -47,7 +47,7 @@ export function drawSheetGround(
   g.fillRect(0, top + sheet.rowHeight - 1, sheet.width, 1);
 }
 
-/** Bars where a row has keys on both sides and nothing moves between them. */
+/** Bars between keys where nothing in the row changes. */
 export function drawHeld(
   g: CanvasRenderingContext2D,
   moves: Uint8Array,
@@ -66,13 +66,13 @@ export function drawHeld(
       continue;
     }
     const to = next < 0 ? end : Math.min(next, end);
-    // From the middle of one key to the middle of the next.
+    // From the centre of one key to the centre of the next.
     g.fillRect(pixel - PAD + 0.5, y - HELD_HEIGHT / 2, to - pixel, HELD_HEIGHT);
     pixel = to;
   }
 }
 
-/** A quiet bar from the first frame to the last one, where a row has channels that follow samples. */
+/** A faint bar from the first frame to the last if a row has sampled channels. */
 export function drawSampled(
   g: CanvasRenderingContext2D,
   sheet: Sheet,
@@ -90,7 +90,7 @@ export function drawSampled(
   g.globalAlpha = 1;
 }
 
-/** What is selected, from its first key to its last, with grips at both ends. */
+/** The selection from its first key to its last, with grips at both ends. */
 export function drawStrip(g: CanvasRenderingContext2D, { sheet, selectedSpan }: DopeScene, colours: DopeColours): void {
   g.fillStyle = colours.ruler;
   g.fillRect(0, STRIP_TOP, sheet.width, STRIP_HEIGHT);

@@ -1,6 +1,6 @@
 /**
- * Draws the dope sheet on two canvases: what changes with edits and looking around below, and what follows the clock
- * and the pointer (playhead, box, readout) above, so that playing redraws a line and nothing else.
+ * Draws the dope sheet on two canvases: edits and navigation below; playhead, box and readout above, so that playback
+ * redraws only a line.
  */
 import { markKeys, markMoves, PLAIN, SELECTED } from '../../../edit/keys/marks.ts';
 import { runsOf } from '../../../evaluate/plot/runs.ts';
@@ -45,7 +45,7 @@ export class DopePicture {
     this.element.append(this.below, this.above);
   }
 
-  /** Another theme: colours are read anew with the next drawing. */
+  /** The theme has changed: rereads the colours on the next drawing. */
   recolour(): void {
     this.colours = undefined;
     this.diamonds = undefined;
@@ -110,7 +110,7 @@ export class DopePicture {
     return this.colours;
   }
 
-  /** Rows `first` up to `end`, from their grounds to their keys. */
+  /** Rows `first` up to `end`, with backgrounds and keys. */
   private drawRows(
     g: CanvasRenderingContext2D,
     scene: DopeScene,

@@ -11,16 +11,16 @@ import { rowsTop, secondsPerPixel, sheetTime } from './sheet.ts';
 
 export interface SheetPointerHost extends DopeHost {
   look(window: TimeWindow): void;
-  /** Pixels, to the rows' beginning or end at most. */
+  /** Pixels, clamped to the rows. */
   scrollBy(pixels: number): void;
   menu(hit: SheetHit, at: { readonly x: number; readonly y: number }): void;
   overlayChanged(): void;
 }
 
-/** A press that goes no further than this is a click. */
+/** A press that moves no further than this is a click. */
 const CLICK_PIXELS = 3;
 const ZOOM_STEP = 1.15;
-/** What one notch of a wheel mostly is, in steps of the zoom. */
+/** A typical wheel notch in pixels: one zoom step. */
 const STEP_PIXELS = 60;
 const LINE_PIXELS = 16;
 
@@ -51,7 +51,7 @@ export class SheetPointer {
 
   private dragging = false;
 
-  /** The box and the readout of the drag that is under way. */
+  /** Box and readout of the current drag. */
   get overlay() {
     const { gesture, last } = this;
     const text = gesture?.readout;
@@ -83,7 +83,7 @@ export class SheetPointer {
     if (event.button > 1 || this.dragging) return;
     event.preventDefault();
     this.target.focus({ preventScroll: true });
-    // Ctrl with a click is a Mac's context menu.
+    // On a Mac, Ctrl+click opens the context menu.
     if (event.button === 0 && isMac && event.ctrlKey) return;
     const at = this.pointerOf(event);
     const hit = this.hitAt(at);
@@ -123,7 +123,7 @@ export class SheetPointer {
     return { move, release: move, cancel() {} };
   }
 
-  /** Tells a click from a drag, and scrolls where the drag leaves the rows. */
+  /** Tells a click from a drag, and scrolls if the drag leaves the rows. */
   private gesturing(gesture: DopeDrag): DopeDrag {
     return {
       move: (at) => {
@@ -141,7 +141,7 @@ export class SheetPointer {
     if (over !== 0) this.host.scrollBy(over / 2);
   }
 
-  /** Once a frame with the latest position, and once more with the release. */
+  /** Once a frame with the latest position, and again on release. */
   private follow(event: PointerEvent, gesture: DopeDrag, cursor: string): void {
     const from = this.pointerOf(event);
     let latest = from;
@@ -179,7 +179,7 @@ export class SheetPointer {
         // Alt would open the browser's menu.
         e.preventDefault();
       } else if (this.gesture) {
-        // The keyboard waits: a deleted key can't be dragged on.
+        // Blocks shortcuts during a drag, which might delete the dragged key.
         e.preventDefault();
         e.stopPropagation();
       }
@@ -191,7 +191,7 @@ export class SheetPointer {
       },
       key,
       over: (_, release) => {
-        // Of two buttons it is the first that drags.
+        // With two buttons down, only the first one drags.
         if (release?.button !== event.button) return end(() => gesture.cancel());
         take(release);
         end(() => {
@@ -214,7 +214,7 @@ export class SheetPointer {
       host.look(zoomWindow(sheet.window, sheetTime(sheet, at.x), ZOOM_STEP ** (dy / STEP_PIXELS)));
       return;
     }
-    // With Shift some systems turn the wheel to the side by themselves.
+    // With Shift, some systems already scroll horizontally.
     const sideways = Math.abs(dx) > Math.abs(dy) ? dx : event.shiftKey ? dy : 0;
     if (sideways) host.look(panWindow(sheet.window, sideways * secondsPerPixel(sheet)));
     else host.scrollBy(dy);

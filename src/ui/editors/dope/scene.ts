@@ -1,4 +1,4 @@
-/** What the dope sheet shows at one moment: all that drawing needs, and nothing it may change. */
+/** What the dope sheet shows: everything that drawing needs, read-only. */
 import type { CompiledClip } from '../../../evaluate/compiled-clip.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { SelectionBox } from '../timeline/box.ts';
@@ -9,9 +9,9 @@ export interface DopeScene extends SheetKeys {
   readonly sheet: Sheet;
   readonly curves: CompiledClip;
   readonly selected: readonly ChannelKeys[];
-  /** Its rows stand out. */
+  /** Its rows are emphasised. */
   readonly selectedJoint: number | undefined;
-  /** What is played, seconds of the transport. */
+  /** Playback range, seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;

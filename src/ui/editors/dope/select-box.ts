@@ -1,4 +1,4 @@
-/** Dragging a box over diamonds. Its first corner stays on its time and row when the sheet is scrolled or zoomed. */
+/** Box selection of diamonds. Its first corner stays at its time and row when the sheet is scrolled or zoomed. */
 import { unionKeys, withoutKeys } from '../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../model/session.ts';
 import type { SelectionBox } from '../timeline/box.ts';
@@ -11,10 +11,10 @@ export class SelectBox implements DopeDrag {
   box: SelectionBox | undefined;
   private readonly before: readonly ChannelKeys[];
   private readonly seconds: number;
-  /** Pixels below the sheet's top, were the rows not scrolled. */
+  /** Pixels below the sheet's top, as if unscrolled. */
   private readonly down: number;
 
-  /** @param onSummary whole columns: the summary stands for all rows */
+  /** @param onSummary selects whole columns */
   constructor(
     private readonly host: DopeHost,
     private readonly from: Pointer,

@@ -2,13 +2,13 @@
  * The dope sheet's coordinates, in CSS pixels from the picture's top left corner:
  *
  *     y = 0            ┌── time ruler ──────────────┐
- *     STRIP_TOP        ├── strip of the selection ──┤   what is selected, as one bar: moved and scaled by it
- *     HEAD             ├── row 0, the summary ──────┤   stays where it is
+ *     STRIP_TOP        ├── strip of the selection ──┤   the selection as a bar, to move and scale it
+ *     HEAD             ├── row 0, the summary ──────┤   doesn't scroll
  *     HEAD + row       ├── rows 1 … ────────────────┤   scrolled by `scrollTop`
  *                      └────────────────────────────┘ height
  *                 x = 0 (window.from)           width (window.to)
  *
- * Times are the transport's unless they are called the clip's.
+ * Times are the transport's unless stated otherwise.
  */
 import type { TimeWindow } from '../../kit/time-window.ts';
 import { TIME_RULER_HEIGHT } from '../timeline/time-ruler.ts';
@@ -22,9 +22,9 @@ export interface Sheet {
   readonly height: number;
   readonly window: TimeWindow;
   readonly rowHeight: number;
-  /** The summary is one of them. */
+  /** Including the summary. */
   readonly rowCount: number;
-  /** Pixels that the rows below the summary are scrolled up by. */
+  /** Scroll offset in pixels of the rows below the summary. */
   readonly scrollTop: number;
 }
 
@@ -40,17 +40,17 @@ export function sheetTime(sheet: Sheet, x: number): number {
   return sheet.window.from + x * secondsPerPixel(sheet);
 }
 
-/** Where the scrolled rows begin. */
+/** Top of the scrolled rows. */
 export function rowsTop({ rowHeight }: Sheet): number {
   return HEAD + rowHeight;
 }
 
-/** Upper edge of a row, on screen or not. */
+/** Top of a row, visible or not. */
 export function rowTop(sheet: Sheet, row: number): number {
   return row === 0 ? HEAD : HEAD + row * sheet.rowHeight - sheet.scrollTop;
 }
 
-/** The row at a height; undefined on the ruler, the strip, and below the last row. */
+/** The row at a height; undefined on the ruler, on the strip, and below the last row. */
 export function rowAt(sheet: Sheet, y: number): number | undefined {
   if (y < HEAD || sheet.rowCount === 0) return undefined;
   if (y < rowsTop(sheet)) return 0;
@@ -58,7 +58,7 @@ export function rowAt(sheet: Sheet, y: number): number | undefined {
   return row < sheet.rowCount ? row : undefined;
 }
 
-/** First and end (not included) of the scrolled rows that can be seen. */
+/** First and end (exclusive) of the scrolled rows in view. */
 export function rowsInView(sheet: Sheet): readonly [number, number] {
   const first = 1 + Math.floor(sheet.scrollTop / sheet.rowHeight);
   const end = Math.ceil((sheet.height - HEAD + sheet.scrollTop) / sheet.rowHeight);

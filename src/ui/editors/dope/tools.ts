@@ -1,11 +1,11 @@
-/** The dope sheet's few controls: a filter over the names, and switches in the row of the tabs. */
+/** Controls of the dope sheet: a name filter, and switches in the row of tabs. */
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { findAction, isChecked, tryAction } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** Switches and what their tooltips say of them. */
+/** Switches and their tooltips. */
 const SWITCHES: Readonly<Record<string, string>> = {
   'dope.ripples': 'Ripple: later keys move with dragged ones. Hold Alt while dragging to invert',
   'timeline.snapsToFrames': 'Snap to frames. Hold Ctrl while dragging to invert',
@@ -29,7 +29,7 @@ export function dopeTools(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLEl
   return tools;
 }
 
-/** Part of a joint's or a channel's name: one filter for curves and dope sheet. */
+/** Part of a joint's or channel's name: one filter for curves and dope sheet. */
 export function dopeFilter(wb: Uses<'timeline'>): HTMLElement {
   const input = element('input', {
     type: 'search',

@@ -1,4 +1,7 @@
-/** Beside the switch of modes: the selected joint's DOFs, the active one pressed, and what those follow that can't be. */
+/**
+ * Buttons for the selected joint's DOFs, beside the mode switch. The active one is pressed; linked ones show what they
+ * follow.
+ */
 import { coupleOf } from '../../../model/couples.ts';
 import { type AxisLetter, axisOfDof } from '../../../model/dof-axis.ts';
 import { characterDofs } from '../../../model/dofs.ts';

@@ -1,10 +1,10 @@
 /**
- * FK by hand. What a press takes hold of, in this order:
+ * The FK tool. What a press grabs, in this order:
  *
- *     a handle of the gizmo            its DOF, which becomes the active one
- *     the bone of the selected joint   up and down: the active DOF
- *     the ball within the rings        turns it any way
- *     anything else                    the camera's
+ *     a handle of the gizmo            its DOF, which becomes active
+ *     the bone of the selected joint   dragged up and down: the active DOF
+ *     the ball within the rings        rotates it freely
+ *     anything else                    the camera
  */
 import { type HandleId, type JointHandles, sameHandle } from '../../../evaluate/handles/joint-handles.ts';
 import { characterDofs } from '../../../model/dofs.ts';
@@ -23,9 +23,9 @@ import { KnownHandles } from './known-handles.ts';
 import { boneMover, type DragResult, type FkGrip, handleMover, type Mover } from './movers.ts';
 import { dofValueText, limitNote } from './readout-text.ts';
 
-/** A finger is thicker than a mouse; CSS pixels. */
+/** Extra hit tolerance for touch; CSS pixels. */
 const FINGER = 10;
-/** From a handle one means to drag: less than for a click that may be meant to pick. */
+/** On a handle a drag starts sooner than elsewhere, where a click may be meant to pick. */
 const HANDLE_THRESHOLD = 2;
 
 export function fkTool(wb: Workbench): ModeTool {
@@ -65,7 +65,7 @@ class FkTool implements ModeTool {
     const { element, dispose } = dofButtons(wb);
     signal.addEventListener('abort', dispose);
     wb.posing.controls.set(element);
-    // The slider that has the focus is the DOF that is meant.
+    // The DOF of the focused slider becomes active.
     document.addEventListener(
       'focusin',
       ({ target }) => {
@@ -91,7 +91,7 @@ class FkTool implements ModeTool {
     if (at.button !== 0 || at.altKey || !gizmo || !selected) return undefined;
     const id = this.handleAt(at);
     if (id && id.kind !== 'ball') return this.dragHandle(id, selected, at);
-    // Shift pans where there is nothing to be taken hold of: the bone takes it only for a fine drag once under way.
+    // Shift pans unless a handle is grabbed: on the bone, it only makes a running drag finer.
     if (at.shiftKey) return undefined;
     const hit = wb.viewport.pick(at.clientX, at.clientY);
     const isOwn = hit?.joint === selected.joint && hit.characterId === selected.character.id;
@@ -124,7 +124,7 @@ class FkTool implements ModeTool {
     return this.drag(selected, at, CLICK_PIXELS, (grip) => handleMover({ kind: 'ball' }, grip), hit ?? 'nothing');
   }
 
-  /** @param under what a click there, for that is what a drag to nowhere is, would have picked */
+  /** @param under what a click there would have picked, in case the press turns out to be one */
   private drag(
     selected: ResolvedJoint,
     at: CanvasPointer,
@@ -152,7 +152,7 @@ class FkTool implements ModeTool {
     });
   }
 
-  /** The pose as it stands when a drag begins. */
+  /** The current pose when a drag begins. */
   private gripAt(at: CanvasPointer): FkGrip | undefined {
     const { wb } = this;
     const selected = selectedJoint(wb);
@@ -218,7 +218,7 @@ class FkTool implements ModeTool {
     return { active, hovered: this.hovered, dragged: this.dragged };
   }
 
-  /** As the picture shows the joint. */
+  /** As the viewport shows the joint. */
   private handles(): JointHandles | undefined {
     const selected = selectedJoint(this.wb);
     const placement = selected && this.placementOf(selected);
@@ -226,12 +226,12 @@ class FkTool implements ModeTool {
     if (!selected || !placement || !facts) return undefined;
     const { skeleton, joint } = selected;
     const world = facts.worlds;
-    // A document that has just changed is drawn with the next picture.
+    // After an edit the pose is updated with the next frame.
     if (world.length < 16 * skeleton.joints.length) return undefined;
     return this.known.of(skeleton, joint, facts.dofs, world, placement);
   }
 
-  /** Filled anew by each picture. */
+  /** Overwritten by each frame. */
   private placementOf({ character }: ResolvedJoint): Float64Array | undefined {
     const { viewport } = this.wb;
     const found = viewport.placementOf(character.id, viewport.pickedCopy(character));

@@ -1,6 +1,6 @@
 /**
- * A drag of a handle or a bone, from the press to the release. Nothing happens until the pointer has moved: then what
- * plays stands still, and the pose at that moment is the one that is changed. One undo step; Escape gives it up.
+ * A drag of a handle or a bone, from press to release. Nothing happens until the pointer has moved: then playback
+ * stops, and the pose at that time is edited. One undo step; Escape cancels it.
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { findCharacter } from '../../../model/document.ts';
@@ -13,11 +13,11 @@ import type { CanvasDrag, CanvasPointer } from '../viewport/canvas-tools.ts';
 import type { DragResult, Mover } from './movers.ts';
 
 export interface HandDragEvents {
-  /** Makes the mover, in the pose as it stands. Undefined: nothing can be dragged after all. */
+  /** Creates the mover for the current pose. Undefined: nothing can be dragged after all. */
   begin(): Mover | undefined;
-  /** After each move, with the document as it was left. */
+  /** After each move, with the updated document. */
   moved(moved: DragResult, at: CanvasPointer): void;
-  /** The release, or Escape. @param wentNowhere it was a click, so to say */
+  /** The release, or Escape. @param wentNowhere it was in effect a click */
   ended(at: CanvasPointer | undefined, wentNowhere: boolean): void;
 }
 
@@ -31,7 +31,7 @@ export function handDrag(
   const edit = new HandEdit(wb.store, wb.messages);
   let mover: Mover | undefined;
   let hasBegun = false;
-  /** What has stood still in the picture for the drag goes on. */
+  /** Resumes following and *in place*, which the drag has paused. */
   let rest = () => {};
   return {
     move(at) {
@@ -46,7 +46,7 @@ export function handDrag(
       const moved = mover(at);
       const { timeSeconds } = wb.transport.get();
       edit.preview(setDofs, { characterId, dofs: moved.dofs, timeSeconds, key: autoKey(wb) });
-      // After it has begun: what was said before a step is left behind by it.
+      // After the edit has begun, since messages are cleared by a new step.
       const character = findCharacter(wb.store.document, characterId);
       if (character)
         tellFollows(

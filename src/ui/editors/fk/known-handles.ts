@@ -1,6 +1,6 @@
 /**
- * The handles of the selected joint, asked for before every picture and worked out only where the pose, its place or the
- * joint is another: pictures in which nothing but the camera moved, or the pointer, find the very same ones.
+ * The handles of the selected joint, requested before every frame and recomputed only if the pose, its placement or the
+ * joint has changed: if only the camera or the pointer moved, the same object is returned.
  */
 import { type JointHandles, jointHandles } from '../../../evaluate/handles/joint-handles.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -12,7 +12,7 @@ export class KnownHandles {
   private dofs = new Float64Array(0);
   private placement = new Float64Array(0);
 
-  /** As of `jointHandles`; `world` is of the pose of `dofs`. */
+  /** As `jointHandles`; `world` belongs to the pose `dofs`. */
   of(
     skeleton: Skeleton,
     joint: number,
@@ -41,7 +41,7 @@ function sameNumbers(a: Float64Array, b: Float64Array): boolean {
   return true;
 }
 
-/** In the array that is there, where it has the room. */
+/** Reuses the target array if it fits. */
 function copied(from: Float64Array, to: Float64Array<ArrayBuffer>): Float64Array<ArrayBuffer> {
   if (from.length !== to.length) return from.slice();
   to.set(from);

@@ -1,6 +1,5 @@
 /**
- * From the hand's way to values of DOFs: one mover for each thing that can be taken hold of. They are made when a drag
- * begins, with the pose as it stands then.
+ * Converts pointer motion to DOF values: one mover for each kind of handle, created for the pose when a drag begins.
  */
 import { DraggedValue, type HandWants } from '../../../evaluate/handles/dragged-value.ts';
 import { Turning } from '../../../evaluate/handles/free-turn.ts';
@@ -30,14 +29,14 @@ import type { ResolvedJoint } from '../../state/selected-joint.ts';
 import { SNAP_ANGLE, snapStep } from '../posing/active-dof.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 
-/** What a drag has come to. */
+/** The result of a drag so far. */
 export interface DragResult {
   readonly dofs: readonly DofValue[];
-  /** As the gizmo shows it. */
+  /** For the gizmo. */
   readonly handle: DraggedHandle;
-  /** DOFs that limits hold, or that are past them. */
+  /** DOFs at their limits, or beyond them. */
   readonly stops: readonly { readonly dof: number; readonly limit: number }[];
-  /** Radians turned since the press, where that is what is told. */
+  /** Radians since the press, if the readout shows that. */
   readonly turned?: number;
 }
 
@@ -46,17 +45,17 @@ export type Mover = (at: CanvasPointer) => DragResult;
 /** Where a drag begins. */
 export interface FkGrip {
   readonly selected: ResolvedJoint;
-  /** The pose at that moment. */
+  /** The pose at that time. */
   readonly dofs: Float64Array;
-  /** 16, from the character's space to the world. */
+  /** 16 numbers, from the character's space to the world. */
   readonly placement: Float64Array;
   readonly sight: Sight;
-  /** Of the rings, CSS pixels. */
+  /** Radius of the rings, CSS pixels. */
   readonly radius: number;
   readonly at: CanvasPointer;
 }
 
-/** Radians a pixel that the bone is dragged up. */
+/** Radians per pixel that the bone is dragged up. */
 const BONE_TURN = Math.PI / 360;
 const BONE_FACTOR = 0.01;
 
@@ -65,7 +64,7 @@ export const wantsOf = ({ shiftKey, ctrlKey, metaKey }: CanvasPointer): HandWant
   snap: ctrlKey || metaKey,
 });
 
-/** Of a handle; undefined where the joint does not have it. */
+/** For a handle; undefined if the joint doesn't have it. */
 export function handleMover(id: HandleId, grip: FkGrip): Mover | undefined {
   const joint = handlesOf(grip);
   const handle = joint.handles.find((h) => sameHandle(h.id, id));
@@ -80,7 +79,7 @@ export function handleMover(id: HandleId, grip: FkGrip): Mover | undefined {
   return handle && freeMover(id, handle.axis, handleMeasure(handle, grip), joint, grip);
 }
 
-/** Of the bone itself, dragged up and down: the DOF turns or moves; a joint that has none to turn is rolled. */
+/** For the bone itself, dragged up and down: changes the DOF; a joint without a DOF to change is rotated freely. */
 export function boneMover(dof: number | undefined, grip: FkGrip): Mover | undefined {
   const joint = handlesOf(grip);
   if (dof === undefined) return joint.freeTurn && rollMover(joint, grip);
@@ -99,7 +98,7 @@ function worldOf(skeleton: ResolvedJoint['skeleton'], dofs: Float64Array): Float
   return world;
 }
 
-/** A handle's way in the DOF's own unit. */
+/** Motion of a handle in its DOF's unit. */
 function handleMeasure(handle: Handle, { sight, radius, at }: FkGrip): Measure {
   const { kind, axis, centre, reach, arm, range } = handle;
   const { clientX, clientY } = at;
@@ -107,7 +106,7 @@ function handleMeasure(handle: Handle, { sight, radius, at }: FkGrip): Measure {
   const per = (measure: Measure, unit: number): Measure => {
     return (x, y) => measure(x, y) / unit;
   };
-  // A factor doubles by a handle's length; what is large already, sooner.
+  // A scale doubles over one handle length; a large one sooner.
   const factor = Math.max(1, Math.abs(range.value));
   switch (kind) {
     case 'turn':
@@ -150,7 +149,7 @@ function dofMover(handle: Handle, { selected, dofs }: FkGrip, measure: Measure, 
   };
 }
 
-/** About an axis that stays where it was at the press. */
+/** About an axis that stays as it was at the press. */
 function freeMover(id: HandleId, axis: Handle['axis'], measure: Measure, joint: JointHandles, grip: FkGrip): Mover {
   const turning = turningOf(joint, grip);
   const angle = new DraggedValue(0, { min: 1, max: 0, hold: false }, SNAP_ANGLE, true);

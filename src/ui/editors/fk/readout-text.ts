@@ -1,4 +1,4 @@
-/** What stands beside the pointer while something is dragged: `rx 34.2°`, `rx 90.0° · limit 90°`. */
+/** The readout beside the pointer during a drag: `rx 34.2°`, `rx 90.0° · limit 90°`. */
 import type { Character } from '../../../model/document.ts';
 import type { CharacterDof } from '../../../model/dofs.ts';
 import { aligned, shown } from '../../kit/number-text.ts';
@@ -14,7 +14,7 @@ export function dofValueText(dof: Unit, value: number, character: Character, ang
   return `${dof.name} ${text}${unitOf(dof, character, angles)}`;
 }
 
-/** @param holds whether the limit stops the hand, or is only told to be behind it */
+/** @param holds whether the limit clamps the drag; else it is only reported as passed */
 export function limitNote(
   dof: Unit,
   limit: number,

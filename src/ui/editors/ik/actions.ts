@@ -1,4 +1,4 @@
-/** Inverse kinematics: pins, joints that are locked, whether the whole travels. Its scripts are fetched when asked for. */
+/** Actions of inverse kinematics: pins, joint locks, root motion. Their scripts are loaded on first use. */
 import { defaultIk } from '../../../model/ik.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';

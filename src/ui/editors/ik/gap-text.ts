@@ -1,19 +1,16 @@
-/** What to say of a pin that can't be where it should be: what stands in the way. */
+/** Explains why a pin can't reach its target. */
 import type { Hindrance } from '../../../evaluate/ik/drag/hindrance.ts';
 import type { Character } from '../../../model/document.ts';
 import { characterDofs } from '../../../model/dofs.ts';
 import { jointName } from '../../../model/joint-name.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
 
-/** Limits named at once; the rest is counted. */
+/** Maximum number of limits listed; the rest is counted. */
 const MAX_NAMED = 3;
-/** Of pins and locks, whose names are all that is said. */
+/** The same for names of pins and locks. */
 const MAX_JOINTS = 2;
 
-/**
- * `knee_l rx at its limit`, `knee_l is locked`, or both; where neither is in the way what else it is: pins that hold, or
- * a root that stays.
- */
+/** `knee_l rx at its limit`, `knee_l is locked`, or both; otherwise other causes: pins that hold, or a fixed root. */
 export function gapText(character: Character, joint: number, hindrance: Hindrance): string {
   const { binding, holders, locks, canMove, rootStays } = hindrance;
   if (!canMove && rootStays) return 'the root is fixed: allow it to move';
@@ -23,7 +20,7 @@ export function gapText(character: Character, joint: number, hindrance: Hindranc
   return canMove ? outOfReach(character, [...new Set(holders)], joint, rootStays) : 'nothing here can move';
 }
 
-/** Limits on the way from the joint to the root come first, nearest first: those are the ones that one sees. */
+/** Limits between the joint and the root first, nearest first: those are visible. */
 function limitsText(character: Character, joint: number, binding: readonly number[]): string {
   const { skeleton } = character;
   if (!skeleton || binding.length === 0) return '';
@@ -44,7 +41,7 @@ function limitsText(character: Character, joint: number, binding: readonly numbe
 }
 
 function locksText({ skeleton }: Character, joint: number, locks: readonly number[]): string {
-  // Its name stands before all this.
+  // The text follows its name.
   if (locks.length === 1 && locks[0] === joint) return 'it is locked';
   return `${namesOf(skeleton, locks)} ${locks.length === 1 ? 'is' : 'are'} locked`;
 }

@@ -16,13 +16,13 @@ import type { Workbench } from '../../state/workbench.ts';
 import { autoKey, standStillToPose } from '../posing/pose-edits.ts';
 import { tellFollows } from '../posing/tell-follows.ts';
 
-/** What is taken hold of. */
+/** What is dragged. */
 export interface IkGrip extends Grip {
   readonly characterId: string;
   readonly placement: number;
 }
 
-/** What is to be seen of a pull: gaps are in the character's own space. */
+/** State of a drag for drawing; gaps are in the character's own space. */
 export interface PullState {
   readonly grip: IkGrip;
   readonly gaps: readonly Gap[];
@@ -31,7 +31,7 @@ export interface PullState {
 
 export class HandPull {
   private readonly edit: HandEdit;
-  /** What has stood still in the picture for the drag goes on. */
+  /** Resumes following and *in place*, which the drag has paused. */
   private readonly rest: () => void;
   private readonly command: Command<SetDofs, Document | Edit>;
 
@@ -47,7 +47,7 @@ export class HandPull {
     this.command = { ...setDofs, label: () => `Drag ${jointName(character.skeleton, grip.joint)}` };
   }
 
-  /** Undefined where there is nothing to be dragged: the character is gone or hidden, or the point is nowhere. */
+  /** Undefined if nothing can be dragged: the character was removed or hidden, or the point can't be located. */
   static begin(wb: Workbench, grip: IkGrip): HandPull | undefined {
     const before = findCharacter(wb.store.document, grip.characterId);
     if (!before?.skeleton) return undefined;
@@ -63,14 +63,14 @@ export class HandPull {
     return this.pull.hand;
   }
 
-  /** The hand is there now, in the world. */
+  /** Moves the target to a position in the world. */
   to(world: Vec3): void {
     if (this.edit.cancelled) return;
     this.pull.to(world);
     this.show();
   }
 
-  /** So far as a way in the world is in the unit of the character itself. */
+  /** The displacement in the character's own unit. */
   inOwnUnit(from: Vec3, to: Vec3): number {
     return this.pull.inOwnUnit(from, to);
   }
@@ -106,7 +106,7 @@ export class HandPull {
     wb.viewport.requestRender();
   }
 
-  /** Everything as before. */
+  /** Restores everything. */
   cancel(): void {
     this.edit.cancel();
     this.rest();
@@ -114,12 +114,12 @@ export class HandPull {
     this.wb.viewport.requestRender();
   }
 
-  /** After something else has ended it: what the hand does is nothing any more. */
+  /** Whether something else has ended it; further moves are ignored. */
   get isOver(): boolean {
     return this.edit.cancelled;
   }
 
-  /** For the picture. */
+  /** For drawing. */
   get state(): PullState {
     const { pull, grip } = this;
     return { grip, gaps: pull.gaps(), hindrance: pull.hindrance };
@@ -141,7 +141,7 @@ export class HandPull {
       timeSeconds: wb.transport.get().timeSeconds,
       key: autoKey(wb),
     });
-    // After it has begun: what was said before a step is left behind by it.
+    // After the edit has begun, since messages are cleared by a new step.
     tellFollows(
       wb,
       character,

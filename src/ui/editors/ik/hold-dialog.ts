@@ -1,4 +1,4 @@
-/** Holding pins over a range of time (*foot lock*): what is asked, and what it came to. */
+/** The dialog for holding pins over a time range (*foot lock*), and its result. */
 import { type HoldPins, holdPins, holdSteps } from '../../../edit/commands/hold.ts';
 import type { HeldTake } from '../../../edit/hold/hold.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -15,13 +15,13 @@ import { toolDialog } from '../timeline/tool-dialog.ts';
 import { selectedPin } from './in-hand.ts';
 
 const TITLE = 'Hold pins';
-/** How long the way to the held place takes, and that back: seconds. */
+/** Seconds to ease in and out. */
 const EASE_SECONDS = 0.1;
-/** What is longer than that is held when it is asked for. */
+/** Longer ranges are computed on request only. */
 const QUICK_SECONDS = 2;
-/** About as long as a foot stands. */
+/** About the length of a foot contact. */
 const STEP_SECONDS = 0.5;
-/** Curves named at once; the rest is counted. */
+/** Maximum number of curves listed; the rest is counted. */
 const MAX_NAMED = 3;
 
 export function holdDialog(
@@ -79,18 +79,18 @@ export function holdDialog(
     },
     result: () => '',
   });
-  // What it comes to is seen in the viewport.
+  // The result is visible in the viewport.
   return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
-/** Short enough to be held while one looks: all that is played, or a step from now on. */
+/** Short enough to be computed at once: the whole playback range, or a step from the current time. */
 export function firstRange([start, end]: readonly [number, number], now: number): readonly [number, number] {
   if (end - start <= QUICK_SECONDS) return [start, end];
   const from = Math.min(Math.max(now, start), end - STEP_SECONDS);
   return [from, from + STEP_SECONDS];
 }
 
-/** Of curves that repeated: what was said by one period is said by keys now, over what is played and no further. */
+/** Curves that repeated: their single period is written out as keys over the playback range only. */
 export function writtenOutText(before: Character, { clip, channels }: Pick<HeldTake, 'clip' | 'channels'>): string {
   const own = shownClip(before);
   const dofs = characterDofs(before.skeleton, before.morphs);
@@ -118,7 +118,7 @@ function heldText({ channels, pins, unreached }: HeldTake): string {
   return `${plural(channels.length, 'curve')} changed; ${slides}.${missed}`;
 }
 
-/** To the tenth of a millisecond: a playhead stands anywhere between two frames. */
+/** To a tenth of a millisecond: the playhead may be between frames. */
 function tidy(seconds: number): number {
   return Number(seconds.toFixed(4));
 }

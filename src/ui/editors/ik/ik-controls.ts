@@ -1,4 +1,4 @@
-/** Beside the switch of modes: whether the whole may travel, letting go of all pins, and what to do first. */
+/** IK controls beside the mode switch: whether the root may move, removing all pins, and a hint. */
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -7,7 +7,7 @@ import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { whileShown } from '../posing/while-shown.ts';
 
-/** Made once; it follows the page while it is shown. */
+/** Created once; up to date while shown. */
 export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const root = keepsFocusElsewhere(
     button('Root moves', { class: 'tool ik-root' }, 'Root moves', () => runAction(wb, 'ik.rootFree')),
@@ -56,7 +56,7 @@ export function ikControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>
   return controls;
 }
 
-/** What to do first, and what next. */
+/** What to do first, and next. */
 export function ikHintText(pins: number): string {
   if (pins === 0) return 'Click a point to pin it. Drag others; pins hold.';
   return 'Drag any point; pins hold. Click a pin to remove it.';

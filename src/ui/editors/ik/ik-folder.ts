@@ -1,6 +1,6 @@
 /**
- * Inverse kinematics in the inspector: whether the whole travels, how the selected joint bends, and the pins, each with
- * what it holds. Shown in IK mode, and for whoever has pins.
+ * The IK section of the inspector: whether the root may move, how the selected joint bends, and the list of pins. Shown
+ * in IK mode, or if there are pins.
  */
 import type { GUI } from 'lil-gui';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -19,7 +19,7 @@ import { selectedPin } from './in-hand.ts';
 import { changePin, freeRoot, selectPin, stiffen, unpinByHand } from './pin-edits.ts';
 import { pointName } from './pin-picture.ts';
 
-/** How stiff a joint is that has just been made so. */
+/** Initial value when stiffness is switched on. */
 const USUAL_STIFFNESS = 4;
 
 type Bending = 'usual' | 'stiff' | 'locked';
@@ -29,7 +29,7 @@ const BENDING: readonly (readonly [Bending, string])[] = [
   ['locked', 'Locked'],
 ];
 
-/** A pin's row, kept while the pin is there. */
+/** A pin's row, kept as long as the pin. */
 interface Row {
   readonly element: HTMLElement;
   show(pin: Pin, character: Character): void;
@@ -93,7 +93,7 @@ export class IkFolder {
     wb.posing.mode.subscribe(() => this.update());
   }
 
-  /** What is so now. */
+  /** Updates all values. */
   update(): void {
     const character = currentCharacter(this.wb);
     const setup = character?.skeleton && ikOf(character);
@@ -168,7 +168,7 @@ export class IkFolder {
     const free = button('Remove pin', { class: 'tool small' }, icon('close'), () => {
       const next = made.nextElementSibling ?? made.previousElementSibling;
       unpinByHand(wb, ref);
-      // The focus goes on to a neighbour, not to nowhere.
+      // Moves the focus to a neighbour, so that it isn't lost.
       next?.querySelector<HTMLElement>('.ik-pin-name')?.focus();
     });
     const made = element('li', { class: 'ik-pin', 'data-pin': String(ref.pin) }, choose, weight.element, turn, free);

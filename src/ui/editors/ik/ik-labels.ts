@@ -1,4 +1,4 @@
-/** A few lines of text that stand beside points of the picture: names of pins, and what is in the way of one. */
+/** A few labels beside points in the viewport: names of pins, and why one can't reach its target. */
 import { element, setText } from '../../kit/dom.ts';
 import type { Uses } from '../../state/workbench.ts';
 import type { PlaceOnScreen } from './nearest-on-screen.ts';
@@ -8,47 +8,48 @@ export type LabelKind = 'name' | 'gap';
 export interface Label {
   readonly text: string;
   readonly kind: LabelKind;
-  /** Client coordinates of the point that it stands beside. */
+  /** Client coordinates of its point. */
   readonly x: number;
   readonly y: number;
-  /** What it is about: of several of one thing the last one is shown. */
+  /** What it is about: of several for one thing the last is shown. */
   readonly of: string;
-  /** Where it stands of its point: on the side away from the character's middle, which it would hide. */
+  /** Preferred side of its point: away from the character's centre. */
   readonly side: 'left' | 'right';
 }
 
-/** CSS pixels from the point, and from the edges of the picture. */
+/** CSS pixels from the point, and from the viewport's edges. */
 const BESIDE = 14;
 const EDGE = 4;
-/** Above and below what floats over the top. */
+/** Gap above and below the toolbar at the top. */
 const HEAD_ROOM = 12;
-/** CSS pixels: of a label, as `ik.css` has it, of a letter of the small font and of its lines. */
+/** CSS pixels: maximum width of a label, as in `ik.css`, and size of a letter and line. */
 const WIDEST = 280;
 const LETTER = 7;
 const LINE = 16;
-/** CSS pixels about a pin that no label is to cover. */
+/** Radius around a pin that no label may cover, CSS pixels. */
 const CLEAR = 9;
-/** Up and down, in heights of the label, where both sides are taken. */
+/** Vertical offsets, in label heights, tried if both sides are taken. */
 const SHIFTS = [0, 1, -1, 2, -2];
 
-/** One for each thing: what is in the way of a pin says whose it is as well. */
+/** One label per thing: the one with a pin's problem also names the pin. */
 export function oneForEach(labels: readonly Label[]): Label[] {
   return [...new Map(labels.map((label) => [label.of, label])).values()];
 }
 
-/** Where a label stands beside its point. */
+/** Placement of a label relative to its point. */
 export interface LabelSpot {
   readonly side: Label['side'];
-  /** CSS pixels that its middle is below the point. */
+  /** Offset of its centre below the point, CSS pixels. */
   readonly lower: number;
 }
 
 /**
- * Which side of its point a label stands on: its own, where there is room for it and no pin under it; else the other;
- * else higher or lower. About: nothing is measured.
- * @param x of its point, from the picture's left
- * @param width of the picture
- * @param pins what it is not to cover, in the same coordinates
+ * Chooses a label's side: its preferred one if it fits and covers no pin; else the other; else higher or lower.
+ * Approximate, since nothing is measured.
+ *
+ * @param x of its point, from the viewport's left
+ * @param width of the viewport
+ * @param pins not to be covered, in the same coordinates
  */
 export function labelSpot(
   { side, text }: Pick<Label, 'side' | 'text'>,
@@ -61,7 +62,7 @@ export function labelSpot(
   const high = LINE * Math.ceil((text.length * LETTER) / WIDEST) + 2;
   const room = BESIDE + EDGE + wide;
   const [hasLeft, hasRight] = [x >= room, x + room <= width];
-  // The point itself is not to be hidden: where there is no room on one side, it is the other.
+  // Never cover the point itself: without room on one side, use the other.
   const other: Label['side'] = side === 'right' ? 'left' : 'right';
   const has = { left: hasLeft || !hasRight, right: hasRight || !hasLeft };
   const sides = [side, other].filter((one) => has[one]);
@@ -79,8 +80,9 @@ export function labelSpot(
 }
 
 /**
- * Where that is, as CSS has it, with nothing measured: percentages are of the label's own size.
- * @param top how high what floats over the top of the picture is
+ * The CSS position, without measuring: percentages refer to the label's own size.
+ *
+ * @param top height of the toolbar over the viewport
  */
 export function labelPlace(
   { side, lower }: LabelSpot,
@@ -100,10 +102,10 @@ export function labelPlace(
 export class IkLabels {
   readonly element = element('div', { class: 'ik-labels' });
   private readonly lines: HTMLElement[] = [];
-  /** What is in the way, said once it stays: it changes with every move of the hand. */
+  /** Announces the problem once it is stable: it changes with every move. */
   private readonly spoken = element('div', { class: 'visually-hidden', role: 'status' });
 
-  /** Under what floats over the picture's top. */
+  /** Height of the toolbar over the viewport. */
   private top = 0;
   private readonly resizing = new ResizeObserver(([{ target }]) => {
     this.top = target.clientHeight;
@@ -125,7 +127,7 @@ export class IkLabels {
     this.element.remove();
   }
 
-  /** @param pins client coordinates of what no label is to cover */
+  /** @param pins client coordinates that no label may cover */
   show(labels: readonly Label[], pins: readonly PlaceOnScreen[]): void {
     const { left, top, width, height } = labels.length
       ? this.wb.viewport.canvas.getBoundingClientRect()
@@ -138,7 +140,7 @@ export class IkLabels {
       setText(line, text);
       line.dataset.kind = kind;
       const isOut = x < left || y < top || x > left + width || y > top + height;
-      // A target out of the picture still says what is in the way, at the edge.
+      // If a target is out of view, its problem is still shown, at the edge.
       line.hidden = isOut && kind === 'name';
       const inX = Math.min(Math.max(x - left, 0), width);
       const inY = Math.min(Math.max(y - top, 0), height);
@@ -149,7 +151,7 @@ export class IkLabels {
     for (let i = shown.length; i < this.lines.length; i++) this.lines[i].hidden = true;
   }
 
-  /** For who can't see it. */
+  /** For screen readers. */
   say(text: string): void {
     setText(this.spoken, text);
   }

@@ -1,11 +1,11 @@
 /**
  * The viewport's tool for inverse kinematics.
  *
- *     click          pins the point that is seen there, or lets go of the pin
+ *     click          pins the visible point there, or unpins it
  *     Shift+click    selects the joint, and the pin
- *     drag           of a pin, or of any other point: it follows, and the pins hold
- *     Alt, right     in depth; the right button only from a pin, for elsewhere it pans
- *     long press     of a finger: as Shift+click; a second finger takes a drag into depth
+ *     drag           a pin or any other point; other pins hold
+ *     Alt, right     in depth; the right button only on a pin, as it pans elsewhere
+ *     long press     on touch: as Shift+click; a second finger drags in depth
  */
 import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -27,7 +27,7 @@ import { type HandNow, paintPins } from './pin-picture.ts';
 import { besidePins } from './pins-beside.ts';
 import { pinsInPicture, pinUnder, pointUnder, type SeenPin, type SeenPoint } from './pins-on-screen.ts';
 
-/** With more triangles than this the pointer's every move would be felt: points light up on a press only. */
+/** With more triangles than this, hover picking would be slow: points are then highlighted on press only. */
 const HOVER_TRIANGLES = 300_000;
 
 export function ikTool(wb: Workbench): ModeTool {
@@ -39,7 +39,7 @@ class IkTool implements ModeTool {
   private readonly nudge: PinNudge;
   private hoveredPin: SeenPin | undefined;
   private hoveredPoint: SeenPoint | undefined;
-  /** Where the pointer is to be looked at with the next frame. */
+  /** Pointer position to be looked up in the next frame. */
   private looking: CanvasPointer | undefined;
   private frame = 0;
   private readonly labels: IkLabels;
@@ -125,7 +125,7 @@ class IkTool implements ModeTool {
       selectPin(this.wb, { characterId: pin.character.id, pin: pin.pin.id }, pin.pin.joint, pin.placement);
       return true;
     }
-    // On the ground, or with Shift on a joint: it picks.
+    // On the ground, or with Shift on a joint: pick.
     this.wb.posing.ik.selected.set(undefined);
     return false;
   }
@@ -165,14 +165,14 @@ class IkTool implements ModeTool {
     return drag;
   }
 
-  /** In the line of sight a way can't be seen: it is told. */
+  /** Motion along the line of sight isn't visible: show it as a number. */
   private showDepth(characterId: string, depth: number | undefined, { clientX, clientY }: CanvasPointer): void {
     const character = findCharacter(this.wb.store.document, characterId);
     if (depth === undefined || !character) this.readout?.hide();
     else this.readout?.show(clientX, clientY, depthText(character, depth));
   }
 
-  /** A natural point, the vertex that was picked, or where one would expect a pin of the joint. */
+  /** Pins a natural point, the picked vertex, or the joint's default point. */
   private pin({ characterId, joint, natural, vertex, point }: SeenPoint): void {
     const { wb } = this;
     const character = findCharacter(wb.store.document, characterId);
@@ -185,7 +185,7 @@ class IkTool implements ModeTool {
     else unpinByHand(wb, { characterId, pin: there });
   }
 
-  /** What is under the pointer takes a picture of its own to find: at most one a frame. */
+  /** Finding what is under the pointer takes a render: at most one per frame. */
   private lookSoon(at: CanvasPointer): void {
     this.looking = at;
     if (this.frame) return;
@@ -234,7 +234,7 @@ class IkTool implements ModeTool {
   }
 }
 
-/** The pin that holds that point, if one does. */
+/** The pin at that point, if any. */
 function pinnedAt(character: Character, joint: number, point: readonly number[]): number | undefined {
   return ikOf(character).pins.find((pin) => pin.joint === joint && pin.point.every((part, k) => part === point[k]))?.id;
 }

@@ -1,11 +1,11 @@
-/** The pin that is in hand: found, kept and let go as selection and document change. */
+/** The selected pin, kept in sync with selection and document. */
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
 import type { Pin } from '../../../model/ik.ts';
 import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** The pin and its character, if both are still there. */
+/** The pin and its character, if both still exist. */
 export function findPin(
   wb: Uses<'store'>,
   ref: PinRef | undefined,
@@ -15,7 +15,7 @@ export function findPin(
   return character && pin && { character, pin };
 }
 
-/** The pin is out of hand where it is gone, or another joint, or none, has been selected. */
+/** Deselects the pin if it was removed, or if another joint, or none, was selected. */
 export function keepInHand(wb: Uses<'store' | 'posing'>, isAnotherSelection: boolean): void {
   const { selected } = wb.posing.ik;
   const ref = selected.get();

@@ -12,10 +12,10 @@ import type { Workbench } from '../../state/workbench.ts';
 import { type CanvasDrag, type CanvasPointer, CLICK_PIXELS } from '../viewport/canvas-tools.ts';
 import { HandPull, type IkGrip, type PullState } from './hand-pull.ts';
 
-/** A finger that stays for so long presses long. */
+/** Milliseconds of a long press. */
 export const LONG_PRESS_MS = 500;
 
-/** Runs something later, unless what it gives is called first. */
+/** Schedules a call; returns a function that cancels it. */
 export type Later = (run: () => void, afterMs: number) => () => void;
 
 const byTimer: Later = (run, afterMs) => {
@@ -24,36 +24,38 @@ const byTimer: Later = (run, afterMs) => {
 };
 
 export interface PinDragEvents {
-  /** The press went nowhere. */
+  /** The press was a click. */
   click(at: CanvasPointer): void;
-  /** It was long and went nowhere so far: it is no click any more. */
+  /** A long press without motion: no longer a click. */
   longPress(): void;
-  /** It has moved: it is a drag. */
+  /** The drag has begun. */
   began(): void;
-  /** After each step. @param depth how far it has gone away from the viewer, in the character's unit; undefined: not in depth */
+  /**
+   * After each step. @param depth distance moved away from the viewer, in the character's unit; undefined: not in depth
+   */
   moved(depth: number | undefined, at: CanvasPointer): void;
-  /** The press is over, either way. */
+  /** The press has ended, either way. */
   over(): void;
 }
 
 export class PinDrag implements CanvasDrag {
   private hand: HandPull | undefined;
   private refused = false;
-  /** Where the point and the pointer were when the drag began, or changed its manner. */
+  /** Positions of the point and the pointer when the drag began or switched to or from depth. */
   private from: Vec3 | undefined;
   private fromY: number;
-  /** From the pointer to the point on the screen. */
+  /** Offset from the pointer to the point on screen. */
   private besideX = 0;
   private besideY = 0;
   private inDepth: boolean;
-  /** How far it was away from the viewer, of the whole drag, when it changed its manner, and now: the character's unit. */
+  /** Depth of the whole drag: at the last switch, and now; in the character's unit. */
   private depthBefore = 0;
   private depth = 0;
   private fingerCount = 1;
   private wasLong = false;
   private readonly stopWaiting: () => void;
   private latest: CanvasPointer | undefined;
-  /** Where the last step was taken. */
+  /** Pointer position of the last step. */
   private stepped: CanvasPointer | undefined;
   private frame = 0;
 
@@ -69,12 +71,12 @@ export class PinDrag implements CanvasDrag {
     this.stopWaiting = press.pointerType === 'touch' ? later(this.onLongPress, LONG_PRESS_MS) : () => {};
   }
 
-  /** What there is to be drawn of it, once it has begun. */
+  /** State for drawing, once the drag has begun. */
   get state(): PullState | undefined {
     return this.hand?.isOver === false ? this.hand.state : undefined;
   }
 
-  /** At most one step a frame: what comes in between is the next one's. A pose that is on its way goes on by itself. */
+  /** At most one step per frame, with the latest position. A pose that has not converged continues by itself. */
   move(at: CanvasPointer): void {
     if (this.hasMoved(at)) this.stopWaiting();
     this.latest = at;
@@ -83,7 +85,7 @@ export class PinDrag implements CanvasDrag {
     this.frame = requestAnimationFrame(this.onFrame);
   }
 
-  /** A second one takes it into depth. */
+  /** A second finger switches to depth. */
   fingers(count: number): void {
     this.stopWaiting();
     this.fingerCount = count;
@@ -95,7 +97,7 @@ export class PinDrag implements CanvasDrag {
     if (!this.hand && !this.hasMoved(at)) {
       if (!this.wasLong) this.events.click(at);
     } else {
-      // Where it stands already it has asked for everything.
+      // No step is needed if the pointer is where the last one was.
       if (this.latest || !this.standsAt(at)) {
         this.latest = at;
         this.step();
@@ -121,8 +123,8 @@ export class PinDrag implements CanvasDrag {
   }
 
   /**
-   * What is keyed next, and what the inspector tells of, is what the hand was at. Only after the step: Escape leaves the
-   * selection alone, and undo gives back the one of before.
+   * Selects the dragged joint, since it is what one keys and inspects next. Only after a step: Escape leaves the
+   * selection alone, and undo restores the previous one.
    */
   private select(): void {
     const { store, viewport } = this.wb;
@@ -188,7 +190,7 @@ export class PinDrag implements CanvasDrag {
     );
   }
 
-  /** From the plane to depth or back: goes on from where it is. */
+  /** Switches between plane and depth, continuing from the current position. */
   private change(at: CanvasPointer): void {
     this.inDepth = !this.inDepth;
     this.from = this.hand?.hand;

@@ -1,4 +1,4 @@
-/** Pinning, letting go, locking: what the mouse, the keys, the menus and the inspector do alike. */
+/** Pinning, unpinning and locking, for mouse, keys, menus and inspector. */
 import { clearPins, pinPoint, setPin, setRootFree, setStiffness, unpin } from '../../../edit/commands/ik.ts';
 import { defaultPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf } from '../../../evaluate/ik/set-up.ts';
@@ -9,13 +9,14 @@ import type { PinRef } from '../../state/ik-hand.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**
- * Pins a point. It is not selected by that: arrow keys, which turn the view, would move it from then on.
+ * Pins a point without selecting the pin: arrow keys, which orbit the view, would then move it.
+ *
  * @param point in the joint's space
  */
 export function pinAt(wb: Uses<'store' | 'messages'>, characterId: string, joint: number, point: Vec3): void {
   attempt(wb.messages, () => {
     wb.store.apply(pinPoint, { characterId, joint, point });
-    // The inspector is about it.
+    // The inspector shows it.
     if (wb.store.selection.characterId !== characterId) wb.store.select({ characterId, joint });
   });
 }
@@ -32,7 +33,7 @@ export function letAllGo(wb: Uses<'store' | 'posing' | 'messages'>, characterId:
   wb.posing.ik.selected.set(undefined);
 }
 
-/** Pins a joint where one would expect it, or lets go of all that is pinned of it. */
+/** Pins a joint at its default point, or removes all its pins. */
 export function togglePin(wb: Uses<'store' | 'posing' | 'messages'>, character: Character, joint: number): void {
   const { skeleton, id: characterId } = character;
   if (!skeleton) return;
@@ -40,7 +41,7 @@ export function togglePin(wb: Uses<'store' | 'posing' | 'messages'>, character: 
   if (pins.length) attempt(wb.messages, () => wb.store.apply(unpin, { characterId, pins: pins.map(({ id }) => id) }));
   else {
     pinAt(wb, characterId, joint, defaultPinPoint(skeleton, joint, shownSkin(character)).point);
-    // By keys: they are to go on with it.
+    // Pinned by key: select the pin, to continue by keys.
     const made = ikOf(findCharacter(wb.store.document, characterId) ?? character).pins.at(-1);
     if (made) wb.posing.ik.selected.set({ characterId, pin: made.id });
   }
@@ -48,7 +49,8 @@ export function togglePin(wb: Uses<'store' | 'posing' | 'messages'>, character: 
 
 /**
  * Selects a pin, and its joint.
- * @param placement the copy of the character that it was picked in; absent where that does not matter, as in a list
+ *
+ * @param placement the instance it was picked in; absent if that doesn't matter, as in a list
  */
 export function selectPin(wb: Uses<'store' | 'posing'>, ref: PinRef, joint: number, placement?: number): void {
   wb.posing.ik.selected.set(ref);
@@ -68,7 +70,7 @@ export function isLocked(character: Character, joint: number): boolean {
   return ikOf(character).stiff.some((one) => one.joint === joint && one.stiffness === undefined);
 }
 
-/** Locked becomes usual; anything else locked. */
+/** Toggles between locked and default. */
 export function toggleLock(wb: Uses<'store' | 'messages'>, character: Character, joint: number): void {
   stiffen(wb, character.id, joint, isLocked(character, joint) ? 'usual' : 'locked');
 }

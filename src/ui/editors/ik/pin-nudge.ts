@@ -7,10 +7,10 @@ import { HandPull, type PullState } from './hand-pull.ts';
 import { selectedPin } from './in-hand.ts';
 import { unpinByHand } from './pin-edits.ts';
 
-/** CSS pixels a press. */
+/** CSS pixels per press. */
 const STEP = 5;
 const LONG_STEP = 25;
-/** After so long without a press the step is done. */
+/** A pause this long ends the undo step. */
 const BURST_MS = 700;
 
 const WAYS: Readonly<Record<string, readonly [number, number]>> = {
@@ -31,7 +31,7 @@ export class PinNudge {
     return this.hand?.isOver === false ? this.hand.state : undefined;
   }
 
-  /** Whether the key was for the selected pin; its default is prevented then. */
+  /** Whether the key was used; its default is then prevented. */
   key(event: KeyboardEvent): boolean {
     const { wb } = this;
     const found = selectedPin(wb);
@@ -69,7 +69,7 @@ export class PinNudge {
     return true;
   }
 
-  /** What follows is another step. */
+  /** The next press starts a new step. */
   finish(): void {
     clearTimeout(this.timer);
     this.hand?.finish();

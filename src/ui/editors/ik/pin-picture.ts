@@ -1,6 +1,6 @@
 /**
- * What of inverse kinematics is drawn over the picture and written beside its points, as things are before each picture.
- * Nothing is painted where there is no pin, no locked joint and nothing under the pointer.
+ * What IK draws over the scene and writes beside its points, as of the current frame. Nothing is drawn without pins,
+ * locked joints or a hovered point.
  */
 import { pinTarget, pointAt } from '../../../evaluate/ik/set-up.ts';
 import { type Vec3, ZERO } from '../../../math/vec3.ts';
@@ -28,21 +28,21 @@ import {
 /** CSS pixels. */
 const PIN_SIZE = 12;
 const AXIS_LENGTH = 16;
-/** Part of the reach. */
+/** As a part of the reach. */
 const LIMB = 0.13;
-/** Shorter gaps are not worth a line. */
+/** Shorter gaps get no line. */
 const MIN_GAP = 1.5;
-/** Part of the reach: as near as that counts as there. */
+/** As a part of the reach: closer counts as reached. */
 const IS_THERE = 1e-3;
 
-/** What the hand is at. */
+/** What is hovered and dragged. */
 export interface HandNow {
   readonly pull: PullState | undefined;
   readonly hoveredPin: SeenPin | undefined;
   readonly hoveredPoint: SeenPoint | undefined;
 }
 
-/** Paints what there is. @returns what is to be written beside it */
+/** Draws everything. @returns labels to be shown */
 export function paintPins(
   wb: Uses<'store' | 'viewport' | 'posing' | 'settings'>,
   painter: PinPainter,
@@ -90,7 +90,7 @@ function paintPin(
     shape: pin.holdsOrientation ? 'square' : 'round',
     color,
     ...(!isLit && !isPulled && { cover: coverOf(seen) }),
-    // A heavier pin is a little larger, a lighter one emptier.
+    // A heavier pin is slightly larger, a lighter one less filled.
     size: PIN_SIZE + (isLit || isPulled ? 2 : 0) + (weight > 1 ? Math.min(4, Math.log2(weight)) : 0),
     fill: Math.min(1, weight),
   });
@@ -100,12 +100,12 @@ function paintPin(
   return depth > 0 ? [{ kind: 'name', text, x, y, of: pinKey(seen, pin.id), side: sideOf(wb, seen, x) }] : [];
 }
 
-/** What labels of one pin have in common. */
+/** Key shared by all labels of a pin. */
 function pinKey({ character, placement }: SeenSkeleton, pin: number): string {
   return `${character.id} ${placement} ${pin}`;
 }
 
-/** Away from the middle of the character's joints. */
+/** Away from the centre of the character's joints. */
 function sideOf(wb: Uses<'viewport'>, { skeleton, world, toWorld }: SeenSkeleton, x: number): 'left' | 'right' {
   const sum = [0, 0, 0];
   for (let j = 0; j < skeleton.joints.length; j++) for (let k = 0; k < 3; k++) sum[k] += world[16 * j + 12 + k];
@@ -121,7 +121,7 @@ export function pinText(character: Character, pin: Pin): string {
   return `${jointName(character.skeleton, pin.joint)} · ${parts.join(', ')}`;
 }
 
-/** What of its joint a pin holds: `origin`, `End Site`; else a point of the skin, or just a point. */
+/** The pinned point of its joint: `origin`, `End Site`; else a point of the skin, or just a point. */
 export function pointName(character: Character, { joint, point }: Pick<Pin, 'joint' | 'point'>): string {
   const { skeleton } = character;
   if (!skeleton) return 'point';
@@ -152,12 +152,12 @@ function paintAxes(
   });
 }
 
-/** How much of the character itself may be in front of a joint of its near side: about as much as a limb is thick. */
+/** How far a surface may be in front of a joint without covering it: about a limb's thickness. */
 function coverOf({ skeleton, toWorld }: SeenSkeleton): number {
   return LIMB * reachOf(skeleton) * Math.hypot(toWorld[0], toWorld[1], toWorld[2]);
 }
 
-/** Joints that don't bend, or unwillingly. */
+/** Joints that are locked or stiff. */
 function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
   for (const { joint, stiffness } of seen.character.ik?.stiff ?? []) {
     if (joint >= seen.skeleton.joints.length) continue;
@@ -166,7 +166,7 @@ function paintStiff(painter: PinPainter, seen: SeenSkeleton): void {
   }
 }
 
-/** The points of the joint under the pointer that could be pinned, and the one that a click would pin. */
+/** The points of the hovered joint that could be pinned, and the one that a click would pin. */
 function paintPoints(
   wb: Uses<'viewport' | 'settings'>,
   painter: PinPainter,
@@ -190,7 +190,7 @@ function paintPoints(
   return [{ kind: 'name', text, x, y, of: 'point', side: sideOf(wb, seen, x) }];
 }
 
-/** What is dragged, and what it can't reach. */
+/** What is dragged, and the targets that can't be reached. */
 function paintPull(wb: Uses<'viewport'>, painter: PinPainter, seen: SeenSkeleton, pull: PullState): Label[] {
   const { grip, gaps, hindrance } = pull;
   const { character, toWorld } = seen;
@@ -210,7 +210,7 @@ function paintPull(wb: Uses<'viewport'>, painter: PinPainter, seen: SeenSkeleton
   });
 }
 
-/** What an earlier drag could not reach. */
+/** Targets that an earlier drag could not reach. */
 function paintLeft(wb: Uses<'viewport' | 'posing'>, painter: PinPainter, seen: SeenSkeleton): Label[] {
   const { character, skeleton, dofs, toWorld, world } = seen;
   const { targets } = wb.posing.ik;
@@ -227,7 +227,7 @@ function paintLeft(wb: Uses<'viewport' | 'posing'>, painter: PinPainter, seen: S
   });
 }
 
-/** @param pin its id; undefined for a point that is no pin */
+/** @param pin its id; undefined for a point without a pin */
 function paintGap(
   wb: Uses<'viewport'>,
   painter: PinPainter,
@@ -240,7 +240,7 @@ function paintGap(
   const { eye } = wb.viewport;
   const a = eye.toScreen(from);
   const b = eye.toScreen(to);
-  // One that lies in the line of sight is short on the screen, and a gap nevertheless.
+  // A gap along the line of sight is short on screen, but still a gap.
   const inDepth = Math.hypot(...to.map((v, k) => v - from[k])) / eye.unitsPerPixel(from);
   if (Math.max(inDepth, Math.hypot(b.x - a.x, b.y - a.y)) < MIN_GAP) return [];
   painter.line(from, to, 'pinGap', 2, true);

@@ -7,7 +7,7 @@ import type { BesideDof } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { standStillToPose } from '../posing/pose-edits.ts';
 
-/** Undefined where no pin holds anything beside that DOF. */
+/** Undefined if no pin constrains that DOF. */
 export function besidePins(
   wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'posing' | 'settings'>,
   characterId: string,

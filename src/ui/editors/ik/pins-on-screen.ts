@@ -1,4 +1,4 @@
-/** Where pins and joints are in the picture, as it is drawn now. */
+/** Screen positions of pins and joints, as drawn now. */
 import { seenPoint } from '../../../evaluate/ik/drag/grip.ts';
 import { type PinPoint, pinPoints, skinPinPoint } from '../../../evaluate/ik/pin-points.ts';
 import { ikOf, pointAt } from '../../../evaluate/ik/set-up.ts';
@@ -12,13 +12,13 @@ import type { Uses } from '../../state/workbench.ts';
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 import { NATURAL_POINT_PIXELS, nearestOnScreen, type PlaceOnScreen } from './nearest-on-screen.ts';
 
-/** CSS pixels around a pin within which the pointer is on it. */
+/** Hit tolerance around a pin, CSS pixels. */
 const PIN_PIXELS = 9;
 const PIN_PIXELS_TOUCH = 18;
-/** How near the pointer has to be to a bone to be on it rather than on the box behind. */
+/** Maximum distance from a bone for the pointer to be on it rather than on a box behind it. */
 const BONE_PIXELS = 7;
 
-/** A pin in the picture. */
+/** A visible pin. */
 export interface SeenPin {
   readonly character: Character;
   readonly placement: number;
@@ -30,15 +30,15 @@ export interface SeenPoint {
   readonly characterId: string;
   readonly placement: number;
   readonly joint: number;
-  /** What is there, for a drag; in the joint's space. */
+  /** The exact point for a drag, in the joint's space. */
   readonly point: Vec3;
-  /** The natural point that is meant, where one is near. */
+  /** The natural point, if one is close. */
   readonly natural?: PinPoint;
-  /** The vertex of the skin that was picked. */
+  /** The picked vertex of the skin. */
   readonly vertex?: number;
 }
 
-/** A skeleton that is seen: its matrices in its own space, and where it stands, until the next `seek`. */
+/** A visible skeleton, with the matrices of its pose and placement, valid until the next `seek`. */
 export interface SeenSkeleton {
   readonly character: Character;
   readonly skeleton: Skeleton;
@@ -49,7 +49,7 @@ export interface SeenSkeleton {
   readonly dofs: Float64Array;
 }
 
-/** Characters that are drawn and have a skeleton, once for each of their places. */
+/** Visible characters with a skeleton, once per placement. */
 export function* seenSkeletons(
   wb: Uses<'store' | 'viewport'>,
   of: (character: Character) => boolean,
@@ -68,14 +68,14 @@ export function* seenSkeletons(
   }
 }
 
-/** Where a point of a joint is in the world. */
+/** World position of a point of a joint. */
 export function inWorld({ world, toWorld }: SeenSkeleton, joint: number, point: Vec3): Vec3 {
   return pointAt(toWorld, 0, pointAt(world, joint, point));
 }
 
 export const hasPins = (character: Character) => (character.ik?.pins.length ?? 0) > 0;
 
-/** Every pin in the picture, and where it is: client coordinates, in the same order. */
+/** Every visible pin with its client coordinates, in the same order. */
 export function pinsInPicture(wb: Uses<'store' | 'viewport'>): {
   readonly pins: readonly SeenPin[];
   readonly places: readonly PlaceOnScreen[];
@@ -121,7 +121,7 @@ export function pointUnder(wb: Uses<'store' | 'viewport' | 'settings'>, at: Canv
   };
 }
 
-/** Of a skin the vertex, as a point of the joint that moves it most; else what is seen of the joint. */
+/** On a skin the vertex, as a point of the joint with the largest weight; else the visible point of the joint. */
 function pickedPoint(
   wb: Uses<'viewport' | 'settings'>,
   { character, skeleton, placement, world, toWorld }: SeenSkeleton,
@@ -145,7 +145,7 @@ function pickedPoint(
   ]);
   const direction: Vec3 = [ahead[0] - origin[0], ahead[1] - origin[1], ahead[2] - origin[2]];
   const pivot = pointAt(toWorld, 0, pointAt(world, joint, [0, 0, 0]));
-  // The direction is as long as 1 in the world is in the character's own unit.
+  // Scales one world unit to the character's own unit.
   const near = BONE_PIXELS * eye.unitsPerPixel(pivot) * Math.hypot(...direction);
   const boxesAreSeen = showsBoxes(wb, character);
   return { joint, point: seenPoint(skeleton, joint, world, { origin, direction }, near, boxesAreSeen) };
@@ -169,7 +169,7 @@ function showsBoxes(wb: Uses<'settings'>, character: Character): boolean {
   return boxes === 'bare' ? !isSkinned : boxes !== 'hidden';
 }
 
-/** The natural points that one can make out in the picture: the ends of boxes only where there are boxes. */
+/** The natural points that are visible: box ends only if boxes are drawn. */
 export function offeredPoints(
   wb: Uses<'settings'>,
   character: Character,
@@ -180,7 +180,7 @@ export function offeredPoints(
   return showsBoxes(wb, character) ? points : points.filter(({ kind }) => kind !== 'boxEnd');
 }
 
-/** The same list for the same joint: the end of a skin is looked for among all its vertices. */
+/** Cached per joint, since finding the end of a skin searches all its vertices. */
 export function naturalPoints(skeleton: Skeleton, joint: number, skin: Skin | undefined): readonly PinPoint[] {
   let known = lists.get(skeleton);
   if (!known || known.skin !== skin) {

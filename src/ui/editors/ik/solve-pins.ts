@@ -10,7 +10,7 @@ import type { Workbench } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 import { gapText } from './gap-text.ts';
 
-/** One undo step; says so where nothing better is found. */
+/** One undo step; reports if nothing better was found. */
 export function solvePins(wb: Workbench, character: Character): void {
   const { id, skeleton } = character;
   const setup = ikOf(character);

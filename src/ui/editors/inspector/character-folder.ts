@@ -1,4 +1,4 @@
-/** The character as a whole: its name, its take, its limits, its place in space and time. */
+/** The character's section: name, take, limits, placement and start time. */
 import type { GUI } from 'lil-gui';
 import { placeCharacter, removeCopy, renameCharacter, setTimeOffset } from '../../../edit/commands/characters.ts';
 import { setClamping } from '../../../edit/commands/pose.ts';
@@ -32,7 +32,7 @@ export class CharacterFolder {
   private character: Character | undefined;
   private copy = 0;
   private rows: (() => void)[] = [];
-  /** Rows that hold several of lil-gui's. */
+  /** Rows made of several lil-gui controllers. */
   private lines: HTMLElement[] = [];
   private readonly buttons = element('div', { class: 'row-buttons' });
 
@@ -48,7 +48,7 @@ export class CharacterFolder {
     wb.timeline.takeRenameAsked.subscribe(() => askForTakeName(wb, folder));
   }
 
-  /** Rows anew. */
+  /** Rebuilds the rows. */
   rebuild(character: Character | undefined): void {
     emptyFolder(this.folder);
     this.buttons.remove();
@@ -70,14 +70,14 @@ export class CharacterFolder {
     this.buttons.classList.toggle('single', character.placements.length === 1);
   }
 
-  /** The same rows with the values of now. */
+  /** Updates the values of the rows. */
   update(character: Character | undefined): void {
     this.character = character;
     if (character) for (const row of this.rows) row();
   }
 
   private readonly refuse = (reason: string) => {
-    // Escape gives up what was typed: nobody asks for it any more.
+    // After Escape, the typed text is discarded without a message.
     if (!this.edit.cancelled) this.wb.messages.note(reason, 'warning');
   };
 
@@ -118,7 +118,7 @@ export class CharacterFolder {
     this.rows.push(update);
   }
 
-  /** Who moves it, in place of its own take. */
+  /** Shows what moves it, in place of its own take. */
   private addMoved(): void {
     const text = element('span', { class: 'moved-by' });
     const line = element(
@@ -145,7 +145,7 @@ export class CharacterFolder {
     });
   }
 
-  /** Rather than the offset that is kept: that is added to the transport's time, and 1.5 of it begins 1.5 s earlier. */
+  /** Not the stored offset: it is added to the transport's time, so that 1.5 starts 1.5 s earlier. */
   private addStart(character: Character): void {
     const options = { step: 0.01, decimals: 3, suffix: ' s' };
     const row = new Slider(this.folder, 'Start time', startSeconds(character), options, this.refuse);
@@ -153,7 +153,7 @@ export class CharacterFolder {
     row.onChange((atSeconds: number) => {
       const { character: now } = this;
       if (!now) return;
-      // Plus 0: no offset is −0.
+      // Plus 0: avoids an offset of −0.
       const seconds = withoutNoise(startSeconds(now) + now.timeOffsetSeconds - atSeconds) + 0;
       this.edit.preview(setTimeOffset, { characterId: this.id, seconds });
     });
@@ -233,7 +233,7 @@ export class CharacterFolder {
       const options = { step, decimals, suffix, ...(units && { units }) };
       const row = new Slider(this.folder, `${label} ${letter}`, start, options, this.refuse);
       row.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
-      // By its letter alone it would not be told from the other rows.
+      // The letter alone wouldn't identify the row.
       row.$input.removeAttribute('aria-labelledby');
       row.$input.setAttribute('aria-label', `${label} ${letter}`);
       line.append(row.domElement);
@@ -249,7 +249,7 @@ export class CharacterFolder {
     this.lines.push(line);
   }
 
-  /** A drag that was cancelled leaves the controls where the mouse was. */
+  /** After a cancelled drag the controls still show the last mouse position. */
   private finish(): void {
     this.edit.commit();
     this.update(this.character && findCharacter(this.wb.store.document, this.character.id));

@@ -1,4 +1,4 @@
-/** The folders of DOFs: the selected joint's, the root translation, the morphs, and the long list of all. */
+/** Sections of DOFs: the selected joint's, the root translation, the morphs, and the list of all. */
 import type { GUI } from 'lil-gui';
 import type { Character } from '../../../model/document.ts';
 import { type CharacterDof, characterDofs, firstDofs, rootDofCount } from '../../../model/dofs.ts';
@@ -10,7 +10,7 @@ import { emptyFolder } from '../../kit/slider.ts';
 import { keyNameOf } from '../posing/unkeyed-values.ts';
 import { addDofRow, type DofRowContext } from './dof-rows.ts';
 
-/** Rows of the long list are made as it is scrolled, so many at a time. */
+/** Rows of the long list are created in chunks of this size as it is scrolled. */
 const CHUNK = 48;
 
 export class DofFolders {
@@ -19,7 +19,7 @@ export class DofFolders {
   private readonly morphs: GUI;
   private readonly all: GUI;
   private readonly note = element('p', { class: 'note unkeyed-note', hidden: true });
-  /** Shown at the end of the long list; when it comes into view there is more. */
+  /** End of the long list; scrolling it into view adds more rows. */
   private readonly end = element('div', { class: 'list-end' });
   private readonly endObserver: IntersectionObserver;
   private listed: { readonly character: Character; readonly dofs: readonly CharacterDof[]; next: number } | undefined;
@@ -34,7 +34,7 @@ export class DofFolders {
     this.morphs = makeFolder('morphs', 'Morphs', true);
     this.all = makeFolder('all', 'All DOFs', false);
     this.all.domElement.classList.add('long-names');
-    // At the foot: a line that came above would push the slider away from under the hand.
+    // At the bottom: inserting a line above would move the slider away from the pointer.
     gui.domElement.append(this.note);
     this.endObserver = new IntersectionObserver(
       (entries) => {
@@ -45,7 +45,7 @@ export class DofFolders {
     this.endObserver.observe(this.end);
   }
 
-  /** Rows anew: another character, joint, unit, or other limits. */
+  /** Rebuilds the rows: another character, joint, unit, or other limits. */
   rebuild(character: Character | undefined, joint: number | undefined): void {
     for (const folder of [this.joint, this.root, this.morphs, this.all]) {
       for (const controller of folder.controllers) this.context.live.remove(controller.domElement);
@@ -66,12 +66,12 @@ export class DofFolders {
     this.all.title(`All DOFs (${dofs.length})`);
     this.listed = { character, dofs, next: 0 };
     this.all.$children.append(this.end);
-    // As far as it had been looked through, so that it can be scrolled to where it was.
+    // As many rows as before, so that the scroll position can be restored.
     const until = listed?.character.id === character.id ? Math.min(listed.next, dofs.length) : 0;
     while (this.listed.next < until && !this.all._closed) this.listMore();
   }
 
-  /** Says at the foot what will go when time moves. */
+  /** Shows at the bottom that unkeyed changes will be lost. */
   showUnkeyed(character: Character | undefined): void {
     const { unkeyed } = character ?? {};
     const { timeSeconds } = this.context.wb.transport.get();
@@ -90,7 +90,7 @@ export class DofFolders {
       ? `${motionText(joint.motion, shown)}: no degrees of freedom.`
       : 'Select a joint in the viewport or outliner to see its DOFs.';
     this.joint.title(joint && index !== undefined ? jointName(character.skeleton, index) : 'Joint');
-    // Also where a vertex was picked, whose numbers stand below in place of the joint's.
+    // Also with a picked vertex, whose details replace the joint's below.
     if (joint) this.joint.$title.append(element('span', { class: 'title-note' }, motionHeading(joint.motion, shown)));
     this.joint.domElement.classList.toggle('is-selected', joint !== undefined);
     if (!joint || !character.skeleton || index === undefined) return;
@@ -121,7 +121,7 @@ export class DofFolders {
       const prefix = isRoot ? 'root' : joint ? jointName(character.skeleton, dof.joint) : 'morph';
       addDofRow(this.context, this.all, character, listed.next, dof, prefix);
     }
-    // The end mark stays the last; moving it makes the observer look again.
+    // Keeps the end mark last; moving it makes the observer check again.
     this.end.remove();
     if (listed.next < dofs.length) this.all.$children.append(this.end);
   }

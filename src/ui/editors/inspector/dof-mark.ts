@@ -1,11 +1,11 @@
 /**
- * The mark before a DOF's name, as it stands at the moment shown; a click keys the DOF there, or takes its key away.
+ * The mark before a DOF's name, at the current time; a click keys the DOF, or deletes its key.
  *
- *     ◆ keyed        it has a key at this moment
- *     ◇ driven       its keys are at other moments
- *     ● unkeyed      set by hand over its keys; goes when time moves
- *     ▸ moved        another character's take moves it; no key can be made
- *       free         no keys: it stays where it is put. A faint ◇ under the pointer says that a click keys it
+ *     ◆ keyed        has a key at the current time
+ *     ◇ driven       has keys at other times
+ *     ● unkeyed      changed over its keys; lost when the time changes
+ *     ▸ moved        retargeted from another character; can't be keyed
+ *       free         no keys, keeps its value. A faint ◇ on hover shows that a click keys it
  */
 import { channelOf, isDriven } from '../../../evaluate/pose.ts';
 import { type Character, findCharacter } from '../../../model/document.ts';
@@ -21,8 +21,8 @@ export class DofMark {
   readonly element: HTMLButtonElement;
 
   /**
-   * @param row carries the state as `data-driver`
-   * @param name of the DOF, as it is spoken: `rx of leg_fl`
+   * @param row has the state as `data-driver`
+   * @param name of the DOF for screen readers: `rx of leg_fl`
    */
   constructor(
     private readonly wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
@@ -31,7 +31,7 @@ export class DofMark {
     private readonly dof: number,
     private readonly name: string,
   ) {
-    // Out of the order of Tab, which goes from number to number; the keyboard has the row's menu for the same.
+    // Not a tab stop: Tab moves from number to number, and the row's menu does the same by keyboard.
     const mark = button(`Key ${name}`, { class: 'mark', tabindex: -1 }, undefined, () =>
       toggleKey(wb, characterId, dof),
     );
@@ -57,7 +57,7 @@ const TITLES: Readonly<Record<DofState, string>> = {
   free: 'Not animated. Click to key it',
 };
 
-/** What a screen reader says of a click: among hundreds of marks it tells which one is meant. */
+/** What a click does, for screen readers; names the DOF, as there are hundreds of marks. */
 export function markLabel(state: DofState, name: string): string {
   if (state === 'moved') return `${name} is retargeted from another character`;
   return state === 'keyed' ? `Delete key of ${name} at current time` : `Key ${name}`;
@@ -71,7 +71,7 @@ export function dofState(wb: Uses<'transport'>, character: Character, dof: numbe
   return isKeyedNow(wb, character, dof) ? 'keyed' : 'driven';
 }
 
-/** Keys the DOF as it is shown; where it is keyed so already, takes the key away. */
+/** Keys the DOF as shown; deletes the key if it is already keyed so. */
 export function toggleKey(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   characterId: string,
@@ -80,6 +80,6 @@ export function toggleKey(
   const character = findCharacter(wb.store.document, characterId);
   if (!character?.skeleton) return;
   if (dofState(wb, character, dof) === 'keyed') deleteKeysNow(wb, character, [dof]);
-  // Refused where another character's take moves the joint.
+  // Refused if the joint is retargeted from another character.
   else attempt(wb.messages, () => keyNow(wb, characterId, [dof]));
 }

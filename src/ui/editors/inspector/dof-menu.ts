@@ -13,7 +13,7 @@ import type { Uses } from '../../state/workbench.ts';
 import { autoKey, deleteAllKeys, deleteKeysNow, isKeyedNow, keyNow, setOne } from '../posing/pose-edits.ts';
 import { editLimits } from '../rig/limit-editor.ts';
 
-/** @param at where the mouse asked for it; without one the keyboard did, in the row's number */
+/** @param at pointer position; absent if opened by keyboard in the row's number */
 export function openDofMenu(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>,
   slider: Slider,
@@ -47,7 +47,7 @@ function entries(
   const hasKeys = isDriven(character, index) && channelOf(character, index) !== undefined;
   const value = shownValue(wb, character, index);
   const inFile = filePose(character.skeleton, character.morphs.length)[index] ?? 0;
-  // A coupled one is what it follows makes of it.
+  // A linked DOF has no value of its own.
   const isOwn = coupleOf(character.skeleton, index) === undefined;
   const set = (value: number) => {
     const own = { index, value };
@@ -58,7 +58,7 @@ function entries(
     beside?.shown();
   };
   const list: MenuEntry[] = [
-    // Another character's take moves it: no key of its own would be seen.
+    // While retargeted, a key of its own would have no effect.
     item('Key at current time', character.skeleton !== undefined && index >= silentChannels(character), () =>
       keyNow(wb, id, [index]),
     ),
@@ -83,7 +83,7 @@ function entries(
   ];
 }
 
-/** Crossed limits are none. */
+/** Crossed limits count as none. */
 function holds({ min, max }: Limit): boolean {
   return min <= max;
 }
@@ -94,7 +94,7 @@ function shownValue(wb: Uses<'transport'>, character: Character, index: number):
   return pose[index];
 }
 
-/** Alone in the curve editor, which opens for it. */
+/** Opens the curve editor with this curve isolated. */
 function showCurve(wb: Uses<'store' | 'timeline' | 'settings'>, character: Character, index: number): void {
   wb.store.select({ ...wb.store.selection, characterId: character.id });
   wb.timeline.isolate(undefined);

@@ -1,4 +1,4 @@
-/** A slider for a DOF: its span, its unit, its limits, and whether keys or a hand drive it just now. */
+/** A slider for a DOF: its span, unit and limits, and whether keys or a change by hand determine it. */
 import type { GUI } from 'lil-gui';
 import { isDriven } from '../../../evaluate/pose.ts';
 import { coupleOf, type DofCouple } from '../../../model/couples.ts';
@@ -29,7 +29,7 @@ export interface DofRowContext {
   readonly live: LiveRows;
 }
 
-/** @param prefix in front of the DOF's name where rows of several joints stand together */
+/** @param prefix before the DOF's name in lists of several joints */
 export function addDofRow(
   { wb, edit, live }: DofRowContext,
   folder: GUI,
@@ -42,7 +42,7 @@ export function addDofRow(
   const factor = shownPerUnit(dof.unit, angles);
   const spoken = spokenName(namedChannel(character, index));
   const refuse = (reason: string) => {
-    // Escape gives up what was typed: nobody asks for it any more.
+    // After Escape, the typed text is discarded without a message.
     if (!edit.cancelled) wb.messages.note(reason, 'warning');
   };
   const slider = new Slider(folder, spoken, 0, sliderOptions(dof, character, angles), refuse);
@@ -55,7 +55,7 @@ export function addDofRow(
   );
   const names = [...(prefix ? [element('span', { class: 'dof-joint', id: uniqueId('dof') }, prefix)] : []), name];
   slider.$name.replaceChildren(mark.element, ...names);
-  // Without the mark's own words.
+  // Without the mark's own label.
   slider.$input.setAttribute('aria-labelledby', names.map((n) => n.id).join(' '));
   const couple = coupleOf(character.skeleton, index);
   const held = couple ? coupleText(couple, dof, character, angles) : limitText(dof, character, angles);
@@ -82,7 +82,7 @@ export function addDofRow(
   let beside: BesideDof | undefined;
   slider.onChange((value: number) => {
     const now = findCharacter(wb.store.document, id);
-    // A playing clip would take the value back at the next frame.
+    // Playback would overwrite the value with the next frame.
     const key = autoKey(wb);
     if (now && (key || isDriven(now, index))) standStill(wb);
     beside ??= wb.posing.beside?.(id, index);
@@ -103,7 +103,7 @@ export function addDofRow(
     update();
   });
   slider.domElement.addEventListener('contextmenu', (event) => {
-    // While a number is typed, the browser's own menu has Paste.
+    // While a number is edited, keep the browser's menu with Paste.
     const byMouse = event.button === 2;
     if (byMouse && event.target === slider.$input && document.activeElement === slider.$input) return;
     event.preventDefault();
@@ -114,8 +114,8 @@ export function addDofRow(
 }
 
 /**
- * The slider spans the limits where there are any and they hold; with the limits switched off, it spans the full turn
- * and hatches what lies beyond them.
+ * The slider spans the limits if there are any and they are enforced; otherwise it spans the full range and hatches
+ * what is beyond the limits.
  */
 export function sliderOptions(
   dof: CharacterDof,
@@ -145,12 +145,12 @@ function held(limits: readonly [number, number]) {
   return { bounds: limits, remedy: 'Turn off Enforce limits in the Edit menu to go past it.' };
 }
 
-/** From limit to limit; where there is none on one side, as far as a slider without any goes. */
+/** From limit to limit; an unlimited side extends as far as that of an unlimited slider. */
 function withOpenEnds({ min, max }: Limit, [low, high]: readonly [number, number]): readonly [number, number] {
   return [min > UNLIMITED.min ? min : Math.min(low, max + low), max < UNLIMITED.max ? max : Math.max(high, min + high)];
 }
 
-/** Without limits: ±π, or ± the character's reach; scales up to twice the size, other factors ±1. */
+/** Without limits: ±π, or ± the character's reach; scales up to 2, other factors ±1. */
 function fullSpan(dof: CharacterDof, skeleton: Skeleton | undefined): readonly [number, number] {
   if (dof.unit === 'factor') return dof.name.startsWith('s') ? [0, 2] : [-1, 1];
   const size = dof.unit === 'length' ? reachOf(skeleton) : Math.PI;
@@ -182,7 +182,7 @@ export function limitText(dof: CharacterDof, character: Pick<Character, 'clampsT
   return character.clampsToLimits ? `limits ${range}` : `limits ${range}, not enforced`;
 }
 
-/** `follows 0.5 · rx of elbow + 10°`: why a row can't be moved. */
+/** `follows 0.5 · rx of elbow + 10°`: why a row is disabled. */
 export function coupleText(
   { follows, gain, offset }: DofCouple,
   dof: CharacterDof,
@@ -207,7 +207,7 @@ function shortName({ name, unit }: CharacterDof, character: Character): string {
   return name;
 }
 
-/** Red, green or blue by the DOF's axis, the accent where it has one of its own; weights have none. */
+/** Red, green or blue by the DOF's axis, the accent for other axes; weights have none. */
 function axisClass(dof: CharacterDof, { skeleton }: Character): string {
   const axis = axisOfDof(skeleton, dof);
   if (axis) return `axis-${axis}`;

@@ -1,9 +1,12 @@
-/** Where the End Sites of a joint are, among its facts: in the joint's space as in the file, and as posed. */
+/** Positions of a joint's End Sites among its details: in the joint's space as in the file, and as posed. */
 import { endSitePosition } from '../../../evaluate/end-sites.ts';
 import type { Joint } from '../../../model/skeleton.ts';
 import type { FactList } from './fact-list.ts';
 
-/** Adds the tables, where there are End Sites. Gives what fills in those as posed, from all joints' matrices. */
+/**
+ * Adds the tables, if there are End Sites. Returns a function that fills in the posed positions from all joints'
+ * matrices.
+ */
 export function endSiteTables({ endSites = [] }: Joint, index: number, list: FactList): (world: Float64Array) => void {
   if (endSites.length === 0) return () => {};
   const several = endSites.length > 1;

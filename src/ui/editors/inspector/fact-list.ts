@@ -1,9 +1,9 @@
-/** Facts in two columns, with tables of numbers between them; what `joint-facts` and `vertex-facts` are made of. */
+/** Facts in two columns, with tables of numbers between them; used by `joint-facts` and `vertex-facts`. */
 import { copyText } from '../../kit/clipboard.ts';
 import { button, element, setText } from '../../kit/dom.ts';
 import { type GridOptions, NumberGrid } from '../../kit/number-grid.ts';
 
-/** What is shown, and how it is brought up to date. */
+/** A view with its update function. */
 export interface FactView {
   readonly element: HTMLElement;
   fill(): void;
@@ -27,8 +27,9 @@ export class FactList {
   }
 
   /**
-   * A line; gives what sets its text.
-   * @param copied what is copied instead of the text shown: its numbers in full
+   * Adds a line; returns a function that sets its text.
+   *
+   * @param copied copied instead of the text shown: its numbers in full precision
    */
   fact(label: string, value: string | HTMLElement, copied?: string): (text: string) => void {
     const cell = element('span', { class: 'fact-value' }, value);
@@ -37,7 +38,7 @@ export class FactList {
     return (text) => setText(cell, text);
   }
 
-  /** A table under a heading; the note beside the heading can be set later. */
+  /** Adds a table under a heading; the note beside the heading can be set later. */
   grid(options: GridOptions): { readonly grid: NumberGrid; note(text: string): void } {
     const grid = new NumberGrid(options);
     const note = element('span', { class: 'grid-note' });

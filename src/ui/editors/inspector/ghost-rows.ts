@@ -1,14 +1,14 @@
-/** Ghosts in the display folder: how many before and after, and how far apart they are. */
+/** Onion skin rows in the display section: number of ghosts before and after, and their spacing. */
 import type { GUI } from 'lil-gui';
 import { type Display, GHOST_UNITS, type GhostUnit, MAX_GHOSTS } from '../../../model/session.ts';
 import { Slider } from '../../kit/slider.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { setDisplay } from '../viewport/actions.ts';
 
-/** Frames between two ghosts, or seconds: what a step becomes when its unit changes. */
+/** Default step in each unit, set when the unit changes. */
 const USUAL_STEP: Readonly<Record<GhostUnit, number>> = { frames: 5, seconds: 0.2 };
 
-/** Adds the rows to the display folder. Gives what fills them with the settings of now. */
+/** Adds the rows to the display section. Returns a function that updates them from the settings. */
 export function addGhostRows(wb: Uses<'settings' | 'messages'>, folder: GUI): (display: Display) => void {
   const { display } = wb.settings.get();
   const refuse = (reason: string) => wb.messages.note(reason, 'warning');
@@ -37,7 +37,7 @@ export function addGhostRows(wb: Uses<'settings' | 'messages'>, folder: GUI): (d
     step.showValue(now.ghostStep);
     binding.unit = now.ghostStepIn;
     unit.updateDisplay();
-    // Numbers of what is not there would only be in the way.
+    // Hidden while the onion skin is off.
     for (const row of rows) row.show(now.ghosts);
   };
   show(display);

@@ -1,6 +1,6 @@
 /**
- * The right panel: lil-gui, dressed as the rest of the page. What it shows is decided by identities: rows are made anew
- * for another character, joint, unit or other limits, and only filled while a character plays or a slider is dragged.
+ * The right panel: lil-gui, styled like the rest of the page. Compares by identity: rows are rebuilt for another
+ * character, joint, unit or other limits, and only updated while a character plays or a slider is dragged.
  */
 import { GUI } from 'lil-gui';
 import { type Character, findCharacter, shownClip } from '../../../model/document.ts';
@@ -21,7 +21,7 @@ import { jointFacts } from './joint-facts.ts';
 import { LiveRows } from './live-rows.ts';
 import { displayFolder, playbackFolder } from './page-folders.ts';
 
-/** @param panel empty, in its place (`inspector-panel.ts`) */
+/** @param panel empty, already in the page (`inspector-panel.ts`) */
 export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   const gui = new GUI({ container: panel, autoPlace: false, injectStyles: false, title: 'Inspector' });
   const empty = element('p', { class: 'empty' }, 'Open a character to see its DOFs, morphs and details.');
@@ -80,14 +80,14 @@ export function fillInspector(wb: Workbench, panel: HTMLElement): void {
   });
   show();
 
-  // lil-gui keeps keys to itself; commands that a control has no use for are handed on before it does.
+  // lil-gui stops key events; those that a control doesn't use are forwarded first.
   const handOn = (event: KeyboardEvent) => {
     if (event.target instanceof Element && event.target.closest('.lil-controller')) handleKey(wb, event);
   };
   panel.addEventListener('keydown', handOn, { capture: true });
 }
 
-/** Shown in rig mode, and fetched with it. */
+/** Shown in rig mode, and loaded with it. */
 function rigFolder(wb: Workbench, edit: HandEdit, folder: GUI) {
   let rows: RigFolder | undefined;
   let shown: readonly [Character | undefined, number | undefined] = [undefined, undefined];
@@ -138,7 +138,7 @@ function whatIsShown(wb: Uses<'store' | 'settings'>): Shown {
   };
 }
 
-/** A take changes nothing about the sliders: the one that is being dragged while the first key is made goes on. */
+/** A new take doesn't affect the sliders: the one being dragged while the first key is made must stay. */
 function sameDofs(a: Shown, b: Shown): boolean {
   return (
     a.id === b.id &&
@@ -163,7 +163,7 @@ function sameCharacterRows(a: Shown, b: Shown): boolean {
   );
 }
 
-/** Where one is in the rows, so that one can be there again when they were made anew: what is in view, and the focus. */
+/** Saves scroll position and focus; the returned function restores them after rows were rebuilt. */
 function placeIn(scroller: HTMLElement): () => void {
   const { scrollTop } = scroller;
   const focused = document.activeElement;
@@ -178,7 +178,7 @@ function placeIn(scroller: HTMLElement): () => void {
   };
 }
 
-/** A folder that is next time as it was left. */
+/** A section whose open state is remembered. */
 function rememberedFolder(wb: Uses<'settings'>, gui: GUI, id: string, title: string, open: boolean): GUI {
   const key = `inspector/${id}`;
   const folder = gui.addFolder(title);

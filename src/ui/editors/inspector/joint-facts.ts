@@ -1,6 +1,6 @@
 /**
- * Every number behind what is picked. Built anew for another joint or vertex, filled while the character moves: ten
- * times a second at most, and only while it can be seen.
+ * All details of what is selected. Rebuilt for another joint or vertex, and updated while the character moves: ten
+ * times a second at most, and only while visible.
  */
 import { tipPosition } from '../../../evaluate/end-sites.ts';
 import { compileSkeleton, localMatrices } from '../../../evaluate/kinematics.ts';
@@ -25,9 +25,9 @@ const FOLLOW_EVERY_MS = 100;
 
 export interface Facts {
   readonly element: HTMLElement;
-  /** After an edit, or another selection. */
+  /** Call after an edit or a change of selection. */
   show(): void;
-  /** While time moves. */
+  /** Call when the time changes. */
   follow(): void;
 }
 
@@ -126,7 +126,7 @@ function factsOfJoint(wb: Uses<'store' | 'viewport' | 'settings'>, character: Ch
   return { element: list.element, fill };
 }
 
-/** Value and limits of each DOF. Gives what fills in the values. */
+/** Value and limits of each DOF. Returns a function that fills in the values. */
 function dofTable(wb: Uses<'settings'>, character: Character, index: number, list: FactList) {
   const { skeleton } = character;
   const joint = skeleton?.joints[index];
@@ -173,7 +173,7 @@ function parentLink(wb: Uses<'store'>, character: Character, parent: number): HT
   return made;
 }
 
-/** Says so where a matrix mirrors: normals and winding turn over there. */
+/** Notes a mirroring matrix, which flips normals and winding. */
 function mirrorText(matrix: Float64Array, offset: number): string {
   const determinant = determinant3(matrix, offset);
   return determinant < 0 ? `mirrored, determinant ${shown(determinant)}` : '';

@@ -1,6 +1,6 @@
 /**
- * Rows that follow playback. Only those in view are brought up to date, and none more than once a frame, so that five
- * hundred sliders cost what twenty do.
+ * Rows that follow playback. Only visible ones are updated, at most once per frame, so that five hundred sliders cost
+ * as much as twenty.
  */
 export class LiveRows {
   private readonly updates = new Map<Element, () => void>();
@@ -22,7 +22,7 @@ export class LiveRows {
     );
   }
 
-  /** Updates at once, and from then on while in view. */
+  /** Updates at once, and from then on while visible. */
   add(row: Element, update: () => void): void {
     this.updates.set(row, update);
     this.observer.observe(row);

@@ -1,4 +1,4 @@
-/** Folders that belong to the page rather than to a character: what is drawn, and how time runs. */
+/** Sections of the page rather than of a character: display and playback. */
 import type { GUI } from 'lil-gui';
 import { LOOP_MODES } from '../../../edit/playback.ts';
 import { DEFAULT_DISPLAY, type Display } from '../../../model/session.ts';

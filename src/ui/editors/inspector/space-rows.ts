@@ -1,8 +1,8 @@
 /**
- * How a character's own space lies in the scene, in the character's folder: up axis, unit, ground, and what the position
- * channels of BVH mean.
+ * How a character's own space maps to the scene, in the character's section: up axis, unit, ground, and the meaning of
+ * BVH position channels.
  *
- * Another unit or up axis puts the figure on the ground anew: who corrects a guess wants to see it standing.
+ * Another unit or up axis puts the character back on the ground: corrected, it should stand.
  */
 import type { GUI } from 'lil-gui';
 import { setPositionChannels, setSpace } from '../../../edit/commands/spaces.ts';
@@ -36,7 +36,7 @@ const UNITS: readonly (readonly [string, LengthUnit | 'automatic'])[] = [
 const UPS = { 'y up': 'y', 'z up': 'z' } as const;
 const POSITIONS: Readonly<Record<string, Positions>> = { 'Replace the offset': 'replace', 'Add to it': 'add' };
 
-/** Adds the rows to a folder that was emptied. Gives what fills them with the values of now. */
+/** Adds the rows to an empty section. Returns a function that updates their values. */
 export function addSpaceRows(
   wb: Uses<'store' | 'viewport' | 'messages'>,
   edit: HandEdit,
@@ -48,7 +48,7 @@ export function addSpaceRows(
   const put = (space: Space) => {
     if (now()) attempt(wb.messages, () => wb.store.apply(setSpace, { characterId: id, space }));
     update();
-    // Of a hundred times the size it is out of the picture, of a hundredth a speck in it.
+    // A hundred times larger it is out of view, a hundred times smaller a speck.
     wb.viewport.reveal(id);
   };
   const binding: { up: Space['up']; unit: LengthUnit | 'automatic'; positions: Positions } = {
@@ -109,7 +109,7 @@ export function addSpaceRows(
   return update;
 }
 
-/** As is means as it is: what stands on no ground in its file stands on none here. */
+/** *As is* leaves everything as in the file, the height too. */
 function grounded(character: Character | undefined, space: Space): Space {
   return space.unit === 'asIs' ? { ...space, lift: 0 } : onGround(character, space);
 }

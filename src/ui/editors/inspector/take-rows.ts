@@ -1,4 +1,4 @@
-/** The take that a character shows, in the character's folder: its name, and what of it is played. */
+/** The shown take, in the character's section: its name and playback range. */
 import type { GUI } from 'lil-gui';
 import { renameClip, setClipRange, setInterpolation } from '../../../edit/commands/clips.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
@@ -18,7 +18,7 @@ const INTERPOLATION_NAMES: Readonly<Record<string, Interpolation>> = {
   Cubic: 'cubic',
 };
 
-/** Adds the rows to a folder that was emptied. Gives what fills them with the values of now, and what else to remove. */
+/** Adds the rows to an empty section. Returns functions that update their values and remove the rest. */
 export function addTakeRows(
   wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
   folder: GUI,
@@ -47,7 +47,7 @@ export function addTakeRows(
       commit(value) {
         const clip = now();
         if (clip) wb.store.apply(setClipRange, { characterId: id, range: make(value / perUnit(), clip.range) });
-        // The field shows what became of it at once.
+        // Shows the result in the field at once.
         update();
       },
       refuse: (reason) => wb.messages.note(reason, 'warning'),
@@ -92,7 +92,7 @@ export function addTakeRows(
   return { update, line };
 }
 
-/** Brings the field of the take's name before the person, wherever it is folded away. */
+/** Opens everything around the field of the take's name, and focuses it. */
 export function askForTakeName(wb: Uses<'settings'>, folder: GUI): void {
   openPanel(wb, 'inspector', true);
   folder.open();

@@ -1,4 +1,4 @@
-/** The numbers behind one vertex of a skin: where the file has it, where it is now, and what it hangs on. */
+/** Details of one vertex of a skin: its position in the file and now, and its attachments. */
 import { vertexDeformer } from '../../../evaluate/one-vertex.ts';
 import type { Character } from '../../../model/document.ts';
 import { type Skin, vertexCount } from '../../../model/skin.ts';

@@ -1,6 +1,6 @@
 /**
- * Every message that has not been dismissed, with its diagnostics: where, what, what was assumed, and the line itself
- * with a caret under the place.
+ * Every message that has not been dismissed, with its diagnostics: place, problem, assumption, and the line itself with
+ * a caret.
  */
 import type { Diagnostic } from '../../../model/diagnostic.ts';
 import { button, element } from '../../kit/dom.ts';
@@ -9,7 +9,7 @@ import { count } from '../../kit/number-text.ts';
 import { caretPad, counts, type Message } from '../../state/messages.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** More are counted; Copy takes them all. */
+/** The rest is counted; Copy includes all. */
 const MAX_SHOWN = 200;
 const EXCERPT_CHARACTERS = 200;
 
@@ -39,7 +39,7 @@ function messageBlock(wb: Uses<'messages'>, message: Message, room: number): HTM
   const { diagnostics, severity, text, fate } = message;
   const file = diagnostics[0]?.file;
   const shown = diagnostics.slice(0, room);
-  // Of a single one there is nothing to count: the icon says what it is.
+  // A single one needs no count: the icon shows its severity.
   const counted = diagnostics.length > 1 && counts(diagnostics);
   const mixed = diagnostics.some((d) => d.severity !== severity);
   return element(
@@ -84,7 +84,9 @@ function diagnosticBlock(d: Diagnostic, withIcon: boolean): HTMLElement {
   );
 }
 
-/** A long line begins where its caret can be seen: about the middle. From when it is first shown, for it has no width before. */
+/**
+ * Scrolls long lines so that the caret is visible, about the middle. On first showing, since there is no width before.
+ */
 function caretsInView(): { watch(excerpts: Iterable<HTMLElement>): void } {
   const observer = new IntersectionObserver((entries) => {
     for (const { target, isIntersecting } of entries) {
@@ -102,7 +104,7 @@ function caretsInView(): { watch(excerpts: Iterable<HTMLElement>): void } {
   };
 }
 
-/** The line and its caret, as text: nothing in a file is ever markup. */
+/** The line and its caret, as text: content of files is never markup. */
 function excerpt(text: string, caret: number): HTMLElement {
   const line = text.slice(0, EXCERPT_CHARACTERS);
   const block = element('pre', { class: 'excerpt' });

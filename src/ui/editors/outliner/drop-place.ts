@@ -1,8 +1,8 @@
-/** Where a drop between the rows of the tree puts a joint. */
+/** Where a drop on the tree puts a joint. */
 import { branchEnd, canHangOn } from '../../../edit/rig/parents.ts';
 import type { Joint } from '../../../model/skeleton.ts';
 
-/** Why a joint that is dropped on a row stays where it is; undefined where there is nothing to be said. */
+/** Why a joint can't be dropped on a row; undefined if nothing has to be said. */
 export function whyNoDrop(
   joints: readonly Pick<Joint, 'parent' | 'name'>[],
   joint: number,
@@ -13,23 +13,24 @@ export function whyNoDrop(
   return `${called(joint)} can’t be parented to its descendant ${called(row)}.`;
 }
 
-/** Where in a row the pointer is: its upper part, its middle, its lower part. */
+/** The part of a row that the pointer is in. */
 export type RowPart = 'above' | 'on' | 'below';
 
-/** @param at 0 at the row's top, 1 at its foot */
+/** @param at 0 at the row's top, 1 at its bottom */
 export function rowPart(at: number): RowPart {
   return at < 0.25 ? 'above' : at > 0.75 ? 'below' : 'on';
 }
 
 export interface NewPlace {
   readonly parent: number;
-  /** The child of that parent that it comes to stand before; absent: it is the last. */
+  /** Inserted before this child of the parent; absent: last. */
   readonly before?: number;
 }
 
 /**
- * Where a joint comes to hang that is dropped on a row. Undefined where it can't, or is there already.
- * @param isOpen whether the row's children are seen below it: then below it means before the first of them
+ * New parent and position of a joint dropped on a row. Undefined if impossible, or unchanged.
+ *
+ * @param isOpen whether the row's children are shown below it: "below" then means before the first child
  */
 export function dropPlace(
   joints: readonly Pick<Joint, 'parent'>[],
@@ -41,7 +42,7 @@ export function dropPlace(
   const place = placeAt(joints, row, part, isOpen);
   if (!place || !canHangOn(joints, joint, place.parent)) return undefined;
   const next = nextSibling(joints, joint);
-  // Before itself is where it is.
+  // Before itself means its present position.
   const before = place.before === joint ? next : place.before;
   if (joints[joint].parent === place.parent && before === next) return undefined;
   return before === undefined ? { parent: place.parent } : { parent: place.parent, before };
@@ -54,7 +55,7 @@ function placeAt(
   isOpen: boolean,
 ): NewPlace | undefined {
   const { parent } = joints[row];
-  // Beside the root there is no place.
+  // The root has no siblings.
   if (part === 'on' || parent < 0) return part === 'below' && isOpen ? firstOf(joints, row) : { parent: row };
   if (part === 'above') return { parent, before: row };
   if (isOpen) return firstOf(joints, row);
@@ -62,7 +63,7 @@ function placeAt(
   return before === undefined ? { parent } : { parent, before };
 }
 
-/** A first child comes right after its parent. */
+/** A first child directly follows its parent. */
 function firstOf(joints: readonly Pick<Joint, 'parent'>[], parent: number): NewPlace {
   return joints[parent + 1]?.parent === parent ? { parent, before: parent + 1 } : { parent };
 }

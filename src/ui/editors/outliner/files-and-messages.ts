@@ -1,4 +1,4 @@
-/** Below the tree: the files that are open, those that belong to nothing, and what is wrong with any of them. */
+/** Below the tree: open files, files that belong to nothing, and problems. */
 import type { Document } from '../../../model/document.ts';
 import type { SourceFile } from '../../../model/files.ts';
 import { copyText } from '../../kit/clipboard.ts';
@@ -31,7 +31,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages'>): H
     const other = name === 'files' ? 'messages' : 'files';
     tabs[name].button.addEventListener('click', () => {
       choose(name);
-      // There they stand: read.
+      // The list shows them: mark them as read.
       if (name === 'messages') wb.messages.markAllRead();
     });
     tabs[name].button.addEventListener('keydown', (event) => {
@@ -49,7 +49,7 @@ export function filesAndMessages(wb: Uses<'store' | 'settings' | 'messages'>): H
     const list = wb.messages.list.get();
     setText(tabs.messages.count, String(list.length || ''));
     tabs.messages.button.dataset.severity = list.some((m) => m.severity === 'error') ? 'error' : '';
-    // A file that failed is what one looks for here next.
+    // Scrolls to a new message, as one looks for it here next.
     const newest = list.at(-1);
     if (newest && newest.id > seen) {
       seen = newest.id;

@@ -1,6 +1,6 @@
 /**
  * The outliner's tree as a flat list of rows: characters, and below each its joints, skins, takes and morphs. Joints
- * are in depth-first pre-order, so one pass over them makes the rows, however deep and however many they are.
+ * are in depth-first pre-order, so one pass makes the rows, for any depth and number.
  */
 import type { Character, Document } from '../../../model/document.ts';
 import type { Joint } from '../../../model/skeleton.ts';
@@ -11,43 +11,43 @@ import { followsText } from '../retarget/moved-text.ts';
 export type RowKind = 'character' | 'group' | 'joint' | 'skin' | 'clip' | 'morph';
 
 export interface OutlineRow {
-  /** The same for the same thing from one document to the next. */
+  /** Stable across documents. */
   readonly key: string;
   readonly kind: RowKind;
   readonly depth: number;
-  /** Empty where the file gives no name. */
+  /** Empty if the file gives no name. */
   readonly label: string;
   readonly detail: string;
   readonly characterId: string;
-  /** Into the character's joints, skins, clips or morphs; -1 for itself and groups. */
+  /** Into the character's joints, skins, clips or morphs; -1 for the character and groups. */
   readonly index: number;
   readonly expandable: boolean;
   readonly expanded: boolean;
-  /** A character that is taken out of the picture. */
+  /** A hidden character. */
   readonly hidden?: boolean;
-  /** Of alternatives, the one that is drawn or played. */
+  /** Of alternatives, the one drawn or played. */
   readonly shown?: boolean;
-  /** Only here because something below it was searched for. */
+  /** Listed only because a descendant matches the search. */
   readonly onTheWay: boolean;
 }
 
-/** Whether a row is unfolded; `otherwise` where nobody has said. */
+/** Whether a row is expanded; `otherwise` unless the user has changed it. */
 export type IsOpen = (key: string, otherwise: boolean) => boolean;
 
-/** Skeletons up to this size are unfolded from the start. */
+/** Skeletons up to this size are expanded initially. */
 const SMALL_SKELETON = 80;
 const OPEN_DEPTH = 3;
-/** And characters, where there are no more than so many: of a folder of takes one wants to see the names. */
+/** So are characters, up to this number: of a folder of takes one wants to see the names. */
 const FEW_CHARACTERS = 5;
 
-/** Whether characters are so few that all of them are unfolded from the start. */
+/** Whether there are so few characters that all are expanded initially. */
 export const isFew = (characters: readonly Character[]) => characters.length <= FEW_CHARACTERS;
 
 export const characterKey = (id: string) => `${id}`;
 export const groupKey = (id: string, group: string) => `${id}/${group}`;
 export const jointKey = (id: string, joint: number) => `${id}/joint/${joint}`;
 
-/** @param query rows that contain it, with what they are in; all rows where it is empty */
+/** @param query rows that contain it, with their ancestors; all rows if empty */
 export function outlineRows(document: Document, isOpen: IsOpen, query = ''): OutlineRow[] {
   const rows: OutlineRow[] = [];
   const needle = query.trim().toLowerCase();
@@ -127,7 +127,7 @@ function addJoints(rows: OutlineRow[], character: Character, isOpen: IsOpen, nee
 const ON_THE_WAY = 1;
 const MATCH = 2;
 
-/** For each joint whether it matches, or is above one that does. `#12` and `12` find a joint by its index. */
+/** For each joint whether it or a descendant matches. `#12` and `12` find a joint by its index. */
 function withAncestors(joints: readonly Joint[], needle: string) {
   const state = new Uint8Array(joints.length);
   const byIndex = /^#?(\d+)$/.exec(needle)?.[1];
@@ -186,7 +186,7 @@ function alternatives(character: Character, kind: 'skin' | 'clip' | 'morph'): Al
         label: clip.name,
         detail: duration(clip.range[1] - clip.range[0]),
         index,
-        // None of its own is, while another's moves it.
+        // No take is shown while another character's moves it.
         shown: !character.driver && index === character.shownClip,
       }));
     case 'morph':
@@ -209,7 +209,7 @@ function group(character: Character, kind: string, label: string, size: number, 
   };
 }
 
-/** Keys of the rows that have to be open for a joint to be seen. */
+/** Keys of the rows that have to be expanded to show a joint. */
 export function keysAbove(character: Character, joint: number): string[] {
   const keys = [characterKey(character.id), groupKey(character.id, 'joint')];
   const joints = character.skeleton?.joints ?? [];
@@ -217,7 +217,7 @@ export function keysAbove(character: Character, joint: number): string[] {
   return keys;
 }
 
-/** Whether two documents have the same rows: a pose that changed is no reason to build them anew. */
+/** Whether two documents have the same rows: a changed pose doesn't rebuild them. */
 export function sameOutline(a: Document, b: Document): boolean {
   if (a === b) return true;
   if (a.characters.length !== b.characters.length) return false;

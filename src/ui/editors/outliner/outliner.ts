@@ -1,4 +1,4 @@
-/** The left panel: characters and what they are made of, and below it files and messages. */
+/** The left panel: characters and their parts, and below them files and messages. */
 import { removeCopy, renameCharacter, showClip, showSkin } from '../../../edit/commands/characters.ts';
 import { duplicateClip, removeClip, renameClip } from '../../../edit/commands/clips.ts';
 import { setHidden } from '../../../edit/commands/spaces.ts';
@@ -59,7 +59,7 @@ export function outliner(wb: Workbench): HTMLElement {
   tree.element.dataset.panel = 'outliner';
   tree.element.addEventListener('keydown', (event) => {
     const row = tree.focused;
-    // With a joint in hand, Delete must not take the whole character; in rig mode it is the joint's.
+    // With a joint selected, Delete must not remove the character; in rig mode it deletes the joint.
     const isJoint = row?.kind === 'joint' && wb.posing.mode.get() === 'rig';
     if (event.key === 'Delete' && row?.kind !== 'character') {
       event.preventDefault();
@@ -83,7 +83,7 @@ export function outliner(wb: Workbench): HTMLElement {
     empty.textContent = document.characters.length && query ? `Nothing matches “${query}”.` : EMPTY;
     tree.show(rows);
   };
-  /** What selecting has unfolded of one of many characters: folded again when another is selected. */
+  /** What selecting has expanded, of many characters: collapsed again when another is selected. */
   const unfolded = { of: '', keys: new Set<string>() };
   const foldOthers = ({ characters }: Document, character: Character | undefined) => {
     if (!character || unfolded.of === character.id) return false;
@@ -163,7 +163,7 @@ export function outliner(wb: Workbench): HTMLElement {
     (await import('./tree-drag.ts')).letJointsBeDragged(wb, tree);
   });
   wb.files.unsaved.subscribe(() => {
-    // A name that is being typed stays.
+    // Doesn't interrupt renaming.
     if (renaming === undefined) tree.drawAnew();
   });
   show();
@@ -217,7 +217,7 @@ function drawRow(wb: Uses<'store' | 'files'>, row: OutlineRow): Node[] {
   return nodes;
 }
 
-/** For the mouse; the keyboard has the row's menu. A row's children are no stops of Tab. */
+/** For the mouse; by keyboard the row's menu does the same. Children of rows are no tab stops. */
 function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: OutlineRow): HTMLElement {
   const text = `${hidden ? 'Show' : 'Hide'} ${label}`;
   const eye = element(
@@ -240,13 +240,13 @@ function eyeOf(wb: Uses<'store'>, { characterId, label, hidden = false }: Outlin
   return eye;
 }
 
-/** Whether what the row stands for is not saved; the joints stand for the skeleton's file. */
+/** Whether a row's part is unsaved; the joints represent the skeleton's file. */
 function isUnsaved(wb: Uses<'files'>, { kind, key, characterId, index }: OutlineRow): boolean {
   const isSkeleton = key === groupKey(characterId, 'joint');
   if (!isSkeleton && kind !== 'skin' && kind !== 'morph' && kind !== 'clip') return false;
   return wb.files.unsaved.get().some((part) => {
     if (part.characterId !== characterId) return false;
-    // A take of motion capture is skeleton and clip in one file.
+    // Motion capture has skeleton and clip in one file.
     if (part.kind === 'bvh') return kind === 'clip' && part.index === index;
     return isSkeleton ? part.kind === 'skel' : part.kind === PART_KINDS[kind] && part.index === index;
   });
@@ -306,7 +306,7 @@ function rowMenu(
   const entries = ids.flatMap(pick);
   if (row.kind === 'joint') {
     void onDemand(wb.messages, 'The joint menu', () => import('./tree-menu.ts')).then((module) => {
-      // Where it can't be fetched there is still the rest.
+      // If it can't be loaded, the other entries remain.
       const rigging = module?.jointEntries(wb, character, row.index, () => rename(row)) ?? [];
       openMenu(at, [...rigging, ...entries], { label: row.label || 'Joint' });
     });
@@ -330,7 +330,7 @@ function rowMenu(
 
 function skinEntries(wb: Uses<'store' | 'actions' | 'settings'>, row: OutlineRow): MenuEntry[] {
   const { characterId, index } = row;
-  /** What it is about is what is shown, of the character that is selected. */
+  /** Applies to what is shown, of the selected character. */
   const showIt = () => {
     if (currentCharacter(wb)?.id !== characterId) wb.store.select({ characterId });
     if (findCharacter(wb.store.document, characterId)?.shownSkin === index) return;

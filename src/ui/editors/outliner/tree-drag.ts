@@ -1,6 +1,6 @@
 /**
- * Joints dragged within the tree, in rig mode: onto a row, and the joint hangs on that one; between two rows, and it
- * comes to stand there. Escape gives it up. The keyboard has "Move under" in the row's menu.
+ * Dragging joints in the tree, in rig mode: onto a row to reparent, between rows to reorder. Escape cancels. By
+ * keyboard: "Move under" in the row's menu.
  */
 import { findCharacter } from '../../../model/document.ts';
 import { element } from '../../kit/dom.ts';
@@ -11,7 +11,7 @@ import type { OutlineRow } from './outline-rows.ts';
 import { indentOf, type Tree } from './tree.ts';
 
 const CLICK_PIXELS = 4;
-/** Near the tree's upper and lower edge it scrolls. */
+/** Scrolls near the tree's top and bottom edge. */
 const EDGE_PIXELS = 20;
 
 interface Drag {
@@ -21,7 +21,7 @@ interface Drag {
   readonly pointerId: number;
   moved: boolean;
   place: NewPlace | undefined;
-  /** Where it can't hang: why. */
+  /** Why it can't be dropped here. */
   whyNot: string | undefined;
 }
 
@@ -120,7 +120,7 @@ export function letJointsBeDragged(
     const { moved, place, row, whyNot } = drag;
     finish();
     if (!moved) return;
-    // The release of a drag is no click on the row that it ends over.
+    // Releasing a drag isn't a click on the row below.
     const swallow = (click: MouseEvent) => click.stopPropagation();
     tree.element.addEventListener('click', swallow, { capture: true, once: true });
     setTimeout(() => tree.element.removeEventListener('click', swallow, true));

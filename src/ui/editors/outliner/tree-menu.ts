@@ -1,4 +1,4 @@
-/** A joint's context menu, as far as it changes the skeleton. */
+/** Entries of a joint's context menu that change the skeleton. */
 import { possibleParents } from '../../../edit/rig/parents.ts';
 import type { Character } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -11,8 +11,9 @@ import type { Workbench } from '../../state/workbench.ts';
 const edits = () => import('../rig/rig-edits.ts');
 
 /**
- * In rig mode all of it; else only what is no more than a name, and the way there.
- * @param joint index; the row's, which need not be selected yet
+ * All of them in rig mode; otherwise only renaming and switching to rig mode.
+ *
+ * @param joint index of the row's joint, which may not be selected yet
  */
 export function jointEntries(
   wb: Workbench,
@@ -28,7 +29,7 @@ export function jointEntries(
     ariaShortcut: shortcut && ariaShortcut(shortcut, isMac),
     run,
   });
-  /** Of an action that does the same with the selected joint. */
+  /** Shortcut of the action that does the same to the selected joint. */
   const keyOf = (id: string): string | undefined => {
     const action = findAction(wb, id);
     return action && shortcutsFor(action, wb.settings.get())[0];

@@ -1,4 +1,4 @@
-/** The outliner's tree, a windowed list: what clicks and keys do to its rows, and what is the same in all of them. */
+/** The outliner's tree, a windowed list: mouse and keys, and what all rows share. */
 import { element, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
@@ -7,18 +7,18 @@ import type { OutlineRow } from './outline-rows.ts';
 
 export interface TreeEvents {
   toggle(row: OutlineRow, open: boolean): void;
-  /** The row that was gone to, by arrow keys or a click. */
+  /** A row was reached by arrow keys or a click. */
   select(row: OutlineRow): void;
-  /** Enter; a single click on an alternative that is not shown. */
+  /** Enter, or a click on an alternative that isn't shown. */
   activate(row: OutlineRow): void;
   doubleClick(row: OutlineRow): void;
   menu(row: OutlineRow, at: { readonly x: number; readonly y: number }): void;
-  /** Fills the row's icon and label; the tree does the rest. */
+  /** Fills in the row's icon and label; the tree does the rest. */
   draw(row: OutlineRow): Node[];
 }
 
 const MEANT = 'Nothing is selected; channels and keys are those of this character';
-/** Pixels that a row is moved in by for each level down to this one; deeper levels less, and those below not at all. */
+/** Indentation per level down to this depth: less for deeper levels, and none below the last. */
 const INDENTS: readonly (readonly [depth: number, pixels: number])[] = [
   [3, 12],
   [5, 6],
@@ -27,8 +27,8 @@ const INDENTS: readonly (readonly [depth: number, pixels: number])[] = [
 ];
 
 /**
- * How far in a row stands, in pixels: who is whose child is told by a few as well as by many, and at the eighth joint
- * of a chain its name has to be read still. A chain of a thousand stays in the panel.
+ * Indentation of a row in pixels: a few per level suffice, and the eighth joint of a chain must still be readable. Even
+ * a chain of a thousand stays in the panel.
  */
 export function indentOf(depth: number): number {
   let pixels = 0;
@@ -75,7 +75,7 @@ export class Tree {
     this.drawAnew();
   }
 
-  /** Marks a row and brings it into view. */
+  /** Selects a row and scrolls it into view. */
   select(key: string | undefined): void {
     this.selectedKey = key;
     if (key !== undefined) {
@@ -85,14 +85,14 @@ export class Tree {
     this.mark();
   }
 
-  /** Marks a row quietly: it counts where nothing is selected. */
+  /** Marks a row faintly: the current character when nothing is selected. */
   mean(key: string | undefined): void {
     if (key === this.meantKey) return;
     this.meantKey = key;
     this.mark();
   }
 
-  /** As if it had been gone to with the arrow keys; no row is no row. */
+  /** As if reached with the arrow keys; does nothing without a row. */
   goTo(row: OutlineRow | undefined): void {
     this.element.focus();
     this.moveTo(row);
@@ -102,13 +102,13 @@ export class Tree {
     return this.rows[this.placeOf(this.focusedKey)];
   }
 
-  /** Anew, though the rows are the same: something that `draw` reads has changed. */
+  /** Redraws the same rows, since something that `draw` reads has changed. */
   drawAnew(): void {
     this.list.show(this.rows.length);
     this.list.focus(this.placeOf(this.focusedKey));
   }
 
-  /** Selection and focus, on rows that stay: a double click needs both of its clicks on one element. */
+  /** Updates selection and focus of existing rows: a double click needs both clicks on one element. */
   private mark(): void {
     this.list.each(({ element: made }, index) => this.markRow(made, this.rows[index]));
     this.list.focus(this.placeOf(this.focusedKey));
@@ -138,7 +138,7 @@ export class Tree {
     return key === undefined ? -1 : (this.places.get(key) ?? -1);
   }
 
-  /** The row at that height of the window, with its element; none below the last. */
+  /** The row at a client height, with its element; undefined below the last. */
   rowUnder(clientY: number): { readonly row: OutlineRow; readonly made: HTMLElement } | undefined {
     const index = this.list.indexAt(clientY);
     const made = this.list.row(index)?.element;
@@ -155,7 +155,7 @@ export class Tree {
     const onTwisty = event.target instanceof Element && event.target.closest('.twisty') !== null;
     if (row.expandable && (onTwisty || row.kind === 'group')) this.events.toggle(row, !row.expanded);
     else this.moveTo(row);
-    // One of several alternatives is taken by a click, but only looked at by the arrow keys.
+    // A click activates an alternative; arrow keys only move to it.
     if (row.shown === false) this.events.activate(row);
   }
 
@@ -175,7 +175,7 @@ export class Tree {
   private moveTo(row: OutlineRow | undefined): void {
     if (!row) return;
     this.events.select(row);
-    // Last, for what is selected may be another row: the character of a skin.
+    // Last, since the selection may be another row: the character of a skin.
     this.focusedKey = row.key;
     this.list.reveal(this.placeOf(row.key));
     this.mark();
@@ -201,7 +201,7 @@ export class Tree {
         if (row.expanded) this.events.toggle(row, false);
         else this.moveTo(this.above(index));
         break;
-      // Not Space: it plays, as everywhere on the page.
+      // Not Space, which plays, as everywhere on the page.
       case 'Enter':
         if (row.kind === 'group') this.events.toggle(row, !row.expanded);
         else this.events.activate(row);

@@ -1,4 +1,4 @@
-/** Whole poses: copied, pasted, mirrored, kept. What they do is fetched with the first of them. */
+/** Actions on whole poses: copy, paste, mirror, save. Their scripts are loaded on first use. */
 import { jointName } from '../../../model/joint-name.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { selectedJoint } from '../../state/selected-joint.ts';

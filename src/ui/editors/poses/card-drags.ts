@@ -1,11 +1,11 @@
-/** A drag on a card of the library, which blends to its pose. */
+/** Dragging on a card of the library blends to its pose. */
 import { applyPose } from '../../../edit/commands/poses.ts';
 import { followPointer } from '../../kit/drag.ts';
 import { HandEdit } from '../../state/hand-edit.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { moment } from './pose-edits.ts';
 
-/** A drag of that many CSS pixels to the right is the whole pose. */
+/** Pixels to the right that apply the whole pose. */
 const WHOLE_DRAG = 160;
 
 export interface Blended {
@@ -15,9 +15,10 @@ export interface Blended {
 }
 
 /**
- * As much of the pose as the hand has moved to the right; one undo step.
- * @param grid holds the pointer
- * @param show is told how much; undefined: it is over
+ * Blends the pose by how far the pointer has moved to the right; one undo step.
+ *
+ * @param grid captures the pointer
+ * @param show shows the share; undefined: the drag has ended
  */
 export function blendByDrag(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,

@@ -9,7 +9,7 @@ export interface CardActions {
   remove(): void;
 }
 
-/** @param joint name of the selected joint, where one is of that character */
+/** @param joint name of the selected joint, if it belongs to that character */
 export function cardEntries(joint: string | undefined, does: CardActions): readonly MenuEntry[] {
   const item = (label: string, run: () => void, shortcut?: string): MenuEntry => ({
     kind: 'item',

@@ -1,4 +1,4 @@
-/** One pose of the library: its picture, and its name, which is typed in place. */
+/** One pose of the library: thumbnail, and name, edited in place. */
 import { element, setAttribute, setText } from '../../kit/dom.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 
@@ -7,7 +7,7 @@ const PICTURE = { width: 112, height: 112 };
 
 export interface CardEvents {
   rename(name: string): void;
-  /** Typing is over, either way. */
+  /** Editing has ended, either way. */
   renamed(): void;
 }
 
@@ -33,7 +33,7 @@ export class PoseCard {
     setAttribute(this.element, 'aria-label', name);
   }
 
-  /** How much of the pose is taken on while it is dragged; none while it is not. */
+  /** Share of the pose while it is blended; undefined hides it. */
   showShare(share: number | undefined): void {
     this.share.hidden = share === undefined;
     if (share !== undefined) {

@@ -1,7 +1,7 @@
 /**
- * The tab of the poses: the library of the character at hand as cards.
+ * The poses tab: the pose library of the current character as cards.
  *
- *     click, Enter, Space   takes the pose on                  arrows, Home, End   to another card
+ *     click, Enter, Space   applies the pose                  arrows, Home, End   to another card
  *     Alt + drag            blends to it                       F2                  its name
  *     Delete                removes it                         double click on it
  *                                                              right click         all of these
@@ -69,7 +69,7 @@ class PosesPanel implements TimelineTab {
     this.show();
   }
 
-  // There is no time in this tab to be fitted.
+  // This tab shows no time to fit.
   fitAll(): void {}
   fitSelected(): void {}
 
@@ -85,7 +85,7 @@ class PosesPanel implements TimelineTab {
     const poses = character?.poses ?? [];
     let isNew = false;
     if (character?.id !== this.shownId) this.focused = 0;
-    // A pose that was just kept is the one that is gone on from.
+    // Focuses a newly saved pose.
     else if (poses.length > this.shownPoses.length) {
       this.focused = newIndex(poses, this.shownPoses);
       isNew = true;
@@ -164,7 +164,7 @@ class PosesPanel implements TimelineTab {
     const step = steps[event.key];
     if (step !== undefined) {
       const to = this.focused + step;
-      // Up from the first row and down from the last stay in their column.
+      // Up from the first row and down from the last does nothing.
       if (Math.abs(step) === 1 || Math.abs(step) === this.cards.length || (to >= 0 && to < this.cards.length))
         this.focus(to);
     } else if (event.key === 'Enter' || event.key === ' ') this.take(this.focused);
@@ -192,16 +192,16 @@ class PosesPanel implements TimelineTab {
     if (event.altKey) this.blend(index, event);
   }
 
-  /** Pressed and let go on one card. */
+  /** Pressed and released on one card. */
   private onClick({ target, detail, altKey }: MouseEvent): void {
     const index = this.indexAt(target);
-    // The second click of two, which many do out of habit, is not to blend again.
+    // The second click of a double click must not blend again.
     if (index < 0 || altKey || detail > 1) return;
-    // On the name it only chooses the card: two clicks there are about the name.
+    // On the name it only focuses the card: a double click there renames.
     if (target instanceof Element && !target.closest('.pose-name')) this.take(index);
   }
 
-  /** Alt and a drag. */
+  /** Alt+drag. */
   private blend(index: number, down: PointerEvent): void {
     const { wb, grid } = this;
     const character = findCharacter(wb.store.document, this.shownId);
@@ -260,7 +260,7 @@ class PosesPanel implements TimelineTab {
   }
 }
 
-/** Where the last one of those is that were not there before. */
+/** Index of the last new pose. */
 function newIndex(poses: readonly NamedPose[], before: readonly NamedPose[]): number {
   const known = new Set(before);
   return poses.findLastIndex((pose) => !known.has(pose));

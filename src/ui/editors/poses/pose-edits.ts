@@ -1,4 +1,4 @@
-/** What menus, keys and the library do with whole poses. Fetched with the first of them that is asked for. */
+/** Edits of whole poses, for menus, keys and the library. Loaded on first use. */
 import {
   type ApplyPose,
   applyPose,
@@ -18,7 +18,7 @@ import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey } from '../posing/pose-edits.ts';
 
-/** Of the pose shown. */
+/** Copies the current pose. */
 export function copyPose(wb: Uses<'store' | 'transport' | 'posing' | 'messages'>): void {
   const character = currentCharacter(wb);
   if (!character) return;
@@ -29,7 +29,7 @@ export function copyPose(wb: Uses<'store' | 'transport' | 'posing' | 'messages'>
   wb.messages.note(`Copied the pose of ${character.name}.`);
 }
 
-/** Says what did not fit. */
+/** Reports what did not match. */
 export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>): void {
   const character = currentCharacter(wb);
   const copied = wb.posing.copied.get();
@@ -43,7 +43,7 @@ export function pasteCopied(wb: Uses<'store' | 'transport' | 'timeline' | 'posin
   });
 }
 
-/** @param branch of the selected joint only */
+/** @param branch the selected joint and its descendants only */
 export function mirror(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   way: 'swap' | 'toOther',
@@ -77,7 +77,7 @@ export function take(
   attempt(wb.messages, () => wb.store.apply(applyPose, { ...change, ...moment(wb) }));
 }
 
-/** When poses are set by hand, and whether they are keyed. What plays stops. */
+/** Time for edits of poses, and whether to key them. Stops playback. */
 export function moment(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>) {
   standStill(wb);
   return { timeSeconds: wb.transport.get().timeSeconds, key: autoKey(wb) };

@@ -1,6 +1,6 @@
 /**
- * Pictures of poses, drawn when they come into view, one at a time between frames, and kept as long as nothing of what
- * they show changes: by identity of the pose's values, and with it skeleton, skin and theme.
+ * Thumbnails of poses, drawn when they come into view, one at a time between frames, and cached by identity of the
+ * pose's values, skeleton, skin and theme.
  */
 import type { Steps } from '../../../evaluate/steps.ts';
 import type { Character } from '../../../model/document.ts';
@@ -21,21 +21,21 @@ interface Wanted {
 
 export class Thumbnails {
   private readonly kept = new WeakMap<readonly number[], Kept>();
-  /** What each canvas shows: it is asked for at every change of the document. */
+  /** What each canvas shows, since every change of the document asks. */
   private readonly shown = new WeakMap<HTMLCanvasElement, Kept>();
   private readonly wanted = new Map<HTMLCanvasElement, Wanted>();
   private isDrawing = false;
   private colours: ThumbnailColours | undefined;
 
-  /** @param around whose colours they are drawn in */
+  /** @param around element whose colours they use */
   constructor(private readonly around: HTMLElement) {}
 
-  /** Another theme: colours are read anew, and everything drawn so far is drawn again when it is asked for. */
+  /** The theme has changed: rereads the colours, and redraws thumbnails on request. */
   recolour(): void {
     this.colours = undefined;
   }
 
-  /** Puts the pose's picture onto the canvas, at once where it is known. */
+  /** Draws the pose's thumbnail, at once if cached. */
   show(canvas: HTMLCanvasElement, character: Character, pose: NamedPose): void {
     const known = this.kept.get(pose.values);
     if (known && same(known.of, this.keyOf(character, canvas))) {
@@ -47,7 +47,7 @@ export class Thumbnails {
     this.wanted.set(canvas, { canvas, character, pose });
     if (this.isDrawing) return;
     this.isDrawing = true;
-    // Not now: one that scrolls through many looks at none of them.
+    // Postponed: while scrolling fast, none of them is looked at.
     requestAnimationFrame(() => this.drawAll());
   }
 

@@ -1,4 +1,4 @@
-/** What stands beside the tabs while the poses are looked at: keeping one, and how poses are taken on. */
+/** Controls of the poses tab, beside the tabs: saving a pose, and how poses are applied. */
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
 import type { Observable } from '../../kit/observable.ts';
@@ -6,11 +6,11 @@ import { findAction, isEnabled, tryAction } from '../../state/action.ts';
 import { setActionTooltip } from '../../state/tooltips.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** How a click takes a pose on. */
+/** How a click applies a pose. */
 export interface PoseOptions {
-  /** 1: the whole of it. */
+  /** 1: all of it. */
   readonly share: number;
-  /** Only the selected joint and what is below it. */
+  /** Only the selected joint and its descendants. */
   readonly branch: boolean;
 }
 

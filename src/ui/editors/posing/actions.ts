@@ -1,11 +1,11 @@
-/** How the viewport takes the hand, and what only it has keys for. */
+/** Actions of the posing modes, and keys that only the viewport has. */
 import { stepFrames } from '../../../edit/playback.ts';
 import { NOTHING_SELECTED } from '../../../model/session.ts';
 import type { PosingMode } from '../../state/posing.ts';
 import type { Action, Uses, Workbench } from '../../state/workbench.ts';
 import { activeDof, chooseNextDof, nudgeDof } from './active-dof.ts';
 
-/** Radians that a press of an arrow turns the view. */
+/** Radians that an arrow key orbits the view. */
 const TURN = Math.PI / 36;
 
 export const POSING_ACTIONS: readonly Action[] = [
@@ -27,7 +27,7 @@ export const POSING_ACTIONS: readonly Action[] = [
     label: 'Back to FK, then deselect all',
     group: 'Pose',
     shortcuts: ['Escape'],
-    // A drag has the keyboard to itself (`tools/canvas-tools.ts`): this comes to what is left.
+    // During a drag, Escape is handled by `canvas-tools.ts`: this runs otherwise.
     run(wb) {
       if (wb.posing.mode.get() !== 'fk') wb.posing.mode.set('fk');
       else if (wb.store.selection.characterId !== undefined) wb.store.select(NOTHING_SELECTED);
@@ -41,7 +41,7 @@ export const POSING_ACTIONS: readonly Action[] = [
   turn('posing.turnRight', 'Orbit right, or step forward while playing', 'Right', 1),
 ];
 
-/** From FK to IK; back to FK from anything else. */
+/** From FK to IK; from any other mode to FK. */
 export function switchKinematics(wb: Uses<'posing'>): void {
   wb.posing.mode.update((now) => (now === 'fk' ? 'ik' : 'fk'));
 }
@@ -65,7 +65,7 @@ function dofKey(id: string, label: string, shortcuts: readonly string[], run: (w
   return { id, label, group: 'Pose', shortcuts, panel: 'viewport', repeats: true, enabled, run };
 }
 
-/** As long as something plays the arrows go from frame to frame, wherever the focus is. */
+/** While playing, arrow keys step frames, wherever the focus is. */
 function turn(id: string, label: string, key: string, way: 1 | -1): Action {
   return {
     id,

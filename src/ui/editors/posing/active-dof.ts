@@ -1,6 +1,6 @@
 /**
- * The active DOF of the selected joint: the one that its bone turns when it is dragged, and that keys turn. It is chosen
- * by its handle, its button or its slider; the next joint then has that of the same name.
+ * The active DOF of the selected joint: the one changed by dragging its bone, and by keys. Chosen by its handle, button
+ * or slider; on another joint, the DOF of the same name is active.
  */
 import { setDofs } from '../../../edit/commands/pose.ts';
 import { dofCountOf, poseAt } from '../../../evaluate/pose.ts';
@@ -15,16 +15,16 @@ import { standStill } from '../../state/stand-still.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { autoKey, jointDofs } from './pose-edits.ts';
 
-/** Radians: what keys turn, and what Ctrl snaps to. */
+/** Radians: change per key press, and the step that Ctrl snaps to. */
 const KEY_ANGLE = Math.PI / 180;
 export const SNAP_ANGLE = Math.PI / 36;
 
-/** Every DOF of a joint, as indices into the character's; of the root its translation too. */
+/** All DOFs of a joint, as indices into the character's; for the root including the root translation. */
 export function dofsOfJoint({ character, joint }: ResolvedJoint): readonly number[] {
   return jointDofs(character, joint);
 }
 
-/** Those that can be turned one by one: not what follows another, nor the parts of a quaternion. */
+/** Those that can be edited one by one: no linked DOFs, no quaternion components. */
 export function dofsByHand(selected: ResolvedJoint): readonly number[] {
   const { skeleton, joint } = selected;
   const first = firstDofs(skeleton)[joint];
@@ -32,7 +32,7 @@ export function dofsByHand(selected: ResolvedJoint): readonly number[] {
   return dofsOfJoint(selected).filter((dof) => !coupleOf(skeleton, dof) && !parts.includes(dof));
 }
 
-/** Undefined where the selected joint has none. */
+/** Undefined if the selected joint has none. */
 export function activeDof(wb: Uses<'store' | 'posing'>): number | undefined {
   const selected = selectedJoint(wb);
   if (!selected) return undefined;
@@ -41,7 +41,7 @@ export function activeDof(wb: Uses<'store' | 'posing'>): number | undefined {
   const chosen = wb.posing.chosenDof.get();
   if (chosen?.characterId === selected.character.id && dofs.includes(chosen.dof)) return chosen.dof;
   const sameName = dofs.find((dof) => own[dof].name === chosen?.name);
-  // Of a root that turns too, turning is what one means.
+  // For a root, prefer rotation.
   return sameName ?? dofs.find((dof) => own[dof].unit === 'angle') ?? dofs[0];
 }
 
@@ -52,7 +52,7 @@ export function chooseDof(wb: Uses<'store' | 'posing'>, dof: number): void {
   wb.posing.chosenDof.set({ characterId: selected.character.id, dof, name });
 }
 
-/** The next one or the one before, round the corner. */
+/** The next or previous one, cyclically. */
 export function chooseNextDof(wb: Uses<'store' | 'posing'>, way: 1 | -1): void {
   const selected = selectedJoint(wb);
   const now = activeDof(wb);
@@ -61,14 +61,14 @@ export function chooseNextDof(wb: Uses<'store' | 'posing'>, way: 1 | -1): void {
   chooseDof(wb, dofs[(dofs.indexOf(now) + way + dofs.length) % dofs.length]);
 }
 
-/** A character's DOFs at the moment shown. */
+/** A character's DOFs at the current time. */
 export function shownDofs(wb: Uses<'transport'>, character: Character): Float64Array {
   const dofs = new Float64Array(dofCountOf(character));
   poseAt(character, wb.transport.get().timeSeconds, dofs);
   return dofs;
 }
 
-/** Turns the active DOF by a degree, or moves it by a small step. */
+/** Rotates the active DOF by a degree, or moves it by a small step. */
 export function nudgeDof(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings'>, way: 1 | -1): void {
   const index = activeDof(wb);
   const selected = selectedJoint(wb);
@@ -86,7 +86,7 @@ function nudgeOf({ unit }: CharacterDof, skeleton: Skeleton): number {
   return unit === 'length' ? lengthStep(skeleton) : 0.01;
 }
 
-/** What a value snaps to with Ctrl. */
+/** Step of snapping with Ctrl. */
 export function snapStep({ unit }: CharacterDof, skeleton: Skeleton): number {
   if (unit === 'angle') return SNAP_ANGLE;
   return unit === 'length' ? lengthStep(skeleton) : 0.1;

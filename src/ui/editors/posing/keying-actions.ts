@@ -1,4 +1,4 @@
-/** Making keys from the pose, and what takes are there. */
+/** Actions that key the pose, and that create and remove takes. */
 import { createClip, duplicateClip, removeClip, setClipRange } from '../../../edit/commands/clips.ts';
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { rangeOfKeys } from '../../../edit/takes.ts';
@@ -175,7 +175,7 @@ function withCharacter(wb: Uses<'store'>, run: (character: Character) => void): 
   if (character) run(character);
 }
 
-/** A key that does nothing where no joint is selected would be a riddle. */
+/** A shortcut that silently does nothing without a selected joint would be confusing. */
 function withJoint(wb: Uses<'store' | 'messages'>, run: (character: Character, dofs: readonly number[]) => void): void {
   const character = currentCharacter(wb);
   const { characterId, joint } = wb.store.selection;
@@ -184,7 +184,7 @@ function withJoint(wb: Uses<'store' | 'messages'>, run: (character: Character, d
   else run(character, jointDofs(character, joint));
 }
 
-/** What hands have changed over the take at this moment; the rest of the pose is what its channels say. */
+/** DOFs with unkeyed changes; the rest of the pose comes from the channels. */
 function changedDofs(wb: Uses<'store'>): readonly number[] {
   return currentCharacter(wb)?.unkeyed?.dofs ?? [];
 }

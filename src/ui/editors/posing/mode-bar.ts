@@ -1,6 +1,6 @@
 /**
- * Over the viewport: which mode it is in, the limits that stop the hand, and a place for what the mode's tool has to
- * offer (`wb.posing.controls`).
+ * The bar over the viewport: the mode switch, enforcing limits, and a place for the controls of the mode's tool
+ * (`wb.posing.controls`).
  */
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
@@ -34,7 +34,7 @@ function modeSwitch(wb: Uses<'actions' | 'posing' | 'settings'>): HTMLElement {
     const one = keepsFocusElsewhere(
       button(TEXT[mode], { class: 'tool', role: 'radio' }, TEXT[mode], () => runAction(wb, `posing.${mode}`)),
     );
-    // E goes from one to the other: it is told where it leads.
+    // E toggles two modes: its tooltip is on the one it switches to.
     setActionTooltip(wb, one, mode === 'rig' ? 'posing.rig' : 'posing.toggle', MODE_LABELS[mode]);
     return { mode, one };
   });

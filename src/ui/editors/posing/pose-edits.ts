@@ -1,6 +1,6 @@
 /**
- * Posing and keying at the moment shown: what sliders, marks, menus and keys have in common. Whoever changes DOFs by
- * hand asks `autoKey`, so that none of them forgets it.
+ * Posing and keying at the current time: shared by sliders, marks, menus and keys. Everything that changes DOFs uses
+ * `autoKey`, so that none forgets it.
  */
 import { keyPose } from '../../../edit/commands/keying.ts';
 import { removeKeys } from '../../../edit/commands/keys.ts';
@@ -19,17 +19,17 @@ import type { Uses } from '../../state/workbench.ts';
 import { channelsOfJoint } from '../timeline/channels.ts';
 import { clipTime } from '../timeline/in-hand.ts';
 
-/** How keys are made just now. */
+/** Options for new keys. */
 export function keyOptions(wb: Uses<'transport' | 'settings'>): KeyOptions {
   return { tangents: wb.settings.get().newKeyTangents, playedRange: wb.transport.get().range };
 }
 
-/** For commands that set DOFs: how to key them, while auto-key is on. */
+/** For commands that set DOFs: how to key them, or undefined while auto-key is off. */
 export function autoKey(wb: Uses<'transport' | 'timeline' | 'settings'>): KeyOptions | undefined {
   return wb.timeline.autoKey.get() ? keyOptions(wb) : undefined;
 }
 
-/** Sets one DOF and whatever goes with it (`Posing.beside`): named by that one. */
+/** Sets one DOF with those that change with it (`Posing.beside`); the undo label names the one. */
 export function setOne(own: DofValue): typeof setDofs {
   return { ...setDofs, label: (document, args) => setDofs.label(document, { ...args, dofs: [own] }) };
 }
@@ -45,7 +45,7 @@ export function standStillToPose(
   if (plays) standStill(wb);
 }
 
-/** Keys DOFs as they are shown; all of them, where none are named. What plays stops. */
+/** Keys DOFs as shown; all of them by default. Stops playback. */
 export function keyNow(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   characterId: string,
@@ -56,7 +56,7 @@ export function keyNow(
   wb.store.apply(keyPose, { characterId, dofs, timeSeconds, ...keyOptions(wb) });
 }
 
-/** The keys of a character that stand at the moment shown; of these DOFs, or of all. */
+/** A character's keys at the current time; of these DOFs, or of all. */
 export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: readonly number[]): readonly ChannelKeys[] {
   const clip = character.skeleton && shownClip(character);
   const silent = silentChannels(character);
@@ -64,14 +64,14 @@ export function keysNow(wb: Uses<'transport'>, character: Character, dofs?: read
   return silent ? keys.filter(({ channel }) => channel >= silent) : keys;
 }
 
-/** Deletes them. A channel that has no key left stands where it was. */
+/** Deletes them. A channel without any key left keeps its value. */
 export function deleteKeysNow(wb: Uses<'store' | 'transport'>, character: Character, dofs?: readonly number[]): void {
   const keys = keysNow(wb, character, dofs);
   if (keys.length)
     wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
 }
 
-/** Deletes every key of a DOF, which goes on standing where it is. */
+/** Deletes every key of a DOF, which keeps its value. */
 export function deleteAllKeys(wb: Uses<'store' | 'transport'>, character: Character, dof: number): void {
   const indices = [...keysOf(channelOf(character, dof)).times.keys()];
   if (!indices.length) return;
@@ -79,13 +79,13 @@ export function deleteAllKeys(wb: Uses<'store' | 'transport'>, character: Charac
   wb.store.apply(removeKeys, { characterId: character.id, keys, timeSeconds: clipTime(wb, character) });
 }
 
-/** Whether a DOF has a key at the moment shown. Cheap enough for every row at every frame. */
+/** Whether a DOF has a key at the current time. Cheap enough for every row in every frame. */
 export function isKeyedNow(wb: Uses<'transport'>, character: Character, dof: number): boolean {
   const channel = channelOf(character, dof);
   return channel?.kind === 'keys' && findKey(channel, clipTime(wb, character)) >= 0;
 }
 
-/** The DOFs of a joint, and of the root its translation too, as inspector and timeline have it. */
+/** The DOFs of a joint, for the root including the root translation, as in inspector and timeline. */
 export function jointDofs(character: Character, joint: number): readonly number[] {
   const [first, end] = channelsOfJoint(character, joint);
   return Array.from({ length: end - first }, (_, i) => first + i);

@@ -1,9 +1,9 @@
-/** Posing what another character's take moves: said once, for nothing of it can be keyed, and it is gone with the take. */
+/** A message, once, when a retargeted character is posed: such a change can't be keyed, and is lost. */
 import { movedDofs } from '../../../evaluate/retarget/moved-dofs.ts';
 import type { Character } from '../../../model/document.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** @param dofs those that are posed, into the character's */
+/** @param dofs the posed ones, as indices into the character's */
 export function tellFollows(wb: Uses<'posing' | 'messages'>, character: Character, dofs: readonly number[]): void {
   const { id, name, driver } = character;
   const moved = movedDofs(character);

@@ -1,8 +1,7 @@
 /**
- * What is set by hand over keys lasts for one moment, and is seen to go when time moves on. Going is an undo step, so
- * that Ctrl+Z gives it back to be keyed, and time goes back to its moment with it. Only while there is something to be
- * redone it stays in the document, shown at its moment and no other: undoing, looking round and redoing has to work, and
- * a step would end it.
+ * Unkeyed changes last for one time only, and visibly go when the time changes. Discarding is an undo step, so that
+ * Ctrl+Z restores them to be keyed, and the time with them. While there is something to redo they stay in the document,
+ * shown only at their time, since a new step would discard the redo history.
  */
 import { discardUnkeyed } from '../../../edit/commands/pose.ts';
 import { countUnkeyed } from '../../../edit/unkeyed.ts';
@@ -12,15 +11,15 @@ import { findAction } from '../../state/action.ts';
 import { shortcutsFor, shortcutText } from '../../state/shortcuts.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** Drops what was set at another time than this, and says so once. */
+/** Discards changes made at another time, with a message. */
 export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'>, timeSeconds: number): void {
   const { store, messages } = wb;
   if (countUnkeyed(store.document, timeSeconds) === 0 || store.redoLabel !== undefined) return;
-  // A drag that ends with the moment may leave none.
+  // Finishing a running drag may leave none.
   store.settle();
   const count = countUnkeyed(store.document, timeSeconds);
   if (count === 0) return;
-  // No key can be made where another character's take moves it.
+  // Retargeted DOFs can't be keyed.
   const canBeKeyed = store.document.characters.some((c) => c.unkeyed && !c.driver);
   store.apply(discardUnkeyed, { exceptSeconds: timeSeconds });
   const undo = keyNameOf(wb, 'edit.undo');
@@ -31,14 +30,14 @@ export function dropStale(wb: Uses<'store' | 'actions' | 'settings' | 'messages'
   messages.note(`${what} discarded${said && `. ${said}`}.`);
 }
 
-/** The key of an action as a menu shows it; undefined where it has none. */
+/** Shortcut of an action as shown in menus; undefined without one. */
 export function keyNameOf(wb: Uses<'actions' | 'settings'>, actionId: string): string | undefined {
   const action = findAction(wb, actionId);
   const [shortcut] = action ? shortcutsFor(action, wb.settings.get()) : [];
   return shortcut && shortcutText(shortcut, isMac);
 }
 
-/** Goes to the moment of values that come back, by undo or from a script: elsewhere they could not be seen. */
+/** Sets the time of restored values (by undo, or from a script), where alone they are visible. */
 export function followUnkeyed({ store, transport }: Uses<'store' | 'transport'>): () => void {
   return store.subscribe((now, before) => {
     if (now.document === before.document) return;

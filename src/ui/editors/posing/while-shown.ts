@@ -1,9 +1,9 @@
-/** What a mode has beside the switch of modes is made once, and listens to nothing while another mode's is shown. */
+/** Controls of a mode, created once; they listen to nothing while another mode's are shown. */
 import type { Posing } from '../../state/posing.ts';
 
 /**
- * @param controls what is put in `posing.controls` and taken away again
- * @param listen at each coming; gives the ways out, which are gone at each going
+ * @param controls set as `posing.controls`, and cleared again
+ * @param listen called when shown; returns unsubscribe functions, called when hidden
  */
 export function whileShown(
   posing: Pick<Posing, 'controls'>,

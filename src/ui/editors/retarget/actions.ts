@@ -1,4 +1,4 @@
-/** Putting one character's take onto another. */
+/** Actions of retargeting. */
 import { currentCharacter } from '../../state/action.ts';
 import type { Action } from '../../state/workbench.ts';
 import { possibleTargets } from './targets.ts';

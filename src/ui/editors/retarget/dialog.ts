@@ -1,6 +1,6 @@
 /**
- * The dialog that puts a take onto another character: which character, whose take, which joint follows which, and a few
- * choices. What comes of it is seen at once, behind the dialog; it is one step of undo when applied, and none when not.
+ * The retargeting dialog: which character, whose take, which joint follows which, and a few options. The result is
+ * previewed behind the dialog; one undo step when applied, none when closed.
  */
 import { bakeRetarget, clearRetarget, setRetarget } from '../../../edit/commands/retarget.ts';
 import { driverSource, possibleSources } from '../../../edit/drivers.ts';
@@ -25,9 +25,9 @@ import { retargetText } from './result-text.ts';
 import { firstTarget, possibleTargets } from './targets.ts';
 
 const TITLE = 'Retarget take';
-/** Typing is answered at most so often. */
+/** Minimum interval of previews while typing. */
 const PREVIEW_MS = 120;
-/** Contacts of each foot that are looked at for the words below: a long take has thousands. */
+/** Contacts measured per foot for the summary: a long take has thousands. */
 const MEASURED = 24;
 
 export function retargetDialog(
@@ -94,7 +94,7 @@ export function retargetDialog(
     ),
   );
 
-  /** The moment that `This moment` means: that of the dialog's opening, however the play goes on. */
+  /** The time that `Current time` means: when the dialog was opened, even while playing. */
   let moment = 0;
   const optionsNow = (): Partial<RetargetOptions> => {
     const typed = scale.value.trim();
@@ -154,7 +154,7 @@ export function retargetDialog(
   const showSources = () => {
     const possible = possibleSources(base, target);
     const held = target.driver && possible.find((c) => c.id === target.driver?.sourceId);
-    // The one that is selected, if it could be the one; else the last that was opened.
+    // The selected character if possible; else the last one opened.
     const meant = held ?? possible.find((c) => c.id === store.selection.characterId) ?? possible.at(-1);
     sources.replaceChildren(
       ...possible.map((c) => element('option', { value: c.id, selected: c === meant }, sourceName(c))),
@@ -221,7 +221,7 @@ export function retargetDialog(
   return { title: TITLE, body, kind };
 }
 
-/** The transport's moment in seconds of a character's clip. */
+/** The transport's time in seconds of a character's clip. */
 function clipSecondsNow(wb: Uses<'transport'>, character: Character | undefined): number {
   return wb.transport.get().timeSeconds + (character?.timeOffsetSeconds ?? 0);
 }
@@ -234,7 +234,7 @@ function field(label: string, content: HTMLElement): HTMLElement {
   return element('label', { class: 'tool-field' }, element('span', {}, label), content);
 }
 
-/** A take of motion capture is called as its character is: once is enough. */
+/** A motion capture take has its character's name: don't repeat it. */
 function sourceName(character: Character): string {
   const take = shownClip(character)?.name ?? '';
   return take === character.name ? take : `${character.name} · ${take}`;

@@ -1,12 +1,12 @@
-/** What is said of a character that another one's take moves, wherever it is named. */
+/** Short texts about retargeted characters. */
 import type { Character, Document } from '../../../model/document.ts';
 
-/** `follows rokoko-dance`; empty where its own take moves it. */
+/** `follows rokoko-dance`; empty if its own take moves it. */
 export function followsText({ driver }: Character): string {
   return driver ? `follows ${driver.source.clip.name || driver.source.name}` : '';
 }
 
-/** `moves walker`; empty where its take moves nobody else. */
+/** `moves walker`; empty if its take moves no other character. */
 export function movesText({ characters }: Document, { id }: Character): string {
   const names = characters.filter(({ driver }) => driver?.sourceId === id).map(({ name }) => name);
   return names.length ? `drives ${names.join(', ')}` : '';

@@ -1,4 +1,4 @@
-/** What can be done about a character that another one's take moves: as entries, as buttons, as a line of its own. */
+/** Actions on a retargeted character: as menu entries, as buttons, and as a notice. */
 import { type Character, findCharacter } from '../../../model/document.ts';
 import { element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import type { MenuEntry } from '../../kit/menu.ts';
@@ -14,7 +14,7 @@ export interface MovedChoice {
   run(): void;
 }
 
-/** What can be done about a character that another's take moves. */
+/** What can be done with a retargeted character. */
 export function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characterId: string): readonly MovedChoice[] {
   return [
     {
@@ -38,7 +38,7 @@ export function movedChoices(wb: Uses<'store' | 'messages' | 'dialog'>, characte
   ];
 }
 
-/** The commands are fetched when they are asked for. */
+/** Loads the commands on first use. */
 async function change(
   wb: Uses<'messages'>,
   run: (commands: typeof import('../../../edit/commands/retarget.ts')) => void,
@@ -47,7 +47,7 @@ async function change(
   if (commands) attempt(wb.messages, () => run(commands));
 }
 
-/** The same for a menu; none where its own take moves it. */
+/** The same as menu entries; none unless retargeted. */
 export function movedEntries(wb: Uses<'store' | 'messages' | 'dialog'>, { id, driver }: Character): MenuEntry[] {
   if (!driver) return [];
   return [
@@ -74,8 +74,8 @@ export function movedButtons(
 }
 
 /**
- * The line above curves and keys while the character in hand is moved by another's take, and its own keys are not seen.
- * The takes say it in their rows.
+ * The notice above curves and keys while the current character is retargeted and its own keys have no effect. The list
+ * of takes shows it in its rows.
  */
 export function movedNotice(wb: Uses<'store' | 'timeline' | 'messages' | 'dialog'>): HTMLElement {
   const text = element('span');

@@ -1,7 +1,6 @@
 /**
- * Which joint follows which, as a table: a row for each joint of the character that is moved, with the joint that it
- * follows and why. Lists of joints are filled when they are opened: a hundred joints with a hundred choices each would
- * be ten thousand elements.
+ * The joint map as a table: a row for each joint of the target, with the source joint that it follows and why. Options
+ * are filled in when a list is opened: a hundred joints with a hundred options each would be ten thousand elements.
  */
 import type { MatchedPair } from '../../../evaluate/retarget/match.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -11,17 +10,17 @@ import { element, setText, uniqueId } from '../../kit/dom.ts';
 import { setTooltip } from '../../kit/tooltip.ts';
 
 const AT_REST = 'keeps its pose';
-/** Matches below this are guesses. */
+/** Matches below this confidence are guesses. */
 const UNSURE = 0.6;
 
 export interface PairTable {
   readonly element: HTMLElement;
-  /** As it is shown now, in the order of the target's joints. */
+  /** As edited, in the order of the target's joints. */
   pairs(): JointPair[];
   show(target: Skeleton, source: Skeleton, pairs: readonly JointPair[], matches: readonly MatchedPair[]): void;
 }
 
-/** @param changed someone has chosen another joint */
+/** @param changed called when the user chooses another joint */
 export function pairTable(changed: () => void): PairTable {
   const body = element('tbody');
   const table = element(
@@ -43,7 +42,7 @@ export function pairTable(changed: () => void): PairTable {
           const name = jointName(target, t);
           const why = element('td', { class: 'why', id: uniqueId('why') });
           const select = jointSelect(`${name} follows`, source, chosen.get(t));
-          // Spoken with the choice: colour and tooltip are for those who see them.
+          // For screen readers, along with the choice; others see colour and tooltip.
           select.setAttribute('aria-describedby', why.id);
           const row = element(
             'tr',
@@ -81,7 +80,7 @@ export function pairTable(changed: () => void): PairTable {
   };
 }
 
-/** How sure a match is, in words and as a number. */
+/** Confidence of a match, in words and as a number. */
 function sureness(confidence: number): string {
   const percent = `${Math.round(100 * confidence)} %`;
   if (confidence >= 0.85) return `Sure (${percent}).`;

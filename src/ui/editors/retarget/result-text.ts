@@ -1,4 +1,4 @@
-/** What putting a take onto a character comes to, in words. */
+/** Summary of a retargeting. */
 import type { Sliding } from '../../../evaluate/retarget/sliding.ts';
 import type { Driver } from '../../../model/document.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';

@@ -1,15 +1,17 @@
-/** Who can be moved by whom. */
+/** Possible targets of retargeting. */
 import { possibleSources } from '../../../edit/drivers.ts';
 import type { Character, Document } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** Characters that could be moved: with a skeleton, and another one that shows a take. */
+/** Characters with a skeleton, for which another one shows a take. */
 export function possibleTargets(document: Document): readonly Character[] {
   return document.characters.filter((c) => c.skeleton && possibleSources(document, c).length > 0);
 }
 
-/** The character that is meant: the current one, unless it is a take that another one waits for, not moved itself. */
+/**
+ * The default target: the current character if it is retargeted already or has a skin, else the first one with a skin.
+ */
 export function firstTarget(wb: Uses<'store'>): Character | undefined {
   const { document } = wb.store;
   const targets = possibleTargets(document);

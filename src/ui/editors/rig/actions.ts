@@ -1,4 +1,4 @@
-/** Building and changing skeletons. What does it is fetched when it is asked for; keys hold in rig mode only. */
+/** Actions that build and edit skeletons. Loaded on first use; their shortcuts work in rig mode only. */
 import type { NamedAxis } from '../../../edit/rig/rigging.ts';
 import { currentCharacter } from '../../state/action.ts';
 import { isPanelOpen, openPanel } from '../../state/panels.ts';
@@ -19,7 +19,7 @@ function inRig(action: Action): Action {
   };
 }
 
-/** Of the selected joint. */
+/** For the selected joint. */
 function ofJoint(action: Omit<Action, 'group' | 'menu'> & Partial<Action>): Action {
   return inRig({
     group: 'Rig',
@@ -60,7 +60,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     run(wb) {
       wb.posing.rig.adding.update((on) => !on);
       const character = currentCharacter(wb);
-      // There is something for the first click to hang on, and one sees what.
+      // Selects a parent for the first click.
       if (wb.posing.rig.adding.get() && character?.skeleton && !hasJoint(wb)) {
         wb.store.select({ characterId: character.id, joint: 0 });
       }
@@ -79,7 +79,7 @@ export const RIG_ACTIONS: readonly Action[] = [
     section: 2,
     shortcuts: ['F2'],
     run(wb) {
-      // The name is typed in its row.
+      // Renaming happens in its row.
       if (!isPanelOpen(wb.settings.get(), 'outliner')) openPanel(wb, 'outliner', true);
       wb.posing.rig.renameAsked.update((times) => times + 1);
     },

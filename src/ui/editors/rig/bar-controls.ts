@@ -1,4 +1,4 @@
-/** What rig mode has beside the switch of modes, and the line below that says how it works. */
+/** Rig mode's controls beside the mode switch, and the hint below. */
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { type IconName, icon } from '../../kit/icons.ts';
 import type { Observable } from '../../kit/observable.ts';
@@ -18,7 +18,7 @@ const CHILDREN_TEXT: Readonly<Record<RigChildren, readonly [text: string, tip: s
   stay: ['stay', 'Children stay in place when a joint is dragged'],
 };
 
-/** Made once; it follows the page while it is shown. */
+/** Created once; up to date while shown. */
 export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'>): HTMLElement {
   const state = wb.posing.rig;
   const adding = keepsFocusElsewhere(
@@ -34,7 +34,7 @@ export function rigControls(wb: Uses<'store' | 'actions' | 'posing' | 'settings'
     const readout = state.readout.get();
     setText(text, readout || rigHintText(wb));
     hint.classList.toggle('is-readout', readout !== '');
-    // Where room is short, it is for what is under way.
+    // In little room it only shows while adding joints or dragging.
     hint.classList.toggle('is-known', !readout && !state.adding.get());
   };
   const skin = segments(wb.posing.rigSkin, 'Skin', 'skin', RIG_SKINS, SKIN_TEXT);
@@ -74,7 +74,7 @@ function group(...children: HTMLElement[]): HTMLElement {
   return element('div', { class: 'rig-group tools' }, ...children);
 }
 
-/** A name where there is room; else an icon, with a sign behind it. */
+/** A text if there is room; else an icon with a sign. */
 function wideOrNarrow(text: string, name: IconName, sign = ''): HTMLElement {
   return element(
     'span',
@@ -84,7 +84,7 @@ function wideOrNarrow(text: string, name: IconName, sign = ''): HTMLElement {
   );
 }
 
-/** A choice of two, with its name before it. Where only the chosen one is seen, it leads to the other. */
+/** A labelled choice of two. If only the current one is visible, it switches to the other. */
 function segments<T extends string>(
   value: Observable<T>,
   name: string,

@@ -1,6 +1,6 @@
 /**
- * Dragging a face of a joint's box. Shift: fine; Ctrl: onto round numbers; Alt: the face across goes the other way. One
- * drag is one step.
+ * Dragging a face of a joint's box. Shift: fine; Ctrl: snaps to round numbers; Alt: moves the opposite face
+ * symmetrically. One undo step.
  */
 import { setBox } from '../../../edit/commands/rig-joint.ts';
 import { alongLine, type BoxSide, boxWithFace, parentToScene, withoutDust } from '../../../edit/rig/dragged-places.ts';
@@ -34,7 +34,7 @@ export function dragFace(
   for (let k = 0; k < 3; k++) middle[k] = (box.min[k] + box.max[k]) / 2;
   middle[axis] = box[side][axis];
   const anchor = transformPoint(space, middle);
-  // Along a whole unit of the box: what comes along it is in the box's own numbers.
+  // Along one unit of the box's own axis, so that the result is in the box's unit.
   const direction: Vec3 = [space[4 * axis], space[4 * axis + 1], space[4 * axis + 2]];
   const unit = eye.unitsPerPixel(anchor) / (Math.hypot(...direction) || 1);
   const from = alongLine(anchor, direction, eye.rayAt(at.clientX, at.clientY)) ?? 0;

@@ -1,11 +1,11 @@
-/** A box that is typed goes from its lower to its upper corner, as limits do. */
+/** A typed box must have its lower corner below its upper one, as for limits. */
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Box } from '../../../model/skeleton.ts';
 import { shown } from '../../kit/number-text.ts';
 
 /**
- * Why a corner can't stand there; undefined where it can. In files the lower corner may lie above the upper one: along
- * such an axis anything may be typed.
+ * Why a corner is invalid; undefined if valid. Files may have the corners swapped: along such an axis anything may be
+ * typed.
  */
 export function whyNoCorner(box: Box, side: keyof Box, corner: Vec3): string | undefined {
   const next = { ...box, [side]: corner };

@@ -1,4 +1,4 @@
-/** What of a joint's DOFs follow others: a line to say whom, and one for gain and offset; and the way to add one. */
+/** Rows of linked DOFs: what one follows, its gain and offset; and the way to link another. */
 import { type SetCouple, setCouple } from '../../../edit/commands/couples.ts';
 import { findCharacter } from '../../../model/document.ts';
 import { jointName } from '../../../model/joint-name.ts';
@@ -15,7 +15,7 @@ import type { Uses } from '../../state/workbench.ts';
 import type { FolderRow } from './folder-rows.ts';
 import { rigging } from './rigging-args.ts';
 
-/** @param skeleton as the rows are made for; they are made anew when its joints, or who follows whom, are others */
+/** @param skeleton the rows are rebuilt when its joints or links change */
 export function coupleRow(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
@@ -96,7 +96,7 @@ export function coupleRow(
   return { line, update };
 }
 
-/** Lets one more DOF follow another. Undefined where all do, or there is nothing to follow. */
+/** Links one more DOF. Undefined if all are linked, or there is nothing to follow. */
 export function addCoupleRow(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
@@ -120,7 +120,7 @@ export function addCoupleRow(
   return element('div', { class: 'rig-row is-alone' }, add);
 }
 
-/** With the skin staying or following, as everything in this folder. */
+/** With the skin staying or following, as everything in this section. */
 function coupleIt(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   characterId: string,
@@ -130,7 +130,7 @@ function coupleIt(
   attempt(wb.messages, () => wb.store.apply(setCouple, { ...rigging(wb, { id: characterId }), ...args }));
 }
 
-/** The parent's DOF of that name or unit, else the nearest joint's above, else any that does not follow this one. */
+/** The parent's DOF of that name or unit, else the nearest ancestor's, else any that doesn't follow this one. */
 export function firstToFollow(
   skeleton: Skeleton,
   joint: number,
@@ -148,7 +148,7 @@ export function firstToFollow(
   return undefined;
 }
 
-/** Whether a DOF is another, or follows it by way of however many. */
+/** Whether a DOF is another, or follows it directly or indirectly. */
 function follows(skeleton: Skeleton, joint: number, dof: string, otherJoint: number, otherDof: string): boolean {
   let at: { joint: number; dof: string } | undefined = { joint, dof };
   for (let steps = 0; at && steps <= skeleton.joints.length * 9; steps++) {

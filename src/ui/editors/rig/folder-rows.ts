@@ -1,4 +1,4 @@
-/** Rows of the inspector's folder of rigging: three numbers side by side, and lines of small controls. */
+/** Rows of the rig section: three numbers side by side, and lines of small controls. */
 import type { GUI } from 'lil-gui';
 import type { Vec3 } from '../../../math/vec3.ts';
 import { element, setText } from '../../kit/dom.ts';
@@ -14,7 +14,7 @@ export interface FolderContext {
   readonly folder: GUI;
 }
 
-/** What a row gives back: how it is filled with the values of now, and what is to be taken away with it. */
+/** A row with its update and removal. */
 export interface FolderRow {
   update(): void;
   readonly line?: HTMLElement;
@@ -23,9 +23,9 @@ export interface FolderRow {
 const AXES = [0, 1, 2] as const;
 
 /**
- * @param read undefined: it stands for nothing now
- * @param write previews; the release is one step
- * @param whyNot why three numbers can't stand there, which is said at the release: on the way to others one may pass them
+ * @param read undefined: no value at present
+ * @param write previews; the release is one undo step
+ * @param whyNot why three numbers are invalid, reported on release: typing may pass through invalid ones
  */
 export function vectorRow(
   { wb, edit, folder }: FolderContext,
@@ -49,7 +49,7 @@ export function vectorRow(
     const letter = 'xyz'[axis];
     const slider = new Slider(folder, `${label} ${letter}`, read()?.[axis] ?? 0, { step, decimals }, refuse);
     slider.$name.replaceChildren(element('span', { class: `dof-name axis-${letter}` }, letter));
-    // By its letter alone it would not be told from the other rows.
+    // The letter alone wouldn't identify the row.
     slider.$input.removeAttribute('aria-labelledby');
     slider.$input.setAttribute('aria-label', `${label} ${letter}`);
     line.append(slider.domElement);
@@ -69,7 +69,7 @@ export function vectorRow(
     slider.onFinishChange(() => {
       if (refusal === undefined || edit.cancelled) edit.commit();
       else {
-        // Not what was passed on the way there.
+        // Discards the previews.
         edit.cancel();
         wb.messages.note(refusal, 'warning');
       }
@@ -113,8 +113,9 @@ export function numberRow(
 }
 
 /**
- * A choice; the texts are the names of joints and the like, which may be twice the same.
- * @param tipOf what the tooltip says of a value, beside its text, of which a narrow inspector may show half
+ * A select; its texts are names of joints and the like, which may occur twice.
+ *
+ * @param tipOf tooltip of a value, beside its text, which a narrow inspector may cut off
  */
 export function choiceRow<T extends string | number>(
   label: string,
@@ -145,8 +146,9 @@ export function choiceRow<T extends string | number>(
 }
 
 /**
- * A text, typed; Enter or leaving the field takes it.
- * @param noteOf what there is to say of it as it is, in a line below
+ * A text field; Enter or leaving the field commits.
+ *
+ * @param noteOf a note about the current text, shown below
  */
 export function textRow(
   label: string,

@@ -1,6 +1,5 @@
 /**
- * What of rig mode's handles is under the pointer. Several may be: what is smallest is taken first, so that none is out
- * of reach behind another.
+ * Hit testing of rig mode's handles. If several are under the pointer the smallest wins, so that each can be reached.
  *
  *     joint, right on it    5 px      face of the box    8 px      arrow    6 px      joint, near it    11 px
  *     bone                  5 px
@@ -8,7 +7,7 @@
 import { AXES, type RigPart, type RigScreen } from '../../../view/rig/rig-screen.ts';
 
 const ON_JOINT = 5;
-/** With its edge: all that there is of a joint while the place around it is wanted for the next one. */
+/** Dot including outline: the joint's whole hit area while clicks beside it add a joint. */
 const ON_DOT = 7;
 export const NEAR_JOINT = 11;
 const NEAR_FACE = 8;
@@ -16,15 +15,13 @@ const NEAR_ARROW = 6;
 const NEAR_BONE = 5;
 
 export interface Hand {
-  /** A finger is broader than a pointer. */
+  /** Larger tolerance for touch. */
   readonly byTouch?: boolean;
-  /** A click would add a joint: it is meant for a place, unless it is right on a joint. */
+  /** A click would add a joint, so only the dot itself hits a joint. */
   readonly isAdding?: boolean;
 }
 
-/**
- * @param x, y CSS pixels from the viewport's left top
- */
+/** @param x, y CSS pixels from the viewport's top left */
 export function partAt(
   screen: RigScreen,
   x: number,
@@ -43,12 +40,12 @@ export function partAt(
   );
 }
 
-/** Of joints at one place the selected one, else the last: a handle that one has stays in hand. */
+/** Of coincident joints the selected one, else the last: a selected handle stays selected. */
 function nearestJoint({ nodes, jointCount, selected }: RigScreen, x: number, y: number) {
   let best: { joint: number; distance: number } | undefined;
   for (let j = 0; j < jointCount; j++) {
     const distance = Math.hypot(nodes[2 * j] - x, nodes[2 * j + 1] - y);
-    // NaN is no distance.
+    // Skips NaN.
     if (!(distance >= 0)) continue;
     const isNearer = best === undefined || distance < best.distance - SAME_PLACE;
     const isOnIt = best !== undefined && distance <= best.distance + SAME_PLACE && best.joint !== selected;
@@ -100,7 +97,7 @@ function boneAt({ nodes, starts }: RigScreen, x: number, y: number, reach: numbe
   return best;
 }
 
-/** From a point to a segment; NaN where an end is. */
+/** Distance from a point to a segment; NaN if an end is. */
 export function toSegment(x: number, y: number, ax: number, ay: number, bx: number, by: number): number {
   const dx = bx - ax;
   const dy = by - ay;

@@ -1,10 +1,10 @@
 /**
- * Dragging a joint to another place: freely in the plane that faces the viewer, in depth, or along an arrow. What comes
- * of it is the joint's offset; one drag is one step.
+ * Moving a joint by dragging: in the camera-facing plane, in depth, or along an arrow. Changes the joint's offset; one
+ * undo step.
  *
  *     Shift   fine
  *     Alt     in depth (so does the right button, from the press on)
- *     Ctrl    onto round numbers, or the place opposite another joint (across x = 0)
+ *     Ctrl    snaps to round numbers, or to the mirror image of another joint (across x = 0)
  */
 import { setOffset } from '../../../edit/commands/rig-joint.ts';
 import {
@@ -28,9 +28,9 @@ import { inSpaceOf, meanScale, type Rigged, scenePivot, spaceOfOffset } from './
 import { rigging } from './rigging-args.ts';
 import { SteadyHand } from './steady-hand.ts';
 
-/** Snapping steps are at least so many pixels. */
+/** Minimum size of a snapping step in pixels. */
 export const SNAP_PIXELS = 8;
-/** How near on the screen the place opposite a joint draws a joint to it. */
+/** Snap distance to a mirrored joint on screen. */
 const OPPOSITE_PIXELS = 12;
 
 interface Moved {
@@ -76,7 +76,7 @@ function dragJoint(
   };
 }
 
-/** In the plane that faces the viewer, or in depth. */
+/** In the camera-facing plane, or in depth. */
 export function dragFreely(
   wb: Uses<'store' | 'viewport' | 'transport' | 'posing' | 'messages'>,
   rigged: Rigged,
@@ -100,7 +100,7 @@ export function dragFreely(
     if (!now.ctrlKey && !now.metaKey) return { offset: withoutDust(moved, unit) };
     const across = isDeep ? undefined : oppositePlace(wb, rigged, joint, onScreen.x + dx, onScreen.y + dy);
     const there = across && offsetMoved(offset, space, start, across.at);
-    // To the last digit that the other joint has, without those that reckoning adds.
+    // To the last digit of the other joint, without rounding noise.
     if (there) return { offset: withoutDust(there, 1e-4 * unit), note: ` · opposite ${across.name}` };
     return { offset: snappedPoint(moved, roundStep(SNAP_PIXELS * unit)) };
   });
@@ -134,7 +134,7 @@ export function dragAlong(
       if (!moved) return undefined;
       return { offset: snaps ? snappedPoint(moved, roundStep(SNAP_PIXELS * unit)) : withoutDust(moved, unit) };
     }
-    // In the parent's own axes it is this number alone; the others keep their last digit.
+    // Along the parent's own axis only this number changes; the others keep their last digit.
     const next: [number, number, number] = [...offset];
     const value = offset[axis] + by;
     next[axis] = snaps ? snapped(value, roundStep(SNAP_PIXELS * unit)) : withoutDust([value, 0, 0], unit)[0];
@@ -143,8 +143,7 @@ export function dragAlong(
 }
 
 /**
- * The place across x = 0 of the character's space from another joint, if that is under the pointer: legs and arms come
- * out alike.
+ * The mirror image, across x = 0 of the character's space, of another joint under the pointer: makes limbs symmetric.
  */
 function oppositePlace(
   wb: Uses<'viewport'>,
@@ -169,7 +168,7 @@ function oppositePlace(
   return best;
 }
 
-/** Where a click would put a child of a joint: in the plane through that joint that faces the viewer. */
+/** Where a click would add a child: in the camera-facing plane through its parent. */
 export function placeForChild(wb: Uses<'viewport'>, rigged: Rigged, parent: number, at: CanvasPointer) {
   const { eye } = wb.viewport;
   const start = scenePivot(rigged, parent);

@@ -1,9 +1,9 @@
-/** What there is to say of a joint's name, while it may still be changed. */
+/** A note about a joint's name while it can still be changed. */
 import { savesAsAxisAngle } from '../../../model/axis-angle.ts';
 import { type Character, isBvh } from '../../../model/document.ts';
 import { oneToken, restOfLine } from '../../../model/written-names.ts';
 
-/** Its name in the file, where that can't hold it as it is, and whether another one is called so; else nothing. */
+/** The name it gets in the file if that can't hold it as it is, and whether it is a duplicate; else empty. */
 export function nameNote(character: Pick<Character, 'skeleton'>, joint: number): string {
   const { skeleton } = character;
   const name = skeleton?.joints[joint]?.name;

@@ -1,6 +1,6 @@
 /**
- * Two numbers over a DOF's row: its limits, typed; an empty field is no limit on that side. Both become one step when they are taken, so that typing never passes
- * through limits that nobody meant.
+ * Two fields over a DOF's row: its limits; an empty field is no limit on that side. Both are committed in one step, so
+ * that typing never passes through unintended limits.
  */
 import { setLimit } from '../../../edit/commands/limits.ts';
 import { findCharacter } from '../../../model/document.ts';
@@ -56,7 +56,7 @@ export function editLimits(wb: Uses<'store' | 'settings'>, slider: Slider, chara
   });
   dialog.addEventListener('close', () => dialog.remove());
   dialog.addEventListener('pointerdown', (event) => {
-    // Outside of it is still the dialog itself: its backdrop.
+    // A click outside hits the dialog itself: its backdrop.
     if (event.target === dialog) dialog.close();
   });
   document.body.append(dialog);
@@ -69,8 +69,9 @@ export function editLimits(wb: Uses<'store' | 'settings'>, slider: Slider, chara
 }
 
 /**
- * The limits that two fields stand for, or what is wrong with them.
- * @param perUnit what a model unit is shown as
+ * The limits of two fields, or what is wrong with them.
+ *
+ * @param perUnit displayed units per model unit
  * @param units that may be typed
  */
 export function typedLimit(lower: string, upper: string, perUnit: number, units?: Units): Limit | string {

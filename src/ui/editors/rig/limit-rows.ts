@@ -45,7 +45,7 @@ export function limitRow(
       update();
       return;
     }
-    // The other field shows its number rounded.
+    // The other field shows a rounded number: use the exact one.
     const limit = side === 'min' ? { min: typed.min, max: now.limit.max } : { min: now.limit.min, max: typed.max };
     standStill(wb);
     const args = { ...rigging(wb, { id: characterId }), dof: now.dof, ...limit };

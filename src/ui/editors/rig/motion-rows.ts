@@ -1,4 +1,4 @@
-/** What a joint's type asks for: order, axis, pitch, mode, DOFs. */
+/** Parameters of a joint's type: order, axis, pitch, mode, DOFs. */
 import type { Vec3 } from '../../../math/vec3.ts';
 import type { Parameter, ParameterValues } from '../../../model/joint-types/parameters.ts';
 import {
@@ -17,16 +17,16 @@ import { button, element } from '../../kit/dom.ts';
 import { choiceRow, type FolderContext, type FolderRow, numberRow, textRow, vectorRow } from './folder-rows.ts';
 import { typedList } from './typed-list.ts';
 
-/** What of a motion rows are made for: its type, its DOFs and whether its axis counts. */
+/** What the rows depend on: the type, its DOFs and whether it uses an axis. */
 export function motionShape(motion: Motion): string {
   const names = dofsOf(motion).map(({ name }) => name);
   return [motion.kind, ...names, ...(axisOf(motion) ? ['axis'] : [])].join(' ');
 }
 
 export interface MotionEdits {
-  /** One step. */
+  /** One undo step. */
   set(motion: Motion): void;
-  /** Part of one. */
+  /** Part of an undo step. */
   preview(motion: Motion): void;
 }
 
@@ -36,7 +36,7 @@ const PRESETS: readonly (readonly [string, Vec3])[] = [
   ['z', [0, 0, 1]],
 ];
 
-/** @param made what the rows are for; `now` is the same with the numbers of now */
+/** @param made what the rows are for; `now` is the same with current numbers */
 export function motionRows(
   context: FolderContext,
   made: Motion,
@@ -62,7 +62,7 @@ function parameterRows(
     const motion = now();
     return motion && parameterOf(motion, name, type);
   };
-  // As long as the joint is of a type that has such a parameter.
+  // As long as the joint's type has such a parameter.
   const edit = (apply: (motion: Motion) => void) => (next: ParameterValues[Parameter['type']]) => {
     const motion = now();
     if (motion && value(parameter.type) !== undefined) apply(withParameter(motion, name, next));
@@ -110,7 +110,7 @@ function presetRow({ folder }: FolderContext, set: (axis: Vec3) => void): Folder
 }
 
 function kindRow(made: Motion, now: () => Motion | undefined, set: (motion: Motion) => void): FolderRow {
-  // What a `.bvh` brings is no choice, but for a joint that moves so.
+  // BVH's own type is only offered to joints that have it.
   const kinds = MOTION_KINDS.filter((kind) => !isOfBvh(JOINT_TYPES[kind].initial) || isOfBvh(made));
   return choiceRow(
     'Type',

@@ -1,6 +1,6 @@
 /**
- * Joints of the copies of a character that the handles are not on: pressed, they take the handles there. Only those that
- * one sees; in a copy whose skin hides them, the camera gets the press.
+ * Joints of a character's other instances: pressing one moves the handles there. Only visible ones; on an instance
+ * whose skin hides them, the press goes to the camera.
  */
 import { transformPoint } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
@@ -25,7 +25,7 @@ export function jointOfOtherCopy(
   const toScene = viewport.placementOf(character.id, placement);
   const world = viewport.character(character.id)?.worlds;
   if (placement === viewport.pickedCopy(character) || toScene?.length !== 16 || !world) return undefined;
-  // A bone or a box may have been hit, far from where its joint turns.
+  // A bone or box may have been hit, far from its joint's pivot.
   let joint = -1;
   let least = at.pointerType === 'touch' ? 2 * NEAR_JOINT : NEAR_JOINT;
   for (let j = 0; 16 * j < world.length; j++) {
@@ -33,7 +33,7 @@ export function jointOfOtherCopy(
       transformPoint(toScene, [world[16 * j + 12], world[16 * j + 13], world[16 * j + 14]]),
     );
     const distance = Math.hypot(seen.x - at.clientX, seen.y - at.clientY);
-    // NaN, behind the viewer, is no distance.
+    // Skips NaN, behind the camera.
     if (!(distance <= least)) continue;
     least = distance;
     joint = j;

@@ -1,4 +1,4 @@
-/** What menus, keys and the tree do to a skeleton: commands with all that the page knows filled in. */
+/** Edits of a skeleton from menus, keys and the tree: commands with the page's state filled in. */
 import { addJoint, createRig, mirrorJoint, removeJoint, reparentJoint } from '../../../edit/commands/rig.ts';
 import { renameJoint, setFilePose, setOffset } from '../../../edit/commands/rig-joint.ts';
 import { inverseOf, snappedPoint, withoutDust } from '../../../edit/rig/dragged-places.ts';
@@ -17,14 +17,14 @@ import { nameNote } from './joint-names.ts';
 import { riggedNow, scenePivot } from './rigged.ts';
 import { rigging } from './rigging-args.ts';
 
-/** Where the first joint of a skeleton from nothing stands: where hips are. */
+/** Position of the first joint of a new skeleton: hip height. */
 const FIRST: Vec3 = [0, 1, 0];
-/** Looked at from the front, so that what is clicked lies in one plane; with room for a figure of a person's height. */
+/** Front view, so that clicks are in one plane; with room for a person's height. */
 const FIRST_VIEW = { azimuth: 0, polar: Math.PI / 2, distance: 5 } as const;
 
 /**
- * A skeleton of one joint in the middle of the picture, ready for the next ones to be clicked; for a skin that waits for
- * one, its own.
+ * Creates a skeleton of one joint in the middle of the view, ready for clicking further ones; for a skin without a
+ * skeleton, as its own.
  */
 export function newSkeleton(wb: Workbench): void {
   const waiting = waitingCharacter(wb);
@@ -33,11 +33,11 @@ export function newSkeleton(wb: Workbench): void {
   wb.posing.rig.adding.set(true);
   const rigged = riggedNow(wb);
   if (waiting) wb.viewport.reveal(waiting.id);
-  // At once: a click on the way there would place a joint by a view that is gone the next moment.
+  // At once: a click during an animated move would place a joint by the wrong view.
   else if (rigged) wb.viewport.cameraView = { ...FIRST_VIEW, target: scenePivot(rigged, 0) };
 }
 
-/** Of its skin, to a round number. */
+/** Centre of its skin, rounded. */
 function middleOf(waiting: Character): Vec3 {
   const skin = shownSkin(waiting);
   const box = new Float64Array(6);
@@ -47,10 +47,10 @@ function middleOf(waiting: Character): Vec3 {
   return snappedPoint([(box[0] + box[3]) / 2, (box[1] + box[4]) / 2, (box[2] + box[5]) / 2], step);
 }
 
-/** A press or a click: where it was on the page, and whether numbers are to be round. */
+/** Page position of a press or click, and modifiers for rounding. */
 type At = Pick<PointerEvent, 'clientX' | 'clientY' | 'ctrlKey' | 'metaKey'>;
 
-/** The same where the pointer is, while joints are added and there is nothing to add them to. */
+/** The same at the pointer, while joints are being added and there is no skeleton yet. */
 export function startSkeletonAt(wb: Workbench, at: At): void {
   const { eye } = wb.viewport;
   const scene = eye.inPlaneOf([0, 0, 0], at.clientX, at.clientY);
@@ -62,7 +62,7 @@ export function startSkeletonAt(wb: Workbench, at: At): void {
   start(wb, at.ctrlKey || at.metaKey ? snappedPoint(own, roundStep(8 * unit)) : withoutDust(own, unit));
 }
 
-/** A skin without a skeleton: the first joint is its. */
+/** A skin without a skeleton, which gets the first joint. */
 function waitingCharacter(wb: Uses<'store'>): Character | undefined {
   const character = currentCharacter(wb);
   return character && !character.skeleton && character.skins.length > 0 ? character : undefined;
@@ -88,13 +88,13 @@ function start(wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'setting
   });
 }
 
-/** The id of the character that a command made or changed. */
+/** The id of the character that a command created or changed. */
 function selectedIn(change: Document | Edit, before: Document): string | undefined {
   const said = 'document' in change ? change.selected?.characterId : undefined;
   return said ?? documentIn(change).characters.find((c) => !findCharacter(before, c.id))?.id;
 }
 
-/** The current character with the joint that is meant; says so where there is none. */
+/** Runs with the current character and joint; reports if there is none. */
 function withJoint(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings' | 'messages'>,
   joint: number | undefined,
@@ -110,7 +110,7 @@ function withJoint(
   attempt(wb.messages, () => run(character, meant));
 }
 
-/** A child that continues the bone; it is selected. */
+/** Adds and selects a child that continues the bone. */
 export function addChild(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   joint?: number,
@@ -163,7 +163,7 @@ export function renameIt(
   });
 }
 
-/** @param joint all of them where none is named */
+/** @param joint absent: all of them */
 export function takeFilePose(
   wb: Uses<'store' | 'transport' | 'timeline' | 'posing' | 'settings' | 'messages'>,
   from: SetFilePose['from'],

@@ -1,7 +1,7 @@
 /**
- * The selected joint as the skeleton has it, in rig mode: name, parent, type with all that belongs to that, offset,
- * bone, limits, box, who follows whom, and the file's pose. Everything is one step of undo, and every number can be
- * typed. Rows are made anew where there are others; a number that changes is only filled in, also while it is dragged.
+ * The section of the selected joint in rig mode: name, parent, type with its parameters, offset, bone, limits, box,
+ * links, and file pose. Every change is one undo step, and every number can be typed. Rows are rebuilt if their set
+ * changes; numbers are only updated, also while dragging.
  */
 import type { GUI } from 'lil-gui';
 import { reparentJoint } from '../../../edit/commands/rig.ts';
@@ -61,7 +61,7 @@ export class RigFolder {
     folder.$children.dataset.empty = 'Select a joint in the viewport or outliner to edit it.';
   }
 
-  /** After an edit, or another selection. */
+  /** Call after an edit or a change of selection. */
   show(character: Character | undefined, joint: number | undefined): void {
     const made = character && joint !== undefined ? shapeOf(this.wb, character, joint) : '';
     if (made !== this.made) this.rebuild(character, joint, made);
@@ -88,7 +88,7 @@ export class RigFolder {
     this.addPose(joint);
   }
 
-  /** The joint as it is now. */
+  /** The current joint. */
   private readonly now = (): Joint | undefined => {
     const { of } = this;
     return of && findCharacter(this.wb.store.document, of.characterId)?.skeleton?.joints[of.joint];
@@ -99,13 +99,13 @@ export class RigFolder {
     return { ...rigging(this.wb, { id: characterId }), joint };
   }
 
-  /** One step. */
+  /** One undo step. */
   private apply<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     standStill(this.wb);
     attempt(this.wb.messages, () => this.wb.store.apply(command, args));
   }
 
-  /** Part of one step: a slider that is dragged, or a number that is typed. */
+  /** Part of an undo step: a dragged slider or a number being typed. */
   private preview<Args>(command: Command<Args, Document | Edit>, args: Args): void {
     standStill(this.wb);
     this.edit.preview(command, args);
@@ -118,7 +118,7 @@ export class RigFolder {
 
   private append(line: HTMLElement): void {
     this.lines.push(line);
-    // Those of lil-gui stand there already: behind the others now.
+    // lil-gui's own are already there: move them behind the others.
     this.folder.$children.append(line);
   }
 
@@ -251,12 +251,12 @@ export class RigFolder {
   }
 }
 
-/** A bone to begin with: as long as the joint's offset. */
+/** Initial bone length: that of the joint's offset. */
 function usualLength({ offset }: Joint): number {
   return Number(Math.hypot(...offset).toPrecision(4)) || 1;
 }
 
-/** What the rows depend on, numbers apart. */
+/** What the rows depend on, apart from numbers. */
 function shapeOf(wb: Uses<'settings'>, { id, skeleton }: Character, joint: number): string {
   const own = skeleton?.joints[joint];
   if (!skeleton || !own) return '';
@@ -273,8 +273,8 @@ function shapeOf(wb: Uses<'settings'>, { id, skeleton }: Character, joint: numbe
 }
 
 /**
- * What they are called and where they hang, as a text. It is asked for at each preview of a drag, which leaves all of
- * that as it is, in a new list: the text before is given back then.
+ * Names and hierarchy as a text. Requested for each preview of a drag, which creates a new list with the same names and
+ * hierarchy: the previous text is then reused.
  */
 function jointsShape(joints: Joints): string {
   if (!known || !hangAlike(known.joints, joints)) {

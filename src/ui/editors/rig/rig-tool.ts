@@ -1,7 +1,7 @@
 /**
- * The viewport's tool in rig mode: joints are handles. A click picks one, a drag places it; arrows move it along axes,
- * handles on its box's faces size that. While joints are added, a click on ground hangs a new one on the selected joint
- * and selects it, so that the next click goes on from there; a click on a joint begins a branch.
+ * The rig tool: joints are handles. A click selects one, a drag moves it; arrows move it along axes, handles on its
+ * box's faces resize that. While adding joints, a click on the ground adds a child to the selected joint and selects
+ * it, so that the next click continues the chain; a click on a joint starts a branch.
  */
 import { addJoint } from '../../../edit/commands/rig.ts';
 import type { Vec3 } from '../../../math/vec3.ts';
@@ -60,7 +60,7 @@ export function rigTool(wb: Workbench): ModeTool {
     return partAt(screen, at.clientX - left, at.clientY - top, hand);
   };
 
-  /** Where a click would add a joint; nowhere over a joint, which it would pick. */
+  /** Preview of the joint that a click would add; none over a joint, which it would select. */
   const showGhost = () => {
     const parent = selectedJoint(wb)?.joint;
     const rigged = pointer && parent !== undefined && wantsJoint(pointer) ? riggedNow(wb) : undefined;
@@ -72,7 +72,7 @@ export function rigTool(wb: Workbench): ModeTool {
   };
   const wantsJoint = (at: CanvasPointer) => state.adding.get() || at.ctrlKey || at.metaKey;
 
-  /** @param copy the one that the handles are on where absent */
+  /** @param copy index of the instance; default: the one with the handles */
   const select = (joint: number, copy?: number) => {
     const character = currentCharacter(wb);
     if (!character) return;
@@ -100,7 +100,7 @@ export function rigTool(wb: Workbench): ModeTool {
     attempt(wb.messages, () => store.apply(addJoint, { ...rigging(wb, character), parent, offset }));
   };
 
-  /** Nothing has happened until the pointer goes somewhere; until then it is a click. */
+  /** Nothing happens until the pointer moves: until then it is a click. */
   const onceMoved = (
     at: CanvasPointer,
     take: () => void,
@@ -133,7 +133,7 @@ export function rigTool(wb: Workbench): ModeTool {
     };
   };
 
-  /** Escape ends the adding, and nothing else; a drag that is under way goes first, by its own Escape. */
+  /** Escape ends adding; a running drag handles its own Escape first. */
   const onKey = (event: KeyboardEvent) => {
     if (event.key === 'Control' || event.key === 'Meta') followKeys(event);
     if (event.type !== 'keydown' || event.key !== 'Escape' || !state.adding.get() || isDragging) return;
@@ -143,7 +143,7 @@ export function rigTool(wb: Workbench): ModeTool {
     event.stopPropagation();
     state.adding.set(false);
   };
-  /** With Ctrl a click would add: what it would do is shown before the pointer moves again. */
+  /** With Ctrl a click would add: show the preview before the pointer moves. */
   const followKeys = ({ ctrlKey, metaKey }: KeyboardEvent) => {
     if (!pointer) return;
     const { clientX, clientY, button, altKey, shiftKey, pointerType } = pointer;
@@ -159,7 +159,7 @@ export function rigTool(wb: Workbench): ModeTool {
       const byRight = at.button === 2;
       const selected = selectedJoint(wb)?.joint;
       const character = currentCharacter(wb);
-      // While joints are added, a place is meant, whatever stands near it.
+      // While adding joints, presses mean positions, whatever is near.
       const other = part || !character || wantsJoint(at) ? undefined : jointOfOtherCopy(wb, character, at);
       const dragNow = (start: (rigged: Rigged) => CanvasDrag) => {
         const rigged = riggedNow(wb);
@@ -175,7 +175,7 @@ export function rigTool(wb: Workbench): ModeTool {
           at,
           () => select(joint),
           () => dragNow(start),
-          // Arrows and faces are there to be dragged: a click goes through them.
+          // Arrows and faces react to drags only: clicks pass through.
           (now) => (part.kind !== 'joint' && wantsJoint(now) ? addAt(now) : select(joint)),
         );
       switch (part.kind) {
@@ -209,7 +209,7 @@ export function rigTool(wb: Workbench): ModeTool {
         const { characterId, placement, joint } = hit;
         store.select({ characterId, placement, joint });
       }
-      // The character stays the one that is worked on.
+      // Keeps the character selected.
       else if (current) store.select({ characterId: current.id });
       return true;
     },
@@ -256,7 +256,7 @@ export function rigTool(wb: Workbench): ModeTool {
       isDragging = false;
       window.removeEventListener('keydown', onKey, true);
       window.removeEventListener('keyup', onKey, true);
-      // The tool may be taken up anew in its own mode, as the page starts.
+      // The rig tool may be entered again, as on startup.
       if (wb.posing.mode.get() !== 'rig') state.adding.set(false);
       state.readout.set('');
       wb.posing.controls.set(undefined);

@@ -1,4 +1,4 @@
-/** The character that rig mode is about, in the copy that was picked, with what it takes to turn places in the scene into its numbers. */
+/** The character being rigged, at the picked instance, with the matrices to convert scene positions to its space. */
 import { inverseOf, parentToScene } from '../../../edit/rig/dragged-places.ts';
 import { transformPoint, type Vec3, ZERO } from '../../../math/vec3.ts';
 import type { Character } from '../../../model/document.ts';
@@ -9,13 +9,13 @@ import type { Uses } from '../../state/workbench.ts';
 export interface Rigged {
   readonly character: Character;
   readonly skeleton: Skeleton;
-  /** 16 a joint, in the character's space, as shown now; a copy. */
+  /** 16 numbers per joint, in the character's space, as shown now; a copy. */
   readonly world: Float64Array;
   /** From the character's space to the scene; a copy. */
   readonly placement: Float64Array;
 }
 
-/** Undefined where no skeleton is seen. */
+/** Undefined if no skeleton is visible. */
 export function riggedNow(wb: Uses<'store' | 'viewport'>): Rigged | undefined {
   const character = currentCharacter(wb);
   if (!character?.skeleton || character.isHidden) return undefined;
@@ -25,17 +25,17 @@ export function riggedNow(wb: Uses<'store' | 'viewport'>): Rigged | undefined {
   return { character, skeleton: character.skeleton, world, placement };
 }
 
-/** Where a joint's pivot is in the scene. */
+/** Scene position of a joint's pivot. */
 export function scenePivot({ world, placement }: Rigged, joint: number): Vec3 {
   return transformPoint(parentToScene(placement, world, joint), ZERO);
 }
 
-/** From the space that a joint's offset is in to the scene. */
+/** From the space of a joint's offset to the scene. */
 export function spaceOfOffset({ world, placement, skeleton }: Rigged, joint: number): Float64Array {
   return parentToScene(placement, world, skeleton.joints[joint].parent);
 }
 
-/** Of a matrix: what it makes of a length, about. */
+/** Mean scale of a matrix. */
 export function meanScale(m: Float64Array): number {
   const volume = Math.abs(
     m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]),
@@ -43,7 +43,7 @@ export function meanScale(m: Float64Array): number {
   return volume > 0 ? Math.cbrt(volume) : 1;
 }
 
-/** A point of the scene in the space that the children of a joint have their offsets in. */
+/** Converts a scene position to the space of a joint's children's offsets. */
 export function inSpaceOf({ world, placement }: Rigged, joint: number, point: Vec3): Vec3 | undefined {
   const inverse = inverseOf(parentToScene(placement, world, joint));
   return inverse && transformPoint(inverse, point);

@@ -1,9 +1,9 @@
-/** What every command of rigging is given. */
+/** Arguments shared by all rigging commands. */
 import type { Character } from '../../../model/document.ts';
 import type { RigSkin } from '../../state/posing.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** The pose shown is what stays, in bind mode: stop what plays before. */
+/** In bind mode the current pose is kept: call after stopping playback. */
 export function rigging(
   { posing, transport }: Uses<'transport' | 'posing'>,
   { id }: Pick<Character, 'id'>,

@@ -1,7 +1,4 @@
-/**
- * The pointer of a drag, with Shift for fine work: while it is held, ten pixels of the hand are one. Switching between
- * the two jumps nowhere.
- */
+/** The pointer of a drag, with Shift for precision: while held, ten pixels count as one. Switching doesn't jump. */
 import type { CanvasPointer } from '../viewport/canvas-tools.ts';
 
 const FINE = 0.1;

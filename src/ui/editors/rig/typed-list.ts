@@ -1,6 +1,7 @@
 /**
- * `tx ry`, typed: the DOFs of a compound joint.
- * @param choices what there is, each at most once
+ * Parses `tx ry`: the DOFs of a compound joint.
+ *
+ * @param choices allowed names, each at most once
  * @returns the list, or what is wrong with it
  */
 export function typedList(text: string, choices: readonly string[]): readonly string[] | string {

@@ -1,4 +1,4 @@
-/** What can be done to the skin that a character shows. */
+/** Actions on the shown skin. */
 import { shownSkin } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Action, Uses } from '../../state/workbench.ts';

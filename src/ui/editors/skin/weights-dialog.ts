@@ -1,4 +1,4 @@
-/** What finding weights for a skin asks: how many joints may share a vertex, and where mesh and skeleton meet. */
+/** The dialog for computing skin weights: maximum joints per vertex, and how mesh and skeleton connect. */
 import {
   type AutoWeighted,
   type AutoWeights,
@@ -64,7 +64,7 @@ export function weightsDialog(
     },
     result: () => '',
   });
-  // What it comes to is seen in the viewport.
+  // The result is visible in the viewport.
   return { ...dialog, kind: `${dialog.kind} is-aside` };
 }
 
@@ -80,7 +80,7 @@ function asked(places: readonly BindPlace[]): Asked[] {
   return [most, { kind: 'choice', name: 'bind', label: 'Bind', value: places[0], options }];
 }
 
-/** Names beyond so many are counted. */
+/** Further names are counted. */
 const MAX_NAMED = 4;
 
 /** `8 of 23 joints move nothing: their bones lie outside the skin, or others’ lie nearer (head, …).` */

@@ -1,4 +1,4 @@
-/** Takes as wholes: one after the other, alone or together, when and where they play. */
+/** Actions on takes: playing one or several, when and where. */
 import type { Arrangement } from '../../../edit/commands/takes.ts';
 import type { Action, Uses } from '../../state/workbench.ts';
 import { compareTakes, endComparison } from './compare.ts';
@@ -74,7 +74,7 @@ export const TAKE_ACTIONS: readonly Action[] = [
     id: 'take.toggleShown',
     label: 'Show or hide take',
     group: 'Play',
-    // Heat has the key elsewhere, and Space plays here too.
+    // H toggles the heat map elsewhere, and Space must play here too.
     panel: 'takes',
     shortcuts: ['H'],
     enabled: (wb) => takesAtHand(wb).length > 0,

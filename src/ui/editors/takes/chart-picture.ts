@@ -1,9 +1,9 @@
 /**
- * Draws distances over time on two canvases: below what changes with edits and looking around, above what follows the
- * clock and the pointer, so that playing redraws a line and nothing else.
+ * Draws distances over time on two canvases: edits and navigation below; playhead and hover above, so that playback
+ * redraws only a line.
  *
- * A line of more frames than pixels is drawn as the stretch between the least and the most of each column of pixels, so
- * that no peak is lost however far out one looks.
+ * A line with more frames than pixels is drawn as the range of each column of pixels, so that no peak is lost at any
+ * zoom.
  */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { element } from '../../kit/dom.ts';
@@ -23,11 +23,11 @@ import {
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';
 
 export interface ChartLine {
-  /** One value a frame. */
+  /** One value per frame. */
   readonly values: Float32Array;
   readonly kind: 'joint' | 'mean' | 'most' | 'hovered';
   readonly label: string;
-  /** Which of the picked joints it is, from 0. */
+  /** Index among the picked joints. */
   readonly ordinal: number;
 }
 
@@ -56,10 +56,10 @@ interface Colours extends TimeColours {
 }
 
 const FOOT = 8;
-/** Room above the top, for its label. */
+/** Margin at the top, for its label. */
 const HEAD = TIME_RULER_HEIGHT + 18;
 const LABELS_APART = 28;
-/** Dashes tell joints apart past the colours there are. */
+/** Dashes distinguish joints when colours run out. */
 const DASHES: readonly (readonly number[])[] = [[], [6, 3], [2, 3]];
 
 export class ChartPicture {
@@ -139,7 +139,7 @@ export class ChartPicture {
     }
   }
 
-  /** What the lines are, from the right edge on; those that there is no room for are in the list anyway. */
+  /** The legend, from the right edge; lines without room are in the list anyway. */
   private drawLegend(g: CanvasRenderingContext2D, { lines, view }: ChartScene, colours: Colours): void {
     g.font = colours.font;
     g.textAlign = 'left';
@@ -212,7 +212,7 @@ export class ChartPicture {
   }
 }
 
-/** Of the picked joints, one after the other; the first has the colour of what is selected. */
+/** Colours of the picked joints in order; the first is the selection's. */
 export const PALETTE = ['--selected', '--axis-z', '--axis-y', '--axis-x', '--accent'] as const;
 
 function colourOf({ kind, ordinal }: ChartLine, colours: Colours): string {
@@ -233,7 +233,7 @@ export function yAt({ height, top }: Pick<ChartScene, 'height' | 'top'>, distanc
   return height - FOOT - (top > 0 ? distance / top : 0) * (height - HEAD - FOOT);
 }
 
-/** First and end (not included) of the frames within a window of time, and one beyond each of its ends. */
+/** First and end (exclusive) of the frames in a time window, plus one on each side. */
 export function framesIn({ startSeconds, frameSeconds, frameCount }: Distances, { from, to }: TimeWindow) {
   const first = Math.max(0, Math.floor((from - startSeconds) / frameSeconds));
   const end = Math.min(frameCount, Math.ceil((to - startSeconds) / frameSeconds) + 1);
@@ -249,7 +249,7 @@ function trace(g: CanvasRenderingContext2D, scene: ChartScene, values: Float32Ar
     for (let f = first; f < end; f++) {
       g.lineTo(xAt(view, startSeconds + f * frameSeconds), yAt(scene, values[f]));
     }
-    // A take of one frame is a point, which a line can't show.
+    // A take of one frame is a point.
     if (end - first === 1) g.arc(xAt(view, startSeconds + first * frameSeconds), yAt(scene, values[first]), 1, 0, 7);
     return;
   }

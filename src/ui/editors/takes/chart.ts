@@ -1,6 +1,6 @@
 /**
- * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A press or drag scrubs, the
- * wheel zooms in time, with Shift it moves. It looks at the timeline's window of time, as curves and dope sheet do.
+ * Distances over time: the picked joints in colour, mean and maximum over all joints in grey. A drag scrubs, the wheel
+ * zooms in time, and with Shift pans. Uses the timeline's time window, like curves and dope sheet.
  */
 import { element, setAttribute } from '../../kit/dom.ts';
 import { followPointer } from '../../kit/drag.ts';
@@ -14,11 +14,11 @@ import { type ChartLine, ChartPicture, type ChartReadout, type ChartScene, frame
 import { type DistanceUnit, distanceText } from './distance-text.ts';
 import type { Measured } from './measuring.ts';
 
-/** How near to a line the pointer has to be to read it. */
+/** Distance within which the pointer reads a line. */
 const REACH_PIXELS = 14;
 const ZOOM_PER_NOTCH = 1.2;
 const PIXELS_PER_NOTCH = 100;
-/** The transport's time goes into its window while scrubbing past an edge, not while it plays. */
+/** Time is scrolled into view when scrubbing past an edge, not while playing. */
 const NO_UNIT: DistanceUnit = { factor: 1, symbol: '' };
 
 export class DistanceChart {
@@ -76,7 +76,7 @@ export class DistanceChart {
     if (visible) this.redraw();
   }
 
-  /** Draws this pair's line too, while a list is pointed at. */
+  /** Also draws this pair's line, while its row is hovered. */
   hover(pair: number | undefined): void {
     if (pair === this.hovered) return;
     this.hovered = pair;
@@ -88,7 +88,7 @@ export class DistanceChart {
     this.redraw();
   }
 
-  /** All the time that was measured; false where nothing was. */
+  /** Fits all measured time; false if nothing was measured. */
   fitAll(): boolean {
     const distances = this.measured?.distances;
     if (!distances) return false;
@@ -131,7 +131,7 @@ export class DistanceChart {
     if (distances) {
       const [first, end] = framesIn(distances, view.window);
       for (const { values } of lines) for (let f = first; f < end; f++) if (values[f] > top) top = values[f];
-      // Nothing of it in view, or two takes that are one: the scale of the whole, or of something.
+      // Nothing in view, or identical takes: use the overall scale, or any.
       if (top === 0) top = distances.most.reduce((most, value) => Math.max(most, value), 0) || 1 / this.unit.factor;
     }
     return { view, height: this.size.height, distances, unit: this.unit, lines, top };
@@ -160,7 +160,7 @@ export class DistanceChart {
     return lines;
   }
 
-  /** Of the line under the pointer, at the frame under it. */
+  /** Readout of the line under the pointer, at its frame. */
   private readout(scene: ChartScene): ChartReadout | undefined {
     const { pointer } = this;
     const { distances, view } = scene;
@@ -172,7 +172,7 @@ export class DistanceChart {
     let reach = REACH_PIXELS;
     for (const line of scene.lines) {
       const away = Math.abs(yAt(scene, line.values[frame]) - pointer.y);
-      // Of lines on one another the picked one, which is drawn on top.
+      // Of coincident lines the picked one, which is drawn on top.
       if (away <= reach) {
         reach = away;
         nearest = line;
@@ -186,7 +186,7 @@ export class DistanceChart {
     return { timeSeconds, distance, text: `${who}  ${distanceText(distance, this.unit)}  at ${when}` };
   }
 
-  /** The joint that is farthest in a frame. */
+  /** The joint with the largest distance in a frame. */
   private farthest(frame: number): string {
     const distances = this.measured?.distances;
     if (!distances) return '';

@@ -1,8 +1,7 @@
 /**
- * Comparing two takes: one laid over the other, all others out of the picture. That is a step of the document, and the
- * comparison lasts as long as that step stands: undo ends it, redo brings it back. Ending it puts everything back where
- * it was: by taking the step back where it is the last one, else by a step of its own (*Stop comparing*), which leaves
- * alone what was changed meanwhile.
+ * Comparing two takes: one laid over the other, all others hidden. This is a step of the document, and the comparison
+ * lasts as long as the step: undo ends it, redo restores it. Ending it restores everything: by undoing the step if it
+ * is the last one, else by a step of its own (*Stop comparing*), which keeps later changes.
  */
 import { endOverlay, overlayTakes } from '../../../edit/commands/takes.ts';
 import { isSameSkeleton, matchJoints } from '../../../evaluate/joint-match.ts';
@@ -14,7 +13,10 @@ import type { Uses } from '../../state/workbench.ts';
 import { playRange } from './played-range.ts';
 import type { TakeRow } from './rows.ts';
 
-/** One over the other, tinted, with the distance of their joints; refused with a word where they have nothing in common. */
+/**
+ * Overlays two takes, tinted, with the distances of their joints; refused with a message if they have no joints in
+ * common.
+ */
 export function compareTakes(
   wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>,
   first: TakeRow,
@@ -60,14 +62,14 @@ export function compareTakes(
     const played = common[1] > common[0] ? common : both;
     playRange(wb, played);
     const overlay = { comparison, before, after, playedBefore, played, compared: [after], apart: [before] };
-    // Nothing was to be changed: nothing is to be put back, and no step of undo is the comparison's.
+    // Nothing changed, so nothing is to be restored, and no undo step belongs to the comparison.
     if (after !== before) followOverlay(wb, overlay);
     wb.timeline.change({ tab: 'takes', window: fitWindow(both) });
     wb.viewport.reveal(first.characterId, second.characterId);
   });
 }
 
-/** Everything as it was before. Nothing happens where nothing is compared. */
+/** Restores everything. Does nothing unless comparing. */
 export function endComparison(wb: Uses<'store' | 'transport' | 'timeline' | 'messages'>): void {
   const { store, timeline } = wb;
   const { takes } = timeline;
@@ -91,7 +93,7 @@ function takeApart(wb: Uses<'store' | 'transport'>, overlay: ComparisonOverlay):
   playAsBefore(wb, overlay, compared);
 }
 
-/** Undo and redo lead out of the comparison and into it. */
+/** Undo and redo leave and re-enter the comparison. */
 function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, overlay: ComparisonOverlay): void {
   const { takes } = wb.timeline;
   takes.overlay = overlay;
@@ -113,8 +115,9 @@ function followOverlay(wb: Uses<'store' | 'transport' | 'timeline'>, overlay: Co
 }
 
 /**
- * What was played before, unless another range was set meanwhile.
- * @param compared the document that was left: a range that is that of its clips has gone with them already
+ * The previous playback range, unless another one was set meanwhile.
+ *
+ * @param compared the document that was left: if the range is that of its clips, it has changed with them already
  */
 function playAsBefore(
   wb: Uses<'store' | 'transport'>,

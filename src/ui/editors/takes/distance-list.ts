@@ -1,4 +1,4 @@
-/** The joints that are compared, farthest first: their largest and mean distance. What is picked is drawn in colour. */
+/** The compared joints, largest distance first: maximum and mean distance. Picked ones are drawn in colour. */
 import type { Distances } from '../../../evaluate/distance.ts';
 import { element, setAttribute, setText, uniqueId } from '../../kit/dom.ts';
 import { isMac } from '../../kit/keyboard.ts';
@@ -8,7 +8,7 @@ import { PALETTE } from './chart-picture.ts';
 import { type DistanceUnit, distanceNumber } from './distance-text.ts';
 
 export interface ListEvents {
-  /** @param adds to what is picked, or takes it out of that */
+  /** @param adds toggles it in the selection */
   pick(pair: number, adds: boolean): void;
   hover(pair: number | undefined): void;
   order(order: DistanceView['order']): void;

@@ -1,6 +1,6 @@
 /**
- * Beside the table, while two takes are compared: which they are, how far they are from each other in numbers, the
- * distance of their joints over time, and the joints themselves.
+ * Beside the table while two takes are compared: which they are, a summary of their distances, the chart over time, and
+ * the list of joints.
  */
 import { ALIGNMENTS, type Alignment } from '../../../evaluate/distance.ts';
 import type { Skeleton } from '../../../model/skeleton.ts';
@@ -121,7 +121,7 @@ export class DistancePane {
     this.list.show(distances, names, this.unit, this.wb.timeline.takes.distances.get());
   }
 
-  /** Draws a joint's distance, and selects the joint where that is about it alone. */
+  /** Draws a joint's distance, and selects the joint if it is the only one. */
   private pick(pair: number, adds: boolean): void {
     const { store, timeline } = this.wb;
     const { takes } = timeline;
@@ -133,13 +133,13 @@ export class DistancePane {
     });
     if (!measured || adds) return;
     const { first, second, match } = measured;
-    // In the one of the two that is in hand already.
+    // On whichever of the two is already selected.
     const isSecond = store.selection.characterId === second.id && second.id !== first.id;
     const joint = (isSecond ? match.second : match.first)[pair];
     store.select({ characterId: isSecond ? second.id : first.id, joint });
   }
 
-  /** A joint that is selected anywhere is drawn here. */
+  /** Draws a joint selected elsewhere. */
   private pickSelected(): void {
     const { store, timeline } = this.wb;
     const { characterId, joint } = store.selection;

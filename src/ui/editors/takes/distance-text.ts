@@ -1,23 +1,23 @@
-/** Distances as text: in centimetres or metres where both characters say what their unit is, else as bare numbers. */
+/** Distances as text: in centimetres or metres if both characters state their unit, else as plain numbers. */
 import type { Character } from '../../../model/document.ts';
 import { shown } from '../../kit/number-text.ts';
 
 export interface DistanceUnit {
-  /** What a distance is multiplied by. */
+  /** Factor from the model's distances. */
   readonly factor: number;
-  /** Empty where nobody knows. */
+  /** Empty if unknown. */
   readonly symbol: string;
 }
 
 const hasUnit = ({ space }: Character) => space !== undefined && space.unit !== 'asIs';
 
-/** One for all numbers of a comparison, so that they can be compared. @param largest of the distances */
+/** One unit for all numbers of a comparison. @param largest of the distances */
 export function distanceUnit(a: Character, b: Character, largest: number): DistanceUnit {
   if (!hasUnit(a) || !hasUnit(b)) return { factor: 1, symbol: '' };
   return largest < 2 ? { factor: 100, symbol: 'cm' } : { factor: 1, symbol: 'm' };
 }
 
-/** Three figures or so: `12.3`, `0.123`. */
+/** About three significant figures: `12.3`, `0.123`. */
 export function distanceNumber(distance: number, { factor }: DistanceUnit): string {
   const value = distance * factor;
   const whole = Math.floor(Math.log10(Math.max(1e-3, value))) + 1;

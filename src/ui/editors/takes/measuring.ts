@@ -1,7 +1,6 @@
 /**
- * Keeps the distances of the two compared takes up to date: measured anew, a few milliseconds at a time, when either
- * take changes or another way of looking is chosen. A change that comes while it measures waits for its turn, so that a
- * drag always has a result that is hardly behind, and never none.
+ * Keeps the distances of the two compared takes up to date: measured a few milliseconds at a time when either take or
+ * the alignment changes. A change during a measurement waits for it, so that a drag always has a recent result.
  */
 import { type Alignment, commonFrames, type Distances, measureDistances } from '../../../evaluate/distance.ts';
 import { type JointMatch, matchJoints } from '../../../evaluate/joint-match.ts';
@@ -11,7 +10,7 @@ import { type Observable, observable } from '../../kit/observable.ts';
 import { type Compared, comparedIn } from '../../state/takes.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** What was asked for; identity of its parts tells whether the answer still holds. */
+/** A request; whether a result is still valid is decided by identity of its parts. */
 interface Asked {
   readonly first: Character;
   readonly second: Character;
@@ -21,7 +20,7 @@ interface Asked {
 
 export interface Measured extends Asked {
   readonly match: JointMatch;
-  /** Absent: the takes have no time in common. */
+  /** Absent: the takes don't overlap in time. */
   readonly distances?: Distances;
 }
 
@@ -45,7 +44,7 @@ export class Measuring {
     });
   }
 
-  /** What can't be seen is not measured. */
+  /** Measures only while visible. */
   setVisible(visible: boolean): void {
     this.visible = visible;
     this.refresh();
@@ -72,7 +71,7 @@ export class Measuring {
       this.running = asked;
       try {
         const measured = await measure(asked);
-        // The comparison may be over, or be about others.
+        // The comparison may have ended, or changed.
         if (this.asked && isOf(this.asked, asked)) this.result.set(measured);
       } finally {
         this.running = undefined;
@@ -95,12 +94,12 @@ async function measure(asked: Asked): Promise<Measured> {
 const NEVER = new AbortController().signal;
 const NO_MATCH: JointMatch = { first: [], second: [], onlyFirst: [], onlySecond: [] };
 
-/** Whether both are about the same two characters. */
+/** Whether both are about the same characters. */
 function isOf(a: Asked, b: Asked): boolean {
   return a.first.id === b.first.id && a.second.id === b.second.id;
 }
 
-/** Whether nothing has changed that a distance depends on. */
+/** Whether nothing that a distance depends on has changed. */
 function sameMotion(a: Asked, b: Asked | undefined): boolean {
   return (
     b !== undefined &&

@@ -1,6 +1,6 @@
 /**
- * The tab of the takes: the table, and while two of them are compared, beside it how far their joints are from each
- * other. Both follow the document and draw only while they can be seen.
+ * The takes tab: the table, and while two takes are compared, the distances of their joints beside it. Both follow the
+ * document and redraw only while visible.
  */
 import { placeCharacter } from '../../../edit/commands/characters.ts';
 import { findCharacter } from '../../../model/document.ts';
@@ -83,7 +83,7 @@ class TakesPanel implements TimelineTab {
       if (now.selection.characterId !== before.selection.characterId) this.goToSelected();
       if (now.document !== before.document) this.showSoon();
     });
-    // At once: the next key goes on from the row that this one went to.
+    // At once, since the next key continues from this row.
     takes.view.subscribe(() => this.show());
     takes.comparison.subscribe(() => {
       this.show();
@@ -158,13 +158,13 @@ class TakesPanel implements TimelineTab {
     });
   }
 
-  /** Another character was picked elsewhere: the list goes to its take. */
+  /** Another character was selected elsewhere: the list moves to its take. */
   private goToSelected(): void {
     const { store, timeline } = this.wb;
     const character = findCharacter(store.document, store.selection.characterId);
     const key = character && shownKey(character);
     const { focused } = timeline.takes.view.get();
-    // Any of its takes is as good where the list is at one.
+    // Stays if the list is at any of its takes.
     if (!key || focused?.startsWith(`${character.id}/`)) return;
     timeline.takes.change({ focused: key, chosen: new Set([key]) });
   }

@@ -1,4 +1,4 @@
-/** What is done with takes as wholes: playing one alone or several together, the next one, when and where. */
+/** Edits of takes: playing one or several, the next one, when and where. */
 import { setTimeOffset } from '../../../edit/commands/characters.ts';
 import { setHidden } from '../../../edit/commands/spaces.ts';
 import {
@@ -18,19 +18,22 @@ import { endComparison } from './compare.ts';
 import { followRangeOfTakes, playRange } from './played-range.ts';
 import { listedTakes, shownKey, type TakeRow, takeRows } from './rows.ts';
 
-/** As the list has them now. */
+/** In the list's current order and filter. */
 export function listOfTakes(wb: Uses<'store' | 'timeline'>): readonly TakeRow[] {
   const { filter, order } = wb.timeline.takes.view.get();
   return listedTakes(takeRows(wb.store.document), filter, order);
 }
 
-/** Those that are chosen in the list, in its order. */
+/** The takes selected in the list, in its order. */
 export function chosenTakes(wb: Uses<'store' | 'timeline'>): TakeRow[] {
   const { chosen } = wb.timeline.takes.view.get();
   return chosen.size ? listOfTakes(wb).filter((row) => chosen.has(row.key)) : [];
 }
 
-/** Whose time and place are meant: those of the chosen takes, or of every take that is seen where one at most is chosen. */
+/**
+ * Characters whose time and place are edited: those of the selected takes, or of all visible ones if fewer than two are
+ * selected.
+ */
 export function charactersMeant(wb: Uses<'store' | 'timeline'>): string[] {
   const chosen = chosenTakes(wb);
   const rows = chosen.length > 1 ? chosen : takeRows(wb.store.document).filter((row) => row.isShown);
@@ -38,8 +41,8 @@ export function charactersMeant(wb: Uses<'store' | 'timeline'>): string[] {
 }
 
 /**
- * The take that one is at, by its place in the list: the only one that plays, else the shown one of the selected
- * character; -1 where there is none.
+ * Index in the list of the current take: the only one that plays, else the selected character's shown one; -1 if there
+ * is none.
  */
 export function currentPlace(wb: Uses<'store'>, rows: readonly TakeRow[]): number {
   const shown = rows.filter((row) => row.isShown);
@@ -49,7 +52,7 @@ export function currentPlace(wb: Uses<'store'>, rows: readonly TakeRow[]): numbe
   return rows.findIndex((row) => row.key === key);
 }
 
-/** Nothing else is seen; the transport plays its range, from its start. Plays on where something played. */
+/** Hides all others; the transport plays its range from the start. Playback continues if it was playing. */
 export function playAlone(wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>, row: TakeRow): void {
   attempt(wb.messages, () => {
     endComparison(wb);
@@ -61,7 +64,7 @@ export function playAlone(wb: Uses<'store' | 'viewport' | 'transport' | 'timelin
   });
 }
 
-/** These and no others, over all the time that they take. */
+/** Shows only these, over their whole time range. */
 export function playTogether(
   wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>,
   rows: readonly TakeRow[],
@@ -75,7 +78,7 @@ export function playTogether(
   });
 }
 
-/** The next take of the list, or the one before; past the last comes the first. */
+/** The next or previous take of the list, cyclically. */
 export function stepTake(wb: Uses<'store' | 'viewport' | 'transport' | 'timeline' | 'messages'>, step: 1 | -1): void {
   const rows = listOfTakes(wb);
   if (!rows.length) return;
@@ -84,10 +87,7 @@ export function stepTake(wb: Uses<'store' | 'viewport' | 'transport' | 'timeline
   playAlone(wb, rows[(from + step + rows.length) % rows.length]);
 }
 
-/**
- * Into the picture, showing these takes, or out of it, where any of them is seen; of a character that several of them
- * are of, the first.
- */
+/** Hides these takes if any is visible, else shows them; for several takes of one character, the first. */
 export function toggleShown(wb: Uses<'store' | 'messages'>, ...rows: readonly TakeRow[]): void {
   const shown = rows.filter((row) => row.isShown);
   const takes = rows.filter((row, i) => rows.findIndex((r) => r.characterId === row.characterId) === i);
@@ -97,7 +97,7 @@ export function toggleShown(wb: Uses<'store' | 'messages'>, ...rows: readonly Ta
   });
 }
 
-/** The takes that a key in the list is about: those that are chosen, or the row that one is at where it is none of them. */
+/** The takes that a key in the list applies to: the selected ones, or the focused row if it isn't among them. */
 export function takesAtHand(wb: Uses<'store' | 'timeline'>): TakeRow[] {
   const { focused } = wb.timeline.takes.view.get();
   const chosen = chosenTakes(wb);
@@ -120,7 +120,7 @@ export function removeTakeRows(wb: Uses<'store' | 'timeline' | 'messages'>, rows
   const before = list.slice(0, list.indexOf(rows[0])).findLast((row) => !gone.has(row.key));
   attempt(wb.messages, () => {
     wb.store.apply(removeTakes, { takes: rows });
-    // Numbers of a character's later takes are others now; which is next is said by what is there.
+    // Indices of the character's later takes have changed: find the neighbour by what it is.
     const next = (after && rowLike(wb, after)) ?? (before && rowLike(wb, before));
     const { focused: _gone, ...view } = wb.timeline.takes.view.get();
     wb.timeline.takes.view.set({
@@ -147,9 +147,9 @@ export function resetOffsets(wb: Uses<'store' | 'transport' | 'timeline' | 'mess
   followRangeOfTakes(wb);
 }
 
-/** @param atSeconds of the transport: when its first moment is to be played */
+/** @param atSeconds of the transport: when its first frame is to play */
 export function startAt(wb: Uses<'store' | 'messages'>, row: TakeRow, atSeconds: number): void {
-  // Plus 0: no offset is −0.
+  // Plus 0: avoids an offset of −0.
   const seconds = row.range[0] - atSeconds + 0;
   attempt(wb.messages, () => wb.store.apply(setTimeOffset, { characterId: row.characterId, seconds }));
 }
@@ -160,7 +160,9 @@ export function putTakes(wb: Uses<'store' | 'viewport' | 'timeline' | 'messages'
   wb.viewport.frameAll();
 }
 
-/** Another character, and of it the joint that was selected, if it has one of that name: its trail can be compared. */
+/**
+ * Selects another character, and its joint of the same name as the selected one: their motion paths can be compared.
+ */
 export function selectCharacter(wb: Uses<'store'>, characterId: string): void {
   const { document, selection } = wb.store;
   if (selection.characterId === characterId) return;
@@ -172,7 +174,7 @@ export function selectCharacter(wb: Uses<'store'>, characterId: string): void {
   wb.store.select(next);
 }
 
-/** Whether there is any take that plays. */
+/** Whether any take plays. */
 export function hasTakes(wb: Uses<'store'>): boolean {
   return wb.store.document.characters.some((c) => c.clips.length > 0 || shownClip(c) !== undefined);
 }

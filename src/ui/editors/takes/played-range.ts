@@ -1,12 +1,12 @@
-/** What the transport plays, after takes were shown, hidden or moved in time. */
+/** The playback range after takes were shown, hidden or moved in time. */
 import { sharedFrameRate } from '../../../edit/frame-rate.ts';
 import { countedAt } from '../../../edit/playback.ts';
 import { clipsRange } from '../../../evaluate/plot/shown-keys.ts';
 import type { Uses } from '../../state/workbench.ts';
 
 /**
- * The range is played from its start; whether anything plays stays as it is. Frames are counted as what plays has them,
- * where it has one rate: frame 26 is the file's frame 26.
+ * Plays the range from its start, without starting or stopping playback. The frame rate is that of what plays, if they
+ * share one: frame 26 is the file's frame 26.
  */
 export function playRange(wb: Uses<'store' | 'transport'>, range: readonly [number, number]): void {
   const rate = sharedFrameRate(wb.store.document);

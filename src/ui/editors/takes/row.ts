@@ -1,4 +1,4 @@
-/** One row of the table of takes: its cells, made once, and filled anew when the take is another. */
+/** One row of the table of takes: cells created once, and updated for another take. */
 import { button, element, keepsFocusElsewhere, setAttribute, setText } from '../../kit/dom.ts';
 import { icon } from '../../kit/icons.ts';
 import { NumberField } from '../../kit/number-field.ts';
@@ -16,13 +16,13 @@ export interface RowEvents {
   refuse(reason: string): void;
 }
 
-/** What a row is in the list just now. */
+/** State of a row in the list. */
 export interface RowState {
   readonly chosen: boolean;
   readonly focused: boolean;
-  /** Which of the two that are compared it is. */
+  /** Which of the two compared takes it is. */
   readonly compared: 'first' | 'second' | undefined;
-  /** Of the transport: what a take without frames of its own is counted in. */
+  /** Of the transport, for takes without frames of their own. */
   readonly framesPerSecond: number;
 }
 
@@ -46,7 +46,7 @@ export class RowView {
     const field = (label: string, decimals: number, commit: (row: TakeRow, value: number) => void, step: number) =>
       new NumberField({
         label,
-        // Nothing finer is told apart here; the tooltip has it all.
+        // Coarse enough for a table; the tooltip is exact.
         text: (value) => shown(value, decimals),
         commit: (value) => commit(this.row, value),
         refuse: events.refuse,
@@ -86,7 +86,7 @@ export class RowView {
     );
   }
 
-  /** To the field of its start, as a key asks for. */
+  /** Focuses the field of its start time. */
   edit(): void {
     this.fields.start.element.focus();
   }
@@ -110,7 +110,7 @@ export class RowView {
     setTooltip(this.nameCell, row.note ? `${row.name}, ${row.note}` : row.name);
     setText(this.character, row.character);
     setText(this.duration, duration(row.durationSeconds));
-    // Keys have no frames; how many the transport would count is said, and that it is the transport that counts.
+    // Keys have no frames: shows how many the transport would count, and says so.
     const isKeyed = row.frameCount === undefined;
     const frames = row.frameCount ?? Math.round(row.durationSeconds * framesPerSecond) + 1;
     setText(this.frames, count(frames));
@@ -123,7 +123,7 @@ export class RowView {
     fields.start.show(row.startSeconds);
     fields.x.show(row.x);
     fields.z.show(row.z);
-    // Tab goes into the fields of the row that one is at, not through those of all.
+    // Only the fields of the focused row are tab stops.
     for (const { element: input } of Object.values(fields)) input.tabIndex = focused ? 0 : -1;
   }
 }

@@ -6,29 +6,29 @@ import type { TakeColumn, TakeOrder } from '../../state/takes.ts';
 import { followsText, movesText } from '../retarget/moved-text.ts';
 
 export interface TakeRow extends TakeRef {
-  /** The same for the same take of the same character. */
+  /** Stable for the same take of the same character. */
   readonly key: string;
   readonly name: string;
-  /** Empty where the take is called the same. */
+  /** Empty if the take has the same name. */
   readonly character: string;
-  /** It is the one that its character shows, and that is seen. */
+  /** The take shown by its visible character. */
   readonly isShown: boolean;
   readonly isHidden: boolean;
-  /** `aside: walker follows dance`, of one that another's take moves; `moves walker`, of the take that does. */
+  /** `aside: walker follows dance` for a retargeted character; `moves walker` for the source take. */
   readonly note: string;
-  /** First to last second that is played, of the clip. */
+  /** First to last second played, of the clip. */
   readonly range: readonly [number, number];
   readonly durationSeconds: number;
-  /** Absent for a take that has keys only: how many frames it is depends on who counts. */
+  /** Absent for keyed takes: their number of frames depends on the frame rate. */
   readonly frameCount?: number;
   readonly framesPerSecond?: number;
   readonly offsetSeconds: number;
-  /** Of the transport, when its first moment is played. */
+  /** Time of the transport at which its first frame plays. */
   readonly startSeconds: number;
   /** Of the first placement. */
   readonly x: number;
   readonly z: number;
-  /** Empty where it came from none. */
+  /** Empty without a file. */
   readonly file: string;
 }
 
@@ -38,7 +38,7 @@ const rowsOf = perObject((character: Character): readonly TakeRow[] =>
   character.clips.map((_, clip) => rowOf(character, clip)),
 );
 
-/** In the document's order. Rows of characters that did not change are the same objects. */
+/** In the document's order. Rows of unchanged characters are the same objects. */
 export function takeRows(document: Document): TakeRow[] {
   const movers = new Set(document.characters.map(({ driver }) => driver?.sourceId));
   return document.characters.flatMap((character) => {
@@ -61,7 +61,7 @@ function rowOf(character: Character, index: number): TakeRow {
     clip: index,
     name: clip.name,
     character: clip.name === character.name ? '' : character.name,
-    // None of its own is, while another's moves it.
+    // No take is shown while another character's moves it.
     isShown: !isHidden && !character.driver && character.shownClip === index,
     isHidden,
     note: character.driver ? `aside: ${character.name} ${followsText(character)}` : '',
@@ -72,12 +72,12 @@ function rowOf(character: Character, index: number): TakeRow {
     startSeconds: range[0] - character.timeOffsetSeconds,
     x: position[0],
     z: position[2],
-    // That of its earlier name too: there it came from.
+    // Under its earlier name too, since it came from that file.
     file: character.parts?.clips[index]?.file?.source.path ?? '',
   };
 }
 
-/** Those that are looked for, in the order asked for. Of equal ones the document's first comes first. */
+/** Filtered and sorted; equal ones keep the document's order. */
 export function listedTakes(rows: readonly TakeRow[], filter: string, order: TakeOrder | undefined): TakeRow[] {
   const words = filter.toLowerCase().split(/\s+/).filter(Boolean);
   const found = rows.filter(({ name, character, file }) => {
@@ -109,7 +109,7 @@ function sortedBy(row: TakeRow, column: TakeColumn): string | number {
   }
 }
 
-/** Takes are numbered: `walk_2` comes before `walk_10`. Made once, for making one is slow. */
+/** Takes are numbered: `walk_2` sorts before `walk_10`. Created once, as that is slow. */
 const NAMES = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
 
 function compare(a: string | number, b: string | number): number {
@@ -117,7 +117,7 @@ function compare(a: string | number, b: string | number): number {
   return Number(a) - Number(b);
 }
 
-/** A character's take that is shown, as a row's key; undefined for one that shows none. */
+/** Row key of a character's shown take; undefined if it shows none. */
 export function shownKey(character: Character): string | undefined {
   return shownClip(character) && takeKey({ characterId: character.id, clip: character.shownClip });
 }

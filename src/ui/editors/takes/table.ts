@@ -1,10 +1,9 @@
 /**
- * The table of takes, a windowed list below its head. The focus is on the table, but for the fields and buttons within a
- * row.
+ * The table of takes, a windowed list with a header. The focus is on the table, except for fields and buttons in a row.
  *
- *     ↑ ↓ Home End     to a row; Shift: and all between are chosen     Ctrl+A   all
- *     Enter            plays it alone                                  Delete   removes what is chosen
- *     F2               when it starts                                  Ctrl+Space   chooses it too, or no more
+ *     ↑ ↓ Home End     to a row; Shift extends the selection     Ctrl+A   all
+ *     Enter            plays it alone                                  Delete   removes the selected takes
+ *     F2               edits its start time                                  Ctrl+Space   toggles it in the selection
  */
 import { element, setAttribute } from '../../kit/dom.ts';
 import { HAS_KEYS } from '../../kit/focus.ts';
@@ -23,7 +22,7 @@ export interface TableEvents extends RowEvents {
   menu(row: TakeRow, at: { readonly x: number; readonly y: number }): void;
 }
 
-/** Everything that is seen of the list beside its rows. */
+/** State of the list beside its rows. */
 export interface TableState {
   readonly order: TakeOrder | undefined;
   readonly chosen: ReadonlySet<string>;
@@ -60,7 +59,7 @@ export class TakeTable {
   private rows: readonly TakeRow[] = [];
   private places = new Map<string, number>();
   private state: TableState | undefined;
-  /** Where Shift extends from. */
+  /** Row from which Shift extends. */
   private anchor: string | undefined;
 
   constructor(private readonly events: TableEvents) {
@@ -143,7 +142,7 @@ export class TakeTable {
     return this.rows[this.list.indexOf(event)];
   }
 
-  // Choosing.
+  // Selection.
 
   private onClick(event: MouseEvent): void {
     const row = this.rowAt(event);
@@ -181,7 +180,7 @@ export class TakeTable {
   // The keyboard.
 
   private onKey(event: KeyboardEvent): void {
-    // A field's keys are its own.
+    // Keys in a field belong to it.
     if (event.target !== this.element || event.isComposing) return;
     const { rows, state } = this;
     const at = state?.focused === undefined ? -1 : (this.places.get(state.focused) ?? -1);
@@ -217,7 +216,7 @@ export class TakeTable {
         this.events.play(row);
         break;
       case ' ':
-        // By itself it plays, here as everywhere.
+        // Space alone plays, here as everywhere.
         if (!row || !command) return;
         this.toggleChosen(row);
         break;
@@ -254,7 +253,7 @@ export class TakeTable {
   }
 }
 
-/** First ascending, then descending, then as the document has them. */
+/** Ascending, then descending, then the document's order. */
 function nextOrder(now: TakeOrder | undefined, column: TakeColumn): TakeOrder | undefined {
   if (now?.column !== column) return { column, descending: false };
   return now.descending ? undefined : { column, descending: true };

@@ -1,4 +1,4 @@
-/** What stands beside the tabs while the takes are looked at: a filter, and what is done with what is chosen. */
+/** Controls of the takes tab, beside the tabs: a filter, and actions on the selected takes. */
 import { button, element, keepsFocusElsewhere, setText } from '../../kit/dom.ts';
 import { focusPanel } from '../../kit/focus.ts';
 import { oncePerFrame } from '../../kit/frame.ts';
@@ -13,7 +13,7 @@ import { chosenTakes, listOfTakes } from './play.ts';
 import { takeRows } from './rows.ts';
 import { countText } from './table.ts';
 
-/** Buttons with words, and what their tooltips say. */
+/** Buttons with texts and tooltips. */
 const BUTTONS: readonly (readonly [id: string, text: string, tooltip: string])[] = [
   ['take.alone', 'Alone', 'Play selected take alone (Enter)'],
   ['take.together', 'Together', 'Play only the selected takes, together'],

@@ -1,4 +1,4 @@
-/** What the timeline shows and how it behaves, and the tools for whole curves. */
+/** Actions for the timeline's display and options, and the tools for whole curves. */
 import type { ChannelListKind, HandleMode, TimelineView } from '../../state/timeline.ts';
 import type { Action, CurveToolName, Uses, Workbench } from '../../state/workbench.ts';
 import { channelsInHand, channelsInView, keysInHand, takeInHand } from './in-hand.ts';
@@ -8,10 +8,10 @@ import type { SampleTool } from './sample-tools.ts';
 const inView = (wb: Uses<'store' | 'timeline'>) => channelsInView(wb).length > 0;
 const inHand = (wb: Uses<'store' | 'timeline'>) => channelsInHand(wb).length > 0;
 const hasSamples = (wb: Uses<'store'>) => takeInHand(wb)?.clip.samples !== undefined;
-/** Tools for curves of keys have nothing to do on samples. */
+/** Tools for keyed curves don't apply to samples. */
 const keyedInHand = (wb: Uses<'store' | 'timeline'>) =>
   channelsInHand(wb).some((c) => takeInHand(wb)?.clip.channels[c]?.kind === 'keys');
-/** … but for those that ask nothing of what lies between frames. */
+/** … except those that don't depend on interpolation. */
 const animatedInHand = (wb: Uses<'store' | 'timeline'>) => {
   const clip = takeInHand(wb)?.clip;
   return clip !== undefined && channelsInHand(wb).some((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
@@ -36,7 +36,7 @@ export const HANDLE_LABELS: Readonly<Record<HandleMode, string>> = {
 
 type Switch = 'snapsToFrames' | 'snapsToValues' | 'scaleFrame' | 'normalised';
 
-/** A switch of the timeline's. */
+/** A switch of the timeline. */
 function toggle(
   what: Switch,
   label: string,
@@ -53,7 +53,7 @@ function toggle(
   });
 }
 
-/** One of several of the timeline's ways. */
+/** One value of a timeline option. */
 function choice<K extends 'list' | 'handles' | 'onCollision'>(
   what: K,
   value: TimelineView[K],
@@ -73,14 +73,14 @@ function choice<K extends 'list' | 'handles' | 'onCollision'>(
   });
 }
 
-/** Tools for samples that ask for something. */
+/** Sample tools with a dialog. */
 function sampleTools(tools: readonly (readonly [CurveToolName, string])[]): Action[] {
   return tools.map(([name, label]) =>
     curves(name, label, [], { menu: 'Keys/Samples', section: 15, enabled: hasSamples, run: tool(name) }),
   );
 }
 
-/** One that asks for nothing. */
+/** One without a dialog. */
 function sampled(name: SampleTool, label: string): Action {
   return curves(`samples.${name}`, label, [], {
     menu: 'Keys/Samples',

@@ -1,4 +1,4 @@
-/** What is dragged open to select keys: two corners in pixels, in any order. */
+/** A selection box: two corners in pixels, in any order. */
 export interface SelectionBox {
   readonly x0: number;
   readonly y0: number;

@@ -1,6 +1,5 @@
 /**
- * Which channels the timeline lists, and which of them it draws. Both follow from the document, the selection and the
- * timeline's settings alone; nothing is remembered here.
+ * Which channels the timeline lists, and which it draws. A pure function of document, selection and timeline settings.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import { keysOf } from '../../../model/clip.ts';
@@ -15,41 +14,41 @@ import type { Selection } from '../../../model/session.ts';
 import type { DofUnit, Skeleton } from '../../../model/skeleton.ts';
 import type { TimelineView } from '../../state/timeline.ts';
 
-/** A DOF in the list, with or without a channel that is animated. */
+/** A DOF in the list, animated or not. */
 export interface ListedChannel {
   readonly channel: number;
-  /** Of its joint: `leg_fl`; of a morph or a channel past the DOFs it is empty. */
+  /** Name of its joint, such as `leg_fl`; empty for a morph, or a channel beyond the DOFs. */
   readonly joint: string;
   /** `rx`, a morph's name, `channel 97`. */
   readonly dof: string;
   readonly unit: DofUnit;
-  /** Without keys or samples it is listed, greyed, so that one sees what could be animated. */
+  /** Channels without keys or samples are listed in grey, to show what could be animated. */
   readonly keyCount: number;
-  /** `leader r`: the DOF that this one follows, whatever its keys say. */
+  /** `leader r`: the DOF that a linked one follows, whatever its keys are. */
   readonly follows?: string;
-  /** Frames, where the channel follows the clip's samples; else 0. */
+  /** Number of frames if the channel is sampled; else 0. */
   readonly sampleCount: number;
 }
 
-/** Whether it moves by keys or by samples: there is a curve to draw. */
+/** Whether it has keys or samples, and so a curve to draw. */
 export function isAnimated({ keyCount, sampleCount }: ListedChannel): boolean {
   return keyCount > 0 || sampleCount > 0;
 }
 
-/** What of the timeline's settings decides the list. */
+/** The settings that determine the list. */
 export type ListSettings = Pick<TimelineView, 'list' | 'pinned' | 'filter'>;
 
 const dofLists = perPair((skeleton: Skeleton, morphs: readonly Morph[]) => characterDofs(skeleton, morphs));
 
-/** The DOFs of a character, made once for a skeleton. */
+/** The DOFs of a character, cached per skeleton. */
 export function dofsFor({ skeleton, morphs }: Character): readonly CharacterDof[] {
   return skeleton ? dofLists(skeleton, morphs) : characterDofs(skeleton, morphs);
 }
 
 /**
- * The channels of the list, in the order of the DOFs: the selected joint's (the root's translation with the root;
- * everything where no joint is selected), all, or those that were pinned; of them those whose name the filter finds.
- * While another character's take moves it, only its morphs: what its own take has of its joints is not seen.
+ * The channels of the list in DOF order: the selected joint's (with the root translation for the root; all if no joint
+ * is selected), all, or the pinned ones; filtered by name. For a retargeted character only its morphs, since its own
+ * joint channels have no effect.
  */
 export function listedChannels(character: Character, selection: Selection, settings: ListSettings): ListedChannel[] {
   const dofs = dofsFor(character);
@@ -92,7 +91,7 @@ export function namedChannel(character: Character, channel: number): ListedChann
   };
 }
 
-/** `leader r`: the DOF that a channel's own follows; undefined where it is its own. */
+/** `leader r`: the DOF that a channel's linked DOF follows; undefined if not linked. */
 export function followedName(character: Character, channel: number): string | undefined {
   const couple = coupleOf(character.skeleton, channel);
   const followed = couple && dofsFor(character)[couple.follows];
@@ -100,7 +99,7 @@ export function followedName(character: Character, channel: number): string | un
   return channelName({ joint: jointName(character.skeleton, followed.joint), dof: followed.name });
 }
 
-/** First and end (not included) of a joint's channels; the root has its translation too. */
+/** First and end (exclusive) of a joint's channels, for the root including the root translation. */
 export function channelsOfJoint({ skeleton }: Character, joint: number): readonly [number, number] {
   const one = skeleton?.joints[joint];
   if (!skeleton || !one) return [0, 0];
@@ -112,14 +111,14 @@ function isFound(words: readonly string[], name: string): boolean {
   return words.every((word) => name.includes(word));
 }
 
-/** The channels that are drawn: listed with keys or samples, isolated or not hidden. */
+/** The drawn channels: listed, with keys or samples, and isolated or not hidden. */
 export function drawnChannels(
   listed: readonly ListedChannel[],
   { hidden, isolated }: Pick<TimelineView, 'hidden' | 'isolated'>,
 ): number[] {
   const keyed = listed.filter(isAnimated);
   const only = isolated && new Set(isolated);
-  // What was isolated has left the list with the joint: nothing drawn would look like a fault.
+  // If no isolated channel is listed any more, draw all: an empty plot would look like a fault.
   if (only && keyed.some((l) => only.has(l.channel))) {
     return keyed.filter((l) => only.has(l.channel)).map((l) => l.channel);
   }
@@ -127,7 +126,7 @@ export function drawnChannels(
   return keyed.filter((l) => !not.has(l.channel)).map((l) => l.channel);
 }
 
-/** `rx of leg_fl`: in a sentence. */
+/** `rx of leg_fl`, for sentences. */
 export function spokenName({ joint, dof }: Pick<ListedChannel, 'joint' | 'dof'>): string {
   return joint ? `${dof} of ${joint}` : dof;
 }

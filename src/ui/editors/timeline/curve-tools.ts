@@ -1,4 +1,4 @@
-/** Tools for whole curves that need nothing asked: they act on the channels in hand, and say what they did. */
+/** Curve tools without a dialog: they apply to the selected channels and report what they did. */
 import type { OfChannels } from '../../../edit/channel-edits.ts';
 import { eulerFilter, eulerFilterSteps, makeLoop } from '../../../edit/commands/channels.ts';
 import { period } from '../../../edit/keys/cycle.ts';
@@ -16,14 +16,14 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
   const keyed = channelsInHand(wb).filter((c) => clip.channels[c]?.kind === 'keys');
   if (tool === 'euler') {
     const animated = channelsInHand(wb).filter((c) => clip.channels[c] && clip.channels[c].kind !== 'rest');
-    // Of a root with its positions nobody has to hear that these are no angles.
+    // A root's translation needs no message that it isn't an angle.
     const angles = animated.filter((c) => dofsFor(character)[c]?.unit === 'angle');
     const channels = angles.length > 0 ? angles : animated;
     if (channels.length > 0) filterAngles(wb, { characterId: character.id, channels });
     return;
   }
   if (keyed.length === 0) return;
-  // What goes on from where it ends, as a root that travels does, shall still do so.
+  // Channels that extrapolate with offset, such as a travelling root's, keep doing so.
   const keepOffset = keyed.filter((c) => {
     const { extrapolateIn, extrapolateOut } = clip.channels[c];
     return extrapolateIn === 'cycle_offset' || extrapolateOut === 'cycle_offset';
@@ -36,7 +36,7 @@ export function runCurveTool(wb: Uses<'store' | 'timeline' | 'messages'>, tool: 
   wb.messages.note(count ? `${plural(count, 'curve')} now loop.` : nothing);
 }
 
-/** Long takes in slices; where anything else changes meanwhile, nothing is done. */
+/** Long takes are processed in slices; if anything else changes meanwhile, the result is dropped. */
 function filterAngles(wb: Uses<'store' | 'timeline' | 'messages'>, args: OfChannels): void {
   const { store, messages } = wb;
   const label = eulerFilter.label(store.document, args);

@@ -1,15 +1,15 @@
 /**
- * The rows of the dope sheet, from the character and what is folded out:
+ * The rows of the dope sheet, from the character and the expanded groups:
  *
  *     All keys                    summary: whole poses
  *     ▸ Root translation          tx ty tz
  *     ▾ hips                      joints in the skeleton's order
  *         rx
  *     ▸ Morphs
- *     ▸ More channels             of a clip that has more of them than the character has DOFs
+ *     ▸ More channels             if the clip has more than the character has DOFs
  *
- * A row is a list of channels; all that is drawn, hit or selected in it follows from that. Joints stand in one flat
- * list and not in a tree: one looks for *when* here, and a hand would be ten folds away.
+ * A row is a list of channels, which determines what is drawn, hit or selected in it. Joints are a flat list, not a
+ * tree: this view is about timing, and in a tree a hand would be ten levels deep.
  */
 import { silentChannels } from '../../../evaluate/retarget/moved-dofs.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
@@ -19,7 +19,7 @@ import { type CharacterDof, rootDofCount } from '../../../model/dofs.ts';
 import type { DofUnit } from '../../../model/skeleton.ts';
 import { dofsFor, followedName } from './channels.ts';
 
-/** What stands for a group that is no joint in `TimelineView.unfolded`. */
+/** Keys of groups other than joints in `TimelineView.unfolded`. */
 export const ROOT_FOLD = -1;
 export const MORPHS_FOLD = -2;
 export const OTHERS_FOLD = -3;
@@ -27,34 +27,34 @@ export const OTHERS_FOLD = -3;
 export type DopeRowKind = 'summary' | 'root' | 'joint' | 'morphs' | 'others' | 'channel';
 
 export interface DopeRow {
-  /** Unique among the rows, and the same for the same thing from one list to the next. */
+  /** Unique among the rows, and stable from one list to the next. */
   readonly key: string;
   readonly kind: DopeRowKind;
-  /** Empty where the file gives no name. */
+  /** Empty if the file gives no name. */
   readonly label: string;
-  /** 0 but for what is folded out: 1. */
+  /** 1 for rows of an expanded group. */
   readonly depth: 0 | 1;
-  /** Of the clip, ascending; those without keys too. */
+  /** Of the clip, ascending, including those without keys. */
   readonly channels: readonly number[];
-  /** What folds it out in `TimelineView.unfolded`; absent where there is nothing within. */
+  /** Its key in `TimelineView.unfolded`; absent if it can't be expanded. */
   readonly fold?: number;
   readonly expanded: boolean;
   /** The joint that a click on the name selects. */
   readonly joint?: number;
   /** Of a single channel. */
   readonly unit?: DofUnit;
-  /** Of a single channel: the axis that it is coloured by. */
+  /** Of a single channel: the axis that colours it. */
   readonly axis?: AxisLetter;
-  /** Of a single channel, or of all that stand in a row: the first DOF that they follow, whatever their keys say. */
+  /** The DOF that a single linked channel follows, or the first one if all channels of a row are linked. */
   readonly follows?: string;
 }
 
 export interface RowOptions {
   /** See `TimelineView.unfolded`. */
   readonly unfolded: readonly number[];
-  /** Also rows without a single key or sample. */
+  /** Includes rows without any key or sample. */
   readonly all: boolean;
-  /** Part of a joint's, a morph's or a channel's name ("rx", "hand rx"); all where it is empty. */
+  /** Part of a joint's, morph's or channel's name ("rx", "hand rx"); empty: all. */
   readonly filter: string;
 }
 
@@ -63,12 +63,12 @@ interface Group {
   readonly fold: number;
   readonly label: string;
   readonly joint?: number;
-  /** Index of the first channel, and how many there are. */
+  /** Index of the first channel, and their number. */
   readonly first: number;
   readonly count: number;
 }
 
-/** The rows, the summary first; none where the clip has no channels, or none of them is to be shown. */
+/** The rows, the summary first; empty if the clip has no channels to show. */
 export function dopeRows(character: Character, clip: ChannelClip, options: RowOptions): DopeRow[] {
   const { channels } = clip;
   const dofs = dofsFor(character);
@@ -85,11 +85,11 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
         })
       : within;
     if (!matching.length) continue;
-    // A filter that means some DOFs of a group shows which.
+    // If the filter matches some DOFs of a group, show which.
     const expanded = unfolded.has(group.fold) || matching.length < within.length;
     const { kind, fold, label, joint } = group;
     const own = matching.map((row) => row.channels[0]);
-    // Folded in, it says so where there is nothing else in it.
+    // A collapsed row shows it if all its channels are linked.
     const follows = matching.every((one) => one.follows !== undefined) ? matching[0].follows : undefined;
     const row: DopeRow = {
       ...{ key: `${kind}/${fold}`, kind, label, depth: 0, channels: own, fold, expanded },
@@ -104,27 +104,27 @@ export function dopeRows(character: Character, clip: ChannelClip, options: RowOp
   return [summary, ...rows];
 }
 
-/** The channels with keys or samples that the rows would be made of, ascending. */
+/** The channels with keys or samples that the rows would contain, ascending. */
 export function keyedChannels(character: Character, filter: string): number[] {
   const clip = shownClip(character);
   if (!clip) return [];
   return [...(dopeRows(character, clip, { unfolded: [], all: false, filter })[0]?.channels ?? [])];
 }
 
-/** Whether two clips of one character make the same rows: moved keys are no reason to build them anew. */
+/** Whether two clips of one character have the same rows: moved keys don't rebuild them. */
 export function sameRows(a: ChannelClip, b: ChannelClip): boolean {
   if (a === b) return true;
   if (a.channels.length !== b.channels.length) return false;
   return a.channels.every((c, i) => c === b.channels[i] || isAnimated(a, i) === isAnimated(b, i));
 }
 
-/** Every fold that a character with such a clip has. */
+/** All groups that can be expanded for a character with such a clip. */
 export function allFolds(character: Character, clip: ChannelClip): number[] {
   const dofs = dofsFor(character);
   return groupsOf(character, dofs, clip.channels.length).map((g) => g.fold);
 }
 
-/** In the order of channels, which is the order of DOFs; cut where the clip ends. Without those that have no say. */
+/** In channel order, which is DOF order; up to the clip's last. Without channels that have no effect. */
 function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCount: number): Group[] {
   const groups: Group[] = [];
   const silent = silentChannels(character);
@@ -149,7 +149,7 @@ function groupsOf(character: Character, dofs: readonly CharacterDof[], channelCo
   return groups;
 }
 
-/** The root's translation is the root joint's, as it is in the inspector. */
+/** The root translation belongs to the root joint, as in the inspector. */
 function rootJoint(character: Character): { readonly joint?: number } {
   return character.skeleton?.joints.length ? { joint: 0 } : {};
 }

@@ -1,11 +1,11 @@
-/** Keeps what is picked out in the timeline with the character whose channels it is about. */
+/** Keeps pinned, hidden and isolated channels with their character. */
 import type { State } from '../../../edit/history.ts';
 import type { Character } from '../../../model/document.ts';
 import { currentCharacter } from '../../state/action.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dofsFor } from './channels.ts';
 
-/** Follows document and selection until it is ended. To be started before what draws the timeline. */
+/** Follows document and selection until ended. Start it before what draws the timeline. */
 export function followCharacter(wb: Uses<'store' | 'timeline'>): () => void {
   const { store, timeline } = wb;
   const follow = () => {
@@ -19,7 +19,7 @@ export function followCharacter(wb: Uses<'store' | 'timeline'>): () => void {
   });
 }
 
-/** Undo too may give a character another skeleton, the one that it had before its files were read again. */
+/** Undo may also bring back another skeleton, the one before a reload. */
 function forgetOthers({ timeline }: Uses<'timeline'>, { document }: State, { document: before }: State): void {
   if (document === before) return;
   for (const was of before.characters) {
@@ -28,7 +28,7 @@ function forgetOthers({ timeline }: Uses<'timeline'>, { document }: State, { doc
   }
 }
 
-/** Whether a channel's number means the same for both. Limits, poses and offsets may differ. */
+/** Whether channel numbers mean the same for both. Limits, poses and offsets may differ. */
 function hasSameDofs(a: Character, b: Character): boolean {
   if (a.skeleton === b.skeleton && a.morphs === b.morphs) return true;
   const [dofsOfA, dofsOfB] = [dofsFor(a), dofsFor(b)];

@@ -1,10 +1,10 @@
 /**
- * What the timeline's actions are about: the take that is shown, its selected keys, and the channels in view.
+ * What the timeline's actions apply to: the shown take, its selected keys, and the channels in view.
  *
- * What can't be seen is not in hand. Keys of a curve that is hidden, filtered out, not isolated or not listed are not
- * touched by anything that is done to selected keys: drags, nudges, typed numbers, tangents, copying, deleting. (As in
- * Maya. That a key moves which nobody sees is how work gets broken unnoticed.) They stay selected through all of that,
- * and are in hand again once they are in view; selecting something else lets them go with the rest.
+ * Only visible keys are edited. Keys of a curve that is hidden, filtered out, not isolated or not listed are left alone
+ * by all edits of selected keys: drags, nudges, typed numbers, tangents, copying, deleting. (As in Maya: moving
+ * invisible keys would break work unnoticed.) They stay selected meanwhile, and are edited again once they are in view;
+ * selecting something else deselects them with the rest.
  */
 import { NO_KEY_SELECTION, unionKeys } from '../../../edit/keys/selection.ts';
 import { type Command, type Edit, withSelectedKeys } from '../../../edit/store.ts';
@@ -22,20 +22,22 @@ export interface Take {
   readonly clip: ChannelClip;
 }
 
-/** The take of the character that is meant; undefined where it has none. */
+/** The take of the current character; undefined if it has none. */
 export function takeInHand(wb: Uses<'store'>): Take | undefined {
   const character = currentCharacter(wb);
   const clip = character && shownClip(character);
   return character && clip && { character, clip };
 }
 
-/** The selected keys of that take, in view or not: what is added to, or taken from. Of another character's, none. */
+/**
+ * The selected keys of that take, in view or not, for adding and removing. Empty if another character's are selected.
+ */
 export function selectedKeys(wb: Uses<'store'>): readonly ChannelKeys[] {
   const { selection } = wb.store;
   return (selection.keys && selection.characterId === currentCharacter(wb)?.id && selection.keys) || NO_KEY_SELECTION;
 }
 
-/** Those of them that are in view. The same array for as long as they are the same keys. */
+/** Those in view. The same array as long as they are the same keys. */
 export function keysInHand(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys[] {
   const selected = selectedKeys(wb);
   if (!selected.length) return NO_KEY_SELECTION;
@@ -48,7 +50,7 @@ export function keysInHand(wb: Uses<'store' | 'timeline'>): readonly ChannelKeys
   return keys;
 }
 
-/** A command about the keys in hand, after which those that are selected out of view are so still. */
+/** Wraps a command on the visible selected keys so that the invisible ones stay selected. */
 export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Command<A, Edit>): Command<A, Edit> {
   const inHand = new Set(keysInHand(wb));
   const unseen = selectedKeys(wb).filter((k) => !inHand.has(k));
@@ -56,14 +58,14 @@ export function aboutKeysInHand<A>(wb: Uses<'store' | 'timeline'>, command: Comm
   return {
     ...command,
     run(document, args) {
-      // Of other channels than the command is about: their indices are the same afterwards.
+      // They belong to other channels than the command changes, so their indices stay valid.
       const edit = command.run(document, args);
       return { document: edit.document, keys: unionKeys(edit.keys, unseen) };
     },
   };
 }
 
-/** A drag of keys of this take: it ends where anything else changes the take or shows another. */
+/** A drag of keys of this take: ends if anything else changes the take or shows another. */
 export function editOfTake({ store, messages }: Uses<'store' | 'messages'>, { character, clip }: Take): HandEdit {
   return new HandEdit(store, messages, () => {
     const now = findCharacter(store.document, character.id);
@@ -71,18 +73,18 @@ export function editOfTake({ store, messages }: Uses<'store' | 'messages'>, { ch
   });
 }
 
-/** Selects these keys and no others; joint and character stay. */
+/** Selects exactly these keys; joint and character stay. */
 export function selectKeys(wb: Uses<'store'>, keys: readonly ChannelKeys[]): void {
   const character = currentCharacter(wb);
   if (!character) return;
   const { selection } = wb.store;
   if (keys.length === 0 && !selection.keys) return;
-  // Keys belong to a character: selecting some of one that was only meant selects it.
+  // Keys belong to a character: selecting some selects the character too.
   const own = selection.characterId === character.id ? selection : { characterId: character.id };
   wb.store.select(withSelectedKeys(own, keys));
 }
 
-/** Channels that the timeline draws now. Asked for by every row and entry: found once for what they follow from. */
+/** Channels that the timeline draws now. Cached, since every row and menu entry asks. */
 export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const character = currentCharacter(wb);
   if (!character) return [];
@@ -91,7 +93,7 @@ export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[
   const { last } = wb.timeline;
   const { inView } = last;
   if (inView?.character === character && inView.selection === selection && inView.view === view) return inView.channels;
-  // The dope sheet draws every key there is, or those of the names that are looked for.
+  // The dope sheet draws all keys, or those that match the filter.
   const channels =
     view.tab === 'dope'
       ? keyedChannels(character, view.filter)
@@ -100,7 +102,7 @@ export function channelsInView(wb: Uses<'store' | 'timeline'>): readonly number[
   return channels;
 }
 
-/** Channels that a tool for whole channels takes: those with selected keys, else those in view. */
+/** Channels for tools on whole curves: those with selected keys, else those in view. */
 export function channelsInHand(wb: Uses<'store' | 'timeline'>): readonly number[] {
   const keys = keysInHand(wb);
   return keys.length ? keys.map((k) => k.channel) : channelsInView(wb);

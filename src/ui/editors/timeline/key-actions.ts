@@ -1,4 +1,4 @@
-/** What is done to selected keys. The keys on the keyboard are the timeline's: elsewhere on the page they mean other things. */
+/** Actions on the selected keys. Their shortcuts belong to the timeline and have other meanings elsewhere. */
 import { EXTRAPOLATION_NAMES } from '../../../edit/commands/extrapolation.ts';
 import { walkChannels, walkKeys } from '../../../edit/keys/key-walk.ts';
 import { stepFrames } from '../../../edit/playback.ts';
@@ -157,14 +157,14 @@ const selecting: readonly Action[] = [
   }),
 ];
 
-/** Times nearer than this are the same moment. */
+/** Times closer than this are equal. */
 const SAME_SECONDS = 1e-7;
 
 function now(wb: Uses<'transport'>): number {
   return wb.transport.get().timeSeconds;
 }
 
-/** From key to key. @param next what is selected then, of the channels in view, counted from the playhead */
+/** Steps from key to key. @param next the new selection among channels in view, starting from the playhead */
 function step(
   id: string,
   label: string,
@@ -194,14 +194,14 @@ function walk(id: string, label: string, shortcuts: readonly string[], by: 1 | -
   return step(id, label, shortcuts, (channels, keys, shown, from) => walkKeys(channels, keys, shown, from, by, adds));
 }
 
-/** From channel to channel; with nothing selected, the next key in time. */
+/** Steps from channel to channel; with nothing selected, to the next key in time. */
 function crossing(id: string, label: string, shortcuts: readonly string[], by: 1 | -1): Action {
   return step(id, label, shortcuts, (channels, keys, shown, from) =>
     keys.length ? walkChannels(channels, keys, shown, by) : walkKeys(channels, keys, shown, from, by, false),
   );
 }
 
-/** Arrow keys move what is selected; with nothing selected, left and right step by a frame as they do elsewhere. */
+/** Arrow keys move the selection; with nothing selected, left and right step frames as elsewhere. */
 function arrow(id: string, label: string, shortcut: string, frames: number, steps: number): Action {
   return key(id, label, [shortcut], {
     menu: 'Keys/Move',
@@ -266,7 +266,7 @@ const tangents: readonly Action[] = [
   ),
 ];
 
-/** Both sides first: it is what one mostly wants. */
+/** Both sides first, the most common choice. */
 const extrapolations: readonly Action[] = (['both', 'in', 'out'] as const).flatMap((side) =>
   EXTRAPOLATIONS.map((extrapolation) =>
     key(`extrapolation.${side}.${extrapolation}`, extrapolationLabel(extrapolation, side), [], {

@@ -1,4 +1,4 @@
-/** What the timeline's actions do to the keys in hand: each is one command, and one step of undo. */
+/** Edits of the selected keys: each is one command and one undo step. */
 import { setExtrapolation } from '../../../edit/commands/extrapolation.ts';
 import { insertKeys, moveKeys, removeKeys, rippleKeys, snapKeys } from '../../../edit/commands/keys.ts';
 import { pasteKeys } from '../../../edit/commands/paste.ts';
@@ -24,7 +24,7 @@ import {
 } from './in-hand.ts';
 import { frameNumber, nudgeStep } from './snapping.ts';
 
-/** A key on each curve in view at the playhead; where none is in view, nothing. */
+/** Inserts a key at the playhead on each curve in view; does nothing if there is none. */
 export function insertAtPlayhead(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   channels: readonly number[] = channelsInView(wb),
@@ -59,8 +59,9 @@ export function copyToTray(wb: Uses<'store' | 'timeline' | 'messages'>): boolean
 
 /**
  * Pastes at the playhead.
- * @param mode `insert` pushes later keys on instead of lying among them
- * @param into other channels than those the keys came from
+ *
+ * @param mode `insert` ripples later keys instead of merging
+ * @param into other channels than the keys were copied from
  */
 export function paste(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
@@ -80,7 +81,7 @@ export function paste(
   });
 }
 
-/** The keys in hand once more, at the playhead; what is in the tray stays there. */
+/** Duplicates the selected keys at the playhead, without the clipboard. */
 export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>): void {
   const take = takeInHand(wb);
   const keys = keysInHand(wb);
@@ -89,7 +90,7 @@ export function duplicate(wb: Uses<'store' | 'transport' | 'timeline' | 'setting
   paste(wb, 'merge', undefined, copied);
 }
 
-/** Moves the keys in hand by frames, and by steps of what their values are shown in. */
+/** Moves the selected keys by frames and by steps of displayed values. */
 export function nudge(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   frames: number,
@@ -100,7 +101,7 @@ export function nudge(
   if (!take || !keys.length) return;
   const { framesPerSecond } = wb.transport.get();
   const { tab, ripples } = wb.timeline.view.get();
-  // What the mouse does in the dope sheet, the arrow keys do there too.
+  // In the dope sheet, arrow keys ripple like the mouse.
   if (ripples && tab === 'dope' && valueSteps === 0) {
     wb.store.apply(aboutKeysInHand(wb, rippleKeys), {
       characterId: take.character.id,
@@ -138,8 +139,8 @@ export function makeTangents(wb: Uses<'store' | 'timeline'>, kind: TangentKind, 
 }
 
 /**
- * A file has no word for a broken key: what is broken are slopes that differ. Those that are equal still would move
- * together again, so handles move alone from then on, until someone unifies.
+ * The formats can't store broken tangents: broken means different slopes. Equal ones would move together again, so
+ * handles then move separately until tangents are unified.
  */
 export function joinTangents(wb: Uses<'store' | 'timeline' | 'messages'>, how: 'unify' | 'break'): void {
   const take = takeInHand(wb);
@@ -166,7 +167,7 @@ export function extrapolate(
   wb.store.apply(setExtrapolation, { characterId: take.character.id, channels: [...channels], side, extrapolation });
 }
 
-/** All keys of these channels that pass a test, which is given the transport's seconds. */
+/** Selects all keys of these channels that pass a test on the transport's seconds. */
 export function selectWhere(
   wb: Uses<'store'>,
   channels: readonly number[],
@@ -185,7 +186,7 @@ export function selectWhere(
   selectKeys(wb, keys);
 }
 
-/** What is in view and not selected, instead of what is. */
+/** Inverts the selection among the keys in view. */
 export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
   const take = takeInHand(wb);
   if (!take) return;
@@ -200,7 +201,7 @@ export function invertSelection(wb: Uses<'store' | 'timeline'>): void {
   selectKeys(wb, keys);
 }
 
-/** `3 keys of 2 channels, 0.4 s to 1.2 s`, for whoever can't see them. */
+/** `3 keys of 2 channels, 0.4 s to 1.2 s`, for screen readers. */
 export function selectedText(
   wb: Uses<'store' | 'transport' | 'timeline' | 'settings'>,
   keys: readonly ChannelKeys[] = keysInHand(wb),

@@ -1,6 +1,6 @@
 /**
- * A new key past the ends lengthens what repeats. That is no mistake, but nobody should have to find it out: whatever
- * step does it, by whichever key, drag, field or dialog, it is said once, at the end of it.
+ * A new key beyond the ends lengthens a cycle. That may be intended, but shouldn't go unnoticed: any step that does so
+ * is reported once, at its end.
  */
 import { changedCycles } from '../../../edit/keys/cycle.ts';
 import type { ChannelClip } from '../../../model/clip.ts';
@@ -9,7 +9,7 @@ import { plural, shown } from '../../kit/number-text.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { channelName, namedChannel } from './channels.ts';
 
-/** Watches the steps that are made until it is ended. What undo brings is what was there before: nothing is said of it. */
+/** Watches steps until ended. Undo isn't reported: it restores what was there. */
 export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): () => void {
   return store.onStep(({ document }, { document: before }) => {
     for (const character of document.characters) {
@@ -22,18 +22,18 @@ export function followPeriods({ store, messages }: Uses<'store' | 'messages'>): 
   });
 }
 
-/** What a step did to the take that is shown before and after it. */
+/** Changes of the shown take by a step. */
 function changedPeriods(was: Character, now: Character): string | undefined {
-  // Another take than before is none that was changed.
+  // Another take is shown: nothing to compare.
   if (was.shownClip !== now.shownClip || was.clips.length !== now.clips.length) return undefined;
-  // Of other DOFs the channels stand elsewhere, and move there with their keys as they are.
+  // With other DOFs, channels move with their keys.
   if (was.skeleton !== now.skeleton || was.morphs !== now.morphs) return undefined;
   const [before, after] = [shownClip(was), shownClip(now)];
   if (!before || !after || before === after) return undefined;
   return periodNote(before, after, (c) => channelName(namedChannel(now, c)));
 }
 
-/** A sentence about the channels whose repetition takes longer or shorter than before; undefined where none does. */
+/** A sentence about channels whose period has changed; undefined if there are none. */
 export function periodNote(before: ChannelClip, after: ChannelClip, name: (channel: number) => string) {
   const changed = changedCycles(before, after);
   if (!changed.length) return undefined;

@@ -1,4 +1,4 @@
-/** Tools for the take's samples that need nothing asked: at the playhead, or to what is played. */
+/** Sample tools without a dialog: at the playhead, or for the playback range. */
 import {
   cropSamples,
   reverseSamples,
@@ -15,7 +15,7 @@ import { clipTime, type Take, takeInHand } from './in-hand.ts';
 
 export type SampleTool = 'crop' | 'trimStart' | 'trimEnd' | 'split' | 'reverse';
 
-/** What it did is said in the message line. */
+/** Reports the result as a message. */
 export function runSampleTool(wb: Uses<'store' | 'transport' | 'messages'>, tool: SampleTool): void {
   const take = takeInHand(wb);
   if (!take) return;
@@ -56,7 +56,7 @@ export function cutText(tool: 'crop' | 'trimStart' | 'trimEnd', before: Take, { 
   return `${tool === 'crop' ? 'Cropped' : 'Trimmed'} ${clip.name} to ${now}, ${from} – ${to} s.`;
 }
 
-/** A long take is turned around in slices; where anything else changes meanwhile, it is not. */
+/** Long takes are reversed in slices; if anything else changes meanwhile, the result is dropped. */
 function reverse(wb: Uses<'store' | 'messages'>, characterId: string): void {
   const { store, messages } = wb;
   const label = reverseSamples.label(store.document, { characterId });

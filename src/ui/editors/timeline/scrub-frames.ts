@@ -1,7 +1,8 @@
 import type { Uses } from '../../state/workbench.ts';
 
 /**
- * Frames a second that a scrubbed time is snapped to; undefined for none.
+ * Frame rate that a scrubbed time snaps to; undefined for none.
+ *
  * @param free Shift is held
  */
 export function scrubFrames(wb: Uses<'transport' | 'timeline' | 'settings'>, free: boolean): number | undefined {

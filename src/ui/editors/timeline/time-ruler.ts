@@ -1,6 +1,6 @@
 /**
- * Time, drawn: ruler, grid, range and playhead on a canvas, alike in the curve editor and the dope sheet, which look at
- * the same window of time. Everything is in CSS pixels: the context is scaled by the caller.
+ * Draws time: ruler, grid, range and playhead on a canvas, the same for the curve editor and the dope sheet, which
+ * share the time window. Everything is in CSS pixels: the context is scaled by the caller.
  */
 import { aligned, shown } from '../../kit/number-text.ts';
 import { drawPlayheadAt } from '../../kit/playhead.ts';
@@ -10,12 +10,12 @@ import type { TimeWindow } from '../../kit/time-window.ts';
 export const TIME_RULER_HEIGHT = 22;
 const LABEL_SPACING = 64;
 
-/** The stretch of time that is shown, and how it is counted. */
+/** The visible time range, and its units. */
 export interface TimeView {
   /** Seconds of the transport from x = 0 to x = width. */
   readonly window: TimeWindow;
   readonly width: number;
-  /** What is outside is shaded; seconds of the transport. */
+  /** Shaded outside; seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   /** Frames instead of seconds. */
@@ -24,7 +24,7 @@ export interface TimeView {
 
 export interface TimeColours {
   readonly faint: string;
-  /** Grid where labels stand, and between them. */
+  /** Grid lines at labels, and between them. */
   readonly line: string;
   readonly fineLine: string;
   readonly ruler: string;
@@ -36,7 +36,7 @@ export interface TimeColours {
   readonly font: string;
 }
 
-/** As the stylesheet has them for this element. */
+/** The stylesheet's colours for this element. */
 export function readTimeColours(target: Element): TimeColours {
   const style = getComputedStyle(target);
   const colour = (name: string) => style.getPropertyValue(name).trim();
@@ -54,7 +54,7 @@ export function readTimeColours(target: Element): TimeColours {
   };
 }
 
-/** `#rrggbb`, seen through. */
+/** `#rrggbb` with an opacity. */
 export function translucent(colour: string, opacity: number): string {
   return `${colour}${Math.round(255 * opacity)
     .toString(16)
@@ -80,7 +80,7 @@ export function drawOutsideRange(
   g.fillRect(to, top, view.width - to, bottom - top);
 }
 
-/** Upright lines where the ruler has ticks, from one height to another. */
+/** Vertical lines at the ruler's ticks, between two heights. */
 export function drawTimeGrid(
   g: CanvasRenderingContext2D,
   view: TimeView,
@@ -99,7 +99,7 @@ export function drawTimeGrid(
   }
 }
 
-/** The ruler's strip at the top, with the range along its lower edge. */
+/** The ruler at the top, with the range along its bottom edge. */
 export function drawTimeRuler(g: CanvasRenderingContext2D, view: TimeView, colours: TimeColours): void {
   g.fillStyle = colours.ruler;
   g.fillRect(0, 0, view.width, TIME_RULER_HEIGHT);
@@ -135,7 +135,7 @@ export function drawTimeRuler(g: CanvasRenderingContext2D, view: TimeView, colou
   }
 }
 
-/** A line down to `bottom`, and what time it is in the ruler. */
+/** A line down to `bottom`, and its time in the ruler. */
 export function drawPlayhead(
   g: CanvasRenderingContext2D,
   view: TimeView,

@@ -1,6 +1,6 @@
 /**
- * Dialogs of the tools for whole curves: a few numbers, what they would come to, and the curves themselves as they would
- * be, while one types: one step of undo when applied, nothing when closed.
+ * Dialogs of the tools for whole curves: a few fields, a summary of the result, and a live preview of the curves: one
+ * undo step when applied, nothing when closed.
  */
 
 import { type Command, CommandError, type Edit } from '../../../edit/store.ts';
@@ -21,7 +21,7 @@ export interface NumberAsked {
   readonly name: string;
   readonly label: string;
   readonly value: number;
-  /** Behind the field. */
+  /** Shown after the field. */
   readonly unit?: string;
   readonly onlyFor?: OnlyFor;
 }
@@ -35,12 +35,12 @@ export interface ChoiceAsked {
   readonly onlyFor?: OnlyFor;
 }
 
-/** Asked only while the choice of this name has this value. */
+/** Shown only while the choice of this name has this value. */
 export type OnlyFor = readonly [name: string, value: string];
 
 export type Asked = NumberAsked | ChoiceAsked;
 
-/** What was typed, by the names of what was asked. */
+/** The answers, by the names of the questions. */
 export interface Answers {
   number(name: string): number;
   choice(name: string): string;
@@ -49,31 +49,31 @@ export interface Answers {
 export interface ToolDialog<A> {
   readonly name: DialogName;
   readonly title: string;
-  /** What the tool does, in a sentence. */
+  /** What the tool does, in one sentence. */
   readonly about: string;
   readonly asked: readonly Asked[];
   readonly command: Command<A, Document | Edit>;
   args(answers: Answers): A;
   /**
-   * The command a little at a time, where it takes longer than a moment: pauses with the part that is done, and ends
-   * with the change and what it came to. Another answer, or closing, stops it.
+   * The command in steps, if it may take long: yields its progress, and returns the change with a summary. Changing an
+   * answer or closing the dialog stops it.
    */
   steps?(base: Document, args: A): Steps<Stepped>;
-  /** Whether steps with these answers are only made when asked for: by the button, or by applying. */
+  /** Whether steps with these answers run only on request: by the button, or when applying. */
   takesLong?(args: A): boolean;
-  /** What it comes to: `1,240 → 86 keys, largest error 0.12°`. `after` is the document as it would be. */
+  /** Summary of the result: `1,240 → 86 keys, largest error 0.12°`. `after` is the changed document. */
   result(args: A, after: Document): string;
 }
 
-/** A change that was made step by step, and what it came to, in sentences. */
+/** A change made in steps, and its summary. */
 export interface Stepped {
   readonly change: Document | Edit;
   readonly text: string;
-  /** What one should know before it is applied, and is told again after. */
+  /** A warning shown before applying, and repeated afterwards. */
   readonly warning?: string;
 }
 
-/** Typing is answered at most so often. */
+/** Minimum interval of previews while typing. */
 const PREVIEW_MS = 120;
 
 export function toolDialog<A>(
@@ -116,11 +116,11 @@ export function toolDialog<A>(
     unsubscribe();
     close();
   });
-  // The first document is what is measured against, whatever is previewed.
+  // The original document is the reference, whatever is previewed.
   const { base } = trial;
-  /** Counts what was asked: steps of an older question stop. */
+  /** Counts requests: steps of an older one stop. */
   let asked = 0;
-  /** Steps are to be made first; then, where they are to be kept, the dialog ends. */
+  /** Steps are running; when they are done, the dialog applies and closes. */
   let waits = false;
   let keepsWhenDone = false;
   const warn = (text = '') => {
@@ -152,7 +152,7 @@ export function toolDialog<A>(
       },
       failed: refuse,
     });
-  /** @param isAsked by who knows that it may take its time */
+  /** @param isAsked the user has requested a preview that takes long */
   const preview = (isAsked = false) => {
     if (trial.over) return;
     try {
@@ -186,7 +186,7 @@ export function toolDialog<A>(
   };
   const end = (keep: boolean) => {
     if (trial.over) return;
-    // What took steps is there; it could not have been applied before it was.
+    // Steps are already done when their result is applied.
     if (keep && !tool.steps) preview();
     unsubscribe();
     if (!keep) return trial.putBack();
@@ -199,7 +199,7 @@ export function toolDialog<A>(
   const soon = atMostEvery(PREVIEW_MS, () => preview());
   body.addEventListener('input', () => {
     showAsked();
-    // Not what was asked before.
+    // The result is outdated.
     if (tool.steps) apply.disabled = true;
     keepsWhenDone = false;
     soon();
@@ -216,7 +216,7 @@ export function toolDialog<A>(
     close();
   });
   tryOut.addEventListener('click', () => {
-    // It goes, and the focus with it.
+    // The button disappears, so move the focus.
     cancel.focus();
     preview(true);
   });
@@ -225,7 +225,7 @@ export function toolDialog<A>(
   return { title: tool.title, body, kind: 'tool-dialog' };
 }
 
-/** A command that says nothing of keys selects none. */
+/** A command that returns no keys selects none. */
 function asEdit<A>(command: Command<A, Document | Edit>): Command<A, Edit> {
   return {
     ...command,
@@ -255,7 +255,7 @@ function fieldOf(asked: Asked, fields: Map<string, HTMLInputElement | HTMLSelect
         );
   fields.set(asked.name, field);
   const row = element('label', { class: 'tool-field' }, element('span', {}, asked.label), field);
-  // A choice has the unit's room too.
+  // A choice uses the unit's column too.
   if (asked.kind === 'number') row.append(element('span', { class: 'faint' }, asked.unit));
   return row;
 }

@@ -122,7 +122,7 @@ export const PLAY_ACTIONS: readonly Action[] = [
   ),
 ];
 
-/** With nothing to play its key goes between FK and IK. The transport's own button plays all the same: time passes. */
+/** With nothing to play, Space switches between FK and IK. The transport's own button still plays: time passes. */
 function switchesInstead(wb: Uses<'store' | 'transport'>): boolean {
   const { document } = wb.store;
   return !wb.transport.get().playing && document.characters.length > 0 && playingCharacters(document).length === 0;

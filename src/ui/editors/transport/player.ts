@@ -1,15 +1,15 @@
 /**
- * The clock. While the transport plays, each frame moves it on by the seconds that went by between frames; and whenever
- * its time changes, by play or by hand, the viewport is told and hand-set values that were not keyed go.
+ * The clock. While playing, each frame advances the time by the elapsed seconds; whenever the time changes, the
+ * viewport is updated and unkeyed changes are discarded.
  */
 import { advance } from '../../../edit/playback.ts';
 import type { Uses } from '../../state/workbench.ts';
 import { dropStale, followUnkeyed } from '../posing/unkeyed-values.ts';
 
-/** A tab that was in the background for an hour goes on where it was, not an hour later. */
+/** A tab that was in the background continues where it was. */
 const LONGEST_STEP_SECONDS = 1;
 
-/** Runs until the signal says otherwise. */
+/** Runs until aborted. */
 export function startPlayer(
   wb: Uses<'store' | 'actions' | 'viewport' | 'transport' | 'settings' | 'messages'>,
   signal: AbortSignal,
@@ -23,8 +23,8 @@ export function startPlayer(
       before = now;
       wb.transport.update((p) => advance(p, elapsed));
     } finally {
-      // Only after all that the new time has asked for: first, the next tick would come before the picture of this one,
-      // which would pass for its own too. There would be a picture in every second frame.
+      // After everything else for the new time: queued earlier, the next tick would run before this frame is drawn, and
+      // only every second frame would be drawn.
       queued = 0;
       if (wb.transport.get().playing) queue();
     }

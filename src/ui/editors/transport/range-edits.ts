@@ -1,6 +1,6 @@
 /**
- * The range as it is typed: of the take, which saves it, where one take is all that plays; else only what is played.
- * Dragging the range's ends, and the keys that set it here and now, always mean what is played.
+ * Typing a range: that of the take, which is saved with it, if only one take plays; else the playback range only.
+ * Dragging the range's ends, and shortcuts, always set the playback range only.
  */
 import { setClipRange } from '../../../edit/commands/clips.ts';
 import { type Character, playingCharacters } from '../../../model/document.ts';
@@ -8,13 +8,13 @@ import { shown } from '../../kit/number-text.ts';
 import { attempt } from '../../state/attempt.ts';
 import type { Uses } from '../../state/workbench.ts';
 
-/** The one character that plays a take. */
+/** The only character that plays a take. */
 export function onlyTake(wb: Uses<'store'>): Character | undefined {
   const playing = playingCharacters(wb.store.document);
   return playing.length === 1 ? playing[0] : undefined;
 }
 
-/** @param range seconds of the transport; refused, with a word, where it ends before it begins */
+/** @param range seconds of the transport; refused with a message if it ends before it starts */
 export function typeRange(
   wb: Uses<'store' | 'transport' | 'settings' | 'messages'>,
   range: readonly [number, number],
@@ -34,7 +34,7 @@ export function typeRange(
   wb.transport.update((p) => ({ ...p, range }));
 }
 
-/** `1.25 s`, or `frame 30` where times are typed in frames. */
+/** `1.25 s`, or `frame 30` if times are in frames. */
 function timeText(wb: Uses<'transport' | 'settings'>, timeSeconds: number): string {
   if (wb.settings.get().timeDisplay === 'seconds') return `${shown(timeSeconds)} s`;
   return `frame ${shown(timeSeconds * wb.transport.get().framesPerSecond)}`;

@@ -1,4 +1,7 @@
-/** Draws the scrubber: ruler, played range, keys as diamonds, playhead. Canvas, for a clip may have any number of keys. */
+/**
+ * Draws the scrubber: ruler, playback range, keys as diamonds, playhead. On a canvas, since a clip may have any number
+ * of keys.
+ */
 import { bucketKeys, MEANT_KEY, NO_KEY } from '../../../evaluate/plot/key-buckets.ts';
 import type { ShownChannel } from '../../../evaluate/plot/shown-keys.ts';
 import { drawPlayheadAt } from '../../kit/playhead.ts';
@@ -23,7 +26,7 @@ export interface ScrubberPicture {
   readonly range: readonly [number, number];
   readonly timeSeconds: number;
   readonly channels: readonly ShownChannel[];
-  /** Counts in frames where it is given. */
+  /** Counts in frames if given. */
   readonly framesPerSecond: number | undefined;
   /** At the playhead. */
   readonly timeText: string;
@@ -32,10 +35,10 @@ export interface ScrubberPicture {
 /** Heights in CSS pixels. */
 export const RULER_HEIGHT = 20;
 const LABEL_SPACING = 64;
-/** Half a diamond; keys nearer than this are one mark. */
+/** Half a diamond; keys closer than this are merged. */
 const DIAMOND = 4;
 
-/** Everything but the playhead: drawn anew when window, range or keys change, and kept in between. */
+/** Everything except the playhead: redrawn only when window, range or keys change. */
 export class ScrubberBackground {
   private readonly canvas = document.createElement('canvas');
   private buckets = new Uint8Array(0);
@@ -128,7 +131,7 @@ function drawKeys(g: CanvasRenderingContext2D, buckets: Uint8Array, y: number, c
     let last = -Infinity;
     for (let x = 0; x < buckets.length; x++) {
       if (buckets[x] === NO_KEY || (buckets[x] === MEANT_KEY) !== meant) continue;
-      // Neighbouring keys run into one band, of which every other pixel is enough.
+      // Neighbouring keys merge into a band, for which every other pixel suffices.
       if (x - last < 2) continue;
       last = x;
       g.moveTo(x + 0.5, y - DIAMOND);

@@ -1,6 +1,6 @@
 /**
- * The scrubber. Drag anywhere to move through time, drag the ends of the shaded range to change it; wheel zooms, with
- * Shift (or a wheel to the side, or the middle button) it pans, double click fits. As a slider it takes arrow keys.
+ * The scrubber. Drag to change the time, drag the ends of the shaded range to change it; the wheel zooms, with Shift
+ * (or horizontally, or with the middle button) it pans, a double click fits. As a slider it takes arrow keys.
  */
 import { stepFrames } from '../../../edit/playback.ts';
 import { type ShownChannel, shownKeys } from '../../../evaluate/plot/shown-keys.ts';
@@ -18,10 +18,10 @@ import {
   type ScrubberPicture,
 } from './scrubber-picture.ts';
 
-/** An end of the range is taken from this many pixels away. */
+/** Hit tolerance of the range's ends. */
 const GRAB_PIXELS = 6;
 const ZOOM_STEP = 1.15;
-/** While time runs the playhead, which creeps by a pixel or two, goes on in every other frame. */
+/** While playing, the playhead, which moves by a pixel or two, is redrawn every other frame. */
 const RUNNING_PLAYHEAD_MS = 25;
 
 type Handle = 'time' | 'in' | 'out' | 'pan';
@@ -36,12 +36,12 @@ export class Scrubber {
   });
   private readonly background = new ScrubberBackground();
   private window: TimeWindow;
-  /** Follows the range until someone zooms or pans. */
+  /** Follows the range until the user zooms or pans. */
   private fitted = true;
   private channels: readonly ShownChannel[] = [];
   private colours: ScrubberColours | undefined;
   private stale = true;
-  /** CSS pixels. Asked for only when they change: in each frame, the page would have to be laid out before its time. */
+  /** CSS pixels. Updated on resize only: reading them every frame would force a layout. */
   private width = 0;
   private height = 0;
   private readonly drawSoon = oncePerFrame(() => this.draw());
@@ -53,7 +53,8 @@ export class Scrubber {
     wb.transport.subscribe((now, before) => {
       if (now.range !== before.range) this.onRange();
       if (now.framesPerSecond !== before.framesPerSecond) this.stale = true;
-      // Jumped to, by a key or a number: bring it into view. While playing the window stays where it was put.
+      // Time was changed by a key or a field: bring it into view. While playing, the window stays where the user put
+      // it.
       if (now.timeSeconds !== before.timeSeconds && !now.playing && !this.fitted) {
         const next = revealTime(this.window, now.timeSeconds);
         if (next !== this.window) this.look(next);
@@ -63,7 +64,7 @@ export class Scrubber {
     wb.store.subscribe((now, before) => {
       if (now.document === before.document && now.selection === before.selection) return;
       this.channels = shownKeys(now.document, now.selection);
-      // Where one looked at another character's time says nothing about this one's.
+      // The window of another character means nothing for this one.
       if (!now.document.characters.some((c) => findCharacter(before.document, c.id))) this.fit();
       this.redraw();
     });
@@ -78,21 +79,21 @@ export class Scrubber {
     this.listen();
   }
 
-  /** Everything anew: another theme, another size. */
+  /** Redraws everything: another theme or size. */
   redraw(recolour = false): void {
     if (recolour) this.colours = undefined;
     this.stale = true;
     this.drawSoon();
   }
 
-  /** The played range and the clips, with some room beside them. */
+  /** The playback range and the clips, with margins. */
   fit(): void {
     this.fitted = true;
     this.window = this.whole();
     this.redraw();
   }
 
-  /** A shorter range is still seen in the whole of what there is. */
+  /** A shorter range is still shown within the clips. */
   private whole(): TimeWindow {
     const { range } = this.wb.transport.get();
     const clips = rangeOfClips(this.wb.store.document) ?? range;
@@ -148,7 +149,7 @@ export class Scrubber {
   }
 
   private describe(timeSeconds: number, range: readonly [number, number]): void {
-    // A screen reader would read out every frame.
+    // A screen reader would read every frame.
     if (this.wb.transport.get().playing) return;
     this.element.setAttribute('aria-valuemin', String(range[0]));
     this.element.setAttribute('aria-valuemax', String(range[1]));
@@ -184,7 +185,7 @@ export class Scrubber {
     const { range, timeSeconds } = this.wb.transport.get();
     const at = this.timeAt(event.clientX);
     const near = (time: number) => Math.abs(time - at) / this.secondsPerPixel;
-    // The playhead is what one mostly means, and lies on the range's ends at rest; they are taken in the ruler.
+    // The playhead takes precedence, as it is at the range's ends at rest; those are grabbed in the ruler.
     const y = event.clientY - this.element.getBoundingClientRect().top;
     if (y > this.element.clientHeight / 2 && near(timeSeconds) <= GRAB_PIXELS) return 'time';
     if (near(range[1]) <= GRAB_PIXELS && near(range[1]) <= near(range[0])) return 'out';
@@ -211,7 +212,7 @@ export class Scrubber {
     });
   }
 
-  /** @param free between frames too, where time is shown in frames */
+  /** @param free between frames too if time is shown in frames */
   private drag(handle: 'time' | 'in' | 'out', at: number, free: boolean): void {
     const time = snapTime(at, this.secondsPerPixel, free ? undefined : this.framesPerSecond);
     this.wb.transport.update((p) => {

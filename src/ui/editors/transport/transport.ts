@@ -1,4 +1,4 @@
-/** The strip below the viewport: buttons, loop, rate, time, range, and the scrubber. */
+/** The bar below the viewport: buttons, loop, speed, time, range, and the scrubber. */
 import { FRAME_RATES, LOOP_MODES } from '../../../edit/playback.ts';
 import { button, element, keepsFocusElsewhere, setAttribute } from '../../kit/dom.ts';
 import { isTimeAgain, oncePerFrame } from '../../kit/frame.ts';
@@ -15,7 +15,7 @@ import { LOOP_LABELS, RATES, rateText } from './actions.ts';
 import { typeRange } from './range-edits.ts';
 import type { Scrubber } from './scrubber.ts';
 
-/** While time runs, its numbers are written so often. */
+/** Interval for updating numbers while playing. */
 const RUNNING_NUMBERS_MS = 80;
 
 export function transport(
@@ -68,7 +68,7 @@ function buttons(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   );
 }
 
-/** A button for what may be impossible just now, such as a key to jump to. */
+/** Runs an action that may be impossible now, such as jumping to a key. */
 function tryRun(wb: Uses<'actions'>, id: string): void {
   const action = findAction(wb, id);
   if (action) tryAction(wb, action, 'button');
@@ -81,7 +81,7 @@ function loopModes(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement 
       button(LOOP_LABELS[mode], { class: 'tool', role: 'radio' }, icon(mode), () => runAction(wb, `play.loop.${mode}`)),
     ),
   }));
-  // One key goes through all of them.
+  // One shortcut cycles through all of them.
   for (const { mode, button } of made) setActionTooltip(wb, button, 'play.nextLoop', LOOP_LABELS[mode]);
   const show = () => {
     for (const { mode, button } of made) {
@@ -126,7 +126,7 @@ function rate(wb: Uses<'actions' | 'transport' | 'settings'>): HTMLElement {
   return keepsFocusElsewhere(made);
 }
 
-/** The switch that records: red while it is on, and the page around the viewport with it. */
+/** The record switch: red while on, like the frame of the viewport. */
 function keying(wb: Uses<'actions' | 'timeline' | 'settings'>): HTMLElement {
   const key = keepsFocusElsewhere(button('Key pose', { class: 'tool' }, icon('key'), () => tryRun(wb, 'key.pose')));
   setActionTooltip(wb, key, 'key.pose', 'Key pose');
@@ -215,7 +215,7 @@ function range(wb: Uses<'store' | 'actions' | 'transport' | 'settings' | 'messag
       text: (value) => shown(value),
       commit(value) {
         typeRange(wb, make(value / perUnit(), wb.transport.get().range));
-        // What was refused shows as it is.
+        // Reverts a refused value.
         show();
       },
       refuse: (reason) => wb.messages.note(reason, 'warning'),
@@ -228,7 +228,7 @@ function range(wb: Uses<'store' | 'actions' | 'transport' | 'settings' | 'messag
     last.show(noNoise(to * perUnit()));
   };
   const begins = labelled('Range', first.element);
-  // The fields' own tooltips give their numbers in full; the keys stand at the word.
+  // The fields' tooltips show exact numbers; shortcuts are in the labels' tooltips.
   setTooltip(begins, () => {
     const keys = [
       ['play.setIn', 'Start here'],
@@ -248,7 +248,7 @@ function range(wb: Uses<'store' | 'actions' | 'transport' | 'settings' | 'messag
   ];
 }
 
-/** Frames of a time that is a whole frame but for the last bit are that frame. */
+/** Rounds to the whole frame if equal up to rounding errors. */
 function noNoise(value: number): number {
   const rounded = Math.round(value);
   return Math.abs(value - rounded) < 1e-9 * Math.max(1, Math.abs(value)) ? rounded : value;

@@ -1,4 +1,4 @@
-/** The camera, and what is drawn. */
+/** Actions for camera and display. */
 import { hasBoxes } from '../../../model/boxes.ts';
 import { type Character, shownSkin } from '../../../model/document.ts';
 import type { BoxStyle, Display, SkinStyle } from '../../../model/session.ts';
@@ -27,7 +27,7 @@ export function setDisplay(wb: Uses<'settings'>, change: Partial<Display>): void
   wb.settings.update((s) => ({ ...s, display: { ...s.display, ...change } }));
 }
 
-/** Of nothing at all one may still choose how it will be drawn. */
+/** Without characters, the style can still be chosen. */
 function isAnyVisible(wb: Uses<'store'>, has: (character: Character) => boolean): boolean {
   const { characters } = wb.store.document;
   return characters.length === 0 || characters.some((c) => !c.isHidden && has(c));
@@ -40,7 +40,7 @@ export const areBoxesVisible = (wb: Uses<'store'>) =>
 export const NO_SKIN = 'No visible character has a skin.';
 export const NO_BOXES = 'No visible character has boxes; they are drawn as bones.';
 
-/** Without boxes it only counts whether bones are drawn in their place. */
+/** Without boxes only the choice of bones matters. */
 const needsBoxes = (style: BoxStyle) => style === 'wire' || style === 'solid';
 const boxStyles = (wb: Uses<'store'>) => BOX_STYLES.filter(([style]) => !needsBoxes(style) || areBoxesVisible(wb));
 

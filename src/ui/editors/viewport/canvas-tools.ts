@@ -1,10 +1,10 @@
 /**
- * Who gets what the pointer does in the viewport. The tool of the mode is asked first; what it has no use for is the
- * camera's, which listens on the canvas itself:
+ * Routes pointer events in the viewport. The mode's tool comes first; what it doesn't use goes to the camera, which
+ * listens on the canvas itself:
  *
- *     press     the tool takes it, and everything up to the release is its drag; or the camera orbits
- *     click     a press that was the camera's and went nowhere: the tool's, or it picks
- *     hover     the tool may light something up, and say which cursor
+ *     press     the tool starts a drag until the release; or the camera orbits
+ *     click     a press without motion that the tool didn't take: the tool's, or it picks
+ *     hover     the tool may highlight something and set the cursor
  */
 import { CLICK_PIXELS } from '../../../view/camera-travel.ts';
 import { waitOutDrag } from '../../kit/keyboard.ts';
@@ -12,7 +12,7 @@ import { waitOutDrag } from '../../kit/keyboard.ts';
 /** A press that moved further was a drag: for tools as for the camera. */
 export { CLICK_PIXELS };
 
-/** What is asked of a pointer event: places are client coordinates. */
+/** The fields of a pointer event used; positions are client coordinates. */
 export type CanvasPointer = Pick<
   PointerEvent,
   'clientX' | 'clientY' | 'button' | 'altKey' | 'shiftKey' | 'ctrlKey' | 'metaKey' | 'pointerType'
@@ -21,31 +21,32 @@ export type CanvasPointer = Pick<
 export interface CanvasDrag {
   /** Every move. */
   move(at: CanvasPointer): void;
-  /** Of touch: so many fingers are down now, that of the drag among them. */
+  /** Touch: number of fingers down, including the dragging one. */
   fingers?(count: number): void;
   /** The release. */
   end(at: CanvasPointer): void;
-  /** Escape, or the browser took the pointer away: everything as before. */
+  /** Escape, or the browser cancelled the pointer: restores everything. */
   cancel(): void;
 }
 
 export interface CanvasTool {
-  /** A drag, where the tool has something at that place; undefined leaves the press to the camera. */
+  /** Starts a drag if the tool has something there; undefined leaves the press to the camera. */
   press(at: CanvasPointer): CanvasDrag | undefined;
-  /** Whether a click was the tool's own; otherwise it picks. */
+  /** Whether the tool has used the click; otherwise it picks. */
   click?(at: CanvasPointer): boolean;
   /**
-   * Undefined: the pointer has left. What comes back is the cursor, as CSS has it; undefined: the usual one. `grab` says
-   * that it is over a handle of the tool's own.
+   * Undefined: the pointer has left. Returns the CSS cursor; undefined: the default. `grab` means that it is over one
+   * of the tool's handles.
    */
   hover?(at: CanvasPointer | undefined): string | undefined;
 }
 
 /**
- * @param canvas what the camera listens on
- * @param tool the one of the mode, asked anew each time
- * @param pick a click that no tool wanted
- * @param claim told whether the pointer is a tool's, over a handle or in a drag: nothing else lights up under it
+ * @param canvas the camera listens on it
+ * @param tool returns the mode's tool; called each time
+ * @param pick a click that the tool didn't use
+ * @param claim called with whether the tool has the pointer, over a handle or in a drag: nothing else is highlighted
+ *   then
  */
 export function listenToCanvas(
   canvas: HTMLCanvasElement,
@@ -72,7 +73,7 @@ export function listenToCanvas(
     return of;
   };
 
-  // In the capture phase of the window: before the camera's own listener on the canvas, whenever that was added.
+  // In the window's capture phase: before the camera's own listener on the canvas, whenever that was added.
   window.addEventListener(
     'pointerdown',
     (event) => {
@@ -80,7 +81,7 @@ export function listenToCanvas(
       canvas.focus({ preventScroll: true });
       down = undefined;
       if (drag) {
-        // Another button or finger while something is dragged is not the camera's.
+        // Other buttons or fingers during a drag don't reach the camera.
         event.stopPropagation();
         if (event.pointerType === 'touch' && event.pointerId !== drag.pointerId) {
           drag.others.add(event.pointerId);
@@ -108,7 +109,7 @@ export function listenToCanvas(
         if (event.pointerId === drag.pointerId) drag.of.move(event);
       } else if (event.buttons === 0) {
         canvas.style.cursor = tool()?.hover?.(event) ?? '';
-        // A hand that pulls, or a place that is looked for: what lies under it is not what is meant.
+        // While dragging or placing something, don't highlight what is below.
         claim(canvas.style.cursor === 'grab' || canvas.style.cursor === 'crosshair');
       }
     },
@@ -146,6 +147,6 @@ export function listenToCanvas(
     { signal },
   );
   signal.addEventListener('abort', () => finish()?.cancel());
-  // A right drag that is a tool's must not end in the browser's menu; the camera's never does.
+  // A tool's right drag must not open the browser's menu; the camera's never does.
   canvas.addEventListener('contextmenu', (event) => event.preventDefault(), { signal });
 }

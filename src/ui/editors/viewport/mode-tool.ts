@@ -1,10 +1,10 @@
 /** The viewport's tool of one mode. */
 import type { CanvasTool } from './canvas-tools.ts';
 
-/** It can be put down, and what it draws with it. */
+/** A tool that can be entered and left, with what it draws. */
 export interface ModeTool extends CanvasTool {
-  /** Its mode was entered: what it draws comes. */
+  /** Its mode was entered: shows what it draws. */
   enter(): void;
-  /** Another mode was: what it draws goes. */
+  /** Another mode was entered: hides what it draws. */
   leave(): void;
 }

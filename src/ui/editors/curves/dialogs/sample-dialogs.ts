@@ -1,4 +1,4 @@
-/** What each of the tools for samples asks; those that need nothing asked are in `timeline/sample-tools.ts`. */
+/** Dialogs of the sample tools; those without questions are in `timeline/sample-tools.ts`. */
 import {
   type ConvertToKeys,
   convertSteps,
@@ -25,7 +25,7 @@ import type { Uses } from '../../../state/workbench.ts';
 import { channelsInHand, type Take, takeInHand } from '../../timeline/in-hand.ts';
 import { type Asked, toolDialog } from '../../timeline/tool-dialog.ts';
 
-/** Of the skeleton's size: what is hardly seen of a joint. */
+/** Fraction of the skeleton's size that is hardly visible at a joint. */
 const POSITION_PART = 0.005;
 const ANGLE_DEGREES = 1;
 
@@ -158,7 +158,7 @@ export function resampleSamplesDialog(
       command: resampleSamples,
       args(answers) {
         const rate = answers.number('rate');
-        // What is shown for the take's own rate is that rate, whatever it was rounded to.
+        // The take's own rate, if the field still shows it rounded.
         return { characterId: character.id, framesPerSecond: rate === preset ? own : rate };
       },
       *steps(document, args) {
@@ -174,8 +174,8 @@ export function resampleSamplesDialog(
 }
 
 /**
- * A rate as one says it: 60 where the frame time is 0.016667 s. Nearer to a whole number than half of what is between
- * 30 and the 29.97 of television, which are two rates.
+ * A frame rate as people say it: 60 for a frame time of 0.016667 s. Rounded only if much closer to a whole number than
+ * 29.97, television's rate, is to 30.
  */
 export function shownRate(framesPerSecond: number): number {
   const whole = Math.round(framesPerSecond);
@@ -194,7 +194,7 @@ function smoothedText(args: SmoothSamples, before: Samples, after: Samples | und
   return `σ is ${shown(frames, 1)} frames: motion at ${shown(1 / halved, 1)} Hz is halved.`;
 }
 
-/** Frames in which any value is another. */
+/** Number of frames in which any value differs. */
 function framesChanged({ values, scales, frameCount }: Samples, after: Samples): number {
   if (after.values === values) return 0;
   let changed = 0;
@@ -216,10 +216,10 @@ function samplesOf(document: Document, characterId: string): Samples | undefined
   return changed && shownClip(changed)?.samples;
 }
 
-/** Whether the tool's channels are those in hand or all, where that is not the same. */
+/** Asks whether to use the selected channels or all, if that differs. */
 function channelsAsked(wb: Uses<'store' | 'timeline'>, inHand: number, all: number): Asked[] {
   if (inHand === all || inHand === 0) return [];
-  // Who has picked a joint and looks at its curves means these.
+  // With a joint selected and only its channels listed, those are meant.
   const { selection } = wb.store;
   const isOfJoint = wb.timeline.view.get().list === 'selected' && selection.joint !== undefined;
   return [
@@ -252,7 +252,7 @@ function convertedText(wb: Uses<'settings'>, character: Character, report: Conve
   ].join('\n');
 }
 
-/** The longest side of the box around the joints at rest. */
+/** Longest side of the bounding box of the joints at rest. */
 function sizeOf({ joints }: Skeleton): number {
   const at: number[][] = [];
   for (const { parent, offset } of joints) at.push(offset.map((v, k) => v + (parent < 0 ? 0 : at[parent][k])));

@@ -1,6 +1,6 @@
 /**
- * What was typed into a tool's dialog as the arguments of its command: seconds of the transport become the clip's, what
- * is shown in degrees radians. Units that were not asked for are not made up.
+ * Converts a tool dialog's answers to arguments of its command: seconds of the transport to the clip's, displayed
+ * degrees to radians. Units that were not asked for are left out.
  */
 import type { BakeExtrapolation, Resample, Simplify, Tolerances } from '../../../../edit/commands/channels.ts';
 import type { ScaleKeysArgs } from '../../../../edit/commands/keys.ts';
@@ -15,14 +15,14 @@ import type { Answers } from '../../timeline/tool-dialog.ts';
 
 export const UNITS: readonly DofUnit[] = DOF_UNITS;
 
-/** The units that occur among a character's channels: what a dialog has to ask for. In the order of `UNITS`. */
+/** The units of a character's channels that a dialog has to ask for, in the order of `UNITS`. */
 export function unitsOf(character: Character, channels: readonly number[]): DofUnit[] {
   const dofs = dofsFor(character);
   const found = new Set(channels.map((c) => unitOfChannel(dofs, c)));
   return UNITS.filter((unit) => found.has(unit));
 }
 
-/** From a number by the name of each unit. */
+/** From one number per unit, by the unit's name. */
 export function simplifyArguments(
   character: Character,
   channels: readonly number[],
@@ -34,7 +34,7 @@ export function simplifyArguments(
   return { characterId: character.id, channels, tolerance };
 }
 
-/** From `rate`, `from`, `to` and `tangents`. The frames are the transport's: those that one sees. */
+/** From `rate`, `from`, `to` and `tangents`. Frames are those of the transport, as shown. */
 export function resampleArguments(character: Character, channels: readonly number[], answers: Answers): Resample {
   return {
     characterId: character.id,
@@ -51,7 +51,7 @@ export function bakeArguments(character: Character, channels: readonly number[],
   return { characterId: character.id, channels, ...rangeOf(character, answers) };
 }
 
-/** From `time`, `pivot`, `value` and the value that stays by the name of each unit. */
+/** From `time`, `pivot`, `value` and one pivot value per unit, by the unit's name. */
 export function scaleArguments(
   character: Character,
   keys: readonly ChannelKeys[],

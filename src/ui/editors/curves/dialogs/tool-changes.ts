@@ -1,4 +1,4 @@
-/** What a tool for whole curves changes beyond their ends, in sentences: nobody should have to find it out later. */
+/** Sentences about changes of the extrapolation by a tool for whole curves, which might go unnoticed. */
 import { EXTRAPOLATION_NAMES } from '../../../../edit/commands/extrapolation.ts';
 import { period } from '../../../../edit/keys/cycle.ts';
 import { type ChannelClip, type Extrapolation, repeats } from '../../../../model/clip.ts';
@@ -9,7 +9,7 @@ const SIDES = [
   ['After the keys', 'extrapolateOut'],
 ] as const;
 
-/** `After the keys, 2 curves will be constant instead of cycle.` None where all goes on as it did. */
+/** `After the keys, 2 curves will be constant instead of cycle.` Empty if nothing changes. */
 export function changesBeyond(before: ChannelClip, after: ChannelClip, channels: readonly number[]): string[] {
   const sentences: string[] = [];
   for (const [where, side] of SIDES) {
@@ -30,7 +30,7 @@ export function changesBeyond(before: ChannelClip, after: ChannelClip, channels:
   return sentences;
 }
 
-/** What repeats does so with all that is keyed by then. */
+/** Cycles repeat over all keys. */
 function spansText(spans: readonly (readonly [number, number])[]): string {
   const [[was, now]] = spans;
   const what = `${plural(spans.length, 'curve')} will repeat all keys, including the new ones:`;
@@ -43,7 +43,7 @@ function nameOf(extrapolation: Extrapolation): string {
   return EXTRAPOLATION_NAMES[extrapolation].toLowerCase();
 }
 
-/** By more than rounding. */
+/** Differs by more than rounding. */
 function isOther(a: number, b: number): boolean {
   return Math.abs(a - b) > 1e-9 * Math.max(1, Math.abs(a), Math.abs(b));
 }

@@ -1,4 +1,4 @@
-/** What each of the curve tools asks. */
+/** Dialogs of the curve tools. */
 import type { Reduction } from '../../../../edit/channels/report.ts';
 import {
   bakeExtrapolation,
@@ -30,7 +30,10 @@ import {
 } from './tool-arguments.ts';
 import { changesBeyond } from './tool-changes.ts';
 
-/** What is hardly seen: half a degree, a hundredth of a length, half a per cent of a scale or morph. In what is shown. */
+/**
+ * Hardly visible differences: half a degree, a hundredth of a length, half a per cent of a scale or morph. In displayed
+ * units.
+ */
 const TOLERANCES: Readonly<Record<DofUnit, readonly [string, number, number]>> = {
   angle: ['Angle tolerance', 0.5, 0.01],
   length: ['Length tolerance', 0.01, 0.01],
@@ -182,7 +185,7 @@ function keysSpan({ clip, character }: Take, channels: readonly number[]): reado
   return [from - offset, to - offset];
 }
 
-/** What becomes of the take's curves beyond their keys. */
+/** Changes of the take's extrapolation. */
 function beyond({ character, clip }: Take, after: Document, channels: readonly number[]): string[] {
   const changed = findCharacter(after, character.id);
   const now = changed && shownClip(changed);

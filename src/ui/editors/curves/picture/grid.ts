@@ -1,4 +1,4 @@
-/** What the curves stand on: range, grid, limits; and what stands over them: values along the axes. */
+/** Below the curves: range, grid, limits; above them: labels of the value axes. */
 import { drawOutsideRange, drawTimeGrid, type TimeView } from '../../timeline/time-ruler.ts';
 import type { CurveLine, CurveScene } from '../scene/scene.ts';
 import { type AxisName, PLOT_TOP, VALUE_AXES, yOf } from '../scene/space.ts';
@@ -6,10 +6,10 @@ import { isInDegrees, type ValueTick, valueTicks } from '../scene/ticks.ts';
 import type { PictureColours } from './picture-colours.ts';
 
 const LABEL_SPACING = 34;
-/** Of a second axis on the right. */
+/** Width of the labels of a second axis on the right. */
 const LABEL_WIDTH = 46;
 const HATCH_PIXELS = 7;
-/** Curves run over it. */
+/** Translucent, since curves are drawn over it. */
 const HATCH_OPACITY = 0.6;
 
 const UNITS: Readonly<Record<AxisName, string>> = {
@@ -25,7 +25,7 @@ export function timeView(scene: CurveScene): TimeView {
   return { window: space.window, width: space.width, range, framesPerSecond, inFrames };
 }
 
-/** The axes that lines are drawn on: the first is labelled on the left and has the grid. */
+/** The axes of the lines: the first is labelled on the left and has the grid. */
 function shownAxes(lines: readonly CurveLine[]): AxisName[] {
   const shown = VALUE_AXES.filter((axis) => lines.some((line) => line.axis === axis));
   return shown.length ? shown : ['angle'];
@@ -49,7 +49,7 @@ export function drawCurveGround(g: CanvasRenderingContext2D, scene: CurveScene, 
   }
 }
 
-/** Labels of every axis that is shown, kept readable over curves by an edge of the plot's colour. */
+/** Labels of every axis shown, outlined in the plot's colour so that they are readable over curves. */
 export function drawValueLabels(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): void {
   const { width, height } = scene.space;
   const axes = shownAxes(scene.lines);
@@ -82,7 +82,7 @@ function axisTicks(scene: CurveScene, axis: AxisName): ValueTick[] {
   return valueTicks(scene.space.axes[axis], pixels, LABEL_SPACING, isInDegrees(axis, scene.degrees));
 }
 
-/** Hatches what the DOF can't reach, if it is clear whose limits are meant: those of one line, or the same for all. */
+/** Hatches values outside the limits, if those are unambiguous: one line's, or the same for all. */
 export function drawLimits(
   g: CanvasRenderingContext2D,
   scene: CurveScene,

@@ -1,4 +1,4 @@
-/** The stylesheet's colours, as canvases need them. */
+/** The stylesheet's colours for canvases. */
 import { readTimeColours, type TimeColours, translucent } from '../../timeline/time-ruler.ts';
 import { BASE_COLOURS, type BaseColour } from '../scene/colours.ts';
 
@@ -6,7 +6,7 @@ export interface PictureColours {
   readonly time: TimeColours;
   /** `#rrggbb`: lines are mixed from these. */
   readonly palette: Readonly<Record<BaseColour, string>>;
-  /** Under everything, and around text that stands over curves. */
+  /** Background of everything, and outline of text over curves. */
   readonly plot: string;
   readonly label: string;
   readonly valueLine: string;

@@ -1,10 +1,9 @@
 /**
- * The curves on a canvas. A line is traced again only where its channel or the view of it is another one: while keys
- * of one channel are dragged, only that one is.
+ * Draws the curves. A line is traced again only if its channel or the view has changed: dragging keys of one channel
+ * traces only that one.
  *
- * A few lines are drawn at once. Many are drawn aside, a few milliseconds in each frame; until they are done the last
- * whole picture stands in their place, moved and stretched as the view was meanwhile, which is where each curve is but
- * for its sharpness:
+ * A few lines are drawn at once. Many are drawn to an offscreen canvas, a few milliseconds per frame; until that is
+ * done the last complete image is shown, transformed to the current view: correct but for its sharpness:
  *
  *     frame      1         2         3         4
  *     view       ──────── moves ──────▶  rests
@@ -25,11 +24,11 @@ import { movedBetween } from '../scene/view-change.ts';
 export const LINE_WIDTH = 1.5;
 const EMPHASISED_WIDTH = 2;
 /**
- * More lines than this are drawn aside, in columns as wide as a CSS pixel, however fine the screen: nobody sees the
- * difference.
+ * More lines than this are drawn offscreen, at the resolution of CSS pixels even on finer screens, where the difference
+ * isn't visible.
  */
 const MAX_LINES_AT_ONCE = 12;
-/** What drawing aside may take of a frame. */
+/** Milliseconds per frame for drawing offscreen. */
 const SLICE_MS = 2.5;
 const DOT = 2;
 const DOTS: readonly number[] = [DOT, DOT_PERIOD - DOT];
@@ -37,7 +36,7 @@ const UNBROKEN: readonly number[] = [];
 
 interface Traced {
   readonly channel: Channel;
-  /** What it follows instead of keys. */
+  /** If it follows samples instead of keys. */
   readonly samples: Samples | undefined;
   readonly map: TraceMap;
   readonly columnsPerPixel: number;
@@ -46,17 +45,17 @@ interface Traced {
   readonly dotted: Path2D | undefined;
 }
 
-/** What a picture of the lines is made of. */
+/** Everything that an image of the lines depends on. */
 export interface LinesView {
   readonly scene: CurveScene;
-  /** Channels that are drawn over the others. */
+  /** Channels drawn on top of the others. */
   readonly standOut: ReadonlySet<number>;
-  /** The screen's pixels in a CSS pixel. */
+  /** Device pixels per CSS pixel. */
   readonly ratio: number;
   readonly palette: Readonly<Record<BaseColour, string>>;
 }
 
-/** A whole picture of the lines, and what it shows. */
+/** A complete image of the lines, and its view. */
 interface Sheet {
   readonly canvas: HTMLCanvasElement;
   readonly view: LinesView;
@@ -66,16 +65,16 @@ export class CurveLayer {
   private traced = new Map<number, Traced>();
   private readonly raster = new ColumnRaster();
   private readonly columns = document.createElement('canvas');
-  /** Of the raster's own bytes. */
+  /** View of the raster's bytes. */
   private image: ImageData | undefined;
-  /** The last whole picture of many lines. */
+  /** The last complete image of many lines. */
   private shown: Sheet | undefined;
-  /** The next one, as far as it has got. */
+  /** The next image, in progress. */
   private next: { readonly sheet: Sheet; readonly steps: Generator<void, void> } | undefined;
 
   /**
-   * @param g scaled so that it counts in CSS pixels
-   * @returns whether it is the picture of that view; if not, it has to be asked again in the next frame
+   * @param g scaled to CSS pixels
+   * @returns whether the image is that of the view; if not, call again in the next frame
    */
   draw(g: CanvasRenderingContext2D, view: LinesView): boolean {
     if (view.scene.lines.length <= MAX_LINES_AT_ONCE) {
@@ -88,7 +87,7 @@ export class CurveLayer {
     return this.shown !== undefined && sameView(this.shown.view, view);
   }
 
-  /** A line once more, over what is drawn: the one under the pointer. */
+  /** Draws a line again on top of the others: the hovered one. */
   outline(g: CanvasRenderingContext2D, channel: number): void {
     const traced = this.traced.get(channel);
     if (!traced) return;
@@ -100,7 +99,7 @@ export class CurveLayer {
 
   private goOn(view: LinesView): void {
     const { shown } = this;
-    // An edit is seen at once, and so is what the last picture can't stand for.
+    // An edit is shown at once, and so is a view that the last image can't be transformed to.
     const mayWait = shown !== undefined && isStandIn(shown.view, view);
     if (!mayWait || (this.next && !isStandIn(this.next.sheet.view, view))) this.next = undefined;
     this.next ??= this.begin(view);
@@ -125,7 +124,7 @@ export class CurveLayer {
     return { sheet: { canvas, view }, steps: this.drawing(g, view) };
   }
 
-  /** The last whole picture, where its curves are in this view. */
+  /** Draws the last complete image, transformed to this view. */
   private show(g: CanvasRenderingContext2D, { scene, ratio }: LinesView): void {
     if (!this.shown) return;
     const { canvas, view } = this.shown;
@@ -135,13 +134,13 @@ export class CurveLayer {
     g.rect(0, PLOT_TOP, scene.space.width, scene.space.height - PLOT_TOP);
     g.clip();
     const { scaleX, scaleY, x, y } = change ?? { scaleX: 1, scaleY: 1, x: 0, y: 0 };
-    // Pixel for pixel where nothing moved, whatever the context counts in.
+    // Pixel for pixel if nothing moved, ignoring the context's scale.
     g.setTransform(scaleX, 0, 0, scaleY, x * ratio, y * ratio);
     g.drawImage(canvas, 0, 0);
     g.restore();
   }
 
-  /** Draws everything, and pauses after each line and each strip. */
+  /** Draws everything, yielding after each line and strip. */
   private *drawing(g: CanvasRenderingContext2D, view: LinesView): Generator<void, void> {
     const { scene, standOut, ratio, palette } = view;
     const { lines } = scene;
@@ -157,7 +156,7 @@ export class CurveLayer {
     }
     this.forgetAllBut(lines);
     const isEmphasised = (line: CurveLine) => standOut.has(line.channel);
-    // Those that stand out are drawn over the others.
+    // Emphasised lines on top.
     const order = [...lines.filter((line) => !isEmphasised(line)), ...lines.filter(isEmphasised)];
     const widthOf = (line: CurveLine) => (isEmphasised(line) ? EMPHASISED_WIDTH : LINE_WIDTH);
     yield* this.drawingColumns(g, scene.space, order, widthOf, ratio, columnsPerPixel, palette);
@@ -213,7 +212,7 @@ export class CurveLayer {
       this.image = new ImageData(this.raster.pixels, width, height);
     }
     this.columns.getContext('2d')?.putImageData(this.image, 0, 0);
-    // Pixel for pixel, whatever the context counts in.
+    // Pixel for pixel, ignoring the context's scale.
     g.save();
     g.setTransform(1, 0, 0, 1, 0, 0);
     g.drawImage(this.columns, 0, 0);
@@ -229,12 +228,12 @@ function sameSet(a: ReadonlySet<number>, b: ReadonlySet<number>): boolean {
   return a.size === b.size && [...a].every((channel) => b.has(channel));
 }
 
-/** Whether a picture of one view is one of the other. */
+/** Whether both views have the same image. */
 function sameView(a: LinesView, b: LinesView): boolean {
   return a.scene.space === b.scene.space && sameSet(a.standOut, b.standOut) && isStandIn(a, b);
 }
 
-/** Whether a picture of one view may stand for the other until that is drawn: the same curves, seen from elsewhere. */
+/** Whether an image of one view can be transformed to the other: the same curves, seen from elsewhere. */
 function isStandIn(a: LinesView, b: LinesView): boolean {
   return (
     a.scene.clip === b.scene.clip &&
@@ -260,7 +259,7 @@ function traceAgain(scene: CurveScene, line: CurveLine, columnsPerPixel: number,
   return { channel, samples, map, columnsPerPixel, trace, solid: pathOf(trace.solid), dotted: pathOf(trace.dotted) };
 }
 
-/** None for nothing: a hundred paths are made in a frame. */
+/** Undefined if empty: a hundred paths are created per frame. */
 function pathOf({ verbs, points, verbCount }: TracedPath): Path2D | undefined {
   if (verbCount === 0) return undefined;
   const path = new Path2D();

@@ -1,9 +1,8 @@
 /**
- * Keys as diamonds and tangent handles, over the curves; frames of samples as dots. Marks are drawn where they can be
- * told apart: a cell of the plot that has one gets no other, what is selected comes first, then what lies in front.
- * Where keys are nearer together than a few pixels, or there are thousands, one is drawn every so many pixels, smaller;
- * a hundred thousand keys then cost as many jumps as there are cells. (Ten thousand diamonds cost a software canvas
- * more than all curves.)
+ * Keys as diamonds and tangent handles, over the curves; frames of samples as dots. Marks are drawn only where they can
+ * be told apart: one per cell of the plot, selected ones first, then those in front. If keys are closer than a few
+ * pixels, or in the thousands, cells are larger and marks smaller; a hundred thousand keys then cost one search per
+ * cell. (Ten thousand diamonds cost a software canvas more than all curves.)
  */
 import { firstNotBelow } from '../../../../math/search.ts';
 import { FIXED_TANGENT, keysOf } from '../../../../model/clip.ts';
@@ -14,27 +13,27 @@ import { PLOT_TOP } from '../scene/space.ts';
 import { traceMap } from '../scene/trace.ts';
 import type { PictureColours } from './picture-colours.ts';
 
-/** Half a diamond. */
+/** Half the size of a diamond. */
 export const KEY_PIXELS = 4;
 const SMALL_KEY_PIXELS = 2.5;
-/** Keys nearer than this on average are dense; so are all where there are too many in view. */
+/** Keys closer than this on average count as dense, as do too many in view. */
 const DENSE_PIXELS = 3;
 const MAX_KEYS = 2000;
-/** Sides of the cells that hold one mark. */
+/** Sizes of the cells that hold one mark. */
 const CELL = 4;
 const DENSE_CELL = 16;
 const DENSE_SELECTED_CELL = 8;
 const CROWDED_SELECTED_CELL = 12;
-/** With more marks than this, each has no edge of its own. */
+/** With more marks than this, they aren't outlined one by one. */
 const MAX_OUTLINED = 400;
-/** Marks in one path: Chromium takes 5 ms to fill a path of 1,200, and 0.3 ms to fill 24 of 50. */
+/** Marks per path: Chromium takes 5 ms to fill a path of 1,200, and 0.3 ms to fill 24 of 50. */
 const BATCH = 50;
 const HANDLE_END_PIXELS = 3;
-/** Frames nearer to each other than this have no dots of their own. */
+/** Frames closer than this have no dots. */
 const FRAME_PIXELS = 9;
 const FRAME_DOT = 2.25;
 
-/** Which cells of the plot are taken. */
+/** Occupied cells of the plot. */
 class Cells {
   private taken = new Uint8Array(0);
   private columns = 0;
@@ -48,7 +47,7 @@ class Cells {
     else this.taken.fill(0);
   }
 
-  /** Whether a mark may stand here; then no other may. */
+  /** Takes a cell; false if it was taken. */
   take(x: number, y: number): boolean {
     const column = Math.floor(x / CELL) + 2;
     const row = Math.floor(y / CELL) + 2;
@@ -77,7 +76,7 @@ function addMark(x: number, y: number, size: number): void {
   markCount++;
 }
 
-/** @returns whether there was anything to draw */
+/** @returns whether anything was drawn */
 export function drawKeys(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): boolean {
   const { space } = scene;
   g.save();
@@ -160,7 +159,7 @@ function markAll(scene: CurveScene, line: CurveLine, crowded: boolean): void {
   }
 }
 
-/** Adds a mark if the cell that it stands in, of that size, is free. */
+/** Adds a mark if its cell, of that size, is free. */
 function mark(x: number, y: number, cell: number, size: number): void {
   if (cells.take(Math.floor(x / cell) * cell, Math.floor(y / cell) * cell)) addMark(x, y, size);
 }
@@ -186,7 +185,7 @@ function fillMarks(g: CanvasRenderingContext2D, from: number, to: number, colour
   }
 }
 
-/** Small dots for the frames of sampled lines, where they are far enough apart and not too many: no keys, nothing to drag. */
+/** Small dots for the frames of sampled lines, unless too dense or too many. They aren't keys and can't be dragged. */
 function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: PictureColours): boolean {
   const { samples, columns } = scene.curves;
   if (!samples) return false;
@@ -219,7 +218,7 @@ function drawFrames(g: CanvasRenderingContext2D, scene: CurveScene, colours: Pic
   return hasAny;
 }
 
-/** A slope that was set is a full dot, one that follows from the keys around it a ring. */
+/** A fixed slope has a full dot, a computed one a ring. */
 function drawHandles(
   g: CanvasRenderingContext2D,
   scene: CurveScene,

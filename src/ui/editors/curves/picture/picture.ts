@@ -1,12 +1,12 @@
 /**
- * The curve editor's picture: three canvases, one over the other, so that playing draws a line and nothing else.
+ * The curve editor's canvases, one over the other, so that playback redraws only the playhead.
  *
- *     overlay    playhead, what is under the pointer, the box being dragged
- *     keys       diamonds, and handles of those selected
+ *     overlay    playhead, hover highlight, selection box
+ *     keys       diamonds, tangent handles of selected ones
  *     curves     range, grid, limits, curves, labels, ruler
  *
- * A layer is drawn anew when something in it is another object than before; which lines have to be traced again is
- * decided one by one (`picture-curves.ts`).
+ * A layer is redrawn when an object that it draws has been replaced; lines are traced again one by one
+ * (`picture-curves.ts`).
  */
 import { keysOf } from '../../../../model/clip.ts';
 import { element } from '../../../kit/dom.ts';
@@ -23,7 +23,7 @@ import { drawKeys, KEY_PIXELS } from './picture-keys.ts';
 const HOVER_WIDTH = 3;
 
 export class CurvePicture {
-  /** Fills its container and takes no pointer events of its own: listen on the container. */
+  /** Fills its container and takes no pointer events: listen on the container. */
   readonly element: HTMLElement;
   private readonly curves = new Layer();
   private readonly keys = new Layer();
@@ -47,8 +47,9 @@ export class CurvePicture {
   }
 
   /**
-   * Draws what is different from the scene drawn before: parts are compared by identity. The overlay comes after.
-   * @returns whether it is done; many lines take a few frames, in each of which it has to be asked again
+   * Redraws what differs from the previous scene, by identity of its parts. The overlay is drawn separately.
+   *
+   * @returns whether it is done; many lines take several frames, with a call in each
    */
   draw(scene: CurveScene): boolean {
     const before = this.scene;
@@ -57,7 +58,7 @@ export class CurvePicture {
     if (!(width > 0 && height > 0)) return true;
     const ratio = window.devicePixelRatio;
     this.colours ??= readPictureColours(this.element);
-    // Each is asked, for each has to take on the size.
+    // All three, since each has to be resized.
     const resized = [this.curves, this.keys, this.overlay].filter((layer) => layer.resize(width, height, ratio));
     const all = resized.length > 0 || !before || !sameGround(before, scene);
     if (all || !this.isWhole || !sameEmphasis(before, scene)) this.drawCurves(scene, ratio, this.colours);
@@ -68,7 +69,7 @@ export class CurvePicture {
     return this.isWhole;
   }
 
-  /** Playhead (the transport's seconds), what is under the pointer, the box being dragged. Nothing else is touched. */
+  /** Draws the playhead (the transport's seconds), the hover highlight and the selection box; no other layer. */
   drawOverlay(timeSeconds: number, hover?: CurveHit, box?: SelectionBox): void {
     const { scene, colours } = this;
     if (!scene || !colours) return;
@@ -79,7 +80,7 @@ export class CurvePicture {
     });
   }
 
-  /** Another theme: colours are read anew, and everything is drawn with them. */
+  /** The theme has changed: rereads the colours and redraws everything. */
   recolour(): void {
     this.colours = undefined;
     const { scene } = this;
@@ -129,7 +130,7 @@ function ringAround(
   hover: Extract<CurveHit, { kind: 'key' | 'handle' }>,
 ): void {
   const { times, values } = keysOf(scene.clip.channels[line.channel]);
-  // What was under the pointer may be gone by now.
+  // The hovered key may have been deleted.
   if (hover.index >= times.length) return;
   g.lineWidth = 1.5;
   if (hover.kind === 'key') {
@@ -159,7 +160,7 @@ function drawBox(g: CanvasRenderingContext2D, { x0, y0, x1, y1 }: SelectionBox, 
   g.strokeRect(left, top, width, height);
 }
 
-/** Channels whose lines stand out: those asked for, and those with selected keys. */
+/** Emphasised channels: those given, and those with selected keys. */
 function emphasisOf(scene: CurveScene): Set<number> {
   return new Set([...(scene.emphasised ?? []), ...scene.selected.map((keys) => keys.channel)]);
 }
@@ -170,7 +171,7 @@ function sameEmphasis(a: CurveScene, b: CurveScene): boolean {
   return before.size === now.size && [...now].every((channel) => before.has(channel));
 }
 
-/** Whether everything under the selection is the same. */
+/** Whether everything below the selection is unchanged. */
 function sameGround(a: CurveScene, b: CurveScene): boolean {
   return (
     a.clip === b.clip &&
@@ -185,7 +186,7 @@ function sameGround(a: CurveScene, b: CurveScene): boolean {
   );
 }
 
-/** A canvas that counts in CSS pixels and has as many of its own as the screen. */
+/** A canvas in CSS pixels with the screen's resolution. */
 class Layer {
   readonly canvas: HTMLCanvasElement = element('canvas');
   private ratio = 1;
@@ -194,7 +195,7 @@ class Layer {
     Object.assign(this.canvas.style, { position: 'absolute', left: '0', top: '0' });
   }
 
-  /** @returns whether it has become another, and so has to be drawn */
+  /** @returns whether its size has changed, so that it must be redrawn */
   resize(width: number, height: number, ratio: number): boolean {
     const { canvas } = this;
     const wide = Math.max(1, Math.ceil(width * ratio));
@@ -203,13 +204,13 @@ class Layer {
     this.ratio = ratio;
     canvas.width = wide;
     canvas.height = high;
-    // Not 100 %: a size that is no whole number of the screen's pixels would blur every line.
+    // Not 100 %: unless a whole number of device pixels, lines would be blurred.
     canvas.style.width = `${wide / ratio}px`;
     canvas.style.height = `${high / ratio}px`;
     return true;
   }
 
-  /** Gives what `paint` gives. */
+  /** Returns what `paint` returns. */
   draw<T>(paint: (g: CanvasRenderingContext2D) => T): T | undefined {
     const g = this.canvas.getContext('2d');
     if (!g) return undefined;
@@ -218,7 +219,7 @@ class Layer {
     return paint(g);
   }
 
-  /** A canvas that is cleared and gets nothing new goes on showing what it had in Chromium: one without marks is hidden. */
+  /** Chromium may keep showing the old content of a canvas that is only cleared: hide an empty one. */
   setVisible(visible: boolean): void {
     this.canvas.style.visibility = visible ? '' : 'hidden';
   }

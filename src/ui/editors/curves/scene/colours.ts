@@ -1,8 +1,8 @@
 /**
- * Colours of the curves. What goes by an axis (`model/dof-axis.ts`) has its red, green or blue; what else there is (morph weights) has mixtures of these and the accent. Several joints
- * at once are told apart by a part of the text's colour mixed in, and past that by dashes: mixing towards the text only ever makes a line easier to see, and nothing
- * comes near the orange of what is selected, as turning the hue would. Only what follows another DOF is fainter: its keys
- * count for nothing.
+ * Colours of the curves. Channels with an axis (`model/dof-axis.ts`) are red, green or blue; others (morph weights)
+ * have mixtures of these and the accent. Several joints at once are distinguished by mixing in some of the text's
+ * colour, and further ones by dashes: mixing towards the text never reduces contrast, and unlike turning the hue it
+ * never comes near the orange of the selection. Only linked DOFs are fainter, as their keys have no effect.
  *
  * A colour is a recipe until it is drawn, so that the theme can change under it: `color-mix(in oklab, …)` in CSS, the
  * same arithmetic here for canvases, which can't read custom properties.
@@ -12,7 +12,7 @@ import { mixOklab } from '../../../../math/oklab.ts';
 import type { AxisLetter } from '../../../../model/dof-axis.ts';
 import { perPair } from '../../../../model/per-object.ts';
 
-/** Colours that can be mixed, and the custom properties that hold them. */
+/** Colours that can be mixed, and their custom properties. */
 export const BASE_COLOURS = {
   x: '--axis-x',
   y: '--axis-y',
@@ -25,17 +25,17 @@ export type BaseColour = keyof typeof BASE_COLOURS;
 
 export interface LineColour {
   readonly base: BaseColour;
-  /** Mixed in, by that `part` (0 … 1). */
+  /** Mixed in, with weight `part` (0 … 1). */
   readonly with: BaseColour;
   readonly part: number;
-  /** Pixels drawn and left out, alternating; empty for an unbroken line. */
+  /** Lengths in pixels of dashes and gaps, alternating; empty for a solid line. */
   readonly dash: readonly number[];
 }
 
 const UNBROKEN: readonly number[] = [];
 const DASHED: readonly number[] = [10, 3];
 const FOLLOWS: readonly number[] = [1, 4];
-/** How much of the text's colour is in the lines of the first, second and third joint. */
+/** Part of the text's colour in the lines of the first, second and third joint. */
 const TINTS = [0, 0.34, 0.64];
 
 const MORPHS: readonly (readonly [BaseColour, BaseColour, number])[] = [
@@ -45,7 +45,7 @@ const MORPHS: readonly (readonly [BaseColour, BaseColour, number])[] = [
   ['y', 'x', 0.4],
 ];
 
-/** @param ordinal which of the joints shown together it is, from 0 */
+/** @param ordinal index of the joint among those shown together */
 export function axisColour(axis: AxisLetter, ordinal: number): LineColour {
   return {
     base: axis,
@@ -55,12 +55,12 @@ export function axisColour(axis: AxisLetter, ordinal: number): LineColour {
   };
 }
 
-/** For a DOF that follows another one. */
+/** For a linked DOF. */
 export function followingColour({ base }: LineColour): LineColour {
   return { base, with: 'faint', part: 0.7, dash: FOLLOWS };
 }
 
-/** @param ordinal which of the channels without an axis it is, from 0 */
+/** @param ordinal index of the channel among those without an axis */
 export function otherColour(ordinal: number): LineColour {
   const [base, mixedIn, part] = MORPHS[ordinal % MORPHS.length];
   return { base, with: mixedIn, part, dash: Math.floor(ordinal / MORPHS.length) % 2 ? DASHED : UNBROKEN };
@@ -78,7 +78,7 @@ export function mixed(colour: LineColour, palette: Readonly<Record<BaseColour, s
   return colour.part === 0 ? own : mixture(palette, colour);
 }
 
-/** Kept: a hundred lines ask at every frame. */
+/** Cached: a hundred lines ask every frame. */
 const mixture = perPair((palette: Readonly<Record<BaseColour, string>>, { base, with: other, part }: LineColour) =>
   mixOklab(palette[base], palette[other], part),
 );

@@ -1,4 +1,4 @@
-/** The view that shows all of something, with some room around it. */
+/** Fits the view to something, with margins. */
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import { keysOf, spanOfChannel } from '../../../../model/clip.ts';
 import type { CurveLine, CurveScene } from './scene.ts';
@@ -6,11 +6,11 @@ import { type AxisName, type CurveSpace, PLOT_TOP, VALUE_AXES, type ValueAxis } 
 
 export type Fitted = Pick<CurveScene, 'clip' | 'curves' | 'lines' | 'offsetSeconds' | 'selected' | 'space' | 'range'>;
 
-/** Room beside what is fitted: for labels on both sides, and for half a diamond. */
+/** Margins: for labels on both sides, and for half a diamond. */
 const SIDE_PIXELS = 48;
 const ABOVE_PIXELS = 22;
 
-/** An axis never shows less than this when fitted: noise in the last digits must not look like a movement. */
+/** Minimum extent of a fitted axis: noise in the last digits must not look like motion. */
 const MIN_EXTENT: Readonly<Record<AxisName, number>> = {
   angle: Math.PI / 90,
   length: 1e-3,
@@ -18,7 +18,7 @@ const MIN_EXTENT: Readonly<Record<AxisName, number>> = {
   weight: 0.02,
   normalised: 2,
 };
-/** What is shown about something that stands still. */
+/** Extent around a constant value. */
 const STILL_EXTENT: Readonly<Record<AxisName, number>> = {
   angle: Math.PI / 3,
   length: 1,
@@ -38,10 +38,10 @@ interface Bounds {
 const extremes = new ChannelExtremes();
 
 /**
- * Axes of which there is nothing to show stay as they are.
+ * Axes with nothing to show keep their range.
  *
- * @param what the lines' keys or samples and the played range, or the selected keys (all where none is selected)
- * @param keepTime leaves the window of time alone, and fits the values that are in it
+ * @param what the lines' keys or samples and the playback range, or the selected keys (all if none is selected)
+ * @param keepTime keeps the time window, and fits the values in it
  */
 export function fit(scene: Fitted, what: 'all' | 'selected', keepTime = false): CurveSpace {
   const { space, offsetSeconds } = scene;
@@ -68,7 +68,7 @@ function noBounds(): Bounds {
 
 function fittedWindow(from: number, to: number, width: number) {
   const missing = Math.max(0, SHORTEST_SECONDS - (to - from)) / 2;
-  // A lone key stands in the middle of a second.
+  // A lone key is centred in one second.
   const around = to > from ? missing : 0.5;
   const part = Math.min(0.2, SIDE_PIXELS / Math.max(1, width));
   const seconds = (to - from + 2 * around) / (1 - 2 * part);

@@ -1,9 +1,9 @@
 /**
- * Tangent handles. A handle is as long on screen whatever the zoom, and points along the curve as it looks:
+ * Tangent handles. A handle has a constant length on screen and points along the curve as drawn:
  *
- *     direction = (pixels a second, −pixels a unit · slope), scaled to HANDLE_PIXELS      out: to the right, in: left
+ *     direction = (pixels per second, −pixels per unit · slope), scaled to HANDLE_PIXELS      out: to the right, in: left
  *
- * so dragging one sets a slope and nothing else: how far it is dragged does not count.
+ * so dragging one sets only the slope: the distance doesn't matter.
  */
 import { keySlope } from '../../../../evaluate/slopes.ts';
 import { firstNotBelow } from '../../../../math/search.ts';
@@ -12,19 +12,19 @@ import { type CurveLine, type CurveScene, type HandleSide, lineOf } from './scen
 import { pixelsPerSecond, pixelsPerUnit, timeAt, xOf, yOf } from './space.ts';
 
 export const HANDLE_PIXELS = 44;
-/** With more selected keys than this in view, handles would be a thicket that nobody can take one out of. */
+/** With more selected keys than this in view, handles would overlap and can't be grabbed. */
 const MAX_KEYS_WITH_HANDLES = 120;
-/** Nor where a line's selected keys are nearer to each other than this on average; a few may be. */
+/** Nor if a line's selected keys are closer than this on average, unless they are few. */
 const MIN_PIXELS_BETWEEN = 24;
 const FEW_KEYS = 4;
-/** A pointer straight above its key would mean an endless slope; it counts as this far to the side. */
+/** A pointer exactly above its key would mean an infinite slope: it counts as this far to the side. */
 const MIN_PIXELS_ASIDE = 1;
 
 export interface TangentHandle {
   readonly line: CurveLine;
   readonly index: number;
   readonly side: HandleSide;
-  /** The key. */
+  /** Position of the key. */
   readonly x: number;
   readonly y: number;
   readonly endX: number;
@@ -32,8 +32,8 @@ export interface TangentHandle {
 }
 
 /**
- * Handles of the selected keys in view, none where there are too many to tell apart. A key at a step has only the one
- * that shows in the curve; the ends have both, since the outer one may be what linear extrapolation goes by.
+ * Handles of the selected keys in view; none if they are too many. A key at a step has only the one that affects the
+ * curve; first and last keys have both, since linear extrapolation may use the outer one.
  */
 export function handlesOf(scene: CurveScene): TangentHandle[] {
   const { space, clip, offsetSeconds } = scene;
@@ -62,7 +62,7 @@ export function handlesOf(scene: CurveScene): TangentHandle[] {
   return handles;
 }
 
-/** Where a key's handle is. The key is one of the line's channel. */
+/** The handle of a key of the line's channel. */
 export function handleOf(scene: CurveScene, line: CurveLine, index: number, side: HandleSide): TangentHandle {
   const { space } = scene;
   const keys = keysOf(scene.clip.channels[line.channel]);
@@ -76,7 +76,7 @@ export function handleOf(scene: CurveScene, line: CurveLine, index: number, side
   return { line, index, side, x, y, endX: x + dx * scale, endY: y + dy * scale };
 }
 
-/** The slope (value per second) that a handle has whose end is drawn towards a point; it stays on its side of the key. */
+/** The slope (value per second) of a handle dragged to a point; it stays on its side of the key. */
 export function slopeFromHandle(
   scene: CurveScene,
   line: CurveLine,

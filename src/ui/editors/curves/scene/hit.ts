@@ -1,4 +1,4 @@
-/** What is under a point of the plot, and which keys a box holds. Distances are what one sees: pixels. */
+/** Hit testing in the plot, for points and boxes. Distances are in pixels. */
 import { evaluateChannel } from '../../../../evaluate/curves.ts';
 import { ChannelExtremes } from '../../../../evaluate/plot/trace-extremes.ts';
 import type { TraceMap } from '../../../../evaluate/plot/trace-path.ts';
@@ -12,17 +12,17 @@ import { PLOT_TOP } from './space.ts';
 import { traceMap } from './trace.ts';
 
 const EMPTY: CurveHit = { kind: 'empty' };
-/** A selected key or handle is taken before another that is so much nearer: it is what one was busy with. */
+/** A selected key or handle wins over another one that is closer by up to this much. */
 const SELECTED_PIXELS = 3;
-/** Curves are looked at in steps of so many pixels. */
+/** Curves are sampled in steps of so many pixels. */
 const STEP_PIXELS = 0.5;
 
 const extremes = new ChannelExtremes();
 
 /**
- * Handles and keys come before curves, the nearest before others, and of equals what is drawn in front.
+ * Handles and keys before curves, closest first, and of equals what is drawn in front.
  *
- * @param reach pixels around the point in which something counts as hit
+ * @param reach hit tolerance in pixels
  */
 export function hitTest(scene: CurveScene, x: number, y: number, reach = 6): CurveHit {
   if (y < PLOT_TOP || y > scene.space.height) return EMPTY;
@@ -40,7 +40,7 @@ function keyOrHandleAt(scene: CurveScene, x: number, y: number, reach: number): 
     found = hit();
   };
   const selected = new Map(scene.selected.map(({ channel, indices }) => [channel, indices]));
-  // From the front, so that what lies behind has to be nearer.
+  // Front to back, so that lines behind have to be closer.
   for (let l = scene.lines.length - 1; l >= 0; l--) {
     const line = scene.lines[l];
     const { times, values } = keysOf(scene.clip.channels[line.channel]);
@@ -83,7 +83,7 @@ function curveAt(scene: CurveScene, x: number, y: number, reach: number): CurveH
   return { kind: 'curve', channel: found.line.channel, timeSeconds, value };
 }
 
-/** The nearest point of a line, looked for along so much of it as is within reach sideways. */
+/** The nearest point of a line within `reach` pixels horizontally. */
 function nearestOn(scene: CurveScene, line: CurveLine, x: number, y: number, reach: number) {
   const map = traceMap(scene, line);
   const height = (at: number) =>
@@ -106,7 +106,7 @@ function nearestOn(scene: CurveScene, line: CurveLine, x: number, y: number, rea
   const channel = scene.clip.channels[line.channel];
   if (best <= reach || (channel.kind !== 'samples' && keysOf(channel).times.length < 2))
     return { distance: best, x: bestX };
-  // Where a pixel holds many spans, steps may pass all that is drawn there.
+  // If a pixel covers many spans, sampling may miss what is drawn there.
   extremes.open(scene.curves, line.channel, channel);
   extremes.over(map.left + (x - 0.5) / map.perSecond, map.left + (x + 0.5) / map.perSecond);
   const top = heightOf(map, extremes.high);
@@ -122,12 +122,12 @@ function heightOf(map: TraceMap, value: number): number {
   return map.bottom - (value - map.low) * map.perUnit;
 }
 
-/** Whether ascending `indices` have one. */
+/** Whether ascending `indices` contain one. */
 function holds(indices: readonly number[], index: number): boolean {
   return indices[firstNotBelow(indices, index)] === index;
 }
 
-/** The keys of all lines that lie in a box, its edges included. */
+/** The keys of all lines in a box, edges included. */
 export function keysInBox(scene: CurveScene, box: SelectionBox): ChannelKeys[] {
   const [left, right] = [Math.min(box.x0, box.x1), Math.max(box.x0, box.x1)];
   const [top, bottom] = [Math.min(box.y0, box.y1), Math.max(box.y0, box.y1)];

@@ -1,4 +1,4 @@
-/** What the curve editor shows at one moment: everything that drawing and hit-testing need, and nothing they may change. */
+/** What the curve editor shows: everything that drawing and hit testing need, read-only. */
 import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
 import { extremesOfColumn } from '../../../../evaluate/plot/sample-extremes.ts';
 import type { ChannelClip, KeyedChannel } from '../../../../model/clip.ts';
@@ -17,14 +17,14 @@ import type { AxisName, CurveSpace, Normalise } from './space.ts';
 export interface CurveLine {
   /** Index in the clip. */
   readonly channel: number;
-  /** `leg_fl rx`; a morph's own name. */
+  /** `leg_fl rx`, or a morph's own name. */
   readonly name: string;
-  /** What its values measure. */
+  /** Unit of its values. */
   readonly unit: DofUnit;
-  /** The axis it is drawn on: its unit's, or `normalised`. */
+  /** Its axis: its unit's, or `normalised`. */
   readonly axis: AxisName;
   readonly colour: LineColour;
-  /** Of the DOF; absent where it has none. */
+  /** Limit of the DOF; absent without one. */
   readonly limit?: Limit;
   readonly normalise?: Normalise;
 }
@@ -33,15 +33,18 @@ export interface CurveScene {
   readonly clip: ChannelClip;
   /** The same clip, compiled. */
   readonly curves: CompiledClip;
-  /** Clip's time = transport's time + this. */
+  /** Clip time = transport time + this. */
   readonly offsetSeconds: number;
   /** Back to front. */
   readonly lines: readonly CurveLine[];
   readonly selected: readonly ChannelKeys[];
-  /** Channels that stand out (chosen in the list, say); their limits are hatched. Those with selected keys do anyway. */
+  /**
+   * Emphasised channels (such as those clicked in the list); their limits are hatched. Those with selected keys always
+   * are.
+   */
   readonly emphasised?: readonly number[];
   readonly space: CurveSpace;
-  /** What is played, seconds of the transport. */
+  /** Playback range, seconds of the transport. */
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly inFrames: boolean;
@@ -49,7 +52,7 @@ export interface CurveScene {
   readonly degrees: boolean;
 }
 
-/** What is under a point of the plot (`hit.ts`). */
+/** What is at a point of the plot (`hit.ts`). */
 export type CurveHit =
   | { readonly kind: 'key'; readonly channel: number; readonly index: number }
   | { readonly kind: 'handle'; readonly channel: number; readonly index: number; readonly side: HandleSide }
@@ -62,10 +65,10 @@ export type HandleSide = 'in' | 'out';
 export const NO_CHANNELS: readonly number[] = [];
 
 /**
- * The lines of these channels of the character's shown clip, in the order given; a channel that the clip does not have
- * is left out. Channels past the character's DOFs are called by their number.
+ * Lines of these channels of the shown clip, in the given order; channels that the clip doesn't have are left out.
+ * Channels beyond the character's DOFs are named by number.
  *
- * @param kept lines whose scale a normalised line keeps: during a drag nothing may rescale by itself
+ * @param kept lines whose scale normalised lines keep: nothing may be rescaled during a drag
  */
 export function sceneLines(
   character: Character,
@@ -116,7 +119,7 @@ function isLimited(limit: Limit): boolean {
 
 const normalisations = new WeakMap<KeyedChannel, Normalise>();
 
-/** The smallest key or sample goes to −1, the largest to 1; a channel of one value to 0. */
+/** Maps the smallest key or sample to −1 and the largest to 1; a constant channel to 0. */
 function normalisation(clip: ChannelClip, index: number): Normalise {
   const channel = clip.channels[index];
   if (clip.samples && channel.kind === 'samples') {
@@ -143,7 +146,7 @@ function normaliseBetween(low: number, high: number): Normalise {
   return { scale, shift: -scale * (low + (high - low) / 2) };
 }
 
-/** The line that draws a channel. */
+/** The line of a channel. */
 export function lineOf(scene: Pick<CurveScene, 'lines'>, channel: number): CurveLine | undefined {
   return scene.lines.find((line) => line.channel === channel);
 }

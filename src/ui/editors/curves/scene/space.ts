@@ -8,30 +8,30 @@
  *      │        ╭──╮                            │
  *      │  ──────╯  ╰──────── curves             │ value up, y down
  *      └────────────────────────────────────────┘ y = height       axis.low
- *   window.from   (transport's seconds)     window.to
+ * window.from   (transport's seconds)     window.to
  *
  *      clip's time = transport's time + offsetSeconds
  *
- * Angles, lengths, factors and weights have an axis each: three metres and three radians are not the same height. All
- * axes are zoomed and moved together on screen, so that no curve slides over another by that. Normalised lines share a
- * fifth axis, in which each line's own smallest key is −1 and its largest is 1.
+ * Angles, lengths, factors and weights have an axis each: three metres and three radians need not be at the same
+ * height. All axes are zoomed and panned together, so that curves don't move against each other. Normalised lines share
+ * a fifth axis, on which each line's smallest key is −1 and its largest is 1.
  */
 import { DOF_UNITS } from '../../../../model/skeleton.ts';
 import { type TimeWindow, zoomWindow } from '../../../kit/time-window.ts';
 import { TIME_RULER_HEIGHT } from '../../timeline/time-ruler.ts';
 
-/** The units of DOFs, and what normalised lines share. */
+/** The units of DOFs, and the axis of normalised lines. */
 export const VALUE_AXES = [...DOF_UNITS, 'normalised'] as const;
 export type AxisName = (typeof VALUE_AXES)[number];
 
-/** What an axis shows from bottom to top, in model units; `high` is above `low`. */
+/** Range of an axis from bottom to top, in model units; `high` is above `low`. */
 export interface ValueAxis {
   readonly low: number;
   readonly high: number;
 }
 
 export interface CurveSpace {
-  /** CSS pixels of the plot, the ruler's strip included. */
+  /** CSS pixels of the plot, including the ruler. */
   readonly width: number;
   readonly height: number;
   /** Seconds of the transport from the left edge to the right. */
@@ -39,19 +39,19 @@ export interface CurveSpace {
   readonly axes: Readonly<Record<AxisName, ValueAxis>>;
 }
 
-/** On its axis a value stands at value · scale + shift. */
+/** On its axis, a value is at value · scale + shift. */
 export interface Normalise {
   readonly scale: number;
   readonly shift: number;
 }
 
-/** What of a line says where its values are drawn. */
+/** The part of a line that determines where its values are drawn. */
 export interface OnAxis {
   readonly axis: AxisName;
   readonly normalise?: Normalise | undefined;
 }
 
-/** Height of the ruler's strip, over the plot. */
+/** Height of the ruler above the plot. */
 export const PLOT_TOP: number = TIME_RULER_HEIGHT;
 
 export const DEFAULT_AXES: CurveSpace['axes'] = {
@@ -62,7 +62,7 @@ export const DEFAULT_AXES: CurveSpace['axes'] = {
   normalised: { low: -1.15, high: 1.15 },
 };
 
-/** Axes are never zoomed beyond these, in model units. */
+/** Limits of zooming, in model units. */
 const SMALLEST_EXTENT = 1e-9;
 const LARGEST_EXTENT = 1e9;
 
@@ -85,25 +85,25 @@ export function yOf(space: CurveSpace, line: OnAxis, value: number): number {
   return space.height - ((n ? value * n.scale + n.shift : value) - low) * axisPixels(space, line.axis);
 }
 
-/** The value that stands at a height, in model units. */
+/** The value at a height, in model units. */
 export function valueAt(space: CurveSpace, line: OnAxis, y: number): number {
   const { low } = space.axes[line.axis];
   const shown = low + (space.height - y) / axisPixels(space, line.axis);
   return line.normalise ? (shown - line.normalise.shift) / line.normalise.scale : shown;
 }
 
-/** Pixels for each unit of an axis. */
+/** Pixels per unit of an axis. */
 function axisPixels(space: CurveSpace, axis: AxisName): number {
   const { low, high } = space.axes[axis];
   return Math.max(1, space.height - PLOT_TOP) / (high - low);
 }
 
-/** Pixels upwards for each of a line's model units. */
+/** Pixels upwards per model unit of a line. */
 export function pixelsPerUnit(space: CurveSpace, line: OnAxis): number {
   return axisPixels(space, line.axis) * (line.normalise?.scale ?? 1);
 }
 
-/** Zooms about a point, which stays where it is; factors above 1 show more, 1 leaves that direction alone. */
+/** Zooms about a point; factors above 1 zoom out, 1 keeps that direction. */
 export function zoom(
   space: CurveSpace,
   aboutX: number,
@@ -123,7 +123,7 @@ export function zoom(
   return { ...space, window, axes };
 }
 
-/** Moves what is shown along with the pointer: `dx` to the right, `dy` down. */
+/** Pans with the pointer: `dx` to the right, `dy` down. */
 export function pan(space: CurveSpace, dx: number, dy: number): CurveSpace {
   const seconds = -dx / pixelsPerSecond(space);
   const window = dx === 0 ? space.window : { from: space.window.from + seconds, to: space.window.to + seconds };
@@ -136,7 +136,7 @@ export function pan(space: CurveSpace, dx: number, dy: number): CurveSpace {
   return { ...space, window, axes };
 }
 
-/** Another size of the plot: time and values stay, stretched. */
+/** Resizes the plot: time and value ranges stay. */
 export function resize(space: CurveSpace, width: number, height: number): CurveSpace {
   return width === space.width && height === space.height ? space : { ...space, width, height };
 }

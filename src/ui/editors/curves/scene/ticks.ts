@@ -1,20 +1,20 @@
 /**
- * Ticks of the value axes. Angles in degrees stand at divisors of the turn, so that 45° and 90° are always among them;
- * everything else at 1, 2 or 5 times a power of ten, as time does (`ruler.ts`).
+ * Ticks of the value axes. Degrees use divisors of the full turn, so that 45° and 90° are always ticks; everything else
+ * 1, 2 or 5 times a power of ten, like time (`ruler.ts`).
  */
 import { shown } from '../../../kit/number-text.ts';
 import { niceStep } from '../../../kit/ruler.ts';
 import type { AxisName, ValueAxis } from './space.ts';
 
 export interface ValueTick {
-  /** In the axis' own unit: radians for angles, whatever the labels count in. */
+  /** In the axis' own unit: radians for angles, even if labels are in degrees. */
   readonly value: number;
-  /** Absent on the fine lines between. */
+  /** Absent on minor ticks. */
   readonly label?: string;
 }
 
 const DEGREE = Math.PI / 180;
-/** Degrees apart, and into how many parts fine lines divide that. Finer and coarser than these go by tens. */
+/** Step in degrees, and its number of minor divisions. Finer and coarser steps are powers of ten. */
 const DEGREE_STEPS: readonly (readonly [number, number])[] = [
   [1, 5],
   [2, 2],
@@ -29,12 +29,12 @@ const DEGREE_STEPS: readonly (readonly [number, number])[] = [
   [720, 2],
   [1800, 5],
 ];
-/** Never more, whatever the scale. */
+/** Safety limit. */
 const MAX_TICKS = 1000;
 
 /**
  * @param pixels height of the axis
- * @param spacing pixels that labels are apart at least
+ * @param spacing minimum distance of labels in pixels
  */
 export function valueTicks(axis: ValueAxis, pixels: number, spacing: number, inDegrees: boolean): ValueTick[] {
   const unit = inDegrees ? DEGREE : 1;

@@ -1,12 +1,12 @@
 /**
- * One channel as it is drawn, in numbers: paths where its spans can be told apart, columns of pixels where they can't.
+ * The geometry of one drawn channel: paths where spans can be told apart, columns of pixels where they can't.
  *
  *     dotted      before the first key and after the last: extrapolated
  *     solid       between them
  *     columns     the smallest and largest value within each column of pixels, where spans are narrower than a few
  *
  * A path of a hundred thousand spans costs little script and very much drawing (150 ms of it in software for 100
- * channels of 1,000 keys); columns cost as much as the plot is wide, whatever the channel.
+ * channels of 1,000 keys); the cost of columns depends only on the plot's width.
  */
 import type { CompiledClip } from '../../../../evaluate/compiled-clip.ts';
 import { TracedColumns } from '../../../../evaluate/plot/trace-columns.ts';
@@ -18,15 +18,15 @@ import { rangeOfSamples, type Samples } from '../../../../model/samples.ts';
 import type { CurveScene } from './scene.ts';
 import { type OnAxis, PLOT_TOP, pixelsPerSecond, pixelsPerUnit, valueAt } from './space.ts';
 
-/** Dots of what is extrapolated: pixels from one to the next. They stand still beside the curve as the view moves. */
+/** Period of the dots of extrapolated parts in pixels. They are fixed to the curve as the view moves. */
 export const DOT_PERIOD = 5;
 /** Spans narrower than this are drawn as columns … */
 const DENSE_PIXELS = 3;
 /** … if there are so many of them. */
 const DENSE_SPANS = 24;
-/** Curves go on for so much beyond the edges. */
+/** Curves are traced this far beyond the edges. */
 const BESIDE_PIXELS = 8;
-/** Up to so many plots wide, a period is drawn whole, so that its dots stand still. */
+/** A period of up to this many plot widths is drawn as a whole, so that its dots don't move. */
 const WHOLE_PERIOD_PLOTS = 4;
 
 const LINEAR = EXTRAPOLATIONS.indexOf('linear');
@@ -34,7 +34,7 @@ const CYCLE = EXTRAPOLATIONS.indexOf('cycle');
 const CYCLE_OFFSET = EXTRAPOLATIONS.indexOf('cycle_offset');
 const BOUNCE = EXTRAPOLATIONS.indexOf('bounce');
 
-/** What one line comes to; made once and filled again. */
+/** The trace of one line; allocated once and refilled. */
 export class LineTrace {
   readonly solid: TracedPath = new TracedPath();
   readonly dotted: TracedPath = new TracedPath();
@@ -42,7 +42,7 @@ export class LineTrace {
   readonly columns: TracedColumns = new TracedColumns();
 }
 
-/** How a line's channel gets to the plot. */
+/** Maps a line's channel to the plot. */
 export function traceMap(
   { space, offsetSeconds }: Pick<CurveScene, 'space' | 'offsetSeconds'>,
   line: OnAxis,
@@ -72,8 +72,8 @@ export function sameMap(a: TraceMap, b: TraceMap): boolean {
 const tracer = new SpanTracer();
 
 /**
- * @param index of `channel` in the clip that is compiled
- * @param columnsPerPixel how finely columns are divided: the screen's pixels in a CSS pixel
+ * @param index of `channel` in the compiled clip
+ * @param columnsPerPixel resolution of columns: device pixels per CSS pixel
  */
 export function traceLine(
   curves: CompiledClip,
@@ -106,7 +106,7 @@ export function traceLine(
   if (right > stop) outside(curves, index, channel, map, 1, columnsPerPixel, out);
 }
 
-/** The column of a channel that follows the samples. */
+/** The column of a sampled channel. */
 function sampled(samples: Samples, column: number, map: TraceMap, columnsPerPixel: number, out: LineTrace): void {
   const { values, scales, frameCount, frameSeconds } = samples;
   const [start, stop] = rangeOfSamples(samples);
@@ -202,7 +202,7 @@ function outside(
     const until = whole ? length : Math.max(since, Math.min(length, to - origin));
     if (!(until > since)) continue;
     const mirrored = code === BOUNCE && period % 2 !== 0;
-    // Each begins its dots anew. A jump from one to the next is an upright line in the first of them.
+    // Each repetition starts its dots anew. A jump to the next is a vertical line in the first of them.
     const x = (origin + since - map.left) * map.perSecond;
     if (mirrored) tracer.keys(first, last, stop - since, Math.max(start, stop - until), x, 0, false);
     else tracer.keys(first, last, start + since, Math.min(stop, start + until), x, drift * period, false);
@@ -212,7 +212,7 @@ function outside(
   }
 }
 
-/** From one time to another the line through a key at `anchor` and `value`, dotted from there: both are on one side. */
+/** The dotted line through a key at `anchor` and `value`, between two times on the same side of it. */
 function straight(
   map: TraceMap,
   from: number,
@@ -225,7 +225,7 @@ function straight(
   if (!(to > from)) return;
   const backwards = anchor >= to;
   const near = backwards ? to : from;
-  // Dots are counted from the key, also where it is out of sight.
+  // Dots are counted from the key, even if it is out of view.
   const begin = near - (((near - anchor) * map.perSecond) % DOT_PERIOD) / map.perSecond;
   const end = backwards ? from : to;
   const x0 = (begin - map.left) * map.perSecond;

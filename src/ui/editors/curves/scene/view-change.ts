@@ -1,9 +1,9 @@
 /**
- * From one view of the curves to another as a change of the picture: where a pixel of the one is in the other.
+ * The transform of an image of the curves from one view to another:
  *
  *     x′ = scaleX · x + dx        y′ = scaleY · y + dy        CSS pixels of the plot
  *
- * There is one as long as all axes were zoomed and moved together, as the mouse does it; fitting sets each by itself.
+ * It exists if all axes were zoomed and panned together, as by mouse; fitting sets each separately.
  */
 import { type CurveSpace, type OnAxis, PLOT_TOP, pixelsPerSecond, valueAt, xOf, yOf } from './space.ts';
 
@@ -14,12 +14,12 @@ export interface ViewChange {
   readonly y: number;
 }
 
-/** Axes that end up further apart than this have been changed each by itself. */
+/** Axes that differ by more than this were changed separately. */
 const SAME_PIXELS = 0.25;
-/** A picture stretched or shrunk by more shows nothing any more. */
+/** An image scaled by more than this is useless. */
 const MAX_SCALE = 4;
 
-/** undefined where no picture of the one can stand for the other. */
+/** Undefined if no transform exists. */
 export function movedBetween(from: CurveSpace, to: CurveSpace, lines: readonly OnAxis[]): ViewChange | undefined {
   const scaleX = pixelsPerSecond(to) / pixelsPerSecond(from);
   const x = xOf(to, from.window.from);

@@ -1,4 +1,4 @@
-/** Dragging on empty ground: a box takes the keys in it. A click there lets all keys go, one on a curve takes all of its. */
+/** Dragging on empty ground: box selection. A click there deselects all keys; one on a curve selects its keys. */
 import { allKeys, countKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
 import type { ChannelKeys } from '../../../../model/session.ts';
 import { plural } from '../../../kit/number-text.ts';
@@ -7,7 +7,7 @@ import { selectedKeys, selectKeys, takeInHand } from '../../timeline/in-hand.ts'
 import { keysInBox } from '../scene/hit.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
-/** @param curve the channel whose curve was pressed on, if one was */
+/** @param curve the channel of the curve that was pressed, if any */
 export function boxDrag(plot: PlotAccess, from: PointerAt, curve?: number): Drag {
   const { wb } = plot;
   const before = selectedKeys(wb);

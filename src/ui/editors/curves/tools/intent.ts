@@ -1,6 +1,5 @@
 /**
- * What a press in the plot means, and so what its cursor says. A table of its own, without a page, because this is where
- * hands notice every difference:
+ * What a press in the plot does, and its cursor. Pure logic, since users notice every difference here:
  *
  *                   plain        Shift        Ctrl            Alt            S held
  *     ruler         scrub        scrub free   scrub           pan            scrub
@@ -20,11 +19,11 @@ export interface Press extends Pick<PointerAt, 'shift' | 'ctrl' | 'alt'> {
   /** As in PointerEvent: 0 left, 1 middle, 2 right. */
   readonly button: number;
   readonly inRuler: boolean;
-  /** S is held. */
+  /** The S key is held. */
   readonly scaling: boolean;
 }
 
-/** The button that a press stands for: a click with Ctrl is a Mac's right button. */
+/** The effective button: on a Mac, Ctrl+click is a right click. */
 export function buttonMeant({ button, ctrlKey }: Pick<MouseEvent, 'button' | 'ctrlKey'>, mac: boolean): number {
   return mac && button === 0 && ctrlKey ? 2 : button;
 }
@@ -41,7 +40,7 @@ export function intentOf(press: Press, hit: CurveHit): Intent {
   return 'box';
 }
 
-/** The cursor over what a press would do. */
+/** The cursor for a press. */
 export function cursorOf(intent: Intent, press: Pick<Press, 'shift' | 'ctrl'>, isSelected: boolean): string {
   switch (intent) {
     case 'scrub':
@@ -55,7 +54,7 @@ export function cursorOf(intent: Intent, press: Pick<Press, 'shift' | 'ctrl'>, i
     case 'scale':
       return 'nwse-resize';
     case 'keys':
-      // Shift adds what is not selected, and else holds the drag to one direction.
+      // Shift adds what isn't selected, and otherwise constrains the drag to one direction.
       return press.shift && !isSelected ? 'copy' : 'move';
     case 'curve':
       return press.shift ? 'copy' : 'pointer';

@@ -1,8 +1,8 @@
 /**
- * A press on a key: selects as clicks do, and dragged moves everything that is selected.
+ * A press on a key: selects it as a click does; dragging moves the whole selection.
  *
- * All selected keys go the same way on screen. On one axis that is the same amount; where axes differ (radians and
- * lengths, or normalised curves) each goes by what the pixels are worth on its own.
+ * All selected keys move equally on screen. On one axis that is the same amount; if axes differ (radians and lengths,
+ * or normalised curves) each moves by what the pixels mean on its own.
  */
 import { moveKeys } from '../../../../edit/commands/keys.ts';
 import { hasKey, toggleKeys, unionKeys, withoutKeys } from '../../../../edit/keys/selection.ts';
@@ -39,7 +39,7 @@ export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
       if (moved) move?.to(at);
       move?.edit.commit();
       if (moved || !wasSelected) return;
-      // A click on what was selected already: all others go, or with a key held only this one.
+      // A click on a selected key deselects all others, or with a modifier only this one.
       if (from.shift) selectKeys(wb, toggleKeys(before, [grabbed]));
       else if (from.ctrl) selectKeys(wb, withoutKeys(before, [grabbed]));
       else selectKeys(wb, [grabbed]);
@@ -49,7 +49,7 @@ export function keysDrag(plot: PlotAccess, hit: KeyHit, from: PointerAt): Drag {
   };
 }
 
-/** Moves the keys that are selected at the press. */
+/** Moves the keys selected at the press. */
 function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   const { wb } = plot;
   const scene = plot.scene();
@@ -59,7 +59,7 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   if (!scene || !take || !line || channel?.kind !== 'keys') return undefined;
   const keyTime = channel.times[hit.index] - take.character.timeOffsetSeconds;
   const keyValue = channel.values[hit.index];
-  // Where in the key it was taken: the key stays under the pointer as it was, also if one zooms meanwhile.
+  // Offset of the grab within the key, kept while dragging, even if the view is zoomed meanwhile.
   const offX = from.x - xOf(scene.space, keyTime);
   const offY = from.y - yOf(scene.space, line, keyValue);
   const edit = editOfTake(wb, take);
@@ -91,14 +91,14 @@ function mover(plot: PlotAccess, hit: KeyHit, from: PointerAt) {
   return { edit, to };
 }
 
-/** What a key of `other` goes by when one of `line` goes by `value`. */
+/** The change of a key of `other` when one of `line` changes by `value`. */
 function valueFor(space: CurveSpace, line: CurveLine, other: CurveLine | undefined, value: number): number {
   if (!other) return 0;
   if (other.axis === line.axis && other.normalise?.scale === line.normalise?.scale) return value;
   return (value * pixelsPerUnit(space, line)) / pixelsPerUnit(space, other);
 }
 
-/** Whether it has gone more to the side than up or down. */
+/** Whether it has moved more horizontally than vertically. */
 export function isSideways(from: PointerAt, at: PointerAt): boolean {
   return Math.abs(at.x - from.x) >= Math.abs(at.y - from.y);
 }

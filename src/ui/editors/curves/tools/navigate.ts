@@ -1,4 +1,4 @@
-/** Looking around: pan, zoom by dragging, and the wheel. The document knows nothing of it, so there is nothing to undo. */
+/** Navigation: panning, zooming by drag, and the wheel. It doesn't change the document, so there is nothing to undo. */
 import { pan, zoom } from '../scene/space.ts';
 import { type Drag, NOTHING_TO_UNDO, type PlotAccess, type PointerAt } from './tool.ts';
 
@@ -16,10 +16,10 @@ export function panDrag(plot: PlotAccess, from: PointerAt): Drag {
   };
 }
 
-/** Pixels of dragging that show e times as much, or as little. */
+/** Pixels of dragging that zoom by a factor of e. */
 const ZOOM_PIXELS = 150;
 
-/** To the right and up goes nearer; Shift holds it to the direction that it was dragged in more. */
+/** Right and up zooms in; Shift constrains it to the dominant direction. */
 export function zoomDrag(plot: PlotAccess, from: PointerAt): Drag {
   let last = from;
   return {
@@ -39,22 +39,22 @@ export function zoomDrag(plot: PlotAccess, from: PointerAt): Drag {
 }
 
 const ZOOM_STEP = 1.15;
-/** A line of a wheel that counts in lines. */
+/** Pixels per line, for wheels that count in lines. */
 const LINE_PIXELS = 16;
-/** What one notch of a wheel mostly is, in steps of the zoom. */
+/** A typical wheel notch in pixels: one zoom step. */
 const STEP_PIXELS = 60;
 
 export interface Wheel
   extends Pick<WheelEvent, 'deltaX' | 'deltaY' | 'deltaMode' | 'shiftKey' | 'ctrlKey' | 'altKey'> {}
 
-/** What a turn of the wheel does: a pan in pixels, or factors above 1 that show more. */
+/** What a wheel event does: a pan in pixels, or factors above 1 that zoom out. */
 export function wheelMeans(
   wheel: Wheel,
 ): { readonly panX: number } | { readonly time: number; readonly value: number } {
   const unit = wheel.deltaMode === 1 ? LINE_PIXELS : 1;
   const sideways = Math.abs(wheel.deltaX) > Math.abs(wheel.deltaY);
   if (sideways && !wheel.shiftKey) return { panX: -wheel.deltaX * unit };
-  // With Shift some systems turn the wheel to the side by themselves.
+  // With Shift, some systems already scroll horizontally.
   const factor = ZOOM_STEP ** (((sideways ? wheel.deltaX : wheel.deltaY) * unit) / STEP_PIXELS);
   const valuesOnly = !wheel.shiftKey && (wheel.ctrlKey || wheel.altKey);
   return { time: valuesOnly ? 1 : factor, value: wheel.shiftKey ? 1 : factor };

@@ -1,11 +1,11 @@
-/** Numbers of the plot in words: where the pointer is, and what a drag has come to. */
+/** Texts of the plot's readouts: pointer position, and the result of a drag. */
 import type { DofUnit } from '../../../../model/skeleton.ts';
 import { MAX_DECIMALS, shown } from '../../../kit/number-text.ts';
 import { shownPerUnit, unitText } from '../../../state/angles.ts';
 import type { Uses } from '../../../state/workbench.ts';
 import { frameNumber } from '../../timeline/snapping.ts';
 
-/** `0.4 s · 12`, or `12 · 0.4 s` where the page counts in frames. */
+/** `0.4 s · 12`, or `12 · 0.4 s` if time is displayed in frames. */
 export function timeText(wb: Uses<'transport' | 'settings'>, timeSeconds: number): string {
   const frames = `frame ${shown(frameNumber(timeSeconds, wb.transport.get().framesPerSecond), 1)}`;
   const seconds = `${shown(timeSeconds)} s`;

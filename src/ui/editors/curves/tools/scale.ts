@@ -1,6 +1,6 @@
 /**
- * Scaling the selected keys: dragging with S held goes about the playhead in time and about the height of the press in
- * values, whichever way the drag sets out; the scale frame's edges go about the opposite edge.
+ * Scales the selected keys. Dragging with S held scales times about the playhead, or values about the pressed height,
+ * whichever way the drag starts; the transform box scales about the opposite edge.
  *
  *     t' = pivot + factor · (t − pivot)          v' = pivot + factor · (v − pivot)
  */
@@ -11,26 +11,26 @@ import { valueAt, xOf } from '../scene/space.ts';
 import { isSideways } from './move-keys.ts';
 import type { Drag, PlotAccess, PointerAt } from './tool.ts';
 
-/** Nearer than this to the pivot, a pixel would be an endless factor. */
+/** Closer to the pivot than this, a pixel would be an extreme factor. */
 const MIN_PIXELS = 32;
-/** Pixels up that make values e times as large. */
+/** Pixels upwards that scale values by a factor of e. */
 const VALUE_PIXELS = 120;
 
 export interface ScaleTool {
   /** Seconds of the transport. */
   readonly pivotSeconds: number;
   readonly timeFactor: number;
-  /** Where the pivot of values is on screen. */
+  /** Height of the values' pivot on screen. */
   readonly pivotY: number;
   readonly valueFactor: number;
 }
 
-/** What S and a drag do. */
+/** Dragging with S held. */
 export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
   const { wb } = plot;
   const scale = scaler(plot);
   const pivotSeconds = wb.transport.get().timeSeconds;
-  /** The direction it set out in holds. */
+  /** The initial direction is kept. */
   let sideways: boolean | undefined;
   const move = (at: PointerAt) => {
     const scene = plot.scene();
@@ -58,7 +58,7 @@ export function scaleDrag(plot: PlotAccess, from: PointerAt): Drag {
   };
 }
 
-/** Scales the keys selected now, in one hand edit. Undefined where there are none in view. */
+/** Scales the current selection, as one edit. Undefined if none is in view. */
 export function scaler(plot: PlotAccess) {
   const { wb } = plot;
   const take = takeInHand(wb);

@@ -1,4 +1,7 @@
-/** Dragging in the ruler moves the playhead: onto frames where the page counts in frames or snaps to them, unless Shift is held. */
+/**
+ * Dragging in the ruler moves the playhead: to whole frames if time is displayed in frames or snaps to them, unless
+ * Shift is held.
+ */
 import { snapTime } from '../../../kit/time-window.ts';
 import { scrubFrames } from '../../timeline/scrub-frames.ts';
 import { pixelsPerSecond, timeAt } from '../scene/space.ts';

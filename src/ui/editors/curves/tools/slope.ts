@@ -1,6 +1,6 @@
 /**
- * Dragging a handle: the slope of that side becomes what the handle points along. The other side follows where both
- * had the same slope (or always, or never: the timeline's setting); Alt leaves it, Ctrl takes it along.
+ * Dragging a tangent handle sets the slope of its side. The other side follows if both had the same slope (or always,
+ * or never: a timeline setting); Alt breaks, Ctrl unifies.
  */
 import { setSlopes } from '../../../../edit/commands/tangents.ts';
 import type { Command, Edit } from '../../../../edit/store.ts';
@@ -22,7 +22,7 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   const wereEqual =
     channel?.kind === 'keys' && sameSlope(keySlope(channel, hit.index, 'in'), keySlope(channel, hit.index, 'out'));
   const selected = selectedKeys(wb);
-  // One key's slope is set, but all that were selected stay so, with their handles.
+  // Sets one key's slope, but keeps the whole selection with its handles.
   const command: Command<Parameters<typeof setSlopes.run>[1], Edit> = {
     ...setSlopes,
     run: (document, args) => ({ document: setSlopes.run(document, args).document, keys: selected }),
@@ -54,7 +54,7 @@ export function slopeDrag(plot: PlotAccess, hit: HandleHit): Drag {
   };
 }
 
-/** Whether the other side goes along. */
+/** Whether the opposite handle moves too. */
 export function movesBoth(
   mode: HandleMode,
   wereEqual: boolean,
@@ -65,7 +65,7 @@ export function movesBoth(
   return mode === 'auto' ? wereEqual : mode === 'together';
 }
 
-/** But for rounding. */
+/** Equal up to rounding. */
 export function sameSlope(a: number, b: number): boolean {
   return Math.abs(a - b) <= 1e-9 * Math.max(1, Math.abs(a), Math.abs(b));
 }

@@ -1,10 +1,10 @@
-/** What a drag in the plot is, and what it may use. */
+/** The interface of drags in the plot. */
 import type { Uses } from '../../../state/workbench.ts';
 import type { SelectionBox } from '../../timeline/box.ts';
 import type { CurveScene } from '../scene/scene.ts';
 import type { CurveSpace } from '../scene/space.ts';
 
-/** A pointer over the plot: pixels from its top left corner, and the keys that are held. */
+/** Pointer position in pixels from the plot's top left corner, with modifiers. */
 export interface PointerAt {
   readonly x: number;
   readonly y: number;
@@ -14,32 +14,32 @@ export interface PointerAt {
   readonly alt: boolean;
 }
 
-/** As much of the plot as drags need. */
+/** The part of the plot that drags need. */
 export interface PlotAccess {
   readonly wb: Uses<'store' | 'actions' | 'transport' | 'timeline' | 'settings' | 'messages'>;
-  /** As it is now, with what the drag has changed so far. */
+  /** The current scene, including what the drag has changed so far. */
   scene(): CurveScene | undefined;
   look(space: CurveSpace): void;
   showBox(box: SelectionBox | undefined): void;
-  /** What a drag has come to: `Δ +0.1 s`; empty takes it away. */
+  /** Shows a drag's result: `Δ +0.1 s`; empty clears it. */
   say(text: string): void;
 }
 
 /**
- * One drag, from the press to the release. `move` is given the latest position once a frame and has to work from the
- * press on, not from the last call: then nothing drifts, and nothing depends on how many events there were.
+ * One drag, from press to release. `move` gets the latest position once a frame and must compute from the press, not
+ * from the last call: then nothing drifts, and the number of events doesn't matter.
  */
 export interface Drag {
-  /** While it lasts. */
+  /** The cursor during the drag. */
   cursor(at: PointerAt): string;
   move(at: PointerAt): void;
-  /** The release. @param moved whether it went further than a click may tremble */
+  /** The release. @param moved whether it moved further than a click */
   end(at: PointerAt, moved: boolean): void;
-  /** Escape: everything as it was. */
+  /** Escape: restores everything. */
   cancel(): void;
-  /** Whether Escape was for it and it shows nothing any more. */
+  /** Whether Escape has cancelled its edit. */
   cancelled?(): boolean;
 }
 
-/** A drag for what changes nothing that would have to be put back. */
+/** For drags that change nothing to be restored. */
 export const NOTHING_TO_UNDO = () => {};
