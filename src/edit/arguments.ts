@@ -1,6 +1,6 @@
 /**
- * Arguments of commands may come from the console or a script, where no compiler looked at them. Each check refuses
- * with a `CommandError` that says what was expected.
+ * Checks of command arguments, which may come unchecked from the console or a script. Each throws a `CommandError` that
+ * says what was expected.
  */
 import { CommandError } from './store.ts';
 
@@ -25,7 +25,7 @@ export function text(value: unknown, what: string): string {
   throw new CommandError(`${what} must be text, found ${described(value)}.`);
 }
 
-/** An index from `from` up to, not including, `to`. */
+/** An index from `from` up to (excluding) `to`. */
 export function indexIn(value: unknown, from: number, to: number, what: string): number {
   if (typeof value === 'number' && Number.isInteger(value) && value >= from && value < to) return value;
   throw new CommandError(`There is no ${what} number ${described(value)}; there are ${to}.`);

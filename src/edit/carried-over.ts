@@ -1,6 +1,6 @@
 /**
- * What a character keeps where its skeleton comes again from a file: poses that were kept, what inverse kinematics holds
- * on to, and a take of another one that moves it. All of that goes by joints, which may be others by then, or fewer.
+ * What a character keeps when its skeleton is loaded again from a file: its pose library, IK settings and retargeting.
+ * All of these refer to joints, which may have changed.
  */
 import { type Diagnostic, withoutPlace } from '../model/diagnostic.ts';
 import type { Character } from '../model/document.ts';
@@ -10,7 +10,7 @@ import { movedPoses } from './pose/library.ts';
 import { sameJoints } from './pose/same-joints.ts';
 import { remapIk, remapPairs, withIk } from './rig/by-joint.ts';
 
-/** @param after the character with its new skeleton, and all else as it was */
+/** @param after the character with its new skeleton, and everything else as before */
 export function carriedOver(before: Character, after: Character): Character {
   const { poses, ik, driver } = before;
   if (!(poses ?? ik ?? driver)) return after;
@@ -23,7 +23,7 @@ export function carriedOver(before: Character, after: Character): Character {
   return ik ? withIk(next, remapIk(ik, to)) : next;
 }
 
-/** What of that had no joint to go to, or no DOF. */
+/** Reports what referred to joints or DOFs that no longer exist. */
 export function lostOver(before: Character, after: Character, file: string): Diagnostic[] {
   const { skeleton, ik } = before;
   if (!skeleton || !after.skeleton) return [];
@@ -45,7 +45,7 @@ export function lostOver(before: Character, after: Character, file: string): Dia
   return problems;
 }
 
-/** Joints that kept poses say something of for which there is no place now. */
+/** Joints in the pose library that have lost their place. */
 function posedInVain({ skeleton, morphs, poses = [] }: Character, after: Skeleton, to: Int32Array): readonly number[] {
   if (poses.length === 0) return [];
   const key = (joint: number, name: string) => `${joint} ${name}`;

@@ -1,7 +1,7 @@
 /**
- * Changing channels of the clip that a character shows: what all commands on keys have in common. They name keys by
- * channel and index, check what a console may have given them, leave every other channel the object it is, and say
- * where their keys are afterwards.
+ * Changing channels of a character's shown clip: what all commands on keys share. They identify keys by channel and
+ * index, check arguments from the console, keep the identity of all other channels, and return the new positions of the
+ * keys.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { type Channel, type ChannelClip, type KeyedChannel, keysOf } from '../model/clip.ts';
@@ -23,18 +23,18 @@ export interface OfChannels {
 
 export interface OfKeys {
   readonly characterId: string;
-  /** Of the shown clip; as the selection holds them. */
+  /** Of the shown clip; same form as in the selection. */
   readonly keys: readonly ChannelKeys[];
 }
 
-/** The clip that a character shows; refuses where there is none. */
+/** The shown clip of a character; throws if there is none. */
 export function clipOf(document: Document, characterId: string): ChannelClip {
   return requireTake(requireCharacter(document, characterId));
 }
 
 /**
- * The document with other channels in the clip that a character shows; the same object where all of them are. Refuses
- * changes of what nobody sees: of joints that another character's take moves.
+ * The document with other channels in a character's shown clip; the same object if none changed. Refuses changes
+ * without effect: of joints that a retargeted take drives.
  */
 export function withClipChannels(document: Document, characterId: string, channels: readonly Channel[]): Document {
   return changeCharacter(document, characterId, (character) => {
@@ -47,8 +47,8 @@ export function withClipChannels(document: Document, characterId: string, channe
 }
 
 /**
- * Changes the channels of some keys, each by itself.
- * @param change gives the channel and where the keys are; `entry` counts the list of keys
+ * Changes the channels of some keys, each independently.
+ * @param change returns the channel and the positions of the keys; `entry` counts the list of keys
  */
 export function changeKeys(
   document: Document,
@@ -66,7 +66,7 @@ export function changeKeys(
   return { document: withClipChannels(document, characterId, channels), keys: now };
 }
 
-/** As `changeKeys`, where the keys stay what and where they are. */
+/** Like `changeKeys`, for changes that keep the keys' positions. */
 export function changeTangents(
   document: Document,
   of: OfKeys,
@@ -75,15 +75,15 @@ export function changeTangents(
   return changeKeys(document, of, (channel, indices) => ({ channel: change(channel, indices), indices }));
 }
 
-/** Keys of one channel, and the channel that has them. */
+/** Keys of one channel, with the channel. */
 interface KeysOfChannel {
   readonly channel: KeyedChannel;
   readonly index: number;
-  /** Of the keys. */
+  /** Indices of the keys. */
   readonly indices: readonly number[];
 }
 
-/** The keys with their channels. Refuses keys that are not there, and lists that are not in order. */
+/** The keys with their channels. Refuses keys that don't exist, and unsorted lists. */
 export function checkedKeys({ channels }: ChannelClip, keys: unknown): readonly KeysOfChannel[] {
   const checked: KeysOfChannel[] = [];
   let before = -1;
@@ -96,7 +96,7 @@ export function checkedKeys({ channels }: ChannelClip, keys: unknown): readonly 
     before = index;
     const channel = channels[index];
     const indices = checkedIndices(entry.indices, keysOf(channel).times.length);
-    // Without keys it had none of those indices.
+    // A channel without keys has none of these indices.
     if (channel.kind === 'keys') checked.push({ channel, index, indices });
   }
   return checked;
@@ -107,26 +107,26 @@ function checkedIndices(given: unknown, keyCount: number): readonly number[] {
   if (indices.length === 0) throw new CommandError('"indices" must name at least one key.');
   let before = -1;
   for (const k of indices) {
-    // Not by `indexIn`'s sentence: this loop is run for every key on every move of the mouse.
+    // Not through `indexIn`: this loop runs for every key on every mouse move.
     if (typeof k !== 'number' || !Number.isInteger(k) || k <= before || k >= keyCount) {
       indexIn(k, 0, keyCount, 'key');
       throw new CommandError('"indices" must name each key once, in ascending order.');
     }
     before = k;
   }
-  // Each was found to be a number.
+  // All were checked to be numbers.
   return indices as readonly number[];
 }
 
-/** Refuses channels that are not there. Each once, ascending. */
+/** Refuses channels that don't exist. Unique and ascending. */
 export function checkedChannels(clip: Pick<ChannelClip, 'channels'>, channels: unknown): readonly number[] {
   const list = listOf(channels, '"channels"').map((c) => indexIn(c, 0, clip.channels.length, 'channel'));
   return [...new Set(list)].sort((a, b) => a - b);
 }
 
 /**
- * Those of the channels that can have keys. One that follows the clip's samples can't: a single key would take the
- * place of thousands of frames. Refuses, with the way out, where none is left of some.
+ * The channels that can have keys. A sampled channel can't: a single key would replace thousands of frames. If none is
+ * left, refuses and says what to do.
  */
 export function keyable(clip: ChannelClip, channels: readonly number[]): readonly number[] {
   const left = channels.filter((channel) => clip.channels[channel]?.kind !== 'samples');
@@ -134,7 +134,7 @@ export function keyable(clip: ChannelClip, channels: readonly number[]): readonl
   return left;
 }
 
-/** Refuses all of them where one follows the samples: what would be done in part would not be what was meant. */
+/** Refuses if any channel is sampled, since changing only the others is not what was meant. */
 export function allKeyable(clip: ChannelClip, channels: readonly number[]): void {
   const count = channels.filter((channel) => clip.channels[channel]?.kind === 'samples').length;
   if (count > 0) throw new CommandError(followsSamples(count));
@@ -145,7 +145,7 @@ function followsSamples(count: number): string {
   return `${what}. Convert to keys first: Keys > Samples.`;
 }
 
-/** "key", "3 keys": for labels. */
+/** "key", "3 keys"; for labels. */
 export function keyCountText(keys: readonly ChannelKeys[]): string {
   const count = countKeys(keys);
   return count === 1 ? 'key' : `${count} keys`;

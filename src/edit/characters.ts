@@ -1,16 +1,16 @@
-/** Changing one character of a document, the rest keeping its identity. */
+/** Changing one character of a document; all others keep their identity. */
 import type { Character, Document } from '../model/document.ts';
 import { findCharacter } from '../model/document.ts';
 import { CommandError } from './store.ts';
 
-/** Throws a `CommandError` where there is no such character. */
+/** Throws a `CommandError` if the character doesn't exist. */
 export function requireCharacter(document: Document, id: string): Character {
   const character = findCharacter(document, id);
   if (!character) throw new CommandError(`There is no character "${id}" in the document.`);
   return character;
 }
 
-/** The document with the character replaced by what `change` gives; the same object where that is the character. */
+/** The document with the character replaced by the result of `change`; the same object if it did not change. */
 export function changeCharacter(document: Document, id: string, change: (c: Character) => Character): Document {
   const before = requireCharacter(document, id);
   const after = change(before);

@@ -1,18 +1,18 @@
 /**
- * What lies beyond a channel's ends, as keys.
+ * Bakes a channel's extrapolation to keys.
  *
  *     keys            ╱│               P = t_last − t_first
  *     cycle        ╱│╱│╱│╱             copies; where the value jumps, two keys at one time
  *     cycle_offset   … each higher by v_last − v_first
- *     bounce       ╲╱╲╱                every other copy mirrored in time: in and out tangents trade places and signs
+ *     bounce       ╲╱╲╱                every other copy mirrored in time: in and out tangents are swapped and negated
  *     linear       one key, at the end
- *     constant     none: it goes on as it is
+ *     constant     none needed
  *
- * A copied key keeps the kinds of its tangents, since its neighbours are copies too. Only keys that get another
- * neighbour (those at a seam, and beside a cut) have `smooth` and `linear` turned into the numbers they stood for.
- * An end in the middle of a copy gets a key on the curve; an end on a seam ends the period before it, as t_last does.
+ * A copied key keeps its kinds of tangents, since its neighbours are copies too. Only keys with other neighbours (at a
+ * seam, and next to a cut) have `smooth` and `linear` replaced by the resulting slopes. An end inside a copy gets a key
+ * on the curve; an end on a seam ends the period before it, as t_last does.
  *
- * The time before the keys is that after them, of the channel mirrored in time.
+ * The time before the keys is handled as that after them, for the channel mirrored in time.
  */
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
 import { hermiteCubic } from '../../math/hermite.ts';
@@ -25,19 +25,19 @@ export interface Baked {
   readonly channel: KeyedChannel;
   readonly keysBefore: number;
   readonly keysAfter: number;
-  /** A side that was not baked repeats the keys, and these are others now: it looks different from here on. */
+  /** Whether a side that was not baked still repeats the keys: since they changed, it now looks different. */
   readonly periodChanged: boolean;
 }
 
-/** A short period and a long time could ask for any number of keys. */
+/** A short period over a long time could require any number of keys. */
 const MAX_KEYS = 1_000_000;
 
 /**
- * The channel with keys for what its extrapolation does from `from` to `to` (seconds of the clip); between them it
- * looks as before. A side that lies inside, or is constant, stays as it is; the very same channel where both do.
+ * The channel with keys for its extrapolation from `from` to `to` (seconds of the clip), where it looks as before. A
+ * side within the keys, or constant, is not changed; the same object if neither changes.
  *
- * A baked side goes on as it can: `linear` is linear still, but what repeated is `constant` from there on, because a
- * repetition of all the keys would be another one. Throws a `CommandError` where it would take a million keys.
+ * Beyond its new keys, a baked side stays `linear`, but repetitions become `constant`, since they would now repeat all
+ * the keys. Throws a `CommandError` if it would take more than a million keys.
  */
 export function withExtrapolationBaked(channel: KeyedChannel, from: number, to: number): Baked {
   const baked = extended(channel, from, to, false);
@@ -49,7 +49,9 @@ export function withExtrapolationBaked(channel: KeyedChannel, from: number, to: 
   };
 }
 
-/** The same with a key at both ends even of what is constant, so that all of `from` to `to` lies between keys. */
+/**
+ * The same with a key at both ends even for constant extrapolation, so that all of `from` to `to` lies between keys.
+ */
 export function unrolled(channel: KeyedChannel, from: number, to: number): KeyedChannel {
   return extended(channel, from, to, true);
 }
@@ -65,11 +67,11 @@ function extended(channel: KeyedChannel, from: number, to: number, holds: boolea
   const end = after ? after.index : count;
   for (let k = first; k < end; k++) keys.push(keyAt(channel, k));
   after?.keys.forEach((key, i) => {
-    // A lone key has been given what goes before it: here is what goes after it.
+    // A single key already has the side before it; here is the side after it.
     if (i === 0 && first > end) keys.push({ ...key, in: keys.pop()?.in ?? key.in });
     else keys.push(key);
   });
-  // What could not repeat, for want of a period, does not begin to now that there is one.
+  // A side that could not repeat for lack of a period must not start to now.
   const isStill = !(channel.times[count - 1] > channel.times[0]);
   const goesOn = (side: Extrapolation, isBaked: boolean) =>
     (isBaked || isStill) && side !== 'linear' ? 'constant' : side;
@@ -80,13 +82,13 @@ function extended(channel: KeyedChannel, from: number, to: number, holds: boolea
   };
 }
 
-/** Keys that take the place of a channel's from `index` on. */
+/** Keys that replace a channel's from `index` on. */
 interface Tail {
   readonly index: number;
   readonly keys: readonly Key[];
 }
 
-/** What follows the keys up to `to`; nothing where that is what the channel does anyway. */
+/** Keys for what follows up to `to`; undefined if none are needed. */
 function tail(channel: KeyedChannel, to: number, holds: boolean): Tail | undefined {
   const last = channel.times.length - 1;
   const end = channel.times[last];
@@ -111,12 +113,12 @@ function tail(channel: KeyedChannel, to: number, holds: boolean): Tail | undefin
   return repetitions(channel, slopes, period, to);
 }
 
-/** Copies of the keys after them, the last one cut off at `to`. */
+/** Copies of the keys after them, the last one cut at `to`. */
 function repetitions(channel: KeyedChannel, slopes: Slopes, period: number, to: number): Tail {
   const last = channel.times.length - 1;
   const start = channel.times[0];
   const stop = channel.times[last];
-  // Of several keys at either end only the innermost borders on a span.
+  // Of several keys at one end only the innermost borders on a span.
   let first = 0;
   while (channel.times[first + 1] === start) first++;
   let end = last;
@@ -145,7 +147,7 @@ function repetitions(channel: KeyedChannel, slopes: Slopes, period: number, to: 
         keys.push(key);
       } else if (key.time <= to + rounding) {
         keys.push(frozen(key));
-        // The later keys of a step go with it; on a seam there is none.
+        // The later keys of a step belong to it; a seam has none.
         if (k === end || nextTime(channel, turned, end + first - k, k) !== 0) return { index: end, keys };
       } else {
         if (before.time < to - rounding) {
@@ -159,7 +161,7 @@ function repetitions(channel: KeyedChannel, slopes: Slopes, period: number, to: 
   return { index: end, keys };
 }
 
-/** Times that are nearer to each other than this are one time, as in the evaluator. */
+/** Times closer than this are the same, as in the evaluator. */
 function roundingOf({ times }: KeyedChannel, time: number): number {
   return 4 * Number.EPSILON * Math.max(Math.abs(time), Math.abs(times[0]), Math.abs(times[times.length - 1]));
 }
@@ -169,13 +171,13 @@ function nextTime({ times }: KeyedChannel, turned: boolean, mirror: number, k: n
   return turned ? times[mirror] - times[mirror - 1] : times[k + 1] - times[k];
 }
 
-/** A key of repetition `p`; a mirrored one has the tangents already, and gets the mirrored time. */
+/** A key of repetition `p`; for mirrored ones the tangents are already mirrored, and the time is mirrored here. */
 function shiftedKey(key: Sloped, turned: boolean, seconds: number, value: number, start: number, stop: number): Sloped {
   const time = turned ? start + (stop - key.time) : key.time;
   return { ...key, time: time + seconds, value: key.value + value };
 }
 
-/** As it is met from the other side: what went in goes out, downhill where it went up. */
+/** The key mirrored in time: in and out swapped, slopes negated. */
 function turnedKey(key: Sloped): Sloped {
   return {
     ...key,
@@ -186,7 +188,7 @@ function turnedKey(key: Sloped): Sloped {
   };
 }
 
-/** `linear` towards a neighbour that stays is still that. */
+/** `linear` is kept towards an unchanged neighbour. */
 function beforeCut(key: Sloped): { readonly in: Tangent; readonly out: Tangent } {
   return {
     in: key.in.kind === LINEAR ? key.in : frozenTangent(key.in, key.slopeIn),
@@ -194,7 +196,7 @@ function beforeCut(key: Sloped): { readonly in: Tangent; readonly out: Tangent }
   };
 }
 
-/** The key at `time` between two others, on the curve. */
+/** A key at `time` on the curve between two others. */
 function keyBetween(before: Sloped, after: Sloped, time: number): Sloped {
   const cubic = new Float64Array(4);
   hermiteCubic(before.value, before.slopeOut, after.value, after.slopeIn, after.time - before.time, cubic, 0);
@@ -205,7 +207,7 @@ function keyBetween(before: Sloped, after: Sloped, time: number): Sloped {
   return { time, value, in: side, out: side, slopeIn: slope, slopeOut: slope };
 }
 
-/** The channel with time running the other way. */
+/** The channel mirrored in time. */
 function mirrored(channel: KeyedChannel): KeyedChannel {
   const keys: Key[] = [];
   for (let k = channel.times.length - 1; k >= 0; k--) keys.push(mirroredKey(keyAt(channel, k)));

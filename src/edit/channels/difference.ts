@@ -1,25 +1,25 @@
 /**
- * How far two curves are apart, exactly. Between the keys of both, the difference of two cubics is a cubic
+ * The exact distance between two curves. Between the keys of both, the difference of two cubics is a cubic
  *
  *     d(τ) = a + b·τ + c·τ² + d·τ³
  *
- * whose largest size lies at one of the two ends or where d′(τ) = b + 2c·τ + 3d·τ² is 0. (Sampling would miss narrow
- * peaks, and cost more: one difference a span against a dozen.)
+ * whose maximum is at one of the ends or where d′(τ) = b + 2c·τ + 3d·τ² is 0. (Sampling would miss narrow peaks and
+ * cost more: a dozen differences per span rather than one.)
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import type { KeyedChannel } from '../../model/clip.ts';
 
-/** The largest difference, and where it is. */
+/** The largest difference and its position. */
 export interface Difference {
-  /** |new − old|, in the channel's own unit. */
+  /** |new − old|, in the channel's unit. */
   readonly largestError: number;
   /** Seconds of the clip. */
   readonly atSeconds: number;
 }
 
 /**
- * The largest |b − a| from the first to the last key that both have in common. At a step both sides of it count, as
- * limits; the moment itself, which has one value only, does not. Two curves of n and m keys cost O(n + m).
+ * The largest |b − a| over the common range of keys. At a step both sides count, as limits; the time itself, with a
+ * single value, does not. O(n + m) for n and m keys.
  */
 export function largestDifference(a: KeyedChannel, b: KeyedChannel): Difference {
   let largestError = 0;
@@ -49,10 +49,10 @@ export function largestDifference(a: KeyedChannel, b: KeyedChannel): Difference 
   return { largestError, atSeconds };
 }
 
-/** Scratch: the cubic of the difference, in the time since a span's start. */
+/** Scratch: the cubic of the difference, in the time since the span's start. */
 const difference = new Float64Array(4);
 
-/** The cubic at `cubics[o]`, from `by` seconds after its key on: written for sign 1, taken off for sign −1. */
+/** The cubic at `cubics[o]`, starting `by` seconds after its key: written for sign 1, subtracted for sign −1. */
 function shifted(cubics: Float64Array, o: number, by: number, sign: 1 | -1): void {
   const keep = sign === 1 ? 0 : 1;
   const b = cubics[o + 1];
@@ -64,7 +64,7 @@ function shifted(cubics: Float64Array, o: number, by: number, sign: 1 | -1): voi
   difference[3] = keep * difference[3] + sign * d;
 }
 
-/** τ of 0 … h at which |a + bτ + cτ² + dτ³| is largest. */
+/** τ in 0 … h at which |a + bτ + cτ² + dτ³| is largest. */
 export function placeOfLargest(a: number, b: number, c: number, d: number, h: number): number {
   let place = 0;
   let largest = Math.abs(a);
@@ -79,7 +79,7 @@ export function placeOfLargest(a: number, b: number, c: number, d: number, h: nu
   consider(h);
   const under = c * c - 3 * b * d;
   if (under >= 0) {
-    // Both roots without taking nearly equal numbers from each other; a division by 0 gives none.
+    // Both roots without cancellation; a division by 0 gives none.
     const q = -(c + Math.sign(c || 1) * Math.sqrt(under));
     consider(q / (3 * d));
     consider(b / q);

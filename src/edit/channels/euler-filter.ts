@@ -1,19 +1,19 @@
 /**
- * The Euler filter: the same rotations with angles that don't jump, so that what lies between keys doesn't spin.
+ * The Euler filter: the same rotations with angles that don't jump, so that interpolation between keys doesn't spin.
  *
- * Three angles about axes i, then j, then k stand for one rotation in many ways:
+ * Three angles about axes i, then j, then k are not unique for a rotation:
  *
  *     (φi, φj, φk)  =  (φi + 2πa, φj + 2πb, φk + 2πc)  =  (φi + π, π − φj, φk + π)
  *
- * From the first key on, each key gets the triple that is nearest to the one before it (least sum of squares). The
- * rotation at every key is what it was; between keys it is another, which is the purpose. Where the middle angle is
- * mirrored, slopes that are numbers change sign with it.
+ * From the first key on, each key gets the triple nearest to the previous one (least sum of squares). The rotation at
+ * every key is unchanged; between keys it differs, which is the purpose. If the middle angle is mirrored, numeric
+ * slopes change sign with it.
  *
- * The second form needs all three angles of a key. Where they are not keyed at the same times, or not all given, each
- * channel is unrolled by whole turns alone.
+ * The second form needs all three angles of a key. If they are not keyed at the same times, or not all given, each
+ * channel is only unrolled by whole turns.
  *
- * A key never leaves its joint's limits, for what is played is clamped to them; one that lies outside stays as it is.
- * A triple at φj = ±π/2 (gimbal lock) has still more forms; they are not looked for.
+ * A key never leaves its joint's limits, since playback clamps to them; one that is outside is not changed. In gimbal
+ * lock (φj = ±π/2) a rotation has more forms, which are not considered.
  */
 import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 import type { EulerOrder, Limit } from '../../model/skeleton.ts';
@@ -23,17 +23,17 @@ const NO_LIMIT: Limit = { min: Number.NEGATIVE_INFINITY, max: Number.POSITIVE_IN
 
 export type Triple<T> = readonly [T, T, T];
 
-/** Whether three channels have their keys at the same times: what `filterRotations` asks for. */
+/** Whether three channels are keyed at the same times, as `filterRotations` requires. */
 export function keyedTogether(channels: Triple<KeyedChannel>): boolean {
   const [{ times }] = channels;
   return channels.every((c) => c.times.length === times.length && c.times.every((t, k) => t === times[k]));
 }
 
 /**
- * The channels rx, ry, rz of a ball joint, keyed at the same times, without jumps. A channel that needs no change is
- * the very same.
+ * The channels rx, ry, rz of a ball joint, keyed at the same times, without jumps. Unchanged channels keep their
+ * identity.
  *
- * @param limits of rx, ry, rz; crossed ones (min > max) are none
+ * @param limits of rx, ry, rz; none if min > max
  */
 export function filterRotations(
   channels: Triple<KeyedChannel>,
@@ -60,7 +60,7 @@ export function filterRotations(
         plainDistance += (plain[a] - before[a]) ** 2;
         flippedDistance += (flipped[a] - before[a]) ** 2;
       }
-      // NaN, where limits leave no room, is never less.
+      // NaN, if limits leave no room, is never less.
       isFlipped[k] = flippedDistance < plainDistance - 1e-9 ? 1 : 0;
       for (let a = 0; a < 3; a++) values[a][k] = isFlipped[k] ? flipped[a] : plain[a];
     }
@@ -70,7 +70,9 @@ export function filterRotations(
   return [made[0], made[1], made[2]];
 }
 
-/** The channel of one angle, each key within half a turn of the one before it. The very same where they are. */
+/**
+ * The channel of one angle with each key within half a turn of the previous one. The same object if nothing changes.
+ */
 export function unrollAngle(channel: KeyedChannel, limit: Limit = NO_LIMIT): KeyedChannel {
   const values = channel.values.slice();
   const within = limit.min > limit.max ? NO_LIMIT : limit;
@@ -80,7 +82,7 @@ export function unrollAngle(channel: KeyedChannel, limit: Limit = NO_LIMIT): Key
   return withAngles(channel, values);
 }
 
-/** How many keys have other values than before. */
+/** Number of keys whose values changed. */
 export function keysChanged(before: readonly Channel[], after: readonly Channel[]): number {
   let count = 0;
   after.forEach((channel, c) => {
@@ -100,7 +102,10 @@ function isWithin(angle: number, { min, max }: Limit): boolean {
   return angle >= min && angle <= max;
 }
 
-/** The angle, whole turns away, nearest to `target` within the limit; NaN where none is. Unchanged by 0 turns. */
+/**
+ * The angle plus whole turns, nearest to `target` within the limit; NaN if there is none. Exactly unchanged for 0
+ * turns.
+ */
 function nearestTurn(angle: number, target: number, { min, max }: Limit): number {
   const fewest = Math.ceil((min - angle) / TURN);
   const most = Math.floor((max - angle) / TURN);

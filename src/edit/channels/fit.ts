@@ -1,48 +1,48 @@
 /**
- * Fewest keys for a stretch of curve: the greedy walk of *simplify*.
+ * The fewest keys for a stretch of curve: the greedy algorithm of *simplify*.
  *
- * From a key that stays, the farthest key is looked for to which one cubic reaches that is nowhere off by more than the
- * tolerance; there it goes on. Keys that stay keep their time and value, so that one unknown is left for each, the
- * slope. What a cubic gets wrong grows with the fourth power of its length when its slopes are right, and with the
- * third when they are not: good slopes are what keeps keys few. Tried for each key, the farthest wins:
+ * From each kept key, it searches for the farthest key that one cubic can reach within tolerance, and continues from
+ * there. Kept keys keep their time and value, so the only unknown of each is its slope. The error of a cubic grows with
+ * the fourth power of its length if its slopes are right, and with the third if not: good slopes keep the number of
+ * keys low. For each key these are tried, and the farthest wins:
  *
- * 1. the slope that it has, if both its tangents agree: what was shaped by hand stays as it is;
- * 2. that of a cubic through the values around it, by least squares, over a narrow and a wide window: curves sampled
- *    frame by frame have noise, and `linear` tangents that say nothing;
- * 3. at a key whose tangents are broken, for want of anything else, a slope of its own on either side.
+ * 1. its own slope, if both its tangents agree: hand-made shapes are kept;
+ * 2. the slope of a least-squares cubic through the values around it, over a narrow and a wide window: curves sampled
+ * frame by frame are noisy, with meaningless `linear` tangents;
+ * 3. for a key with broken tangents, as a last resort, an independent slope on either side.
  *
- * Each length is tried by measuring (`reaches`), never by estimating. The lengths are doubled and then halved, so that
- * n keys take about n·log(length) steps. (Schneider's fitting, *Graphics Gems* 1990, cuts a curve in two where it is off
- * most: half of the pieces are then shorter than they could be. It has the length of its tangents free to choose, too,
- * which a function of time has not.)
+ * Each length is measured (`reaches`), never estimated, by doubling and then bisection, so that n keys take about
+ * n·log(length) steps. (Schneider's fitting, *Graphics Gems* 1990, splits a curve where the error is largest: half of
+ * the pieces are then shorter than necessary. It is also free to choose the length of tangents, unlike a function of
+ * time.)
  */
 import { placeOfLargest } from './difference.ts';
 
-/** The curve that is fitted, with what its tangents come to. */
+/** The curve to fit, with its resolved slopes. */
 export interface Curve {
   readonly times: Float64Array;
   readonly values: Float64Array;
-  /** Four a key, as the evaluator has them. */
+  /** Four per key, as in the evaluator. */
   readonly cubics: Float64Array;
   readonly slopesIn: Float64Array;
   readonly slopesOut: Float64Array;
   readonly tolerance: number;
 }
 
-/** The keys that stay. */
+/** The keys that are kept. */
 export interface Knots {
-  /** Into the curve's keys. */
+  /** Indices of the curve's keys. */
   readonly indices: number[];
   readonly slopesIn: number[];
   readonly slopesOut: number[];
 }
 
-/** A slope that may be chosen freely. */
+/** A slope to be chosen freely. */
 export const FREE_SLOPE = Number.NaN;
 
 /**
- * Adds the knots after key `lo` up to key `hi` to `knots`, whose last knot is `lo`; sets that one's slope out.
- * Between the two, times must ascend strictly. `slopeOut` and `slopeIn` are those at the two ends, or FREE.
+ * Appends the knots after key `lo` up to key `hi` to `knots`, whose last knot is `lo`; sets that one's out slope. Times
+ * must be strictly ascending in between. `slopeOut` and `slopeIn` are those at the two ends, or FREE.
  */
 export function fitStretch(curve: Curve, lo: number, hi: number, slopeOut: number, slopeIn: number, knots: Knots) {
   const walk = new Walk(curve, lo, hi, slopeIn);
@@ -59,11 +59,11 @@ export function fitStretch(curve: Curve, lo: number, hi: number, slopeOut: numbe
 }
 
 class Walk {
-  /** The span found: where it ends, and the slopes at both its ends. */
+  /** The span found: its end, and the slopes at both ends. */
   end = 0;
   slopeOut = 0;
   slopeIn = 0;
-  /** The key at its end has another slope on the other side. */
+  /** Whether the key at its end has a different slope on the other side. */
   isBroken = false;
 
   private start = 0;
@@ -77,12 +77,12 @@ class Walk {
     private readonly lastSlope: number,
   ) {}
 
-  /** The longest span from key `start`, where it leaves with the slope `given`, or a free one. */
+  /** The longest span from key `start`, leaving with the slope `given`, or a free one. */
   from(start: number, given: number): void {
     const { hi } = this;
     this.start = start;
     this.given = given;
-    // Most spans are about as long as the one before.
+    // Most spans are about as long as the previous one.
     let good = 0;
     let bad = hi - start + 1;
     let length = Math.min(this.length, hi - start);
@@ -104,7 +104,7 @@ class Walk {
     this.length = good;
   }
 
-  /** Whether a cubic reaches so many keys far; it is kept if it does. */
+  /** Whether a cubic reaches that many keys ahead; if so, stores it. */
   private tries(length: number): boolean {
     const { curve, start, hi, lo } = this;
     const end = start + length;
@@ -122,7 +122,7 @@ class Walk {
     return false;
   }
 
-  /** One key on, with the slopes that are there. */
+  /** Advances by one key with its own slopes. */
   private leaves(): void {
     const { curve, start } = this;
     const end = start + 1;
@@ -146,7 +146,7 @@ class Walk {
       slopeIn = fitted[1];
     }
     if (!reaches(curve, start, end, slopeOut, slopeIn)) return false;
-    // A slope that is not the key's own must leave a way on.
+    // With a slope other than the key's own, the next span must still be possible.
     if (looksAhead) {
       const last = end + 1 === this.hi && !Number.isNaN(this.lastSlope);
       if (!reaches(curve, end, end + 1, slopeIn, last ? this.lastSlope : curve.slopesIn[end + 1])) return false;
@@ -159,12 +159,12 @@ class Walk {
   }
 }
 
-/** Whether two slopes are one, but for rounding. */
+/** Whether two slopes are equal up to rounding. */
 export function agrees(a: number, b: number): boolean {
   return Math.abs(a - b) <= 1e-9 * Math.max(Math.abs(a), Math.abs(b));
 }
 
-/** Whether the cubic from key `i` to key `j` with these slopes stays within the tolerance of the curve everywhere. */
+/** Whether the cubic from key `i` to key `j` with these slopes is within tolerance of the curve everywhere. */
 export function reaches(curve: Curve, i: number, j: number, slopeOut: number, slopeIn: number): boolean {
   const { times, values, cubics, tolerance } = curve;
   const start = times[i];
@@ -192,14 +192,15 @@ export function reaches(curve: Curve, i: number, j: number, slopeOut: number, sl
   return true;
 }
 
-/** Gauss's points in 0 … 1, and their weights: exact for what is squared here with four of them. */
+/** Gauss–Legendre points in 0 … 1 and their weights: four are exact for these squares. */
 const POINTS = [0.0694318442029737, 0.330009478207572, 0.669990521792428, 0.930568155797026];
 const WEIGHTS = [0.173927422568727, 0.326072577431273, 0.326072577431273, 0.173927422568727];
 
 const fitted = new Float64Array(2);
 
 /**
- * The free ones of two slopes such that the cubic from key `i` to key `j` has the least square error; in `fitted`.
+ * Chooses the free ones of two slopes so that the cubic from key `i` to key `j` has the least square error; written to
+ * `fitted`.
  *
  *     cubic(u) = v_i·h00 + v_j·h01 + T·(m_i·h10 + m_j·h11)        u = 0 … 1 over T seconds
  */
@@ -244,13 +245,13 @@ function leastSquares(curve: Curve, i: number, j: number, slopeOut: number, slop
   }
 }
 
-/** Sums of powers of time, and of values times them; then the elimination's rows. */
+/** Sums of powers of time, and of values times them; then the rows for elimination. */
 const rows = new Float64Array(4 * 5);
 const powers = new Float64Array(7);
 
 /**
- * Slope at key `k` of the cubic that comes nearest to the values of the keys around, up to `width` on either side but
- * not beyond `lo` and `hi`; of a lower degree where there are too few.
+ * Slope at key `k` of the least-squares cubic through the keys around it, up to `width` on either side within `lo` and
+ * `hi`; of lower degree if there are too few.
  */
 function slopeAround({ times, values }: Curve, k: number, width: number, lo: number, hi: number): number {
   const from = Math.max(lo, k - width);
@@ -270,7 +271,7 @@ function slopeAround({ times, values }: Curve, k: number, width: number, lo: num
     }
   }
   for (let r = 0; r < unknowns; r++) for (let n = 0; n < unknowns; n++) rows[5 * r + n] = powers[r + n];
-  // Symmetric and positive: no pivots needed.
+  // Symmetric and positive definite: no pivoting needed.
   for (let r = 0; r < unknowns; r++) {
     for (let below = r + 1; below < unknowns; below++) {
       const factor = rows[5 * below + r] / rows[5 * r + r];

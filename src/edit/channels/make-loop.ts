@@ -1,37 +1,37 @@
 /**
- * A channel whose end flows into its beginning: `cycle` shows no seam, neither in value nor in slope.
+ * Makes a channel loop without a seam, in value and slope.
  *
  *     v_last := v_first        m := slope at the seam, both into the last key and out of the first
  *
- * m is what `smooth` would be if the keys went on across the seam,
+ * m is what `smooth` would be if the keys continued across the seam,
  *
  *     m = ((v[1] − v[0]) + (v[n−1] − v[n−2])) / ((t[1] − t[0]) + (t[n−1] − t[n−2]))
  *
- * since `smooth` and `linear` at the ends see one neighbour only, which is why loops made of them stumble. A slope that
- * was set by hand, flat or a number, on either side of the seam is kept for both; of two, the mean. (The mean of all
- * slopes, whatever their kind, would be right for even keys only.)
+ * since `smooth` and `linear` at the ends see only one neighbour, so that loops made of them stutter. A slope set by
+ * hand, flat or a number, on either side of the seam is used for both; of two, the mean. (The mean of all slopes,
+ * whatever their kind, would only be right for evenly spaced keys.)
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { FIXED_TANGENT, FLAT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 
 export interface Looped {
   readonly channel: KeyedChannel;
-  /** How far the last key's value moved; 0 where an offset is kept. */
+  /** Change of the last key's value; 0 if an offset is kept. */
   readonly moved: number;
   /** Value per second, on both sides of the seam. */
   readonly slope: number;
 }
 
 /**
- * The channel as a loop, `cycle` on both sides. With `keepsOffset` the last value stays and each repetition goes on
- * from there (`cycle_offset`): for a root that travels. The very same channel where it is that
- * loop already, or where there is no time between its keys.
+ * The channel as a loop, `cycle` on both sides. With `keepsOffset` the last value is kept and each repetition continues
+ * from it (`cycle_offset`), for a root that moves. The same object if it is that loop already, or if its keys span no
+ * time.
  */
 export function withLoop(channel: KeyedChannel, keepsOffset = false): Looped {
   const { times } = channel;
   const last = times.length - 1;
   if (!(times[last] > times[0])) return { channel, moved: 0, slope: 0 };
-  // Of keys at one time only the innermost one borders on the curve.
+  // Of keys at the same time only the innermost borders on the curve.
   let first = 0;
   while (first < last && times[first + 1] === times[0]) first++;
   let end = last;
@@ -61,7 +61,7 @@ export function withLoop(channel: KeyedChannel, keepsOffset = false): Looped {
   return { channel: isSame(looped, channel) ? channel : looped, moved: target - channel.values[end], slope };
 }
 
-/** A loop that is made again is no change. */
+/** Looping again must change nothing. */
 function isSame(a: KeyedChannel, b: KeyedChannel): boolean {
   const columns = ({ values, tangentsIn, tangentsOut }: KeyedChannel) => [
     values,

@@ -1,15 +1,15 @@
-/** What an operation did to several channels, in numbers that can be shown before it is done. */
+/** Results of an operation on several channels, as numbers that can also be shown in advance. */
 import type { DofUnit } from '../../model/skeleton.ts';
 import type { Difference } from './difference.ts';
 
 /** "1,240 → 86 keys, largest error 0.12° at 1.3 s". */
 export interface Reduction {
-  /** How many channels have other keys. */
+  /** Number of channels whose keys changed. */
   readonly changed: number;
-  /** Of all channels that were given, together. */
+  /** Of all given channels together. */
   readonly keysBefore: number;
   readonly keysAfter: number;
-  /** Angles, lengths and weights can't be compared: of each unit that occurs the largest error. */
+  /** The largest error for each unit, since angles, lengths and weights can't be compared. */
   readonly largest: Readonly<Partial<Record<DofUnit, WorstChannel>>>;
 }
 
@@ -17,7 +17,7 @@ export interface WorstChannel extends Difference {
   readonly channel: number;
 }
 
-/** What was done to one channel. */
+/** The result for one channel. */
 export interface ChannelResult extends Difference {
   readonly keysBefore: number;
   readonly keysAfter: number;

@@ -1,13 +1,13 @@
 /**
- * A key on every frame, for tools that know frames only, or to begin anew from an even grid. Frame n is at n / rate
- * seconds of the clip, plus the offset that is given: a character that begins later has its frames elsewhere.
+ * Resamples with a key on every frame, for frame-based tools, or to start again from an even grid. Frame n is at n /
+ * rate seconds of the clip, plus a given offset: frames are those of the transport, and a character may start later.
  *
- * `smooth` gives each key the slope that the curve has there, as a number. Cubics with the true slopes at both ends are
- * off by h⁴/384 · |f⁗|; the tangent kind `smooth` would take its slopes from the neighbours and be off by h³, and swing
- * over beside a step. At a corner the two sides have a slope each. `linear` is off by h²/8 · |f″|.
+ * `smooth` gives each key the curve's slope there, as a number. Cubics with the true slopes at both ends are off by
+ * h⁴/384 · |f⁗|; the tangent kind `smooth` would take its slopes from the neighbours, be off by h³, and overshoot next
+ * to a step. At a corner the two sides have different slopes. `linear` is off by h²/8 · |f″|.
  *
- * A step that lies on a frame stays one. Between two frames none can be held: it becomes a slope over that one frame.
- * How far the new curve is from the old one is measured, which such a step, if there is one, decides.
+ * A step on a frame is kept. Between two frames it can't be: it becomes a ramp over that frame. The distance between
+ * the new curve and the old is measured, including such steps.
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
@@ -21,17 +21,17 @@ import { frozen, meets, slopedKey } from './sloped-key.ts';
 export interface Resampling {
   readonly framesPerSecond: number;
   /**
-   * Where frame 0 is, in seconds of the clip; 0 where absent. The character's time offset gives the transport's frames,
-   * those that are seen.
+   * Time of frame 0, in seconds of the clip; default 0. Pass the character's time offset to use the transport's frames,
+   * which are the visible ones.
    */
   readonly offsetSeconds?: number;
-  /** Seconds of the clip: the frames between, both included, get a key. */
+  /** Seconds of the clip: all frames in between, both included, get a key. */
   readonly from: number;
   readonly to: number;
   readonly tangents: 'linear' | 'smooth';
 }
 
-/** What resampling came to; `largestError` against what the channel did before, extrapolation included. */
+/** The result of resampling; `largestError` is relative to the previous curve, extrapolation included. */
 export interface Resampled extends Difference {
   readonly channel: KeyedChannel;
   readonly keysBefore: number;
@@ -39,19 +39,19 @@ export interface Resampled extends Difference {
 }
 
 const MAX_KEYS = 1_000_000;
-/** Files round times to a few digits: a key so near to a frame, in seconds, is on it. */
+/** Files round times to a few digits: a key this close to a frame, in seconds, is on it. */
 const ON_FRAME = 1e-5;
 
 /**
- * The channel with keys on all frames of the range, instead of those that were there. Keys before the first frame and
- * after the last one stay, with the curve between them. Frames beyond the ends take the extrapolated value; what
- * repeated on that side is held from there on, since its period has changed. The very same channel where it has no key
- * or the range no frame. Throws a `CommandError` above a million frames.
+ * The channel with keys on all frames of the range, replacing the previous ones. Keys before the first frame and after
+ * the last one are kept, with the curve between them. Frames beyond the ends take the extrapolated value; repetitions
+ * on that side become constant, since the period has changed. The same object if it has no key or the range no frame.
+ * Throws a `CommandError` above a million frames.
  */
 export function resampleChannel(channel: KeyedChannel, resampling: Resampling): Resampled {
   const { framesPerSecond, offsetSeconds = 0, from, to, tangents } = resampling;
   const keysBefore = channel.times.length;
-  // Plus 0: a key at −0 s would be written as that.
+  // Adding 0 avoids −0, which would be written to files.
   const firstFrame = Math.ceil((from - offsetSeconds - ON_FRAME) * framesPerSecond) + 0;
   const lastFrame = Math.floor((to - offsetSeconds + ON_FRAME) * framesPerSecond) + 0;
   if (lastFrame - firstFrame >= MAX_KEYS) {
@@ -71,7 +71,7 @@ export function resampleChannel(channel: KeyedChannel, resampling: Resampling): 
   };
 }
 
-/** Keys on the frames of a channel that reaches from the first to the last one, and its own beside them. */
+/** Keys on the frames of a channel that extends from the first to the last one, and its own keys outside. */
 function framesOf(
   channel: KeyedChannel,
   firstFrame: number,
@@ -90,7 +90,7 @@ function framesOf(
   if (k > 0) keys[k - 1] = borderKey(k - 1);
   for (let frame = firstFrame; frame <= lastFrame; frame++) {
     const time = timeOf(frame);
-    // Outwards the slope is a number: what lies there stays.
+    // Outwards the slope is a number, since the curve there is kept.
     const sideIn = (slope: number) =>
       isLinear && frame > firstFrame ? tangent(LINEAR) : tangent(FIXED_TANGENT, slope);
     const sideOut = (slope: number) =>
@@ -114,7 +114,7 @@ function framesOf(
   return keys;
 }
 
-/** The frame's key where the channel has keys of its own on it, `from` up to `end`: the nearest one, or their step. */
+/** The frame's key if the channel has keys of its own on it, `from` up to `end`: the nearest one, or their step. */
 function pushOwn({ times, values }: KeyedChannel, from: number, end: number, key: Key, keys: Key[]): void {
   let nearest = from;
   let isStep = false;

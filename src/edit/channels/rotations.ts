@@ -1,4 +1,4 @@
-/** Which of a character's channels turn one joint together, and the Euler filter over all of them. */
+/** Which of a character's channels rotate one joint together, and the Euler filter for all of them. */
 import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
 import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import { couplesOf } from '../../model/couples.ts';
@@ -8,14 +8,14 @@ import { jointName } from '../../model/joint-name.ts';
 import { filterRotations, keyedTogether, keysChanged, type Triple, unrollAngle } from './euler-filter.ts';
 
 export interface Filtered {
-  /** All of the clip's channels; those that needed no change are the very same. */
+  /** All of the clip's channels; unchanged ones keep their identity. */
   readonly channels: readonly Channel[];
   readonly keysChanged: number;
   /** Sentences on what was not done, and why. */
   readonly notes: readonly string[];
 }
 
-/** Filters the given channels of a character. Where its limits hold, no key leaves them. */
+/** Filters the given channels of a character. If its limits are enforced, no key leaves them. */
 export function filterCharacter(
   { skeleton, morphs, clampsToLimits, name }: Character,
   channels: readonly Channel[],
@@ -29,7 +29,7 @@ export function filterCharacter(
   const filtered = [...channels];
   const notes: string[] = [];
   const done = new Set<number>();
-  /** Joints of which it was said why. */
+  /** Joints that already have a note. */
   const noted = new Set<number>();
   for (const index of given) {
     const dof = dofs[index];
@@ -72,7 +72,7 @@ export function filterCharacter(
   return { channels: filtered, keysChanged: keysChanged(channels, filtered), notes };
 }
 
-/** Three angles that can be taken as one rotation, or why they can't. */
+/** Three angles that form a rotation, or why they don't. */
 function rotationOf(
   channels: readonly Channel[],
   given: readonly number[],

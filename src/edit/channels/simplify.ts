@@ -1,17 +1,17 @@
 /**
- * Fewer keys for the same curve, within a tolerance: a recording with a key a frame becomes one that can be edited.
+ * Simplifies a curve to fewer keys within a tolerance: a recording with a key per frame becomes editable.
  *
- * Keys are taken away; those left stay where they are, in time and value, and get new slopes where a neighbour went
- * (`fit.ts` says how they are chosen). What comes out is measured, exactly (`difference.ts`), against what went in.
+ * Keys are removed; the remaining ones keep their time and value, and get new slopes where a neighbour was removed (see
+ * `fit.ts`). The result is measured exactly (`difference.ts`) against the original.
  *
- * These stay, with a slope of their own on either side:
- * - the first and the last key, so that the period, what is added by each cycle_offset, and the value that is held are
- *   the same. Their tangents outwards keep their slopes: `linear` goes on as it did;
- * - steps (keys at one time);
- * - corners: keys where the slope breaks far more than at the keys beside it, and more than the tolerance could hide;
- * - keys outside the range, if one is given, and the first and last inside, so that the curve outside stays.
+ * These are kept, with an independent slope on either side:
+ * - the first and last key, so that the period, the step of cycle_offset, and held values don't change. Their outward
+ *   tangents keep their slopes, for `linear` extrapolation;
+ * - steps (keys at the same time);
+ * - corners: keys at which the slope breaks far more than at their neighbours, and more than the tolerance could hide;
+ * - keys outside the range, if one is given, and the first and last inside, so that the curve outside is unchanged.
  *
- * Where the keys repeat and the seam was smooth, both its sides get one slope, and it stays smooth.
+ * If the keys repeat and the seam was smooth, both its sides get the same slope, so that it stays smooth.
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { resolvedSlopes, type Slopes } from '../../evaluate/slopes.ts';
@@ -20,20 +20,20 @@ import { takeKeys } from '../keys/columns.ts';
 import { type Difference, largestDifference } from './difference.ts';
 import { agrees, type Curve, FREE_SLOPE, fitStretch, type Knots, reaches } from './fit.ts';
 
-/** What simplifying came to; `largestError` is measured, and never above the tolerance. */
+/** The result of simplifying; `largestError` is measured, and never above the tolerance. */
 export interface Simplified extends Difference {
-  /** The very same where no key could go. */
+  /** The same object if no key could be removed. */
   readonly channel: KeyedChannel;
   readonly keysBefore: number;
   readonly keysAfter: number;
 }
 
-/** How many times the break of the keys beside it a corner's break is. */
+/** A corner's slope breaks by this factor more than at its neighbours. */
 const CORNER = 4;
 
 /**
- * @param tolerance in the channel's own unit (radians for an angle), above 0
- * @param range seconds of the clip: only keys inside may go
+ * @param tolerance in the channel's unit (radians for an angle); greater than 0
+ * @param range seconds of the clip: only keys inside may be removed
  */
 export function simplifyChannel(
   channel: KeyedChannel,
@@ -50,7 +50,7 @@ export function simplifyChannel(
     cubics: compileChannels([channel]).cubics,
     slopesIn: slopes.in,
     slopesOut: slopes.out,
-    // Measured once more afterwards, where rounding goes another way.
+    // Slightly less, since the final measurement rounds differently.
     tolerance: tolerance * (1 - 1e-9),
   };
   const knots = fitAll(channel, curve, range);
@@ -58,7 +58,7 @@ export function simplifyChannel(
   leaveUntouched(curve, knots);
   const simplified = withKnots(channel, slopes, knots);
   const difference = largestDifference(channel, simplified);
-  // A tolerance finer than doubles tell apart can't be kept.
+  // A tolerance finer than double precision can't be met.
   if (!(difference.largestError <= tolerance)) return same;
   return { channel: simplified, keysBefore: count, keysAfter: knots.indices.length, ...difference };
 }
@@ -85,7 +85,7 @@ function fitAll(channel: KeyedChannel, curve: Curve, range: readonly [number, nu
   return knots;
 }
 
-/** Whether key `k` can't go. (The first and last are not asked for here; the last stays because it has none after.) */
+/** Whether key `k` must be kept. (Not called for the first key; the last is kept because none follows.) */
 function stays(curve: Curve, k: number, [from, to]: readonly [number, number]): boolean {
   const { times } = curve;
   if (k === times.length - 1 || isStep(curve, k)) return true;
@@ -99,7 +99,7 @@ function isStep({ times }: Curve, k: number): boolean {
 
 function isCorner({ times, slopesIn, slopesOut, tolerance }: Curve, k: number): boolean {
   const turn = Math.abs(slopesOut[k] - slopesIn[k]);
-  // What rounding the corner off over the spans beside it would get wrong, at the least.
+  // A lower bound of the error of rounding off the corner over the adjacent spans.
   if (turn * Math.min(times[k] - times[k - 1], times[k + 1] - times[k]) <= 8 * tolerance) return false;
   const before = k > 1 ? Math.abs(slopesOut[k - 1] - slopesIn[k - 1]) : 0;
   const after = k + 2 < times.length ? Math.abs(slopesOut[k + 1] - slopesIn[k + 1]) : 0;
@@ -126,7 +126,7 @@ function endSlopes(channel: KeyedChannel, { slopesIn, slopesOut }: Curve): reado
   return [own(channel.tangentsOut, 0, slopesOut[0]), own(channel.tangentsIn, last, slopesIn[last])];
 }
 
-/** A key of which no neighbour went has no reason to change. */
+/** Restores the slopes of keys whose neighbours were kept. */
 function leaveUntouched(curve: Curve, { indices, slopesIn, slopesOut }: Knots): void {
   for (let i = 1; i + 1 < indices.length; i++) {
     const k = indices[i];
@@ -147,7 +147,7 @@ function withKnots(channel: KeyedChannel, slopes: Slopes, knots: Knots): KeyedCh
   };
 }
 
-/** One side's tangents: of the kind they had where that still comes to the same slope, or else numbers. */
+/** Tangents of one side: of the previous kind if that still gives the same slope, otherwise numbers. */
 function tangentsOf(
   channel: KeyedChannel,
   side: Tangents,
@@ -162,7 +162,7 @@ function tangentsOf(
     const hasPrevious = i === 0 || indices[i - 1] === k - 1;
     const hasNext = i === count - 1 || indices[i + 1] === k + 1;
     const kind = side.kinds[k];
-    // At the ends both sides mean the one span there is.
+    // At the ends both sides refer to the only adjacent span.
     const looksBack = side === channel.tangentsIn ? i > 0 : i === count - 1;
     const sameNeighbours = kind === SMOOTH ? hasPrevious && hasNext : looksBack ? hasPrevious : hasNext;
     if (slopes[i] === before[k] && (kind === FLAT || ((kind === SMOOTH || kind === LINEAR) && sameNeighbours))) {

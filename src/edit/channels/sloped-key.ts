@@ -1,6 +1,6 @@
 /**
- * Keys with the slopes that their tangents come to: `smooth` and `linear` ask the neighbours, and where those change,
- * a key keeps its shape only as numbers.
+ * Keys with their resolved slopes: `smooth` and `linear` depend on the neighbours, and when those change, a key keeps
+ * its shape only as numbers.
  */
 import type { Slopes } from '../../evaluate/slopes.ts';
 import { FIXED_TANGENT, FLAT, type KeyedChannel } from '../../model/clip.ts';
@@ -16,17 +16,17 @@ export function slopedKey(channel: KeyedChannel, slopes: Slopes, k: number): Slo
   return { ...keyAt(channel, k), slopeIn: slopes.in[k], slopeOut: slopes.out[k] };
 }
 
-/** The key with tangents that ask no neighbour. */
+/** The key with tangents that don't depend on neighbours. */
 export function frozen(key: Sloped): Sloped {
   return { ...key, in: frozenTangent(key.in, key.slopeIn), out: frozenTangent(key.out, key.slopeOut) };
 }
 
-/** As a number, unless it is flat: that is one already. */
+/** As a number, unless it is flat, which is one already. */
 export function frozenTangent({ kind }: Tangent, slope: number): Tangent {
   return kind === FLAT ? tangent(FLAT) : tangent(FIXED_TANGENT, slope);
 }
 
-/** Values that differ by no more than rounding: no step. */
+/** Whether values are equal up to rounding, so that there is no step. */
 export function meets(a: number, b: number): boolean {
   return Math.abs(a - b) <= 1e-12 * Math.max(Math.abs(a), Math.abs(b));
 }

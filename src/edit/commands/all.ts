@@ -1,4 +1,4 @@
-/** Every command on the document by its id, for whoever asks by name: the console, scripts, tests. */
+/** Every document command by id, for the console, scripts and tests. */
 import type { Document } from '../../model/document.ts';
 import type { Command, Edit } from '../store.ts';
 import { COMMANDS_AT_HAND } from './at-hand.ts';
@@ -22,7 +22,7 @@ import {
 } from './samples.ts';
 import { autoWeights } from './skin-weights.ts';
 
-/** Those that the page fetches when they are asked for; it knows them by `FETCHED_IDS`. */
+/** Commands that the page loads on demand; it knows them by `FETCHED_IDS`. */
 const FETCHED: readonly Command<never, Document | Edit>[] = [
   simplify,
   resample,

@@ -1,7 +1,6 @@
 /**
- * The commands that the page has from the start, by id. Those for whole curves, samples, other characters' takes,
- * pins and skeletons are fetched when they are asked for: with what fits, smooths, matches and solves they are more than
- * all of these (`all.ts`).
+ * The commands that the page has from the start, by id. Those for whole curves, samples, retargeting, pins and
+ * skeletons are loaded on demand: with the algorithms they need they are larger than all of these (`all.ts`).
  */
 import type { Document } from '../../model/document.ts';
 import type { Command, Edit } from '../store.ts';
@@ -26,7 +25,7 @@ import { setHidden, setPositionChannels, setSpace } from './spaces.ts';
 import { alignStarts, arrange, endOverlay, overlayTakes, removeTakes, setTimeOffsets, showTakes } from './takes.ts';
 import { breakTangents, setSlopes, setTangents, unifyTangents } from './tangents.ts';
 
-/** Arguments come from outside here: each command checks its own and refuses with a `CommandError`. */
+/** Arguments are not checked here: each command checks its own and throws a `CommandError`. */
 const COMMANDS: readonly Command<never, Document | Edit>[] = [
   setDofs,
   resetPose,
@@ -79,7 +78,7 @@ export const COMMANDS_AT_HAND: ReadonlyMap<string, Command<never, Document | Edi
   COMMANDS.map((c) => [c.id, c]),
 );
 
-/** Ids of the commands that are fetched when they are asked for. A test compares them with those in `all.ts`. */
+/** Ids of the commands loaded on demand. A test compares them with those in `all.ts`. */
 export const FETCHED_IDS: ReadonlySet<string> = new Set([
   'channels.simplify',
   'channels.resample',

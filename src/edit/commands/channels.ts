@@ -1,7 +1,7 @@
 /**
- * What is done to whole curves at once. Each of these selects all keys of the channels that it changed: few of those
- * that were selected before are still there, and what has changed is what one wants to see. Where nothing changes the
- * document is the very same, and no step is made.
+ * Operations on whole curves. Each selects all keys of the channels that it changed: few of those selected before still
+ * exist, and the changes are what one wants to see. If nothing changes, the document is the same object and no undo
+ * step is made.
  */
 
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
@@ -24,26 +24,26 @@ import { type Command, CommandError, type Edit } from '../store.ts';
 import { withTake } from '../takes.ts';
 
 /**
- * How far a curve may get from what it was, in its own unit (`unitOfChannel`): radians, the file's lengths, weights.
- * Units that none of the channels has can be left out; where one is missing that is needed, the command refuses.
+ * How far a curve may deviate, in its own unit (`unitOfChannel`): radians, the file's lengths, weights. Units that none
+ * of the channels has can be omitted; if a needed one is missing, the command refuses.
  */
 export type Tolerances = Readonly<Partial<Record<DofUnit, number>>>;
 
 export interface Simplify extends OfChannels {
-  /** More than 0: one for each unit, so that half a degree and a millimetre can stand together, or one for all. */
+  /** Greater than 0: one per unit, to combine half a degree with a millimetre, or one for all. */
   readonly tolerance: number | Tolerances;
-  /** Seconds of the clip: keys outside stay, with the curve there. All keys where absent. */
+  /** Seconds of the clip: keys outside are kept, with the curve there. Default: all keys. */
   readonly range?: readonly [number, number];
 }
 
-/** Fewer keys, with the curve nowhere off by more than the tolerance; see `channels/simplify.ts` for the method. */
+/** Fewer keys, with the curve within tolerance everywhere; see `channels/simplify.ts` for the method. */
 export const simplify: Command<Simplify, Edit> = {
   id: 'channels.simplify',
   label: (_document, { channels }) => `Simplify ${curves(channels)}`,
   run: (document, args) => edited(document, args, simplified(document, args)),
 };
 
-/** What `simplify` would come to. Asked for on every move of a slider: channels that were measured are kept. */
+/** The result of `simplify` in advance. Called on every move of a slider, so measured channels are cached. */
 export function simplifyPreview(document: Document, args: Simplify): Reduction {
   return reduction(document, args, simplified(document, args));
 }
@@ -57,30 +57,30 @@ export const resample: Command<Resample, Edit> = {
   run: (document, args) => edited(document, args, resampled(document, args)),
 };
 
-/** What `resample` would come to. */
+/** The result of `resample` in advance. */
 export function resamplePreview(document: Document, args: Resample): Reduction {
   return reduction(document, args, resampled(document, args));
 }
 
-/** Angles without jumps, for the same rotations, of keys and of samples; see `samples/euler-filter.ts`. */
+/** Removes jumps of angles, in keys and samples, keeping the rotations; see `samples/euler-filter.ts`. */
 export const eulerFilter: Command<OfChannels, Edit> = {
   id: 'channels.eulerFilter',
   label: () => 'Euler filter',
   run: (document, args) => runToEnd(eulerFilterSteps(document, args)).edit,
 };
 
-/** What the filter came to. */
+/** The result of the filter. */
 export interface EulerFiltering {
   readonly edit: Edit;
   /** Channels that changed. */
   readonly changed: readonly number[];
-  /** Keys that have other values; frames of samples are not counted. */
+  /** Keys whose values changed; frames of samples are not counted. */
   readonly keysChanged: number;
   /** Sentences on what was not done, and why. */
   readonly notes: readonly string[];
 }
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* eulerFilterSteps(document: Document, args: OfChannels): Steps<EulerFiltering> {
   const { characterId } = args;
   const clip = clipOf(document, characterId);
@@ -102,7 +102,7 @@ export interface BakeExtrapolation extends OfChannels {
   readonly to: number;
 }
 
-/** Keys for what lies beyond the ends; see `channels/bake-extrapolation.ts`. */
+/** Bakes extrapolation to keys; see `channels/bake-extrapolation.ts`. */
 export const bakeExtrapolation: Command<BakeExtrapolation, Edit> = {
   id: 'channels.bakeExtrapolation',
   label: (_document, { channels }) => `Bake extrapolation of ${curves(channels)}`,
@@ -112,11 +112,11 @@ export const bakeExtrapolation: Command<BakeExtrapolation, Edit> = {
 export interface BakePreview {
   readonly keysBefore: number;
   readonly keysAfter: number;
-  /** Channels that go on repeating on the side that is not baked, with another period than before. */
+  /** Channels that still repeat on the side that is not baked, with a changed period. */
   readonly periodsChanged: readonly number[];
 }
 
-/** What `bakeExtrapolation` would come to. */
+/** The result of `bakeExtrapolation` in advance. */
 export function bakePreview(document: Document, args: BakeExtrapolation): BakePreview {
   const results = [...baked(document, args)];
   return {
@@ -127,11 +127,11 @@ export function bakePreview(document: Document, args: BakeExtrapolation): BakePr
 }
 
 export interface MakeLoop extends OfChannels {
-  /** Those that go on from where they end (`cycle_offset`), like a root that travels; true for all of them. */
+  /** Channels that continue from their end (`cycle_offset`), like a root that moves; true for all. */
   readonly keepOffset?: boolean | readonly number[];
 }
 
-/** The end flows into the beginning, `cycle` on both sides; see `channels/make-loop.ts`. */
+/** Makes the end meet the start, `cycle` on both sides; see `channels/make-loop.ts`. */
 export const makeLoop: Command<MakeLoop, Edit> = {
   id: 'channels.makeLoop',
   label: (_document, { channels }) => `Make ${curves(channels)} loop`,
@@ -149,7 +149,7 @@ export const makeLoop: Command<MakeLoop, Edit> = {
 
 type Result = Channel | { readonly channel: Channel };
 
-/** What becomes of each of the given channels that have keys. */
+/** Results for those of the given channels that have keys. */
 function results<R>(
   document: Document,
   args: OfChannels,
@@ -179,7 +179,7 @@ function edited(document: Document, { characterId }: OfChannels, made: ReadonlyM
   };
 }
 
-/** The last simplification of each channel: a preview and the command after it want the same. */
+/** The last simplification of each channel: the preview and the command after it need the same. */
 const simplifiedBefore = new WeakMap<KeyedChannel, { readonly key: string; readonly result: Simplified }>();
 
 function simplified(document: Document, args: Simplify): Map<number, Simplified> {

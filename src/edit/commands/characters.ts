@@ -1,4 +1,4 @@
-/** Characters as wholes: which are there, what of them is shown, and where they stand. */
+/** Commands on whole characters: which exist, which skin and take are shown, and their placements. */
 import type { Character, Document, Placement } from '../../model/document.ts';
 import { finiteNumber, indexIn, listOf, text } from '../arguments.ts';
 import { changeCharacter, requireCharacter } from '../characters.ts';
@@ -27,7 +27,7 @@ export const renameCharacter: Command<OfCharacter & { readonly name: string }> =
     changeCharacter(document, characterId, (c) => (c.name === text(name, 'The name') ? c : { ...c, name })),
 };
 
-/** Draws another of a character's alternative skins. */
+/** Shows another of a character's alternative skins. */
 export const showSkin: Command<OfCharacter & { readonly skin: number }> = {
   id: 'character.showSkin',
   label: (document, { characterId, skin }) =>
@@ -47,7 +47,7 @@ export const showClip: Command<OfCharacter & { readonly clip: number }> = {
   run: (document, { characterId, clip }) =>
     changeCharacter(document, characterId, (c) => {
       indexIn(clip, -1, c.clips.length, 'take');
-      // A take of its own is shown in place of another's that moves it.
+      // Showing a take of its own ends retargeting.
       return c.shownClip === clip ? withoutDriver(c) : { ...withoutDriver(withoutUnkeyed(c)), shownClip: clip };
     }),
 };
@@ -63,7 +63,7 @@ export const setTimeOffset: Command<OfCharacter & { readonly seconds: number }> 
   },
 };
 
-/** Moves, turns or scales one of the places where a character stands. */
+/** Moves, rotates or scales one instance of a character. */
 export const placeCharacter: Command<OfCharacter & { readonly index: number; readonly placement: Placement }> = {
   id: 'character.place',
   label: (document, { characterId }) => `Move ${nameOf(document, characterId)}`,
@@ -76,7 +76,7 @@ export const placeCharacter: Command<OfCharacter & { readonly index: number; rea
     }),
 };
 
-/** Shows a character once more, over the same data. */
+/** Adds an instance of a character, sharing its data. */
 export const addCopy: Command<OfCharacter & { readonly placement: Placement }> = {
   id: 'character.addCopy',
   label: (document, { characterId }) => `Duplicate instance of ${nameOf(document, characterId)}`,

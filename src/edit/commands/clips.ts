@@ -1,6 +1,6 @@
 /**
- * Takes as wholes: made, named, copied, removed, and what of them is played. Each command means the take that is shown,
- * unless it is told another.
+ * Commands on whole takes: create, rename, duplicate, remove, playback range. Each applies to the shown take unless
+ * another is given.
  */
 import type { ChannelClip } from '../../model/clip.ts';
 import { type Character, type Document, shownClip } from '../../model/document.ts';
@@ -15,12 +15,12 @@ import { withoutUnkeyed } from '../unkeyed.ts';
 
 interface OfTake {
   readonly characterId: string;
-  /** Into the character's takes; the one that is shown, where absent. */
+  /** Index of the character's takes; default: the shown one. */
   readonly clip?: number | undefined;
 }
 
 export interface SetRange extends OfTake {
-  /** First and last second that are played, in seconds of the clip. */
+  /** First and last second that play, in seconds of the clip. */
   readonly range: readonly [number, number];
 }
 
@@ -38,7 +38,7 @@ export const setClipRange: Command<SetRange> = {
   },
 };
 
-/** What a take's samples play between two frames. */
+/** How samples are interpolated between frames. */
 export const setInterpolation: Command<OfTake & { readonly interpolation: Interpolation }> = {
   id: 'clip.setInterpolation',
   label: (document, args) => `Set interpolation of ${nameOf(document, args)}`,
@@ -57,11 +57,11 @@ export interface CreateClip {
   readonly characterId: string;
   /** Seconds of the clip. */
   readonly range: readonly [number, number];
-  /** After the skeleton, where absent. A name that is taken gets a number. */
+  /** Default: the skeleton's name. A name in use gets a number. */
   readonly name?: string | undefined;
 }
 
-/** A take in which nothing is keyed and everything stands at the pose; it is shown. */
+/** Creates a take without keys, at rest in the current pose, and shows it. */
 export const createClip: Command<CreateClip> = {
   id: 'clip.create',
   label: () => 'New take',
@@ -73,7 +73,7 @@ export const createClip: Command<CreateClip> = {
     }),
 };
 
-/** The name is its file's too, so no two takes of a character have the same, and none that of another's file. */
+/** The name is also the file's, so it must differ from the character's other takes and from their files. */
 export const renameClip: Command<OfTake & { readonly name: string }> = {
   id: 'clip.rename',
   label: (document, args) => `Rename ${nameOf(document, args)}`,
@@ -91,7 +91,7 @@ export const renameClip: Command<OfTake & { readonly name: string }> = {
     }),
 };
 
-/** The copy stands behind the others, and is shown. It shares the channels until one of the two changes. */
+/** The duplicate is appended and shown. It shares the channels until one of the two changes. */
 export const duplicateClip: Command<OfTake> = {
   id: 'clip.duplicate',
   label: (document, args) => `Duplicate ${nameOf(document, args)}`,
@@ -103,7 +103,7 @@ export const duplicateClip: Command<OfTake> = {
     }),
 };
 
-/** In place of a take that was shown, the one after it is; the one before it, where it was the last. */
+/** If the take was shown, the next one is shown instead, or the previous one if it was the last. */
 export const removeClip: Command<OfTake> = {
   id: 'clip.remove',
   label: (document, args) => `Remove ${nameOf(document, args)}`,

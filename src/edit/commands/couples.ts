@@ -1,4 +1,4 @@
-/** Coupled DOFs: one that follows another. They are the skeleton's, and saved in its `.skel`. */
+/** Linked DOFs. They belong to the skeleton and are saved in its `.skel`. */
 import { couplesOf } from '../../model/couples.ts';
 import type { Document } from '../../model/document.ts';
 import { jointName } from '../../model/joint-name.ts';
@@ -10,13 +10,13 @@ import { boundAnew } from '../rig/apply.ts';
 import type { Rigging } from '../rig/rigging.ts';
 import { type Command, CommandError } from '../store.ts';
 
-/** Where skins are to stay though what follows moves a joint, they are bound anew (`rig/rigging.ts`). */
+/** If a link moves a joint and skins are to stay, they are rebound (`rig/rigging.ts`). */
 export interface SetCouple extends Rigging {
   /** Index. */
   readonly joint: number;
   /** The name of one of its DOFs. */
   readonly dof: string;
-  /** What it follows from now on, instead of what it followed; null: it is its own again, where it was set last. */
+  /** The DOF to follow, replacing the previous one; null unlinks it, at the value that was last set. */
   readonly follows: FollowedDof | null;
 }
 
@@ -25,13 +25,13 @@ export interface FollowedDof {
   readonly joint: number;
   /** The name of one of that joint's DOFs. */
   readonly dof: string;
-  /** Of the followed DOF's own unit: radians, or units of length. */
+  /** Per unit of the followed DOF: radians, or length units. */
   readonly gain: number;
-  /** In the unit of the DOF that follows. */
+  /** In the unit of the linked DOF. */
   readonly offset: number;
 }
 
-/** Refuses what would make a DOF follow itself, by way of however many others. */
+/** Refuses links that would make a DOF follow itself, directly or indirectly. */
 export const setCouple: Command<SetCouple> = {
   id: 'rig.setCouple',
   label(document, { characterId, joint, dof, follows }) {
@@ -83,7 +83,7 @@ function requireDof(skeleton: Skeleton, joint: number, name: unknown): string {
   throw new CommandError(`${jointName(skeleton, joint)} has no DOF ${String(name)}; it has ${there}.`);
 }
 
-/** A couple that was circular before is no reason to refuse another one. */
+/** An existing cycle is no reason to refuse another link. */
 function refuseCycle(skeleton: Skeleton, joint: number, dof: string): void {
   const start = { joint, dof };
   let now = start;

@@ -1,11 +1,11 @@
-/** What channels do before their first key and after their last. */
+/** Extrapolation of channels before their first key and after their last. */
 import { EXTRAPOLATIONS, type Extrapolation } from '../../model/clip.ts';
 import { oneOf } from '../arguments.ts';
 import { checkedChannels, clipOf, keyable, type OfChannels, withClipChannels } from '../channel-edits.ts';
 import { TANGENT_SIDES, type TangentSide } from '../keys/tangents.ts';
 import type { Command } from '../store.ts';
 
-/** As labels have them. */
+/** Names for labels. */
 export const EXTRAPOLATION_NAMES: Readonly<Record<Extrapolation, string>> = {
   constant: 'Constant',
   linear: 'Linear',
@@ -20,7 +20,7 @@ export interface SetExtrapolation extends OfChannels {
   readonly extrapolation: Extrapolation;
 }
 
-/** Keys stay what they are, and those that are selected stay selected. Samples hold their ends: they are left. */
+/** Keys and their selection are unchanged. Sampled channels hold their ends and are skipped. */
 export const setExtrapolation: Command<SetExtrapolation> = {
   id: 'channels.setExtrapolation',
   label: (_document, { side, extrapolation }) => `${EXTRAPOLATION_NAMES[extrapolation]} ${WHERE[side]}`,

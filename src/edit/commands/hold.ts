@@ -1,6 +1,6 @@
 /**
- * A pin held over a range of time and baked into the take: *foot lock*. What it holds stays where it is at one moment, at
- * every frame of the range, by inverse kinematics on each frame's own pose; see `hold/`.
+ * Holds pins over a time range and bakes that into the take: *foot lock*. The pinned points keep their positions at one
+ * time in every frame of the range, by inverse kinematics on each frame's own pose; see `hold/`.
  */
 import { ikOf } from '../../evaluate/ik/set-up.ts';
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
@@ -21,36 +21,36 @@ import { pinnedNames, requirePin } from './ik.ts';
 
 export interface HoldPins {
   readonly characterId: string;
-  /** Ids; the character's other pins hold nothing here. */
+  /** Ids; the character's other pins are ignored. */
   readonly pins: readonly number[];
-  /** What is held, both ends included; seconds of the transport. Cut to what the take plays. */
+  /** The range to hold, both ends included; seconds of the transport. Clipped to the playback range of the take. */
   readonly range: readonly [number, number];
-  /** The moment whose pose says where, as it is shown; seconds of the transport, inside of the range or not. */
+  /** The time whose displayed pose gives the positions; seconds of the transport, inside the range or not. */
   readonly atSeconds: number;
-  /** Frames that are solved; a take of samples has frames of its own. */
+  /** Frames to solve; a sampled take has frames of its own. */
   readonly framesPerSecond: number;
-  /** How long the way to the held place takes before the range, and that back after it; 0.1 where absent. */
+  /** Duration of the ease in before the range and the ease out after it; default 0.1. */
   readonly easeSeconds?: number | undefined;
-  /** How far joints and pins may be off for the sake of few keys, in lengths; a thousandth of the reach where absent. */
+  /** How far joints and pins may deviate to save keys, in lengths; default a thousandth of the reach. */
   readonly tolerance?: number | undefined;
 }
 
 const EASE_SECONDS = 0.1;
 
-/** Keys, or frames where the take has samples, with which the pins stay where they are. The new keys are selected. */
+/** Adds keys, or changes frames of a sampled take, so that the pins stay in place. The new keys are selected. */
 export const holdPins: Command<HoldPins, Edit> = {
   id: 'hold.pins',
   label: (document, { characterId, pins }) => `Hold ${pinnedNames(requireCharacter(document, characterId), pins)}`,
   run: (document, args) => runToEnd(holdSteps(document, args)).edit,
 };
 
-/** What a hold came to, with the document as it is after it. */
+/** The result of a hold, with the document after it. */
 export interface Held {
   readonly edit: Edit;
   readonly report: HeldTake;
 }
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* holdSteps(document: Document, args: HoldPins): Steps<Held> {
   const { characterId } = args;
   const character = requireCharacter(document, characterId);
@@ -93,7 +93,7 @@ function above0(value: unknown, what: string): number {
   throw new CommandError(`${what} must be greater than 0, found ${checked}.`);
 }
 
-/** What was set by hand stays, but for what the hold has changed at that moment: the hold began at it. */
+/** Keeps unkeyed changes except where the hold has changed the pose at that time, since the hold started from them. */
 function withoutHandOn(
   held: Character,
   { unkeyed }: Character,

@@ -1,6 +1,6 @@
 /**
- * What inverse kinematics holds on to in a character (`model/ik.ts`): pins, joints that are stiff or locked, and whether
- * the whole may travel. Nothing moves by these; what a hand then does with them goes through `pose.setDofs`.
+ * A character's IK settings (`model/ik.ts`): pins, stiff or locked joints, and whether the root may move. These
+ * commands move nothing; dragging then uses `pose.setDofs`.
  */
 import { ikOf, reachOfSkeleton } from '../../evaluate/ik/set-up.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -21,13 +21,13 @@ export interface AddPin extends OfIk {
   readonly joint: number;
   /** In the joint's space. */
   readonly point: Vec3;
-  /** More than 0; 1 where absent. */
+  /** Greater than 0; default 1. */
   readonly weight?: number | undefined;
-  /** False where absent. */
+  /** Default false. */
   readonly holdsOrientation?: boolean | undefined;
 }
 
-/** One pin more, the last of the setup's. Refuses a point that is pinned already. */
+/** Appends a pin. Refuses a point that is already pinned. */
 export const pinPoint: Command<AddPin> = {
   id: 'ik.pin',
   label: (document, { characterId, joint }) =>
@@ -69,13 +69,13 @@ export const clearPins: Command<OfIk> = {
 };
 
 export interface ChangePin extends OfIk {
-  /** Its id; the pin keeps it. */
+  /** Id of the pin, which it keeps. */
   readonly pin: number;
-  /** What is absent stays. */
+  /** Omitted ones are not changed. */
   readonly weight?: number | undefined;
   readonly holdsOrientation?: boolean | undefined;
   readonly joint?: number | undefined;
-  /** In the joint's space; another joint takes the same numbers for a point of its own. */
+  /** In the joint's space; for another joint the same numbers are a point of that one. */
   readonly point?: Vec3 | undefined;
 }
 
@@ -111,7 +111,7 @@ export const setPin: Command<ChangePin> = {
 export interface SetStiffness extends OfIk {
   /** Indices. */
   readonly joints: readonly number[];
-  /** How unwilling they are to move: 1 is as usual, 4 half as far for the same need; at least 1. */
+  /** 1 is the default, 4 moves half as far for the same error; at least 1. */
   readonly stiffness: number | 'locked' | 'usual';
 }
 
@@ -139,7 +139,7 @@ export interface SetRootFree extends OfIk {
   readonly isFree: boolean;
 }
 
-/** Whether what carries the whole character takes part. */
+/** Whether root translation takes part. */
 export const setRootFree: Command<SetRootFree> = {
   id: 'ik.setRootFree',
   label: (document, { characterId, isFree }) =>
@@ -151,7 +151,7 @@ export const setRootFree: Command<SetRootFree> = {
     }),
 };
 
-/** The character with another setup; without one where that is what holds anyway. */
+/** The character with other settings; without any if they are the defaults. */
 function change(document: Document, characterId: string, make: (ik: IkSetup, skeleton: Skeleton) => IkSetup): Document {
   return changeCharacter(document, characterId, (character) => {
     const { skeleton, ik: _before, ...rest } = character;
@@ -167,7 +167,7 @@ function isDefault({ pins, stiff, rootIsFree }: IkSetup, skeleton: Skeleton): bo
   return pins.length === 0 && stiff.length === 0 && rootIsFree === defaultIk(skeleton).rootIsFree;
 }
 
-/** Points of a joint that are nearer than that part of the character's reach are one point. */
+/** Points of a joint closer than this fraction of the character's reach are the same. */
 const SAME_POINT = 1e-6;
 
 function refuseDouble({ joint, point }: Pin, others: readonly Pin[], skeleton: Skeleton): void {
@@ -178,7 +178,7 @@ function refuseDouble({ joint, point }: Pin, others: readonly Pin[], skeleton: S
   if (there) throw new CommandError(`That point of ${jointName(skeleton, joint)} is already pinned.`);
 }
 
-/** Refuses an id that no pin has. */
+/** Throws if no pin has this id. */
 export function requirePin({ pins }: Pick<IkSetup, 'pins'>, id: unknown): Pin {
   const pin = pins.find((p) => p.id === id);
   if (!pin)
@@ -215,7 +215,7 @@ function sameStiffness(a: readonly StiffJoint[], b: readonly StiffJoint[]): bool
   return a.length === b.length && a.every((one, i) => one.joint === b[i].joint && one.stiffness === b[i].stiffness);
 }
 
-/** `foot_l`, `2 pins`; labels have a word for what is not there too. */
+/** `foot_l`, `2 pins`; for labels, so it also handles missing pins. */
 export function pinnedNames(character: Character, ids: readonly number[]): string {
   const pinned = ikOf(character).pins.filter(({ id }) => ids.includes(id));
   if (pinned.length === 1) return jointName(character.skeleton, pinned[0].joint);

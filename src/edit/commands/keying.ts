@@ -1,4 +1,4 @@
-/** From poses to keys. */
+/** Keying poses. */
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { type Character, shownClip } from '../../model/document.ts';
 import { characterDofs } from '../../model/dofs.ts';
@@ -12,16 +12,16 @@ import { dofName } from './pose.ts';
 
 export interface KeyPose extends KeyOptions {
   readonly characterId: string;
-  /** Into the character's DOFs (`model/dofs.ts`); all of them, where absent. */
+  /** Indices into the character's DOFs (`model/dofs.ts`); default all. */
   readonly dofs?: readonly number[] | undefined;
   /** Of the transport. */
   readonly timeSeconds: number;
 }
 
 /**
- * Keys the pose as it is shown at that time: the take, what was set by hand over it, within the limits. Nothing moves
- * at that moment. A character without a take gets one, in which every DOF that is not keyed stands where it stands.
- * Of a take with samples, what follows them is left; refused where that is all that was meant.
+ * Keys the pose displayed at that time: the take with unkeyed changes, within limits. Nothing moves at that time. A
+ * character without a take gets one, in which DOFs without keys rest at their values. Sampled channels are skipped;
+ * refused if there are no others.
  */
 export const keyPose: Command<KeyPose, Edit> = {
   id: 'pose.key',

@@ -1,4 +1,4 @@
-/** Keys: making them, moving them, taking them away. Seconds are the clip's. */
+/** Creating, moving and deleting keys. Seconds are the clip's. */
 import { compileClip } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel } from '../../evaluate/curves.ts';
 import { followingSamples, TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
@@ -33,12 +33,12 @@ export interface AtTime {
   readonly timeSeconds: number;
 }
 
-/** A time at which keys are made. */
+/** A time at which to create keys. */
 export interface NewKeyAt extends AtTime, KeyPlacing {}
 
 /**
- * Keys on the curves, whose shape stays (`keys/insert.ts`). Selects them, or the keys that were there already. Channels
- * that follow samples get none; refused where all of them do.
+ * Inserts keys on the curves without changing their shape (`keys/insert.ts`), and selects them, or existing keys there.
+ * Sampled channels are skipped; refused if there are no others.
  */
 export const insertKeys: Command<OfChannels & NewKeyAt, Edit> = {
   id: 'keys.insert',
@@ -62,11 +62,14 @@ export interface AddKey extends NewKeyAt {
   readonly characterId: string;
   readonly channel: number;
   readonly value: number;
-  /** Of both sides of a new key; smooth where absent. `fixed` is level. */
+  /** Of both sides of a new key; default smooth. `fixed` is level. */
   readonly tangents?: TangentKind;
 }
 
-/** A key beside the curve, which goes through it from then on. A key that is at that time takes the value. Refused over samples. */
+/**
+ * Adds a key off the curve, which then passes through it. An existing key at that time takes the value. Refused for
+ * sampled channels.
+ */
 export const addKey: Command<AddKey, Edit> = {
   id: 'keys.add',
   label: () => 'Add key',
@@ -93,9 +96,9 @@ export const addKey: Command<AddKey, Edit> = {
 export interface MoveKeysArgs extends OfKeys {
   /** Added to their times. */
   readonly seconds: number;
-  /** Added to the values, one number for each entry of `keys`; none where absent. */
+  /** Added to the values, one number per entry of `keys`; default none. */
   readonly values?: readonly number[];
-  /** What becomes of a key that a moved one lands on; it is replaced where absent. */
+  /** What happens to a key that a moved one lands on; default: it is replaced. */
   readonly onCollision?: Collision;
 }
 
@@ -113,12 +116,12 @@ export const moveKeys: Command<MoveKeysArgs, Edit> = {
 };
 
 export interface ScaleKeysArgs extends OfKeys {
-  /** Of the clip: the moment that stays. */
+  /** Clip time that stays fixed. */
   readonly pivotSeconds: number;
-  /** Below 0 mirrors. */
+  /** Negative mirrors. */
   readonly timeFactor: number;
   readonly valueFactor: number;
-  /** The value that stays, one for each entry of `keys`; 0 where absent. */
+  /** The value that stays fixed, one per entry of `keys`; default 0. */
   readonly pivotValues?: readonly number[];
   readonly onCollision?: Collision;
 }
@@ -140,9 +143,7 @@ export const scaleKeys: Command<ScaleKeysArgs, Edit> = {
   },
 };
 
-/**
- * Exact numbers, as typed. A time is for one key of each channel: more can't stand at it, so that is refused.
- */
+/** Exact numbers, as typed. A time can only be set for one key per channel, otherwise refused. */
 export const setKeys: Command<OfKeys & TypedKey, Edit> = {
   id: 'keys.set',
   label(_document, { keys, timeSeconds, value }) {
@@ -168,13 +169,13 @@ export const setKeys: Command<OfKeys & TypedKey, Edit> = {
 export interface SnapKeys extends OfKeys {
   readonly framesPerSecond: number;
   /**
-   * Where frame 0 is, in seconds of the clip; 0 where absent. The character's time offset gives the transport's frames,
-   * those that are seen.
+   * Time of frame 0, in seconds of the clip; default 0. Pass the character's time offset to use the transport's frames,
+   * which are the visible ones.
    */
   readonly offsetSeconds?: number;
 }
 
-/** To the nearest frame. */
+/** Moves keys to the nearest frame. */
 export const snapKeys: Command<SnapKeys, Edit> = {
   id: 'keys.snap',
   label: (_document, { keys }) => `Snap ${keyCountText(keys)} to frames`,
@@ -190,8 +191,8 @@ export const snapKeys: Command<SnapKeys, Edit> = {
 };
 
 /**
- * Channels that lose all their keys stand at the value they had at the given time; those that have samples beneath,
- * because they were converted from them, follow these again. Nothing is selected after it.
+ * Channels that lose all their keys rest at their value at the given time; those converted from samples that are still
+ * there follow these again. Nothing is selected afterwards.
  */
 export const removeKeys: Command<OfKeys & AtTime, Edit> = {
   id: 'keys.remove',
@@ -210,8 +211,8 @@ export const removeKeys: Command<OfKeys & AtTime, Edit> = {
 };
 
 /**
- * Moves keys and all later keys of their channels (`keys/ripple.ts`). All channels go as far as the one with the least
- * room: poses stay poses.
+ * Moves keys and all later keys of their channels (`keys/ripple.ts`). All channels move by the same amount, limited by
+ * the one with the least room, so that poses stay together.
  */
 export const rippleKeys: Command<OfKeys & { readonly seconds: number }, Edit> = {
   id: 'keys.ripple',

@@ -1,6 +1,6 @@
 /**
- * Limits of the joints' DOFs. They are the skeleton's, and saved in its `.skel`; poses and keys beyond them stay as they
- * are, and are clamped when shown.
+ * Limits of the joints' DOFs. They belong to the skeleton and are saved in its `.skel`; poses and keys beyond them are
+ * kept, and clamped in display.
  */
 import type { Document } from '../../model/document.ts';
 import { characterDofs, firstDofs } from '../../model/dofs.ts';
@@ -13,11 +13,11 @@ import { dofName } from './pose.ts';
 
 export interface OfDof {
   readonly characterId: string;
-  /** Into the character's DOFs (`model/dofs.ts`): one that takes limits. */
+  /** Index into the character's DOFs (`model/dofs.ts`), of one that takes limits. */
   readonly dof: number;
 }
 
-/** `min` and `max` in the DOF's own unit: radians, or units of length. */
+/** `min` and `max` in the DOF's unit: radians or length units. */
 export const setLimit: Command<OfDof & Limit> = {
   id: 'skeleton.setLimit',
   label: (document, args) => `Set limits of ${nameOf(document, args)}`,
@@ -35,7 +35,7 @@ export const clearLimit: Command<OfDof> = {
   run: (document, { characterId, dof }) => withLimit(document, characterId, dof, UNLIMITED),
 };
 
-/** Joints that it is not about keep their identity. */
+/** Other joints keep their identity. */
 function withLimit(document: Document, characterId: string, dof: number, limit: Limit): Document {
   return changeCharacter(document, characterId, (character) => {
     const { skeleton, morphs } = character;

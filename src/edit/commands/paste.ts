@@ -1,4 +1,4 @@
-/** Pasting copied keys (`keys/clipboard.ts`). Selects them. Refused where one would go into samples. */
+/** Pastes copied keys (`keys/clipboard.ts`) and selects them. Refused if one would land in samples. */
 import { finiteNumber, listOf, oneOf } from '../arguments.ts';
 import { allKeyable, clipOf, withClipChannels } from '../channel-edits.ts';
 import { checkPlacing } from '../check-placing.ts';
@@ -38,9 +38,9 @@ export const pasteKeys: Command<PasteKeys, Edit> = {
   },
 };
 
-/** What a console gives need not be what was copied. */
+/** Data from the console may not be copied keys. */
 function checkCopied(copied: CopiedKeys): void {
-  // Beyond its type on purpose.
+  // Deliberately looser than its type.
   const given: { seconds?: unknown; channels?: unknown } = copied ?? {};
   if (finiteNumber(given.seconds, 'The length of "copied"') < 0)
     throw new CommandError('"copied" must last 0 s or more.');

@@ -1,16 +1,16 @@
 /**
- * Posing by hand: DOFs, root translation and morph weights are all DOFs of the character's one list. Where a value goes
- * depends on who has the say over its DOF:
+ * Posing by hand. DOFs, root translation and morph weights are all DOFs in the character's list. What a new value
+ * changes depends on what drives its DOF:
  *
  *     no channel            the pose
- *     a channel, no keys    the value that it stands at: the take's own, as everything that is seen through a take is
- *     a channel with keys   *unkeyed*: shown until time moves; nothing where the keys give that very value
- *     one of samples        unkeyed too: no key can stand among frames
- *     another's take        unkeyed, where it moves the joint; else the pose
- *     auto-key              a key at that moment, whatever there was but samples
+ *     a channel, no keys    the channel's rest value, which belongs to the take
+ *     a channel with keys   an *unkeyed change*, shown until the time changes; none if the keys give that value
+ *     a sampled channel     an unkeyed change too: samples take no keys
+ *     retargeting           an unkeyed change, if it drives the joint; else the pose
+ *     auto-key              a key at that time, except for sampled channels
  *
- * The pose keeps what lies beneath a take: it shows again when the take is taken off, and it is what a `.skel` is saved
- * with. Writing to both would change one take by posing another.
+ * The pose keeps the values beneath a take: it shows again without the take, and is saved to `.skel`. Writing to both
+ * would change one take by posing in another.
  */
 import { channelOf, dofCountOf, poseAt } from '../../evaluate/pose.ts';
 import { movedDofs } from '../../evaluate/retarget/moved-dofs.ts';
@@ -27,13 +27,13 @@ import { countUnkeyed, documentWithoutUnkeyed, unkeyedAt, withoutUnkeyed, withUn
 export interface SetDofs {
   readonly characterId: string;
   readonly dofs: readonly DofValue[];
-  /** The transport's time: what keys drive is changed for this moment only. */
+  /** Transport time: keyed DOFs are changed at this time only. */
   readonly timeSeconds: number;
-  /** Keys the DOFs at that moment instead: auto-key. */
+  /** Auto-key: keys the DOFs at that time instead. */
   readonly key?: KeyOptions | undefined;
 }
 
-/** Sets DOFs, clamped to their limits while the character's switch is on. */
+/** Sets DOFs, clamped to their limits if the character enforces them. */
 export const setDofs: Command<SetDofs, Document | Edit> = {
   id: 'pose.setDofs',
   label(document, { characterId, dofs, key }) {
@@ -58,10 +58,10 @@ export const setDofs: Command<SetDofs, Document | Edit> = {
 
 export interface ResetPose {
   readonly characterId: string;
-  /** The pose of the file, or every DOF at rest. */
+  /** The file pose, or every DOF at rest. */
   readonly to: 'file' | 'zero';
   readonly timeSeconds: number;
-  /** Keys every DOF at that moment instead: auto-key. */
+  /** Auto-key: keys every DOF at that time instead. */
   readonly key?: KeyOptions | undefined;
 }
 
@@ -85,11 +85,11 @@ export const setClamping: Command<{ readonly characterId: string; readonly clamp
 };
 
 export interface DropUnkeyed {
-  /** Of the transport: what was set by hand at that moment stays. With null all of it goes. */
+  /** Transport time whose unkeyed changes are kept; null discards all. */
   readonly exceptSeconds: number | null;
 }
 
-/** Of all characters, values that were set by hand over keys and not keyed: each DOF is again where its keys have it. */
+/** Discards the unkeyed changes of all characters, so that keyed DOFs return to their keys. */
 export const discardUnkeyed: Command<DropUnkeyed> = {
   id: 'pose.dropUnkeyed',
   label(document, { exceptSeconds }) {
@@ -102,7 +102,7 @@ export const discardUnkeyed: Command<DropUnkeyed> = {
   },
 };
 
-/** The document with a character's DOFs at the values that are given for it, by whichever way they go. */
+/** The document with these values for a character's DOFs, stored as described above. */
 export function setValues(
   document: Document,
   characterId: string,
@@ -121,7 +121,7 @@ export function setValues(
   return { document: changeCharacter(document, characterId, () => keyed.character), keys: keyed.keys };
 }
 
-/** The character with each value where it belongs; the same object where all of them were there. */
+/** The character with each value stored where it belongs; the same object if none changed. */
 function pose(character: Character, values: ReadonlyMap<number, number>, timeSeconds: number): Character {
   const clip = shownClip(character);
   const byHand = unkeyedAt(character, timeSeconds);
@@ -137,12 +137,12 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
     if ((channel && channel.kind !== 'rest') || moved?.has(dof)) {
       driven ??= drivenAt(character, timeSeconds);
       handChanged = true;
-      // What is where its keys have it was not set by hand: there is nothing to key, and nothing to lose.
+      // A value equal to that of the keys is no unkeyed change: nothing to key, nothing to lose.
       if (driven[dof] === value) byHand.delete(dof);
       else byHand.set(dof, value);
       continue;
     }
-    // Its keys may have gone since it was set by hand: what hides the value that is set goes with them.
+    // Its keys may have been deleted since the unkeyed change, which would hide the new value.
     handChanged = byHand.delete(dof) || handChanged;
     if (!channel || !channels) {
       poseChanged ||= posed[dof] !== value;
@@ -158,21 +158,21 @@ function pose(character: Character, values: ReadonlyMap<number, number>, timeSec
   return handChanged ? withUnkeyed(next, timeSeconds, byHand) : next;
 }
 
-/** The pose as keys, samples and another's take have it at that moment, without what was set by hand. */
+/** The pose at that time from keys, samples and retargeting, without unkeyed changes. */
 function drivenAt(character: Character, timeSeconds: number): Float64Array {
   const out = new Float64Array(dofCountOf(character));
   poseAt(withoutUnkeyed(character), timeSeconds, out);
   return out;
 }
 
-/** The value nearest to it that the DOF's limits allow. */
+/** The value clamped to the DOF's limits. */
 export function withinLimit({ limit, unit }: CharacterDof, value: number): number {
-  // Weights beyond 0 and 1 exaggerate a morph, which is wanted; crossed limits are none.
+  // Weights beyond 0 and 1 exaggerate a morph deliberately; limits with min > max don't apply.
   if (unit === 'weight' || limit.min > limit.max) return value;
   return Math.min(limit.max, Math.max(limit.min, value));
 }
 
-/** `rx of hip`, `morph smile`; for labels, so it has a word for what is not there too. */
+/** `rx of hip`, `morph smile`; for labels, so it also handles missing DOFs. */
 export function dofName(character: Character, index: number): string {
   const dof = characterDofs(character.skeleton, character.morphs)[index];
   if (!dof) return `DOF ${index}`;

@@ -1,6 +1,6 @@
 /**
- * Whole poses: mirrored, pasted from another moment or character, and the library of named ones. What they set goes the
- * way of everything that is posed by hand (`pose.ts`): pose, unkeyed or keyed. DOFs that follow others are left to them.
+ * Commands on whole poses: mirror, paste from another time or character, and the pose library. The values are stored
+ * like all posing by hand (`pose.ts`): pose, unkeyed or keyed. Linked DOFs are skipped.
  */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
@@ -25,14 +25,14 @@ interface AtMoment {
   readonly characterId: string;
   /** Of the transport. */
   readonly timeSeconds: number;
-  /** Keys the DOFs at that moment instead: auto-key. */
+  /** Auto-key: keys the DOFs at that time instead. */
   readonly key?: KeyOptions | undefined;
 }
 
 export interface MirrorPose extends AtMoment {
-  /** On whose branch; absent: the whole character. */
+  /** Only the hierarchy of this joint; absent: the whole character. */
   readonly joint?: number | undefined;
-  /** `swap`: both sides take each other's pose; `toOther`: the joint's branch is copied onto the other side. */
+  /** `swap`: both sides exchange their poses; `toOther`: the joint's hierarchy is copied to the other side. */
   readonly way: 'swap' | 'toOther';
 }
 
@@ -69,7 +69,7 @@ export interface PastePose extends AtMoment {
   readonly pose: PoseByNames;
 }
 
-/** What the character has no joint, DOF or morph for is left out, and what the pose says nothing of stays. */
+/** Skips joints, DOFs and morphs that the character lacks; DOFs that the pose does not contain are not changed. */
 export const pastePose: Command<PastePose, Document | Edit> = {
   id: 'poses.paste',
   label: () => 'Paste pose',
@@ -81,7 +81,7 @@ export const pastePose: Command<PastePose, Document | Edit> = {
     }),
 };
 
-/** Keeps the pose shown in the library, under a name that is free. */
+/** Saves the displayed pose to the library, under an unused name. */
 export const keepPose: Command<{
   readonly characterId: string;
   readonly name?: string | undefined;
@@ -140,9 +140,9 @@ export const removePoses: Command<{ readonly characterId: string; readonly poses
 };
 
 export interface ApplyPose extends OfPose, AtMoment {
-  /** 1, the whole of it, where absent; 0 is the pose shown. */
+  /** 1, all of it, by default; 0 is the displayed pose. */
   readonly share?: number | undefined;
-  /** Only this joint and all below it; absent: the whole character. */
+  /** Only this joint and its descendants; absent: the whole character. */
   readonly joint?: number | undefined;
 }
 
@@ -174,7 +174,7 @@ export const applyPose: Command<ApplyPose, Document | Edit> = {
   },
 };
 
-/** Poses from a file, for the library; those that are there already are not added again. */
+/** Adds poses from a file to the library; existing ones are not added again. */
 export const addToLibrary: Command<{ readonly characterId: string; readonly poses: readonly PoseByNames[] }> = {
   id: 'poses.add',
   label: (_document, { poses }) => (poses.length === 1 ? `Add pose ${poses[0].name}` : `Add ${poses.length} poses`),
@@ -182,7 +182,7 @@ export const addToLibrary: Command<{ readonly characterId: string; readonly pose
     changeCharacter(document, characterId, (c) => addPoses(c, listOf(poses, '"poses"').map(checkedPose))),
 };
 
-/** All DOFs of a character, as they are shown. */
+/** All DOFs of a character as displayed. */
 function shownAt(character: Character, timeSeconds: number): Float64Array {
   finiteNumber(timeSeconds, '"timeSeconds"');
   const shown = new Float64Array(dofCountOf(character));
@@ -191,8 +191,8 @@ function shownAt(character: Character, timeSeconds: number): Float64Array {
 }
 
 /**
- * Values as they go into the character: within its limits, without DOFs that follow others. Where nothing is keyed those
- * that are shown so already are left, so that a pose that is half the same leaves no marks on that half.
+ * Values ready to be stored in the character: within its limits, without linked DOFs. If nothing is keyed, values that
+ * are already displayed are skipped, so that a half-identical pose leaves no unkeyed changes on that half.
  */
 function settled(
   character: Character,
@@ -212,7 +212,7 @@ function settled(
   return out;
 }
 
-/** Weights of morphs that are each other's by name: `smile_L` and `smile_R`. */
+/** Swaps the weights of morphs that are counterparts by name: `smile_L` and `smile_R`. */
 function swapWeights({ skeleton, morphs }: Character, shown: Float64Array, values: Map<number, number>): void {
   const first = rootDofCount(skeleton) + jointDofCount(skeleton);
   partnersByName(morphs.map(({ name }) => name)).forEach((other, m) => {

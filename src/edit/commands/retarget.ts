@@ -1,8 +1,8 @@
 /**
- * Takes put onto other characters: live, as long as it is wanted, or baked into a take of the character's own.
+ * Retargeting takes to other characters: live, or baked into a take of the character's own.
  *
- * Live, nothing is copied but the way from one skeleton to the other: the other character's take can still be edited,
- * and what it moves follows. Baking samples what is seen.
+ * Live, only the mapping between the skeletons is stored: the source's take can still be edited, and the target
+ * follows. Baking samples what is displayed.
  */
 import { bakeClip, framesOf } from '../../evaluate/bake.ts';
 import '../../evaluate/retarget/driving.ts';
@@ -25,14 +25,14 @@ import { takeNameOf, uniqueTakeName } from '../takes.ts';
 import { unkeyedAt, withoutUnkeyed, withUnkeyed } from '../unkeyed.ts';
 
 interface OfDriven {
-  /** The character that is moved. */
+  /** The target character. */
   readonly characterId: string;
 }
 
 export interface SetRetarget extends OfDriven {
-  /** The character whose shown take moves it. */
+  /** The character whose shown take is retargeted. */
   readonly sourceId: string;
-  /** Matched by name and shape, where absent. */
+  /** Default: matched by name and shape. */
   readonly pairs?: readonly JointPair[] | undefined;
   readonly options?: Partial<RetargetOptions> | undefined;
 }
@@ -74,7 +74,7 @@ export interface ChangeRetarget extends OfDriven {
   readonly options?: Partial<RetargetOptions> | undefined;
 }
 
-/** Other pairs, or other options; what is not given stays. */
+/** Changes pairs or options; omitted ones are kept. */
 export const changeRetarget: Command<ChangeRetarget> = {
   id: 'retarget.change',
   label: (document, { characterId }) => `Change retargeting of ${requireCharacter(document, characterId).name}`,
@@ -90,7 +90,7 @@ export const changeRetarget: Command<ChangeRetarget> = {
     }),
 };
 
-/** The character's own take and pose again; what was set by hand over the other one goes with it. */
+/** Back to the character's own take and pose; discards unkeyed changes made over the retargeted one. */
 export const clearRetarget: Command<OfDriven> = {
   id: 'retarget.clear',
   label: (document, { characterId }) => {
@@ -105,13 +105,13 @@ export const clearRetarget: Command<OfDriven> = {
 };
 
 export interface BakeRetarget extends OfDriven {
-  /** As many as the source's take has, where absent; 30 for keys. */
+  /** Default: the rate of the source's take, or 30 for keys. */
   readonly framesPerSecond?: number | undefined;
-  /** After the character and the source's take, `walker_dance`, where absent. A name that is taken gets a number. */
+  /** Default: the character's and the source take's name, `walker_dance`. A name in use gets a number. */
   readonly name?: string | undefined;
 }
 
-/** A take of the character's own that is what is seen; it is shown, and nothing else moves the character. */
+/** Bakes what is displayed into a take of the character's own, shows it, and ends retargeting. */
 export const bakeRetarget: Command<BakeRetarget> = {
   id: 'retarget.bake',
   label: (document, { characterId }) => {
@@ -125,7 +125,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
       const own = clip.samples ? 1 / clip.samples.frameSeconds : 30;
       const rate = framesPerSecond === undefined ? own : finiteNumber(framesPerSecond, '"framesPerSecond"');
       if (!(rate > 0)) throw new CommandError(`Frames per second must be greater than 0, found ${rate}.`);
-      // Frames are baked at seconds of the source's take, and then are those of a take of this character.
+      // Frames are baked at times of the source's take, and shifted to those of this character's take.
       const frames = framesOf(clip.range, rate);
       const range = [clip.range[0] - timeOffsetSeconds, clip.range[1] - timeOffsetSeconds] as const;
       refuseTooMany(frames.frameCount, restPose(skeleton, c.morphs.length).length);
@@ -143,7 +143,7 @@ export const bakeRetarget: Command<BakeRetarget> = {
     }),
 };
 
-/** Angles that don't jump from one form of a rotation to another: for whoever looks at their curves. */
+/** Unrolls angles so that they don't jump between equivalent forms, for readable curves. */
 function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Samples): void {
   const width = scales.length;
   for (const { channels } of jointRotations(skeleton)) {
@@ -156,7 +156,7 @@ function unrollRotations(skeleton: Skeleton, { values, scales, frameCount }: Sam
   }
 }
 
-/** What was set by hand where another's take has the say was meant over that take. */
+/** Discards unkeyed changes where retargeting drives the character, since they were made over that take. */
 function withoutHandOver(character: Character): Character {
   const { unkeyed } = character;
   const moved = movedDofs(character);
@@ -165,7 +165,7 @@ function withoutHandOver(character: Character): Character {
   return withUnkeyed(character, unkeyed.timeSeconds, new Map(left));
 }
 
-/** The same object where that is what moves it already. */
+/** The same object if it has that driver already. */
 function withDriver(character: Character, driver: Driver): Character {
   return sameValue(driver, character.driver) ? character : { ...character, driver };
 }

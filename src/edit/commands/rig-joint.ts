@@ -1,4 +1,4 @@
-/** What is said of one joint of a skeleton: its name, offset, motion, box, bone and file pose. */
+/** Properties of one joint of a skeleton: name, offset, motion, box, bone and file pose. */
 import type { Vec3 } from '../../math/vec3.ts';
 import { tipOf } from '../../model/bone-ends.ts';
 import type { Character, Document } from '../../model/document.ts';
@@ -31,8 +31,8 @@ export const renameJoint: Command<RenameJoint, Document | Edit> = {
 };
 
 /**
- * Where a joint's pivot is in its parent's space. Where position channels of BVH replace the offset, they move by as
- * much. Children that stay keep their pivots, and its End Sites theirs, in the pose shown.
+ * Sets a joint's pivot in its parent's space. BVH position channels that replace the offset move by the same amount.
+ * With fixed children, these and End Sites keep their positions in the displayed pose.
  */
 export const setOffset: Command<SetOffset, Document | Edit> = {
   id: 'rig.setOffset',
@@ -61,7 +61,10 @@ export const setOffset: Command<SetOffset, Document | Edit> = {
   },
 };
 
-/** End Sites moved against their joint, so that they stay where they are while it moves by so much in its parent's space. */
+/**
+ * End Sites moved in the opposite direction, so that they stay in place while their joint moves by this vector in its
+ * parent's space.
+ */
 function endsStaying(shown: ShownPose, joint: Joint, index: number, by: Vec3): readonly Vec3[] {
   const { world } = shown;
   const o = 16 * joint.parent;
@@ -72,9 +75,9 @@ function endsStaying(shown: ShownPose, joint: Joint, index: number, by: Vec3): r
 }
 
 /**
- * How a joint moves. DOFs that both motions have (`rig/same-dof.ts`) keep pose, limits, channels and couples. Where there
- * are none among those that turn, the new ones turn the joint as it was turned in the pose shown, if they can do so
- * exactly. The label says which keys go with DOFs that are gone.
+ * Changes how a joint moves. DOFs that both motions have (`rig/same-dof.ts`) keep pose, limits, channels and links. If
+ * none of these rotates the joint, the new DOFs keep its rotation in the displayed pose, if they can do so exactly. The
+ * label says which keys are lost with removed DOFs.
  */
 export const setMotion: Command<SetMotion, Document | Edit> = {
   id: 'rig.setMotion',
@@ -93,7 +96,7 @@ export const setMotion: Command<SetMotion, Document | Edit> = {
       const turned = turnsAnew(map, index)
         ? turnedAs(next, character, shownAt(character, seconds), index, index, seconds)
         : next;
-      // A position that replaced its offset is one, and no way from it.
+      // A position that replaced the offset is absolute, not a displacement from it.
       if (index === 0 || positionsOf(joint.motion) !== 'replace' || positionsOf(motion) === 'replace') return turned;
       const pivot = localPivot(shownAt(character, seconds), index);
       return withPivots(turned, characterId, new Map([[index, pivot]]), seconds);
@@ -108,7 +111,7 @@ function withMotion(skeleton: Skeleton, index: number, motion: Motion): JointMap
   );
 }
 
-/** What of the takes goes if a joint moves so: `3 keys of r`. Undefined where nothing goes. */
+/** What the takes lose by this change of motion: `3 keys of r`. Undefined if nothing. */
 export function keysLostBy(
   document: Document,
   { characterId, joint, motion }: Pick<SetMotion, 'characterId' | 'joint' | 'motion'>,
@@ -117,14 +120,14 @@ export function keysLostBy(
   return lostKeys(character, withMotion(skeleton, joint, checkedMotion(motion)), joint);
 }
 
-/** Whether none of the DOFs that turn a joint is one that it had. */
+/** Whether all DOFs that rotate a joint are new. */
 function turnsAnew({ after, dofs }: JointMap, index: number): boolean {
   const { motion } = after.joints[index];
   const first = firstDofs(after)[index];
   return dofsOf(motion).every((dof, d) => !turnsJoint(dof) || dofs[first + d].from < 0);
 }
 
-/** The box drawn for a joint, in its own space; min above max occurs in files, and is taken here too. */
+/** The box drawn for a joint, in its own space; min > max occurs in files and is accepted here too. */
 export const setBox: Command<SetBox, Document | Edit> = {
   id: 'rig.setBox',
   label: (document, { characterId, joint }) => `Set box of ${calledIn(document, characterId, joint)}`,
@@ -136,7 +139,7 @@ export const setBox: Command<SetBox, Document | Edit> = {
   },
 };
 
-/** The length of a joint's own bone, along its +y. Children that stand at its tip go along with that, and pins there. */
+/** The length of a joint's own bone, along its +y. Children at its tip move with it, and so do pins there. */
 export const setLength: Command<SetLength, Document | Edit> = {
   id: 'rig.setLength',
   label: (document, { characterId, joint }) => `Set bone of ${calledIn(document, characterId, joint)}`,
@@ -156,14 +159,14 @@ export const setLength: Command<SetLength, Document | Edit> = {
       return isAtTip ? { ...one, offset: [0, length, 0] as const } : one;
     });
     return rigged(document, args, changedJoints(skeleton, joints), index, (next) => {
-      // The tip of a bone without length is the joint itself, which stays.
+      // The tip of a bone of length 0 is the joint itself, which doesn't move.
       if (!joint.length || tip === undefined || length === null) return next;
       return changeCharacter(next, characterId, (character) => withPinsAt(character, index, tip, [0, length, 0]));
     });
   },
 };
 
-/** A joint's pins that hold one point of it hold another one; of two that would hold the same the first does. */
+/** Moves a joint's pins from one of its points to another; if two would coincide, the first is kept. */
 function withPinsAt(character: Character, joint: number, from: Vec3, to: Vec3): Character {
   const { ik } = character;
   const isThere = (pin: Pin, point: Vec3) => pin.joint === joint && same(pin.point, point);
@@ -175,7 +178,10 @@ function withPinsAt(character: Character, joint: number, from: Vec3, to: Vec3): 
   return { ...character, ik: { ...ik, pins } };
 }
 
-/** The pose of the file, of a joint or of all, from the pose shown or from every DOF at rest. What is shown stays. */
+/**
+ * Sets the file pose of one joint or all, from the displayed pose or from every DOF at rest. The display does not
+ * change.
+ */
 export const setFilePose: Command<SetFilePose, Document | Edit> = {
   id: 'rig.setFilePose',
   label: (document, { characterId, joint }) =>
@@ -205,7 +211,7 @@ function same(a: readonly number[], b: readonly number[]): boolean {
   return a.length === b.length && a.every((value, i) => Object.is(value, b[i]));
 }
 
-/** @param checked as `checkedMotion` gives it, whose order of fields is always the same */
+/** @param checked from `checkedMotion`, which has a fixed order of fields */
 function sameMotion(checked: Motion, motion: Motion): boolean {
   return JSON.stringify(checked) === JSON.stringify(checkedMotion(motion));
 }

@@ -1,6 +1,6 @@
 /**
- * Limits as rigging sets them: where one moves a joint in the pose shown, skins may stay. Beside `limits.ts`, which the
- * page has from the start.
+ * Setting limits in rigging: if that moves a joint in the displayed pose, skins may be rebound. Separate from
+ * `limits.ts`, which the page has from the start.
  */
 import type { Limit } from '../../model/skeleton.ts';
 import { boundAnew } from '../rig/apply.ts';

@@ -1,6 +1,6 @@
 /**
- * Skeletons made and taken apart: joints added, hung up elsewhere, removed and mirrored. All that goes by joints and
- * DOFs follows (`rig/remap.ts`), and the skin stays or follows as is asked (`rig/rigging.ts`).
+ * Creating and editing skeletons: adding, reparenting, removing and mirroring joints. Everything that refers to joints
+ * and DOFs is updated (`rig/remap.ts`), and the skin stays or follows as requested (`rig/rigging.ts`).
  */
 import type { Document } from '../../model/document.ts';
 import { EMPTY_DOCUMENT } from '../../model/document.ts';
@@ -28,7 +28,7 @@ import {
 import { type Branch, branchesOf } from '../rig/tree.ts';
 import { type Command, CommandError, type Edit } from '../store.ts';
 
-/** A character of one joint; or the first joint of one that has a skin or a take, but no skeleton yet. */
+/** A new character of one joint; or the first joint of a character that has a skin or a take but no skeleton yet. */
 export const createRig: Command<CreateRig, Document | Edit> = {
   id: 'rig.create',
   makesCharacter: true,
@@ -38,7 +38,7 @@ export const createRig: Command<CreateRig, Document | Edit> = {
     if (name !== undefined) text(name, 'The name');
     const stays = oneOf(skin, SKIN_MODES, '"skin"') === 'stays';
     if (characterId !== undefined) return begun(document, characterId, stays);
-    // As files do: what is there only to be looked at gives way.
+    // Replaces the opening example, as opening files does.
     const { unused, charactersMade } = document;
     const base = document.isOpeningSample ? { ...EMPTY_DOCUMENT, unused, charactersMade } : document;
     const id = `c${charactersMade + 1}`;
@@ -50,7 +50,7 @@ export const createRig: Command<CreateRig, Document | Edit> = {
   },
 };
 
-/** Of its characters, and of their skeletons, after which files are called. */
+/** Names of its characters and of their skeletons, which files are named after. */
 function namesIn({ characters }: Document): ReadonlySet<string> {
   return new Set(characters.flatMap(({ name, skeleton }) => (skeleton ? [name, skeleton.name] : [name])));
 }
@@ -66,8 +66,8 @@ function begun(document: Document, characterId: string, stays: boolean): Edit {
 }
 
 /**
- * A child after the parent's last. One of a joint that ends in an End Site takes the place of that, and in the axis-angle
- * form it begins at its parent's tip.
+ * Appends a child to the parent. The first child of a joint that ends in an End Site replaces that, and in the
+ * axis-angle form it starts at its parent's tip.
  */
 export const addJoint: Command<AddJoint, Document | Edit> = {
   id: 'rig.addJoint',
@@ -90,9 +90,9 @@ export const addJoint: Command<AddJoint, Document | Edit> = {
 };
 
 /**
- * Hangs a joint, with all below it, on another one, or elsewhere among its siblings. Its pivot stays where it is in the
- * pose shown, and so does how it is turned, if its rule can say that exactly, within its limits, and nothing drives it
- * (keys, samples, another's take, a couple); else it is turned with what it hangs on now. Its channels stay its own.
+ * Moves a joint with its descendants to another parent or another place among its siblings. Its pivot stays in place in
+ * the displayed pose, and so does its rotation, if its DOFs can represent that exactly within their limits and nothing
+ * drives them (keys, samples, retargeting, a link); otherwise it rotates with its new parent. It keeps its channels.
  */
 export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
   id: 'rig.reparent',
@@ -132,8 +132,8 @@ export const reparentJoint: Command<ReparentJoint, Document | Edit> = {
 };
 
 /**
- * Takes a joint away: with all below it, or its children go to its parent, each standing as it stood (`rig.reparent`).
- * Vertices go to the nearest joint above that is left.
+ * Removes a joint, with its descendants, or reparents its children to its parent, in place (`rig.reparent`). Vertices
+ * are reassigned to the nearest remaining ancestor.
  */
 export const removeJoint: Command<RemoveJoint, Document | Edit> = {
   id: 'rig.remove',
@@ -170,8 +170,8 @@ function rootStays(staying: boolean, children: number): string {
 }
 
 /**
- * A joint with all below it on the other side of a plane through the root: made, or brought in step where it is there
- * already (offset, motion, limits, box, couples; its pose and its keys stay). Names change sides. Weights are not made.
+ * Mirrors a joint with its descendants across a plane through the root: creates the other side, or updates it (offset,
+ * motion, limits, box, links; its pose and keys are kept). Sides in names are swapped. Weights are not mirrored.
  */
 export const mirrorJoint: Command<MirrorJoint, Document | Edit> = {
   id: 'rig.mirror',

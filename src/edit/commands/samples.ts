@@ -1,7 +1,7 @@
 /**
- * What is done to the samples of the take that a character shows: cutting, another rate, backwards, smoothed, and made
- * into keys. Seconds are the clip's. Refused while another character's take moves the character: nobody would see it.
- * Where nothing changes the document is the very same, and no step is made.
+ * Operations on the samples of a character's shown take: crop, resample, reverse, smooth, and convert to keys. Seconds
+ * are the clip's. Refused while another take is retargeted to the character, since the result would be invisible. If
+ * nothing changes, the document is the same object and no undo step is made.
  */
 
 import { runToEnd, type Steps } from '../../evaluate/steps.ts';
@@ -33,7 +33,7 @@ export interface CropSamples extends OfSamples {
   readonly to: number;
 }
 
-/** Frames from one time to another stay, both included, and are what is played; keys stay all. */
+/** Keeps the frames from one time to another, both included, as the playback range; all keys are kept. */
 export const cropSamples: Command<CropSamples> = {
   id: 'samples.crop',
   label: (document, args) => `Crop ${nameOf(document, args)}`,
@@ -44,12 +44,12 @@ export const cropSamples: Command<CropSamples> = {
 };
 
 export interface TrimSamples extends OfSamples {
-  /** Which end goes: what lies before the time, or after it. */
+  /** Which end to remove: before the time or after it. */
   readonly side: 'start' | 'end';
   readonly timeSeconds: number;
 }
 
-/** One end goes, up to a time; the frame there stays. */
+/** Removes one end up to a time; the frame there is kept. */
 export const trimSamples: Command<TrimSamples> = {
   id: 'samples.trim',
   label: (document, args) => `Trim the ${args.side} of ${nameOf(document, args)}`,
@@ -64,7 +64,7 @@ export interface SplitSamples extends OfSamples {
   readonly timeSeconds: number;
 }
 
-/** Two takes: the one that is shown ends before the time, one more begins there and is shown then. */
+/** Splits a take in two: the shown one ends before the time, a new one starts there and is shown. */
 export const splitSamples: Command<SplitSamples> = {
   id: 'samples.split',
   label: (document, args) => `Split ${nameOf(document, args)}`,
@@ -82,14 +82,14 @@ export interface ResampleSamples extends OfSamples {
   readonly framesPerSecond: number;
 }
 
-/** Another frame rate; see `samples/resample.ts`. Keys stay. */
+/** Changes the frame rate; see `samples/resample.ts`. Keys are kept. */
 export const resampleSamples: Command<ResampleSamples> = {
   id: 'samples.resample',
   label: (document, args) => `Resample ${nameOf(document, args)}`,
   run: (document, args) => runToEnd(resampleSteps(document, args)),
 };
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* resampleSteps(document: Document, args: ResampleSamples): Steps<Document> {
   const rate = finiteNumber(args.framesPerSecond, '"framesPerSecond"');
   if (!(rate > 0)) throw new CommandError(`The frame rate must be greater than 0, found ${rate}.`);
@@ -97,28 +97,28 @@ export function* resampleSteps(document: Document, args: ResampleSamples): Steps
   return withClip(document, args, yield* resampling(character, ownTake(character), rate));
 }
 
-/** Backwards, keys too. */
+/** Reverses samples and keys. */
 export const reverseSamples: Command<OfSamples> = {
   id: 'samples.reverse',
   label: (document, args) => `Reverse ${nameOf(document, args)}`,
   run: (document, args) => runToEnd(reverseSteps(document, args)),
 };
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* reverseSteps(document: Document, args: OfSamples): Steps<Document> {
   return withClip(document, args, yield* reversing(ownTake(requireCharacter(document, args.characterId))));
 }
 
 export interface SmoothSamples extends OfSamples {
-  /** All that follow the samples, where absent. */
+  /** Default: all sampled channels. */
   readonly channels?: readonly number[] | undefined;
-  /** `gaussian` where absent; a `median` takes out spikes. See `samples/smooth.ts`. */
+  /** Default `gaussian`; a `median` removes spikes. See `samples/smooth.ts`. */
   readonly filter?: SampleFilter['kind'] | undefined;
-  /** σ of the Gaussian, seconds; above 0. */
+  /** σ of the Gaussian, seconds; greater than 0. */
   readonly sigmaSeconds?: number | undefined;
-  /** That the median is taken of: 3, 5 or 7. */
+  /** Window of the median: 3, 5 or 7. */
   readonly frames?: number | undefined;
-  /** Seconds of the clip, both included: frames outside stay. The whole take where absent. */
+  /** Seconds of the clip, both included: frames outside are kept. Default: the whole take. */
   readonly range?: readonly [number, number] | undefined;
 }
 
@@ -129,7 +129,7 @@ export const smoothSamples: Command<SmoothSamples> = {
   run: (document, args) => runToEnd(smoothSteps(document, args)),
 };
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* smoothSteps(document: Document, args: SmoothSamples): Steps<Document> {
   const filter = checkedFilter(args);
   const character = requireCharacter(document, args.characterId);
@@ -166,30 +166,30 @@ function interval(from: number, to: number): readonly [number, number] {
 }
 
 export interface ConvertToKeys extends OfSamples {
-  /** All that follow the samples, where absent; those that don't are passed over. */
+  /** Default: all sampled channels; others are skipped. */
   readonly channels?: readonly number[] | undefined;
   readonly tolerance: Tolerance;
 }
 
-/** Keys in place of samples; see `samples/convert.ts`. Nothing is selected after it. */
+/** Replaces samples by keys; see `samples/convert.ts`. Nothing is selected afterwards. */
 export const convertToKeys: Command<ConvertToKeys, Edit> = {
   id: 'samples.convertToKeys',
   label: (document, args) => `Convert ${nameOf(document, args)} to keys`,
   run: (document, args) => runToEnd(convertSteps(document, args)).edit,
 };
 
-/** What the conversion came to, with the document as it is after it. */
+/** The result of the conversion, with the document after it. */
 export interface Conversion {
   readonly edit: Edit;
   readonly report: Converted;
 }
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Conversion> {
   const { characterId, tolerance } = args;
   const character = requireCharacter(document, characterId);
   const clip = ownTake(character);
-  // Beyond its type on purpose: a console gives what it likes.
+  // Deliberately looser than its type, since arguments may come from a console.
   const given: { position?: unknown; angle?: unknown } = tolerance ?? {};
   const position = finiteNumber(given.position, 'The position tolerance');
   const angle = finiteNumber(given.angle, 'The rotation tolerance');
@@ -201,7 +201,7 @@ export function* convertSteps(document: Document, args: ConvertToKeys): Steps<Co
   return { edit: { document: withClip(document, args, report.clip), keys: [] }, report };
 }
 
-/** Those of the given channels that follow the samples, or all that do. */
+/** The sampled ones of the given channels, or all sampled channels. */
 function sampledChannels(clip: ChannelClip, channels: readonly number[] | undefined): readonly number[] {
   const given = channels === undefined ? [...clip.channels.keys()] : checkedChannels(clip, channels);
   const sampled = given.filter((channel) => clip.channels[channel]?.kind === 'samples');
@@ -219,7 +219,7 @@ function withClip(document: Document, { characterId }: OfSamples, clip: ChannelC
   );
 }
 
-/** The take that is shown; refuses, before any work is done, while another character's take moves the character. */
+/** The shown take; refuses, before any work is done, while another take is retargeted to the character. */
 function ownTake(character: Character): ChannelClip {
   refuseMoved(character);
   return requireTake(character);
