@@ -154,23 +154,29 @@ export function worldMatrices(
   rotations?: PoseRotations,
 ): void {
   const { parent, jointCount } = skeleton;
-  const given = rotations?.values;
+  const given = rotations?.areGiven ? rotations.values : undefined;
   for (let j = 0; j < jointCount; j++) {
     const above = parent[j];
-    const keepsRotation = given !== undefined && hasAnglesOf(skeleton, j, dofs, given);
-    if (above >= 0 && keepsRotation) turnWorld(skeleton, j, dofs, given, world);
-    else if (above >= 0) {
+    if (above < 0) writeRoot(skeleton, j, dofs, world, given);
+    else if (given === undefined || !turnWorld(skeleton, j, dofs, given, world)) {
       writeLocal(skeleton, j, dofs, local, 0);
       multiplyAffine(world, 16 * above, local, 0, world, 16 * j);
-    } else {
-      writeLocal(skeleton, j, dofs, world, 16 * j);
-      // Only the root computes sines and cosines that are not used.
-      if (keepsRotation) {
-        const g = 8 * j;
-        writeRotation(given[g + 3], given[g + 4], given[g + 5], given[g + 6], world, 16 * j, 4);
-      }
     }
   }
+}
+
+/** With a given rotation, only the root computes sines and cosines that are not used. */
+function writeRoot(
+  skeleton: CompiledSkeleton,
+  j: number,
+  dofs: Float64Array,
+  world: Float64Array,
+  given: Float64Array | undefined,
+): void {
+  writeLocal(skeleton, j, dofs, world, 16 * j);
+  if (given === undefined || !hasAnglesOf(skeleton, j, dofs, given)) return;
+  const g = 8 * j;
+  writeRotation(given[g + 3], given[g + 4], given[g + 5], given[g + 6], world, 16 * j, 4);
 }
 
 /** Whether the joint's angles are still those of its stored rotation. */
@@ -184,14 +190,19 @@ function hasAnglesOf({ turns }: CompiledSkeleton, j: number, dofs: Float64Array,
   );
 }
 
-/** W = W_parent · L for a joint with a given rotation: most joints of a crowd. Its local matrix is never written. */
+/**
+ * W = W_parent · L for a joint with a given rotation: most joints of a crowd. Its local matrix is never written. Returns
+ * false and writes nothing for all others.
+ */
 function turnWorld(
-  { parent, offsets, slides }: CompiledSkeleton,
+  skeleton: CompiledSkeleton,
   j: number,
   dofs: Float64Array,
   given: Float64Array,
   out: Float64Array,
-): void {
+): boolean {
+  if (!hasAnglesOf(skeleton, j, dofs, given)) return false;
+  const { parent, offsets, slides } = skeleton;
   const x = given[8 * j + 3];
   const y = given[8 * j + 4];
   const z = given[8 * j + 5];
@@ -224,6 +235,7 @@ function turnWorld(
   }
   out[o + 3] = out[o + 7] = out[o + 11] = 0;
   out[o + 15] = 1;
+  return true;
 }
 
 function writeLocal(skeleton: CompiledSkeleton, j: number, dofs: Float64Array, out: Float64Array, o: number): void {

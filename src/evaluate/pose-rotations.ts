@@ -7,18 +7,16 @@
  *
  * φ are the angles that came of the quaternion, in the order in which they are applied. The quaternion counts only while
  * the joint's DOFs equal them: limits, linked DOFs, values set by hand, or whatever else overrides the samples, then have
- * nothing to clear, and none of them can forget to. `poseFrom` clears all before each pose, so nothing is left of
- * another time or rotation order; and they belong to one player, so nothing is another character's.
+ * nothing to clear, and none of them can forget to. They belong to one `PoseSource`, so nothing is another character's,
+ * rotation order's or clip's; each pose between two frames rewrites those of all joints that its samples turn.
  */
 export class PoseRotations {
+  /** Whether the last pose had any: those of an earlier time don't count. */
+  areGiven = false;
   /** The first φ is NaN, which no angle equals, where the samples gave no rotation. */
   readonly values: Float64Array;
 
   constructor(jointCount: number) {
     this.values = new Float64Array(8 * jointCount).fill(Number.NaN);
-  }
-
-  clear(): void {
-    for (let o = 0; o < this.values.length; o += 8) this.values[o] = Number.NaN;
   }
 }

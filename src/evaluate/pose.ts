@@ -73,7 +73,7 @@ export function poseAt(character: Character, timeSeconds: number, out: Float64Ar
 export function poseFrom(source: PoseSource, timeSeconds: number, out: Float64Array, rotations?: PoseRotations): void {
   const { character, count, driven, skeleton, curves, joints } = source;
   const { pose, unkeyed, driver } = character;
-  rotations?.clear();
+  if (rotations) rotations.areGiven = false;
   for (let d = driven; d < count; d++) out[d] = pose[d] ?? 0;
   if (curves) {
     const time = timeSeconds + character.timeOffsetSeconds;

@@ -40,6 +40,7 @@ export function betweenEulers(
   out: Float64Array,
   rotations?: PoseRotations,
 ): void {
+  if (rotations) rotations.areGiven = true;
   const isLinear = samples.interpolation === 'linear';
   if (isLinear) readRows(samples, joints, row, part);
   for (let r = 0; r < joints.eulerSigns.length; r++) {
@@ -73,6 +74,7 @@ function betweenAnyEuler(
   const a1 = values[to + ca] * fa;
   const b1 = values[to + cb] * fb;
   const c1 = values[to + cc] * fc;
+  if (rotations) rotations.values[8 * eulerJoints[r]] = Number.NaN;
   angles[0] = 2 * a0;
   angles[1] = 2 * b0;
   angles[2] = 2 * c0;
