@@ -1,29 +1,29 @@
 /**
- * What it takes to come from one plain value to another: for a history that keeps no more than what is different.
+ * Differences between plain values, for a history that stores only what differs.
  *
- * Immutable documents share every object that did not change, so at first sight a step costs nothing to keep. But a
- * document of the past also holds on to all that changed *later*, and a channel is columns: moving one key of a
- * hundred thousand makes new ones. A thousand such steps would hold a thousand copies. So a past value is kept as its
- * difference to the one after it, which is at hand when the history is walked back step by step:
+ * Immutable documents share every unchanged object, so at first sight undo steps cost nothing. But a past document also
+ * retains everything that changed *later*, and channels are columns: moving one key of a hundred thousand makes new
+ * ones. A thousand such steps would retain a thousand copies. So a past value is stored as its difference from the next
+ * one, which is available when the history is walked back step by step:
  *
  *     from      ▒▒▒▒▒▒▒▒▒▒ 1 2 ▒▒▒▒▒▒▒▒▒
- *     target    ▒▒▒▒▒▒▒▒▒▒ 7 7 7 ▒▒▒▒▒▒▒▒▒      kept: 7 7 7, and where it goes
+ *     target    ▒▒▒▒▒▒▒▒▒▒ 7 7 7 ▒▒▒▒▒▒▒▒▒      stored: 7 7 7, and its position
  *
- * It is read off the two values and knows nothing of commands. (An inverse for each command would be a second truth
- * about what that command does.)
+ * The difference is computed from the two values and independent of commands. (An inverse for each command would
+ * duplicate what the command does.)
  */
 
-/** How to make a value out of the one it is kept against. */
+/** How to make a value from the one it is stored relative to. */
 export type Delta =
   /** Anything, whole. */
   | { readonly kind: 'value'; readonly value: unknown }
-  /** A plain object: properties that are others, and those that are not there. */
+  /** A plain object: changed properties, and removed ones. */
   | { readonly kind: 'object'; readonly changed: readonly Change<string>[]; readonly gone: readonly string[] }
-  /** A list as long as before. */
+  /** A list of unchanged length. */
   | { readonly kind: 'items'; readonly changed: readonly Change<number>[] }
-  /** A typed array as long as before, with other numbers here and there. */
+  /** A typed array of unchanged length, with some different numbers. */
   | { readonly kind: 'runs'; readonly runs: readonly Run[] }
-  /** A list or typed array of another length: so many elements from the beginning, others, so many from the end. */
+  /** A list or typed array of different length: elements from the start, new ones, elements from the end. */
   | { readonly kind: 'stretch'; readonly head: number; readonly middle: Sequence; readonly tail: number };
 
 interface Change<Key> {
@@ -36,17 +36,17 @@ interface Run {
   readonly numbers: Numbers;
 }
 
-/** Runs nearer to each other than this are kept as one: a run has a cost of its own. */
+/** Runs closer than this are merged, since each has overhead. */
 const NEAR_RUNS = 16;
 
 type Numbers = Float64Array | Float32Array | Uint32Array | Int32Array | Uint8Array;
 type Sequence = readonly unknown[] | Numbers;
 
-/** undefined where both are the same value. */
+/** Undefined if both are the same value. */
 export function deltaTo(target: unknown, from: unknown): Delta | undefined {
   if (Object.is(target, from)) return undefined;
   if (isNumbers(target) && isNumbers(from) && target.constructor === from.constructor) {
-    // Two views of one memory, as cropping makes: to keep both costs nothing.
+    // Two views of the same memory, as from cropping: keeping both costs nothing.
     if (target.buffer === from.buffer) return isSameView(target, from) ? undefined : whole(target);
     return target.length === from.length ? runs(target, from) : stretch(target, from);
   }
@@ -57,12 +57,12 @@ export function deltaTo(target: unknown, from: unknown): Delta | undefined {
   return { kind: 'value', value: target };
 }
 
-/** Whether both are the same plain value, to the last bit. */
+/** Whether both are the same plain value, exactly. */
 export function sameValue(a: unknown, b: unknown): boolean {
   return deltaTo(a, b) === undefined;
 }
 
-/** The target again. What is equal in both is shared with `from`. */
+/** Reconstructs the target. Equal parts are shared with `from`. */
 export function applyDelta(from: unknown, delta: Delta | undefined): unknown {
   switch (delta?.kind) {
     case undefined:
@@ -81,7 +81,7 @@ export function applyDelta(from: unknown, delta: Delta | undefined): unknown {
       return made;
     }
     case 'runs': {
-      // What it was made from is a typed array of that length.
+      // It was made from a typed array of that length.
       const made = (from as Numbers).slice();
       for (const { start, numbers } of delta.runs) made.set(numbers, start);
       return made;
@@ -94,7 +94,7 @@ export function applyDelta(from: unknown, delta: Delta | undefined): unknown {
 function properties(target: Readonly<Record<string, unknown>>, from: Readonly<Record<string, unknown>>) {
   const changed: Change<string>[] = [];
   for (const key of Object.keys(target)) {
-    // A property that is undefined is another thing than none.
+    // An undefined property differs from a missing one.
     const delta = key in from ? deltaTo(target[key], from[key]) : whole(target[key]);
     if (delta) changed.push({ key, delta });
   }
@@ -111,15 +111,15 @@ function items(target: readonly unknown[], from: readonly unknown[]): Delta | un
   return changed.length ? { kind: 'items', changed } : undefined;
 }
 
-/** How many places of long columns are looked at first. */
+/** Number of elements of long columns that are probed first. */
 const PROBES = 64;
 const LONG = 1 << 16;
-/** Columns as long as that are kept whole: to look for what is another takes longer than a frame of the screen. */
+/** Columns this long are stored whole: finding the difference would take longer than a frame. */
 const HUGE = 1 << 22;
 
 /**
- * Whether so many numbers of a long column are others that runs hardly pay. Its own array is there and costs nothing to
- * make; runs would be copies of half of it at least. (The history sees to it that arrays kept whole don't pile up.)
+ * Whether a long column differs so much that runs hardly pay. The array itself exists and costs nothing; runs would
+ * copy at least half of it. (The history keeps whole arrays from accumulating.)
  */
 function isAnother(target: Numbers, from: Numbers): boolean {
   const { length } = target;
@@ -159,7 +159,7 @@ function stretch(target: Sequence, from: Sequence): Delta | undefined {
   let tail = 0;
   while (tail < most - head && Object.is(target[target.length - 1 - tail], from[from.length - 1 - tail])) tail++;
   if (head + tail === 0) return whole(target);
-  // A long one that is mostly another is there already; the middle would be a copy.
+  // A long one that is mostly different exists already; the middle would be a copy.
   if (target.length > LONG && head + tail < target.length / 2) return whole(target);
   return { kind: 'stretch', head, middle: target.slice(head, target.length - tail), tail };
 }
@@ -169,7 +169,7 @@ function joined(from: unknown, head: number, middle: Sequence, tail: number): un
     const list: readonly unknown[] = Array.isArray(from) ? from : [];
     return [...list.slice(0, head), ...middle, ...list.slice(list.length - tail)];
   }
-  // All five are made from a length; TypeScript knows a constructor only as a function.
+  // All five have a constructor that takes a length; to TypeScript a constructor is only a function.
   const Made = middle.constructor as new (length: number) => Numbers;
   const made = new Made(head + middle.length + tail);
   made.set(middle, head);
@@ -198,7 +198,7 @@ function isNumbers(value: unknown): value is Numbers {
   );
 }
 
-/** Plain data only: anything else is kept whole. */
+/** Plain data only; anything else is stored whole. */
 function isRecord(value: unknown): value is Readonly<Record<string, unknown>> {
   return typeof value === 'object' && value !== null && Object.getPrototypeOf(value) === Object.prototype;
 }

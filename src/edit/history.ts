@@ -1,7 +1,7 @@
 /**
- * The way back and the way forth: documents that replace each other step by step, and steps known by name. Each past
- * document is kept as its difference to the one after it (`delta.ts`), each future one as its difference to the one
- * before; what was selected is kept as it was, for it changes between steps too.
+ * Undo and redo: documents that replace each other, in labelled steps. Each past document is stored as its difference
+ * from the next one (`delta.ts`), each future one as its difference from the previous. Selections are stored whole,
+ * since they also change between steps.
  */
 import type { Document } from '../model/document.ts';
 import type { Selection } from '../model/session.ts';
@@ -12,15 +12,15 @@ export interface State {
   readonly selection: Selection;
 }
 
-/** A step as seen from one side. */
+/** A step seen from one side. */
 interface Step {
   readonly label: string;
-  /** What leads to the document on the other side. */
+  /** Leads to the document on the other side. */
   readonly delta: Delta | undefined;
   readonly selection: Selection;
-  /** That document itself, as long as someone else keeps it: then nothing that looks at identity does work anew. */
+  /** That document itself while something else retains it, to preserve identities and what is cached by them. */
   readonly document: WeakRef<Document>;
-  /** What `delta` is the difference to. */
+  /** The document that `delta` is relative to. */
   readonly against: WeakRef<Document>;
   readonly next: Step | undefined;
 }
@@ -29,7 +29,7 @@ export class History {
   private past: Step | undefined;
   private future: Step | undefined;
 
-  /** Name of the step that going back takes back. */
+  /** Label of the step that undo would revert. */
   get undoLabel(): string | undefined {
     return this.past?.label;
   }
@@ -38,20 +38,20 @@ export class History {
     return this.future?.label;
   }
 
-  /** A step was taken; what could be redone is gone. */
+  /** Records a step; redo steps are dropped. */
   remember(label: string, before: State, after: State): void {
     this.past = stepTo(before, after, label, this.past);
     this.future = undefined;
   }
 
-  /** The present was replaced without a step: what is kept against it is kept against the new one from now on. */
+  /** The present was replaced without a step: stored differences become relative to the new one. */
   rebase(present: State, next: State): void {
     const again = (step: Step) => stepTo(otherSide(step, present), next, step.label, step.next);
     this.past = this.past && again(this.past);
     this.future = this.future && again(this.future);
   }
 
-  /** @param present what the last step, or the last rebase, led to */
+  /** @param present the result of the last step or rebase */
   undo(present: State): State | undefined {
     const step = this.past;
     if (!step) return undefined;
@@ -78,6 +78,6 @@ function stepTo({ document, selection }: State, { document: against }: State, la
 
 function otherSide({ delta, document, against, selection }: Step, present: State): State {
   const same = against.deref() === present.document ? document.deref() : undefined;
-  // A delta between two documents makes one.
+  // A delta between two documents makes a document.
   return { document: same ?? (applyDelta(present.document, delta) as Document), selection };
 }

@@ -1,6 +1,6 @@
 /**
- * Making keys of DOFs: what K, auto-key and a script's call have in common. The take is made, or given the channels it
- * lacks, on the way; what was set by hand and is keyed now is not unkeyed any more.
+ * Keying DOFs, for K, auto-key and scripts. Creates the take or its missing channels as needed; unkeyed changes that
+ * are keyed are no longer unkeyed.
  */
 import { silentChannels } from '../evaluate/retarget/moved-dofs.ts';
 import { FLAT, LINEAR, SMOOTH } from '../model/clip.ts';
@@ -15,36 +15,36 @@ import { CommandError } from './store.ts';
 import { withChannels, withTake } from './takes.ts';
 import { unkeyedAt, withUnkeyed } from './unkeyed.ts';
 
-/** Both tangents of keys that keying makes; a key that was there keeps its own. */
+/** Tangents on both sides of new keys; existing keys keep their own. */
 export type NewKeyTangents = 'smooth' | 'linear' | 'flat';
 
 const KINDS: Readonly<Record<NewKeyTangents, number>> = { smooth: SMOOTH, linear: LINEAR, flat: FLAT };
 const NAMES: readonly NewKeyTangents[] = ['smooth', 'linear', 'flat'];
 
-/** How keys are made, as commands take it. */
+/** Options for new keys, as commands take them. */
 export interface KeyOptions {
-  /** Smooth, where absent. */
+  /** Default smooth. */
   readonly tangents?: NewKeyTangents | undefined;
   /**
-   * What a take plays that has to be made, in seconds of the transport; where it is absent or has no length, from 0 to
-   * the key, and to 1 s at least. Repetitions that are baked are so over this range at least.
+   * Playback range of a take that has to be created, in seconds of the transport; if absent or empty, from 0 to the
+   * key, at least 1 s. Repetitions are baked over at least this range.
    */
   readonly playedRange?: readonly [number, number] | undefined;
-  /** Of keys outside the cycle of a channel that repeats (`keys/cycle.ts`); `lengthen`, where absent. */
+  /** For keys outside the cycle of a repeating channel (`keys/cycle.ts`); default `lengthen`. */
   readonly outsideCycle?: OutsideCycle | undefined;
 }
 
 export interface Keyed {
   readonly character: Character;
-  /** The keys of these DOFs at this moment. */
+  /** The keys of these DOFs at this time. */
   readonly keys: readonly ChannelKeys[];
 }
 
 /**
- * Keys DOFs at a moment; the same character where all of them were keyed so. Those that follow the take's samples are
- * left: one key would take the place of all their frames. Refuses joints that another character's take moves.
+ * Keys DOFs at a time; the same character if all of them had these keys. Sampled channels are skipped: one key would
+ * replace all their frames. Refuses joints that a retargeted take drives.
  *
- * @param values by DOF, as they should be shown
+ * @param values by DOF, as they should be displayed
  * @param timeSeconds of the transport
  */
 export function keyDofs(
@@ -104,7 +104,7 @@ function checkOptions({ tangents = 'smooth', playedRange, outsideCycle = 'length
   return { kind, playedRange: range, outsideCycle };
 }
 
-/** Two finite numbers, the first not above the second; refuses anything else. */
+/** Two finite numbers in order; throws for anything else. */
 export function rangeFrom(value: unknown, what: string): readonly [number, number] {
   const [from, to] = listOf(value, what);
   const range = [finiteNumber(from, `The start of ${what}`), finiteNumber(to, `The end of ${what}`)] as const;

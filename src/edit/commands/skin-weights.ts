@@ -1,7 +1,7 @@
 /**
- * Automatic weights: which joints move each vertex of a skin, and how much, from nothing but where its bones are
- * (`evaluate/weights/heat-weights.ts`). Weights and bindings that the skin has are replaced; its mesh stays, and so do the
- * morphs that are made for it.
+ * Automatic weights: which joints move each vertex of a skin, and how much, from the positions of its bones
+ * (`evaluate/weights/heat-weights.ts`). Replaces existing weights and bindings; the mesh is kept, and so are the morphs
+ * made for it.
  */
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
@@ -18,37 +18,37 @@ import { changeCharacter, requireCharacter } from '../characters.ts';
 import { type Command, CommandError } from '../store.ts';
 
 /**
- * Where mesh and skeleton meet. `bound`: where they were bound before, which keeps the bindings. `drawn`: as both are
- * drawn now, so that nothing moves at that moment; for a skin that hangs on the root as a whole. `file`: the mesh as its
- * file has it, around the skeleton as it is posed now.
+ * Where mesh and skeleton are bound. `bound`: as before, keeping the bindings. `drawn`: as both are displayed now, so
+ * that nothing moves; for a skin that follows the root as a whole. `file`: the mesh as in its file, with the skeleton
+ * as posed now.
  */
 const BIND_PLACES = ['bound', 'drawn', 'file'] as const;
 export type BindPlace = (typeof BIND_PLACES)[number];
 
 export interface AutoWeights {
   readonly characterId: string;
-  /** Index among the character's skins; the one that is shown where absent. */
+  /** Index of the character's skins; default: the shown one. */
   readonly skin?: number | undefined;
-  /** Of the transport: the pose that `drawn` and `file` go by. */
+  /** Of the transport: the pose for `drawn` and `file`. */
   readonly timeSeconds: number;
-  /** One of `bindPlaces`; the first of them where absent. */
+  /** One of `bindPlaces`; default: the first of them. */
   readonly bind?: BindPlace | undefined;
-  /** Joints that move a vertex, at most: 1 to 16; 4 where absent. */
+  /** Maximum number of joints per vertex: 1 to 16; default 4. */
   readonly mostInfluences?: number | undefined;
 }
 
 export const USUAL_INFLUENCES = 4;
 const MAX_INFLUENCES = 16;
 
-/** What it came to. */
+/** The result of automatic weighting. */
 export interface AutoWeighted {
   readonly document: Document;
   readonly skin: Skin;
-  /** Vertices whose weights are by distance alone. */
+  /** Vertices weighted by distance alone. */
   readonly byDistance: number;
-  /** How many joints move any vertex. */
+  /** Number of joints that move any vertex. */
   readonly moving: number;
-  /** Joints that have a bone, and move no vertex: it lies outside the mesh, or others lie nearer to all of it. */
+  /** Joints that have a bone but move no vertex: the bone is outside the mesh, or others are nearer everywhere. */
   readonly idle: readonly number[];
 }
 
@@ -61,7 +61,7 @@ export const autoWeights: Command<AutoWeights> = {
   run: (document, args) => runToEnd(autoWeightsSteps(document, args)).document,
 };
 
-/** The same, pausing every few milliseconds with the part that is done. */
+/** The same in steps, yielding progress every few milliseconds. */
 export function* autoWeightsSteps(document: Document, args: AutoWeights): Steps<AutoWeighted> {
   const character = requireCharacter(document, args.characterId);
   const { skeleton, skins } = character;
@@ -105,8 +105,8 @@ const WHY_NOT: Readonly<Record<BindPlace, string>> = {
 };
 
 /**
- * Where a skin can be bound, the likeliest first: where it was; else, for one that hangs on the root, where its mesh and
- * the skeleton lie over each other, as drawn or as in the file.
+ * Where a skin can be bound, most likely first: as before; or for one that follows the root, where mesh and skeleton
+ * coincide, as displayed or as in the file.
  */
 export function bindPlaces(character: Character, skin: Skin, timeSeconds: number): readonly BindPlace[] {
   const { skeleton } = character;
@@ -122,7 +122,7 @@ function isBound({ joints }: Skeleton, skin: Skin): boolean {
   return bindingCount(skin) >= joints.length && joints.every((_, j) => !isSingular(skin.bindings, 16 * j));
 }
 
-/** World matrices of the joints at a time, seen from the mesh as its file has it. */
+/** World matrices of the joints at a time, relative to the mesh as in its file. */
 function framesAt(
   character: Character,
   skeleton: Skeleton,
@@ -135,7 +135,7 @@ function framesAt(
   const world = new Float64Array(16 * skeleton.joints.length);
   worldMatrices(compileSkeleton(skeleton), dofs, world);
   if (place !== 'drawn' || isSingular(world)) return world;
-  // What hangs on the root is drawn by M = W₀·B₀⁻¹. With B = M⁻¹·W = B₀·W₀⁻¹·W it stays there.
+  // A skin that follows the root is drawn by M = W₀·B₀⁻¹. With B = M⁻¹·W = B₀·W₀⁻¹·W it stays in place.
   const back = new Float64Array(16);
   invertAffine(world, 0, back, 0);
   if (bindingCount(skin) > 0) {
@@ -148,7 +148,7 @@ function framesAt(
   return frames;
 }
 
-/** How far the boxes around mesh and joints are apart: the distances of their lower and of their upper corners. */
+/** How far the bounding boxes of mesh and joints differ: the distances of their lower and of their upper corners. */
 function misfitOf(skin: Skin, frames: Float64Array): number {
   const mesh = boxOf(skin.positions, 0, 3);
   const joints = boxOf(frames, 12, 16);
@@ -180,7 +180,7 @@ function same(a: Float64Array | Uint32Array, b: Float64Array | Uint32Array): boo
   return true;
 }
 
-/** Joints that move a vertex, on average. */
+/** Average number of joints per vertex. */
 export function meanInfluences(skin: Skin): number {
   return (skin.attachments?.joints.length ?? 0) / Math.max(1, vertexCount(skin));
 }

@@ -1,4 +1,4 @@
-/** How a character's own space lies in the scene, what its position channels mean, and whether it is seen at all. */
+/** How a character's own space maps to the scene, the meaning of its position channels, and whether it is visible. */
 import { metresPerUnit } from '../../evaluate/metres.ts';
 import { liftOntoGround } from '../../evaluate/space.ts';
 import { type Character, LENGTH_UNITS, type Space, shownClip } from '../../model/document.ts';
@@ -39,8 +39,8 @@ function sameSpace(a: Space, b: Space): boolean {
 }
 
 /**
- * Whether position channels replace OFFSETs or are added to them. What was set by hand stays where it is; the clip's
- * values stay as they are, for it is they that are now understood otherwise. On the ground it stood, it stands again.
+ * Whether position channels replace OFFSETs or are added to them. The pose as set stays in place; the clip's values are
+ * kept, since it is their meaning that changes. A character that stood on the ground is put on the ground again.
  */
 export const setPositionChannels: Command<OfCharacter & { readonly positions: 'replace' | 'add' }> = {
   id: 'skeleton.setPositionChannels',
@@ -68,7 +68,7 @@ function onTheGround(character: Character): Character {
   return { ...character, space: { ...space, lift: liftOntoGround(skeleton, shownClip(character), space) } };
 }
 
-/** Takes characters out of the picture, or brings them back; they play on unseen. */
+/** Hides or shows characters; hidden ones keep playing. */
 export const setHidden: Command<{ readonly ids: readonly string[]; readonly hidden: boolean }> = {
   id: 'character.setHidden',
   label(document, { ids, hidden }) {

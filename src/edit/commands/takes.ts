@@ -1,6 +1,6 @@
 /**
- * Several takes at a time: which of them play, when and where. Each is one step of undo, however many characters it is
- * about; for a folder of fifty files is fifty characters with a take each.
+ * Commands on several takes: which of them play, when and where. Each is a single undo step, however many characters it
+ * affects, since a folder of fifty files is fifty characters with a take each.
  */
 import type { Vec3 } from '../../math/vec3.ts';
 import { type Character, type Document, type Space, shownClip } from '../../model/document.ts';
@@ -15,11 +15,11 @@ import { withoutUnkeyed } from '../unkeyed.ts';
 /** One take of one character. */
 export interface TakeRef {
   readonly characterId: string;
-  /** Into the character's takes; -1: the character as it stands, without any. */
+  /** Index of the character's takes; -1: the character in its pose, without a take. */
   readonly clip: number;
 }
 
-/** Shows these takes; `alone`: and takes every other character out of the picture. */
+/** Shows these takes; `alone` also hides all other characters. */
 export const showTakes: Command<{ readonly takes: readonly TakeRef[]; readonly alone?: boolean | undefined }> = {
   id: 'takes.show',
   label(document, { takes, alone }) {
@@ -34,13 +34,13 @@ function shown(document: Document, takes: ReadonlyMap<string, number>, alone: bo
   return mapCharacters(document, (c) => {
     const clip = takes.get(c.id);
     if (clip === undefined) return alone ? hidden(c) : c;
-    // A take of its own is shown in place of another's that moves it.
+    // Showing a take of its own ends retargeting.
     const seen = withoutDriver(visible(c));
     return seen.shownClip === clip ? seen : { ...withoutUnkeyed(seen), shownClip: clip };
   });
 }
 
-/** Has takes begin at the same moment of the transport, the start of its count as a rule. */
+/** Makes takes start at the same transport time, by default 0. */
 export const alignStarts: Command<{
   readonly characterIds: readonly string[];
   readonly atSeconds?: number | undefined;
@@ -51,7 +51,7 @@ export const alignStarts: Command<{
     finiteNumber(atSeconds, 'The time');
     return changeThese(document, characterIds, (c) => {
       const clip = shownClip(c);
-      // The offset is added to the transport's time, so that the clip's first second comes out at this moment.
+      // The offset is added to transport time, so that the clip's first second falls on this time.
       return clip ? offsetBy(c, clip.range[0] - atSeconds + 0) : c;
     });
   },
@@ -67,8 +67,8 @@ export const setTimeOffsets: Command<{ readonly characterIds: readonly string[];
 };
 
 /**
- * `grid`: side by side, in rows, where each of them begins. `spot`: all begin on the spot where the first one does.
- * `space`: all in the first one's coordinates, as they were recorded together.
+ * `grid`: side by side in rows, by their starting positions. `spot`: all start where the first one does. `space`: all
+ * in the first one's coordinates, as recorded together.
  */
 export const ARRANGEMENTS = ['grid', 'spot', 'space'] as const;
 export type Arrangement = (typeof ARRANGEMENTS)[number];
@@ -98,8 +98,8 @@ export const arrange: Command<{ readonly characterIds: readonly string[]; readon
 };
 
 /**
- * One take laid over another: both are shown, nothing else is, and the second stands where the first does. Two takes of
- * one character can't both be shown: there the first is, and who looks at it draws the second over it.
+ * Overlays one take on another: shows both and nothing else, the second in the place of the first. Two takes of one
+ * character can't both be shown: there the first is shown, and the viewer draws the second over it.
  */
 export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: TakeRef }> = {
   id: 'takes.overlay',
@@ -114,18 +114,17 @@ export const overlayTakes: Command<{ readonly first: TakeRef; readonly second: T
       const placed = samePlacement(c.placements[0], placements[0])
         ? c
         : { ...c, placements: [placements[0], ...c.placements.slice(1)] };
-      // Where the ground is was guessed for each by itself, and a guess is no difference between two takes.
+      // The ground level was guessed for each separately; differences in it are no difference between the takes.
       return space && c.space && !liesAlike(c.space, space) ? { ...placed, space } : placed;
     });
   },
 };
 
 /**
- * Puts back what laying takes over each other has changed: places, spaces, what is seen. What was changed otherwise since
- * then stays as it was changed.
+ * Undoes the changes of overlaying takes: placements, spaces, visibility. Other changes made since then are kept.
  *
  * @param before characters as they were before
- * @param overlaid the same ones as they were right after
+ * @param overlaid the same ones right after
  */
 export const endOverlay: Command<{ readonly before: readonly Character[]; readonly overlaid: readonly Character[] }> = {
   id: 'takes.endOverlay',
@@ -151,13 +150,13 @@ function putBack(document: Document, now: Character, from: Character, to: Charac
   if (from.space && to.space && c.space && !liesAlike(from.space, to.space) && liesAlike(c.space, to.space)) {
     c = { ...c, space: from.space };
   }
-  // Takes are known by their number: where some came or went, it says nothing.
+  // Takes are identified by index, which means nothing after some were added or removed.
   const sameTakes = c.clips.length === from.clips.length;
   if (from.shownClip !== to.shownClip && c.shownClip === to.shownClip && sameTakes) {
     c = { ...withoutUnkeyed(c), shownClip: from.shownClip };
   }
   if (from.driver && !to.driver && !c.driver) {
-    // Its source may have changed while nobody followed it.
+    // The source may have changed while it was not retargeted.
     const mover = document.characters.find(({ id }) => id === from.driver?.sourceId);
     const source = (mover && !mover.driver && driverSource(mover)) || from.driver.source;
     c = { ...c, driver: { ...from.driver, source } };
@@ -168,12 +167,12 @@ function putBack(document: Document, now: Character, from: Character, to: Charac
   return c;
 }
 
-/** Whether both are lifted, scaled and turned alike. */
+/** Whether both have the same up axis, unit and lift. */
 function liesAlike(a: Space, b: Space): boolean {
   return a.up === b.up && a.unit === b.unit && a.lift === b.lift && a.metres === b.metres;
 }
 
-/** Takes them away; with its only take goes the character that is nothing else: a file of captured motion. */
+/** Removes takes; a character that consists only of takes (a motion capture file) is removed with its last one. */
 export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
   id: 'takes.remove',
   label: (document, { takes }) =>
@@ -196,7 +195,7 @@ export const removeTakes: Command<{ readonly takes: readonly TakeRef[] }> = {
   },
 };
 
-/** Whether a character is a skeleton that came with its motion, and nothing that anyone would keep without. */
+/** Whether a character is only a skeleton that came with its motion, and not worth keeping without it. */
 function isOnlyTakes({ skins, morphs, skeleton, parts = NO_MARKS }: Character): boolean {
   if (!skeleton) return true;
   const isOther = (mark: PartMark | undefined) => mark?.file !== undefined && mark.file.kind !== 'bvh';
@@ -204,7 +203,7 @@ function isOnlyTakes({ skins, morphs, skeleton, parts = NO_MARKS }: Character): 
   return skins.length === 0 && morphs.length === 0 && isCaptured;
 }
 
-/** In place of the take that was shown the next one is; the one before it, where it was the last. */
+/** If the take was shown, the next one is shown instead, or the previous one if it was the last. */
 function withoutClips(character: Character, gone: ReadonlySet<number>): Character {
   const clips = character.clips.filter((_, i) => !gone.has(i));
   const before = character.clips.filter((_, i) => i < character.shownClip && !gone.has(i)).length;
@@ -214,19 +213,19 @@ function withoutClips(character: Character, gone: ReadonlySet<number>): Characte
   return { ...withoutUnkeyed(character), clips, shownClip: Math.min(before, clips.length - 1) };
 }
 
-// Places.
+// Placements.
 
 const ROOM = 1.6;
 const MIN_CELL_SIZE = 0.5;
 
-/** Where a character's root begins, on the ground of the scene, without its placement; and how wide it is. */
+/** Starting position of a character's root on the scene's ground, without its placement, and the character's width. */
 function startOf(character: Character): { readonly x: number; readonly z: number; readonly width: number } {
   const { min, max, depth } = extentOf(character);
   const [{ scale }] = character.placements;
   return { x: (scale * (min + max)) / 2, z: scale * depth, width: scale * (max - min) };
 }
 
-/** As near to a square as can be; the first one at the back left, the rows towards the viewer. */
+/** Nearly square; the first one at the back left, rows towards the viewer. */
 function inGrid(characters: readonly Character[]): Map<string, Vec3> {
   const starts = characters.map(startOf);
   const cell = ROOM * starts.reduce((most, s) => Math.max(most, s.width), MIN_CELL_SIZE);
@@ -258,7 +257,7 @@ function sameSpace(characters: readonly Character[]): Map<string, Vec3> {
   return new Map(characters.map((c) => [c.id, placements[0].position]));
 }
 
-/** Millimetres are as exact as anybody puts things down. */
+/** Rounded to millimetres, precise enough for placing. */
 function place(x: number, { placements }: Character, z: number): Vec3 {
   return [Number(x.toFixed(3)) + 0, placements[0].position[1], Number(z.toFixed(3)) + 0];
 }
@@ -290,7 +289,7 @@ function hidden(character: Character): Character {
   return character.isHidden ? character : { ...character, isHidden: true };
 }
 
-/** The very same document where every character is the same. */
+/** The same document object if all characters are unchanged. */
 function mapCharacters(document: Document, change: (c: Character) => Character): Document {
   const characters = document.characters.map(change);
   return characters.every((c, i) => c === document.characters[i]) ? document : { ...document, characters };
@@ -307,17 +306,17 @@ function idsIn(document: Document, ids: readonly string[]): string[] {
   return found;
 }
 
-/** @param least the smallest index that counts: -1 where no take is one too */
+/** @param least the smallest valid index: -1 if no take is valid too */
 function checkedRefs(document: Document, takes: readonly TakeRef[], least: number): TakeRef[] {
   return listOf(takes, 'The takes').map((given) => {
-    // Whatever it is, it is asked for these two fields, and both are checked.
+    // Only these two fields are read, and both are checked.
     const { characterId, clip } = (given ?? {}) as Partial<TakeRef>;
     const character = requireCharacter(document, String(characterId));
     return { characterId: character.id, clip: indexIn(clip, least, character.clips.length, 'take') };
   });
 }
 
-/** The take to be shown of each character. */
+/** The take to show for each character. */
 function takesIn(document: Document, takes: readonly TakeRef[]): ReadonlyMap<string, number> {
   const found = new Map<string, number>();
   for (const { characterId, clip } of checkedRefs(document, takes, -1)) {

@@ -1,4 +1,4 @@
-/** Tangents of keys: by name, as a number, together or apart. */
+/** Tangents of keys: by kind, as a number, unified or broken. */
 import { TANGENT_KINDS, type TangentKind } from '../../model/clip.ts';
 import { finiteNumber, oneOf } from '../arguments.ts';
 import { changeTangents, keyCountText, type OfKeys } from '../channel-edits.ts';
@@ -16,7 +16,7 @@ interface OfSide extends OfKeys {
   readonly side: TangentSide;
 }
 
-/** `fixed` keeps the slope there is, as a number. */
+/** `fixed` keeps the current slope as a number. */
 export const setTangents: Command<OfSide & { readonly kind: TangentKind }, Edit> = {
   id: 'keys.setTangents',
   label: (_document, { keys, side, kind }) => `Set ${keyCountText(keys)} to ${kind}${where(side)}`,

@@ -1,10 +1,10 @@
 /**
- * Samples as keys: every frame a key with linear tangents, so that the curve passes through every sample and goes
- * straight between them. What `.anim` needs, which has no samples.
+ * Converts samples to keys: a key with linear tangents on every frame, so that the curve passes through every sample
+ * and is straight in between. Needed for `.anim`, which has no samples.
  *
- * Angles are made continuous first (`channels/euler-filter.ts`): a joint at 179° in one frame and −179° in the next must
- * not spin between them. The rotation at every frame is what it was. Between frames samples turn a joint along the
- * shortest arc, keys each angle by itself; at mocap rates that is no difference to be seen.
+ * Angles are made continuous first (`channels/euler-filter.ts`): a joint at 179° in one frame and −179° in the next
+ * must not spin in between. The rotation at every frame is unchanged. Between frames samples rotate a joint along the
+ * shortest arc, keys each angle separately; at mocap rates the difference is invisible.
  */
 import { eulerDofs, turningDofs } from '../../evaluate/euler-dofs.ts';
 import { type Channel, type ChannelClip, type KeyedChannel, LINEAR, type Tangents } from '../../model/clip.ts';
@@ -15,13 +15,15 @@ import { filterRotations, unrollAngle } from '../channels/euler-filter.ts';
 import { simplifyChannel } from '../channels/simplify.ts';
 
 export interface SampleKeyOptions {
-  /** Keys that are not needed to stay within this much of every curve go; radians, or units of length. 0: none go. */
+  /**
+   * Keys are removed as long as every curve stays within this tolerance; radians or length units. 0: none are removed.
+   */
   readonly tolerance?: number;
 }
 
 /**
- * A clip of keys alone: channels that followed samples have keys, all others are the very same. The clip itself where
- * there is nothing to do.
+ * A clip with keys only: sampled channels are converted, all others keep their identity. The clip itself if it has no
+ * samples.
  * @param skeleton whose DOFs the channels drive: tells which of them are angles
  */
 export function keyedClip(
@@ -42,7 +44,7 @@ export function keyedClip(
   return { ...rest, channels: clip.channels.map((channel, c) => made.get(c) ?? channel) };
 }
 
-/** What the channels of one clip have in common, made once: none of it ever changes. */
+/** What the channels of one clip share; none of it ever changes. */
 function sharedColumns({ frameCount, frameSeconds, startSeconds }: Samples) {
   const times = new Float64Array(frameCount);
   for (let f = 0; f < frameCount; f++) times[f] = startSeconds + f * frameSeconds;
@@ -66,7 +68,7 @@ function keyed(
   return { kind: 'keys', extrapolateIn, extrapolateOut, values, ...shared };
 }
 
-/** Takes out the jumps of angles, in place. */
+/** Removes jumps of angles, in place. */
 function unwind(channels: Map<number, KeyedChannel>, skeleton: Skeleton): void {
   const starts = firstDofs(skeleton);
   skeleton.joints.forEach(({ motion }, j) => {

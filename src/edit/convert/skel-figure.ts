@@ -1,5 +1,5 @@
 /**
- * A figure of BVH as a skeleton that `.skel` can hold, and its clips as `.anim` can.
+ * Converts a BVH figure to a skeleton that `.skel` can store, and its clips to what `.anim` can.
  *
  *     three rotations                    balljoint, of their order
  *     … and all three positions          freejoint
@@ -7,10 +7,10 @@
  *     anything else                      compoundjoint, translation first as in BVH
  *     End Site                           a leaf `fixedjoint End_Site`
  *
- * Where position channels replace the offset, the offset along them becomes 0, for here they are added to it.
+ * Where position channels replace the offset, the offset along them becomes 0, since here they are added to it.
  *
- * `.skel` has no End Sites. Boxes that reach to where they were would show them, but nothing would find them again; a
- * joint without DOFs is as exact, changes no channel, and comes back as an End Site (`evaluate/bvh-figure.ts`).
+ * `.skel` has no End Sites. Boxes that extend to them would show them, but could not be converted back; a joint without
+ * DOFs is exact, changes no channel, and becomes an End Site again (`evaluate/bvh-figure.ts`).
  */
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import type { Vec3 } from '../../math/vec3.ts';
@@ -24,20 +24,20 @@ import { keyedClip, type SampleKeyOptions } from './keys-of-samples.ts';
 
 export interface SkelFigure {
   readonly skeleton: Skeleton;
-  /** For each channel of a clip of the new skeleton that of the old one; -1 for none. */
+  /** For each channel of a clip of the new skeleton, that of the old one; -1 for none. */
   readonly channelMap: readonly number[];
 }
 
-/** Of the figure's extent: how thick its boxes are. */
+/** Thickness of the boxes relative to the figure's extent. */
 const THICKNESS = 1 / 80;
 
-/** The name of a leaf that stands for an End Site; as one token, which is what `.skel` can hold. */
+/** Name of a leaf that represents an End Site; a single token, as `.skel` requires. */
 const END_SITE = 'End_Site';
 
-/** The skeleton itself where none of its joints is one of BVH. Made once for each skeleton. */
+/** Returns the skeleton itself if it has no BVH joints. Cached per skeleton. */
 export const skelFigure = perObject(make);
 
-/** What `.anim` can hold of a clip: keys, for the DOFs of `skelFigure(skeleton)`. */
+/** A clip as `.anim` can store it: keys for the DOFs of `skelFigure(skeleton)`. */
 export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: SampleKeyOptions = {}): ChannelClip {
   const { channelMap } = skelFigure(skeleton);
   const keyed = keyedClip(clip, skeleton, options);
@@ -48,7 +48,7 @@ export function skelClip(clip: ChannelClip, skeleton: Skeleton, options: SampleK
   return { ...keyed, channels: [...channels, ...past] };
 }
 
-/** A character's pose as the new skeleton's joints take it: one value for each of their DOFs. */
+/** A character's pose for the new skeleton's joints: one value per DOF. */
 export function skelPose(pose: readonly number[], skeleton: Skeleton): readonly number[] {
   const { skeleton: to, channelMap } = skelFigure(skeleton);
   return channelMap.slice(rootDofCount(to)).map((c) => (c < 0 ? 0 : (pose[c] ?? 0)));
@@ -64,7 +64,7 @@ function make(skeleton: Skeleton): SkelFigure {
   const thickness = THICKNESS * extentOf(skeleton);
   const boxes = boxesOf(skeleton, thickness);
   const joints: Joint[] = [];
-  /** Of each old joint, its number among the new ones; of each new one, the old one or -1. */
+  /** For each old joint its new index; for each new one the old index or -1. */
   const numbers: number[] = [];
   const origins: number[] = [];
   skeleton.joints.forEach((joint, j) => {
@@ -98,7 +98,7 @@ function skelJoint(joint: Joint, box: Box): Joint {
   };
 }
 
-/** What nothing limits is unlimited as `.skel` says it: no decimal is infinite. */
+/** Writes any unlimited range as `.skel` does, since decimals can't be infinite. */
 function limitOf({ limits }: Joint, dof: number): Limit {
   const limit = limits[dof] ?? UNLIMITED;
   return isUnlimited(limit) ? UNLIMITED : limit;
@@ -120,7 +120,7 @@ function channelMapOf(from: Skeleton, to: Skeleton, origins: readonly number[]):
   return map;
 }
 
-/** Around the bones that begin at each joint: a figure drawn as boxes looks like one. */
+/** Boxes around the bones that start at each joint, so that the figure looks right drawn as boxes. */
 function boxesOf({ joints }: Skeleton, thickness: number): readonly Box[] {
   const least = joints.map(() => [0, 0, 0]);
   const most = joints.map(() => [0, 0, 0]);
@@ -144,7 +144,7 @@ function boxesOf({ joints }: Skeleton, thickness: number): readonly Box[] {
   });
 }
 
-/** The longest side of the box around the joints as the file poses them. */
+/** The longest side of the box around the joints in the file pose. */
 function extentOf(skeleton: Skeleton): number {
   const compiled = compileSkeleton(skeleton);
   const world = new Float64Array(16 * compiled.jointCount);

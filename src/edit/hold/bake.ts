@@ -1,9 +1,9 @@
 /**
- * What was held frame by frame, put into the take: keys where there are keys, few of them; frames where there are frames.
+ * Bakes held frames into the take: as few keys as possible in keyed channels, frames in sampled ones.
  *
- * Keys are first made on every frame, and then thinned (`channels/simplify.ts`) with a tolerance for each DOF by how far
- * it can move what hangs on it. Joints and pins are measured at all frames and halfway between them, with all keys and
- * with few; what is further off than allowed gets less, until nothing is. As *convert to keys* does.
+ * Keys are first created on every frame, and then thinned (`channels/simplify.ts`) with a tolerance per DOF, by how far
+ * it can move its descendants. Joints and pins are measured at all frames and halfway between, with all keys and with
+ * few; the tolerance of those that deviate too much is reduced until none does. Like *Convert to keys*.
  */
 import { compileSkeleton } from '../../evaluate/kinematics.ts';
 import type { Steps } from '../../evaluate/steps.ts';
@@ -21,13 +21,13 @@ import { distances, withHalves } from './measure.ts';
 import { replaceStretch } from './replace-curve.ts';
 import type { HoldWindow } from './window.ts';
 
-/** What of the allowance a channel gets at first. */
+/** Initial fraction of the tolerance for a channel. */
 const FIRST_SHARE = 0.5;
-/** After so many rounds it goes faster, and after so many doubles are not as fine as what is asked. */
+/** After this many rounds the reduction is faster, and after this many doubles are too coarse for the tolerance. */
 const PATIENT_ROUNDS = 6;
 const MAX_ROUNDS = 20;
 
-/** The take with a key on every frame in place of what the DOFs had there; those of samples have other frames. */
+/** The take with a key on every frame replacing the DOFs' values there; sampled takes have their own frames. */
 export function* bakingFrames(
   clip: ChannelClip,
   { times, weights, corners }: HoldWindow,
@@ -46,14 +46,14 @@ export function* bakingFrames(
   }
   const { samples } = clip;
   if (!samples || columns.size === 0) return { ...clip, channels };
-  // A frame that gets nothing of the hold stays as it is, to the last bit.
+  // Frames outside the hold are not changed at all.
   const [from, to] = [weights[0] === 0 ? 1 : 0, times.length - (weights[weights.length - 1] === 0 ? 1 : 0)];
   for (const [column, values] of columns) columns.set(column, values.subarray(from, to));
   const first = firstFrameFrom(samples, times[from]);
   return { ...clip, channels, samples: yield* replacingColumns(samples, columns, first) };
 }
 
-/** Fewer keys in the window, with no joint and no pin further from where it was than `tolerance`, in lengths. */
+/** Removes keys in the window while all joints and pins stay within `tolerance`, in lengths. */
 export function* thinning(
   character: Character,
   skeleton: Skeleton,
@@ -98,7 +98,7 @@ function firstTolerance(isLength: boolean, reach: number, tolerance: number): nu
   return FIRST_SHARE * (isLength ? tolerance : tolerance / Math.max(reach, 1e-9 * tolerance));
 }
 
-/** By joint, how far away the furthest joint or pin below it can get: the lengths of the bones to it. */
+/** By joint, the farthest that any descendant joint or pin can be: the total bone length to it. */
 function reachBelow({ joints }: Skeleton, pins: readonly Pin[]): Float64Array {
   const reach = new Float64Array(joints.length);
   for (const { joint, point } of pins) reach[joint] = Math.max(reach[joint], Math.hypot(...point));
@@ -109,7 +109,7 @@ function reachBelow({ joints }: Skeleton, pins: readonly Pin[]): Float64Array {
   return reach;
 }
 
-/** By joint, the largest of its own and of all below it, in place. */
+/** By joint, the maximum over itself and its descendants, in place. */
 function belowIncluded(skeleton: Skeleton, values: Float64Array): Float64Array {
   const { parent } = compileSkeleton(skeleton);
   for (let j = values.length - 1; j > 0; j--) values[parent[j]] = Math.max(values[parent[j]], values[j]);

@@ -1,17 +1,17 @@
 /**
- * Where a pin can't be reached the nearest pose stretches all that there is, and a hair's breadth earlier nothing was
- * stretched: exactly as near as can be would be a jerk. No pin is at its place there anyway, so changes of such frames
- * come and go at a pace instead, from the frame before and to the one after.
+ * If a pin is out of reach, the nearest pose stretches the whole chain, which was bent a moment before: following it
+ * exactly would be a jerk. Since no pin is at its target then anyway, the changes of such frames are limited in speed,
+ * from the frame before and to the one after.
  */
 import { applyConstraints, type CompiledSkeleton } from '../../evaluate/kinematics.ts';
 import type { HeldFrames } from './frames.ts';
 
-/** Radians, and reaches, in a second: about as fast as people and creatures move. */
+/** Radians and reaches per second: about as fast as people and animals move. */
 const FASTEST = 4;
 
 /**
- * In place, for frames that are not reached; the others stay.
- * @param units by DOF: radians, lengths of the reach and the like that 1 stands for
+ * In place, for frames that are not reached; others are left alone.
+ * @param units by DOF: value of 1 in radians, reaches etc.
  */
 export function calm(
   { own, held, width, isReached }: HeldFrames,

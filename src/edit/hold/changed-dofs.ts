@@ -1,16 +1,16 @@
-/** Which DOFs a hold has changed: only those are keyed. */
+/** Which DOFs a hold has changed; only these are keyed. */
 import { type CompiledSkeleton, compileSkeleton } from '../../evaluate/kinematics.ts';
 import { characterDofs } from '../../model/dofs.ts';
 import { quaternionDofs } from '../../model/joint-types.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import type { HeldFrames } from './frames.ts';
 
-/** Radians, factors, and parts of the reach: nobody sees less, and it would be keys for nothing. */
+/** Radians, factors and fractions of the reach: smaller changes are invisible and not worth keys. */
 const NOTHING = 1e-7;
 
 /**
- * Ascending. A DOF that follows another is none of them, for its own value counts for nothing; the four parts of a
- * quaternion are all of them or none.
+ * Ascending. Linked DOFs are excluded, since their own values are ignored; the four components of a quaternion are
+ * changed together or not at all.
  * @param reach of the character, in its lengths
  */
 export function changedDofs(skeleton: Skeleton, frames: HeldFrames, reach: number): number[] {

@@ -1,17 +1,17 @@
 /**
- * Where a take turns sharply: a foot that touches the ground, a hand that lets go. What holds a pin against it turns as
- * sharply there, so those moments are frames of their own, and curves get a slope on either side of them.
+ * Where a take turns sharply: a foot that touches the ground, a hand that lets go. The pose that compensates for it
+ * turns as sharply, so those times become frames of their own, and curves get different slopes on either side of them.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import type { ChannelClip } from '../../model/clip.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
 
-/** Slopes that differ by less than that part of them, or change so little in a second, are one. */
+/** Slopes that differ by less than this fraction, or by this little per second, are equal. */
 const SAME_SLOPE = 1e-3;
 
 /**
- * The moments at which a curve of these channels has a slope of its own on either side; seconds of the clip, ascending.
- * @param between only those strictly between
+ * The times at which a curve of these channels has different slopes on either side; seconds of the clip, ascending.
+ * @param between only times strictly between
  */
 export function cornerTimes(
   clip: ChannelClip,

@@ -1,11 +1,11 @@
-/** Poses frame by frame, before and after pins were held in them. */
+/** Poses frame by frame, before and after holding pins. */
 
 /** A row of all the character's DOFs for each frame. */
 export interface HeldFrames {
   readonly width: number;
-  /** As the take has them, within limits if those hold. */
+  /** As in the take, within limits if they are enforced. */
   readonly own: Float64Array;
   readonly held: Float64Array;
-  /** By frame: whether every pin came to where it should. */
+  /** By frame: whether every pin reached its target. */
   readonly isReached: Uint8Array;
 }

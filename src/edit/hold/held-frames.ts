@@ -1,14 +1,15 @@
 /**
- * Inverse kinematics frame by frame: each frame's own pose, changed as little as brings the pins to where they are held.
+ * Inverse kinematics frame by frame: each frame's own pose, changed as little as possible to bring the pins to their
+ * targets.
  *
- * Every frame begins at its own pose, and its pins go from where they are there to their targets in a few equal parts:
- * the pose that comes of it depends on the frame's own pose and the target alone, and smoothly, as both do from frame to
- * frame. (Beginning at the frame before would carry on what that one came to in what the pins leave free, and drift.)
- * It can jump where a limb bends the other way on the road. So where a frame's change is far from that of the one
- * before, it is solved once more, from its own pose with the other's change added, and the nearer one is taken.
+ * Every frame starts from its own pose, and its pins move to their targets in a few equal steps: the result depends
+ * only on the frame's own pose and the target, and as smoothly as they change from frame to frame. (Starting from the
+ * previous frame would carry over its solution in directions that the pins leave free, and drift.) It can jump if a
+ * limb bends the other way. So if a frame's change differs much from that of the previous one, it is solved again from
+ * its own pose with the other's change added, and the nearer solution is used.
  *
- * What can't be reached is come as near to as can be from there, at a pace (`calm.ts`): no search elsewhere, which would
- * jump.
+ * Unreachable targets are approached as closely as possible from there, at limited speed (`calm.ts`), without restarts,
+ * which would jump.
  */
 import type { Turn } from '../../evaluate/ik/pins.ts';
 import { ikProblem, movePin, turnPin } from '../../evaluate/ik/problem.ts';
@@ -29,25 +30,28 @@ import type { HeldFrames } from './frames.ts';
 import type { HoldWindow } from './window.ts';
 
 export interface Holding {
-  /** Nothing set by hand over its take. */
+  /** Without unkeyed changes. */
   readonly character: Character;
   readonly skeleton: Skeleton;
   readonly pins: readonly Pin[];
-  /** One for each pin. */
+  /** One per pin. */
   readonly targets: readonly PinTarget[];
   readonly stiffness: Float64Array;
 }
 
-/** In how many parts pins go to their targets. */
+/** Number of steps in which pins move to their targets. */
 const PARTS = 8;
-/** How often a solution that isn't there yet is gone on with. */
+/** Maximum number of solves for an unfinished solution. */
 const MAX_TRIES = 4;
-/** Of the reach: joints that change so much less like in the frame before have jumped, unless the targets did. */
+/**
+ * Fraction of the reach: a difference to the change of the previous frame that counts as a jump, unless the targets
+ * jumped.
+ */
 const JUMP = 0.02;
-/** The same as a multiple of how the targets' distances changed. */
+/** The same as a multiple of the change in the targets' distances. */
 const JUMP_OF_TARGET = 4;
 
-/** Pauses after each frame. */
+/** Yields after each frame. */
 export function* holdingFrames(holding: Holding, { times, weights }: HoldWindow): Steps<HeldFrames> {
   const { character, skeleton } = holding;
   const width = dofCountOf(character);
@@ -73,17 +77,17 @@ export function* holdingFrames(holding: Holding, { times, weights }: HoldWindow)
   return frames;
 }
 
-/** What became of a frame's pose. */
+/** The change of a frame's pose. */
 interface Change {
   readonly own: Float64Array;
   readonly weight: number;
   readonly dofs: Float64Array;
   readonly isReached: boolean;
-  /** How far each joint was moved: x y z. */
+  /** Displacement of each joint: x y z. */
   readonly moved: Float64Array;
-  /** How far the pins were to go: x y z. */
+  /** Displacement from the pins to their targets: x y z. */
   readonly way: Float64Array;
-  /** How far from their targets they are, all together. */
+  /** Remaining distance from the targets, in total. */
   readonly left: number;
 }
 
@@ -105,7 +109,7 @@ function changeOf(
     target: starts[p].position,
     ...(starts[p].orientation && { orientation: starts[p].orientation }),
   }));
-  // Made for each frame: lengths that the take changes are measured in it.
+  // Made for each frame, since it measures lengths that the take may change.
   const problem = ikProblem(skeleton, asked, own, { clamps: character.clampsToLimits, stiffness });
   const way = Float64Array.from(ends.flatMap(({ position }, p) => position.map((x, k) => x - starts[p].position[k])));
   const dofs = own.slice();
@@ -130,12 +134,12 @@ function changeOf(
   return isAsGood && apart(other.moved, before.moved) < jump / 2 ? other : change;
 }
 
-/** As near as can be from there, in place. */
+/** As close as possible from there, in place. */
 function finish(problem: IkProblem, dofs: Float64Array, starts: readonly PinTarget[], ends: readonly PinTarget[]) {
   aim(problem, starts, ends, 1);
   let { isSolved } = solve(problem, dofs, 'drag');
   for (let tries = 1; tries < MAX_TRIES && !isSolved; tries++) isSolved = solve(problem, dofs, 'drag').isSolved;
-  // Where it is there already, settling looks nowhere else: it only takes the rest of the way.
+  // At a solution, settling does not restart; it only completes the movement.
   if (isSolved) solve(problem, dofs, 'settle');
   return { dofs, isReached: isSolved, left: problem.result.residuals.reduce((sum, residual) => sum + residual, 0) };
 }
@@ -148,7 +152,7 @@ function aim(problem: IkProblem, starts: readonly PinTarget[], ends: readonly Pi
   });
 }
 
-/** A part of the way from one target to another; the orientation along the shortest arc. */
+/** Interpolates between two targets; the orientation along the shortest arc. */
 export function between(a: PinTarget, b: PinTarget, part: number): PinTarget {
   const mix = (k: number) => (part === 1 ? b.position[k] : a.position[k] + part * (b.position[k] - a.position[k]));
   const position = [mix(0), mix(1), mix(2)] as const;
@@ -162,7 +166,7 @@ function turnBetween(a: Turn, b: Turn, part: number): Turn {
   return [turn[0], turn[1], turn[2], turn[3]];
 }
 
-/** How far each joint is from where it was. */
+/** Displacement of each joint. */
 function movedBy(compiled: CompiledSkeleton, dofs: Float64Array, before: Float64Array): Float64Array {
   const world = new Float64Array(before.length);
   worldMatrices(compiled, dofs, world);
@@ -174,7 +178,7 @@ function movedBy(compiled: CompiledSkeleton, dofs: Float64Array, before: Float64
   return moved;
 }
 
-/** The largest distance between two of the points, x y z each. */
+/** The largest distance between corresponding points, x y z each. */
 function apart(a: Float64Array, b: Float64Array): number {
   let largest = 0;
   for (let i = 0; i < a.length; i += 3) {
@@ -183,7 +187,7 @@ function apart(a: Float64Array, b: Float64Array): number {
   return largest;
 }
 
-/** q and −q turn alike, but the way between them is no short one: each frame's takes the side of the one before. */
+/** q and −q are the same rotation, but interpolate differently: each frame takes the sign of the previous one. */
 function keepSigns({ joints }: Skeleton, { firstDof }: CompiledSkeleton, held: Float64Array, width: number): void {
   joints.forEach(({ motion }, j) => {
     const [x] = quaternionDofs(motion);

@@ -1,8 +1,9 @@
 /**
- * Pins held over a range of a take: the frames are solved, baked into the take and thinned.
+ * Holds pins over a range of a take: solves the frames, bakes them into the take, and removes unneeded keys.
  *
- * Curves between two frames go their own way, and a foot that stands at every frame may slide between them. Where it
- * does, frames are made twice as many and solved again, up to eight times as many; those of samples are what they are.
+ * Between two frames curves take their own course, so that a foot that is fixed at every frame may slide in between. If
+ * it does, the number of frames is doubled and they are solved again, up to eight times as many; sampled takes keep
+ * their frames.
  */
 import { ikOf, type PinTarget, pinTarget, reachOfSkeleton, stiffnessOf } from '../../evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
@@ -27,43 +28,43 @@ export interface HoldOptions {
   readonly range: readonly [number, number];
   readonly framesPerSecond: number;
   readonly easeSeconds: number;
-  /** How far joints and pins may be off for the sake of few keys; lengths. A thousandth of the reach where absent. */
+  /** How far joints and pins may deviate to save keys; lengths. Default: a thousandth of the reach. */
   readonly tolerance: number | undefined;
 }
 
 export interface HeldPin {
   /** Its id. */
   readonly pin: number;
-  /** How far its point gets from the held place during the range, at frames and halfway between them; lengths. */
+  /** How far its point gets from its target during the range, at frames and halfway between; lengths. */
   readonly slideBefore: number;
   readonly slideAfter: number;
 }
 
 export interface HeldTake {
-  /** The very same where nothing had to be changed. */
+  /** The same object if nothing had to be changed. */
   readonly clip: ChannelClip;
   readonly window: HoldWindow;
   /** Channels that changed, ascending. */
   readonly channels: readonly number[];
   readonly pins: readonly HeldPin[];
-  /** Frames in which some pin could not come to its place. */
+  /** Frames in which some pin did not reach its target. */
   readonly unreached: number;
 }
 
-/** Of the reach. */
+/** Fraction of the reach. */
 const TOLERANCE = 1e-3;
 /**
- * Of the tolerance, for what the joints do between frames and for keys left out each. They are looked at on frames and
- * halfway; the rest is for what lies between.
+ * Fraction of the tolerance for movement between frames, and for removed keys. Both are measured on frames and halfway;
+ * the rest is a margin for what lies between.
  */
 const SHARE = 0.42;
-/** How many times as many frames as were asked for, at most. */
+/** Maximum factor by which the number of frames is increased. */
 const FINEST = 8;
 
 /**
- * @param character with nothing set by hand over its take
+ * @param character without unkeyed changes
  * @param clip the take that it shows, with a channel for each DOF
- * @param targets where the pins are held, one for each
+ * @param targets where the pins are held, one per pin
  */
 export function* holding(
   character: Character,
@@ -81,7 +82,7 @@ export function* holding(
   const isByFrames = path.some((dof) => stiffness[dof] < Infinity && clip.channels[dof]?.kind === 'samples');
   const samples = isByFrames ? clip.samples : undefined;
   const corners = samples ? [] : cornerTimes(clip, path, clip.range);
-  // Before any of them is made.
+  // Checked before any is made.
   const seconds = Math.min(range[1], clip.range[1]) - Math.max(range[0], clip.range[0]) + 2 * easeSeconds;
   if (!samples) refuseTooMany(Math.ceil(seconds * framesPerSecond), dofCountOf(character));
   let solved: Solved;
@@ -89,7 +90,7 @@ export function* holding(
     const window = samples
       ? sampledWindow(samples, range, easeSeconds)
       : keyedWindow(range, clip.range, framesPerSecond * finer, easeSeconds, corners);
-    // Nobody knows how many rounds there will be; each takes about half of what is left.
+    // The number of rounds is unknown; each takes about half of the remaining progress.
     const share = 0.8 * (1 - 1 / finer);
     solved = yield* within(solving(job, clip, window, reach), share, share + 0.4 / finer);
     if (samples || finer === FINEST || !(slideBetween(job, solved) > SHARE * tolerance)) break;
@@ -108,7 +109,7 @@ export function* holding(
   };
 }
 
-/** Where pins are in the pose that a character shows at a time of the transport. */
+/** Positions of pins in the pose that a character shows at a transport time. */
 export function placesAt(
   character: Character,
   skeleton: Skeleton,
@@ -137,7 +138,7 @@ function* solving(job: Holding, clip: ChannelClip, window: HoldWindow, reach: nu
   return { window, frames, changed, dense: yield* within(bakingFrames(clip, window, frames, changed), 0.9, 1) };
 }
 
-/** The DOFs on the ways from the pins to the root, with those that carry it; ascending. */
+/** The DOFs on the paths from the pins to the root, including those that move it; ascending. */
 function dofsOnPaths(skeleton: Skeleton, pins: readonly Pin[]): number[] {
   const { firstDof, parent, jointCount } = compileSkeleton(skeleton);
   const onPath = new Set<number>();
@@ -149,7 +150,7 @@ function dofsOnPaths(skeleton: Skeleton, pins: readonly Pin[]): number[] {
   return dofs;
 }
 
-/** The furthest that a pin gets from its place, halfway between frames at both of which all were there. */
+/** The farthest that a pin gets from its target, halfway between frames at which all are reached. */
 function slideBetween({ character, skeleton, pins, targets }: Holding, { window, frames, dense }: Solved): number {
   const { times, firstHeld, lastHeld } = window;
   const halves: number[] = [];

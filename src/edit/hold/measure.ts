@@ -1,4 +1,4 @@
-/** Where joints and pins are while something is held: what a hold is judged by. */
+/** Measures joints and pins during a hold, to judge its result. */
 import { type PinTarget, pointAt } from '../../evaluate/ik/set-up.ts';
 import { compileSkeleton, worldMatrices } from '../../evaluate/kinematics.ts';
 import { dofCountOf, poseAt } from '../../evaluate/pose.ts';
@@ -9,7 +9,7 @@ import type { Pin } from '../../model/ik.ts';
 import type { Skeleton } from '../../model/skeleton.ts';
 import { withTake } from '../takes.ts';
 
-/** Calls back with the world matrices of a character at each of the times, seconds of the clip; the same array each time. */
+/** Calls back with a character's world matrices at each of the times, seconds of the clip; the array is reused. */
 function eachPose(
   character: Character,
   skeleton: Skeleton,
@@ -26,7 +26,7 @@ function eachPose(
   }
 }
 
-/** The times and those halfway between each and the next. */
+/** The times and their midpoints. */
 export function withHalves(times: Float64Array): Float64Array {
   const out = new Float64Array(Math.max(0, 2 * times.length - 1));
   for (let i = 0; i < out.length; i++) {
@@ -36,7 +36,7 @@ export function withHalves(times: Float64Array): Float64Array {
   return out;
 }
 
-/** By pin, how far its point gets from where it should be at any of the times; the character's lengths. */
+/** By pin, its point's largest distance from the target over these times; the character's lengths. */
 export function slides(
   character: Character,
   skeleton: Skeleton,
@@ -55,7 +55,7 @@ export function slides(
   return worst;
 }
 
-/** By joint, how far apart two takes of a character put it, its own points that are pinned included. */
+/** By joint, the distance between its positions in two takes of a character, its pinned points included. */
 export function distances(
   character: Character,
   skeleton: Skeleton,

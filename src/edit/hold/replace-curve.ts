@@ -1,11 +1,11 @@
 /**
- * A stretch of a curve with other values, a key for each, and the curve on both sides as it was:
+ * Replaces a stretch of a curve by values with a key each, keeping the curve on both sides:
  *
  *     before   ─────────╮     ╭──────
  *                        ╲___╱
  *     after    ────────k k k k k─────        the outer keys are on the curve, with its slopes as numbers
  *
- * What repeats is written out over all that is played first, or every repetition would change with the stretch.
+ * Repetitions are first baked over the playback range, or all of them would change with the stretch.
  */
 import { resolvedSlopes } from '../../evaluate/slopes.ts';
 import { type Channel, FIXED_TANGENT, FLAT, type KeyedChannel, repeats, SMOOTH } from '../../model/clip.ts';
@@ -15,19 +15,19 @@ import { insertKey } from '../keys/insert.ts';
 import { findKey, sameTime } from '../keys/same-time.ts';
 
 export interface Stretch {
-  /** Seconds of the clip, ascending strictly; two at least. */
+  /** Seconds of the clip, strictly ascending; at least two. */
   readonly times: Float64Array;
   readonly values: Float64Array;
-  /** Of those in between, by number: where the curve has a slope of its own on either side. */
+  /** Indices of inner ones where the curve has different slopes on either side. */
   readonly corners: ReadonlySet<number>;
-  /** Whether the first and the last value stand beside what was there: then the curve goes through it smoothly. */
+  /** Whether the first and last value are on the old curve, so that the curve continues smoothly. */
   readonly startsOnCurve: boolean;
   readonly endsOnCurve: boolean;
 }
 
 /**
- * @param played of the clip, which the stretch lies in. The value at an end that is not on the curve jumps there: at the
- * start the curve before it stays, and at the end what comes after it is led over to.
+ * @param played playback range of the clip, which contains the stretch. If an end value is not on the curve, the curve
+ * jumps there: before the start it is kept, and at the end a step leads back to it.
  */
 export function replaceStretch(channel: Channel, stretch: Stretch, played: readonly [number, number]): KeyedChannel {
   const { times, values, corners, startsOnCurve, endsOnCurve } = stretch;
@@ -40,7 +40,7 @@ export function replaceStretch(channel: Channel, stretch: Stretch, played: reado
   const slopes = resolvedSlopes(made);
   const from = findKey(made, times[0]);
   let to = findKey(made, times[last]);
-  // Of a step at the end its first key is what the stretch goes to.
+  // Of a step at the end, the stretch ends at its first key.
   while (to - 1 > from && sameTime(made.times[to - 1], times[last])) to--;
   const own = (k: number): Key => ({ ...keyAt(made, k), in: number(slopes.in[k]), out: number(slopes.out[k]) });
 
@@ -66,7 +66,7 @@ export function replaceStretch(channel: Channel, stretch: Stretch, played: reado
   return withKeyList(made, keys);
 }
 
-/** What repeats keys at one moment only stands still, and would not with others beside them. */
+/** A cycle of keys at a single time is constant, and would not be with other keys beside them. */
 function withoutPeriods(channel: KeyedChannel, [from, to]: readonly [number, number]): KeyedChannel {
   const { times, extrapolateIn, extrapolateOut } = channel;
   const endsBefore = repeats(extrapolateIn) && times[0] > from;
@@ -79,12 +79,12 @@ function withoutPeriods(channel: KeyedChannel, [from, to]: readonly [number, num
   };
 }
 
-/** A slope that asks no neighbour. */
+/** A slope that doesn't depend on neighbours. */
 function number(slope: number): Tangent {
   return slope === 0 ? tangent(FLAT) : tangent(FIXED_TANGENT, slope);
 }
 
-/** Of the parabola through a value and the next two on one side; of the line where there is one. */
+/** Of the parabola through a value and the next two on one side, or the line through the next one. */
 function slopeAtEnd(times: Float64Array, values: Float64Array, end: number, step: 1 | -1): number {
   const [a, b, c] = [end, end + step, end + 2 * step];
   const first = (values[b] - values[a]) / (times[b] - times[a]);

@@ -1,12 +1,12 @@
 /**
- * When something is held: the frames that are changed, and how much of the hold each of them gets.
+ * The time window of a hold: the frames that change, and the weight of the hold in each.
  *
  *     weight   1 ┤        ┌────────────┐
  *              0 ┼───────╱              ╲───────
- *                 first  from          to   last        the ways up and down are smoothsteps, outside of the range
+ *                 first  from          to   last        ease in and out are smoothsteps, outside of the range
  *
- * Where the range begins or ends with the take there is no way up or down: nothing is seen beyond. Elsewhere it takes a
- * frame at least, so that nothing jumps.
+ * Where the range starts or ends with the take there is no ease: nothing beyond is visible. Elsewhere it takes at least
+ * one frame, so that nothing jumps.
  */
 import type { Samples } from '../../model/samples.ts';
 import { sameTime } from '../keys/same-time.ts';
@@ -14,11 +14,11 @@ import { firstFrameFrom, lastFrameTo } from '../samples/frames.ts';
 import { CommandError } from '../store.ts';
 
 export interface HoldWindow {
-  /** Seconds of the clip, ascending strictly: nothing changes before the first and after the last. */
+  /** Seconds of the clip, strictly ascending: nothing changes before the first and after the last. */
   readonly times: Float64Array;
-  /** One for each: 0 as it was, 1 held. */
+  /** One for each: 0 unchanged, 1 held. */
   readonly weights: Float64Array;
-  /** The first and the last that is held wholly. */
+  /** The first and last with full weight. */
   readonly firstHeld: number;
   readonly lastHeld: number;
   /** The frames at which the take turns sharply. */
@@ -26,11 +26,11 @@ export interface HoldWindow {
 }
 
 /**
- * The frames of a hold over keys: both ends of the range are frames, those of the ways there and back, and the moments
- * at which the take turns sharply, instead of frames close by.
+ * The frames of a hold on keys: both ends of the range, those of ease in and out, and the times at which the take turns
+ * sharply, replacing frames close by.
  *
- * @param range what is held, seconds of the clip
- * @param played of the clip: nothing beyond is changed. Refuses a range that lies wholly outside.
+ * @param range to hold, seconds of the clip
+ * @param played playback range of the clip; nothing beyond is changed. Refuses a range outside it.
  */
 export function keyedWindow(
   range: readonly [number, number],
@@ -45,7 +45,7 @@ export function keyedWindow(
   const ease = Math.max(easeSeconds, 1 / framesPerSecond);
   const first = Math.max(played[0], from - ease);
   const last = Math.min(played[1], to + ease);
-  // Nothing lies between a moment and itself.
+  // Drops empty intervals.
   const marks = [first, from, to, last].filter((time, i, all) => i === 0 || !sameTime(time, all[i - 1]));
   if (marks.length < 2) throw outside(played);
   const near = NEAR_CORNER / framesPerSecond;
@@ -58,18 +58,18 @@ export function keyedWindow(
   return windowOf(times, at(from), at(to), new Set(kept.map((time) => times.indexOf(time))));
 }
 
-/** Frames from a time on, evenly, up to but not with another. */
+/** Evenly spaced frames from one time up to (excluding) another. */
 function division(from: number, to: number, framesPerSecond: number): number[] {
   const count = Math.max(1, Math.ceil((to - from) * framesPerSecond - SAME_FRAME));
   return Array.from({ length: count }, (_, f) => from + ((to - from) * f) / count);
 }
 
-/** Of a frame: what is nearer to a corner is none beside it. */
+/** Fraction of a frame within which a corner replaces it. */
 const NEAR_CORNER = 0.3;
-/** Of a frame: 0.3 s at 30 a second are 9 frames, not 9.0000001. */
+/** Fraction of a frame: 0.3 s at 30 FPS are 9 frames, not 9.0000001. */
 const SAME_FRAME = 1e-6;
 
-/** The frames of samples that a hold changes, and one on each side that it doesn't. Refuses a range without any. */
+/** The frames of samples that a hold changes, and an unchanged one on each side. Refuses a range without frames. */
 export function sampledWindow(samples: Samples, range: readonly [number, number], easeSeconds: number): HoldWindow {
   const { startSeconds, frameSeconds, frameCount } = samples;
   const from = firstFrameFrom(samples, range[0]);

@@ -1,20 +1,20 @@
 /**
- * Keys at new times: in order again, and what happens where they land on others. Moving, scaling, snapping, typing a
- * time, rippling and pasting all end here.
+ * Moves keys to new times: sorts them, and handles overlapping keys. Moving, scaling, snapping, typing a time, rippling
+ * and pasting all use it.
  *
  *     before     a   b   c   d        b moves to d's time:   a   c   b        replaces it, or
- *                    └───────▶                               a   c   d b      makes a step, b holding from then on
+ *                    └───────▶                               a   c   d b      makes a step, b applying from then on
  *
- * The rules, in one place:
- *  - A moved key that lands on keys that did not move replaces them. Where steps are asked for, the first of those
- *    there and the last that landed stay: what the curve arrives at, and what it goes on from. Never more than two.
- *    It takes the time of what it lands on to the last digit, so that channels keyed together stay in line.
- *  - Of moved keys that meet (scaled to nothing, snapped to one frame) the last stays, with its other half if it was
- *    half of a step. Steps that move as one stay steps.
- *  - A key that is moved to where it was lands on nothing.
+ * The rules:
+ *  - A moved key that lands on unmoved ones replaces them. If steps are requested, the first of the unmoved and the
+ * last of the moved keys are kept: where the curve arrives and where it continues, never more than two. The moved key
+ * takes the exact time of the other, so that channels keyed together stay aligned.
+ *  - Of moved keys that meet (scaled to zero, snapped to one frame) the last is kept, with its other half if it was
+ * half of a step. Steps that move together stay steps.
+ *  - A key that is moved to its own time lands on nothing.
  *
- * Both lists, those that move and those that don't, are sorted already or exactly reversed: one merge, over indices in
- * typed arrays, without an object for a key.
+ * Both lists, moved and unmoved, are already sorted or exactly reversed, so this is one merge over indices in typed
+ * arrays, without an object per key.
  */
 import { lastNotAbove } from '../../math/search.ts';
 import type { KeyedChannel, Tangents } from '../../model/clip.ts';
@@ -22,28 +22,28 @@ import { CommandError } from '../store.ts';
 import { takeKeys } from './columns.ts';
 import { sameTime } from './same-time.ts';
 
-/** What becomes of a key that another lands on. */
+/** What happens to a key that another lands on. */
 export type Collision = 'replace' | 'step';
 export const COLLISIONS: readonly Collision[] = ['replace', 'step'];
 
 /** A channel after an edit. */
 export interface EditedChannel {
   readonly channel: KeyedChannel;
-  /** Where the keys that the edit was about are now, ascending; those that were replaced are missing. */
+  /** Current indices of the edited keys, ascending; replaced ones are missing. */
   readonly indices: readonly number[];
 }
 
-/** A channel with keys at other times. */
+/** A channel with keys at new times. */
 export interface Arranged extends EditedChannel {
-  /** The index that each of `indices` had before. */
+  /** The previous index of each of `indices`. */
   readonly from: readonly number[];
 }
 
 /**
- * The channel with some keys at other times; the very same where none changes.
- * @param indices ascending, each once
- * @param newTimes one for each of `indices`: ascending as they are, or descending where time is mirrored
- * @param arriving the keys come from elsewhere: they land on others even where their times are the ones they have
+ * The channel with some keys at new times; the same object if nothing changes.
+ * @param indices ascending, unique
+ * @param newTimes one for each of `indices`: ascending, or descending if time is mirrored
+ * @param arriving the keys come from elsewhere: they land on others even if their times don't change
  */
 export function arrangeKeys(
   channel: KeyedChannel,
@@ -76,8 +76,8 @@ export function arrangeKeys(
 }
 
 /**
- * The column of times where no key passes or meets another, as in most moves of a mouse: only the moved keys and their
- * neighbours are looked at. The very same column where no time changes; undefined where keys have to be put in order.
+ * The column of times if no key passes or meets another, as in most mouse moves: only moved keys and their neighbours
+ * are examined. The same column if no time changes; undefined if keys have to be sorted.
  */
 function movedInPlace(times: Float64Array, indices: readonly number[], newTimes: Float64Array) {
   let changed = false;
@@ -95,14 +95,14 @@ function movedInPlace(times: Float64Array, indices: readonly number[], newTimes:
   return next;
 }
 
-/** Whether key `k` is before the next one still; the halves of a step may move together. */
+/** Whether key `k` is still before the next one; the halves of a step may move together. */
 function inOrderStill(times: Float64Array, next: Float64Array, k: number, together: boolean): boolean {
   const gap = next[k + 1] - next[k];
   if (together) return gap > 0 || (gap === 0 && times[k + 1] === times[k]);
   return gap > 0 && !sameTime(next[k + 1], next[k]);
 }
 
-/** The keys that stay where they are, ascending. */
+/** The unmoved keys, ascending. */
 function unselected(count: number, indices: readonly number[]): Uint32Array {
   const others = new Uint32Array(count - indices.length);
   let next = 0;
@@ -114,7 +114,7 @@ function unselected(count: number, indices: readonly number[]): Uint32Array {
   return others;
 }
 
-/** Times that are another key's but for rounding become that key's, in place; order is kept. */
+/** Replaces times that equal another key's up to rounding by that key's, in place; order is kept. */
 function adoptTimes(
   times: Float64Array,
   movers: Uint32Array,
@@ -163,7 +163,7 @@ function merged(
     put(key, time);
   };
   while (m < movers.length || o < others.length) {
-    // All that is at the next time: some that move, some that don't.
+    // All keys at the next time, moved and unmoved.
     const moving = m < movers.length ? landing[m] : Number.POSITIVE_INFINITY;
     const standing = o < others.length ? times[others[o]] : Number.POSITIVE_INFINITY;
     const time = Math.min(moving, standing);
@@ -179,7 +179,7 @@ function merged(
       for (let i = firstOther; i < o; i++) put(others[i], time);
       for (let i = firstMover; i < m; i++) land(movers[i], time);
     } else if (!arriving && times[movers[m - 1]] === time) {
-      // Half of a step, the other half of which is asked to go nowhere.
+      // Half of a step whose other half doesn't move.
       let i = firstOther;
       let j = firstMover;
       while (i < o || j < m) {
@@ -196,7 +196,7 @@ function merged(
   return { order: order.subarray(0, count), orderTimes: orderTimes.slice(0, count), now, from };
 }
 
-/** The channel's keys in another order, at these times. Columns that come out the same stay the same objects. */
+/** The channel's keys in another order, at these times. Unchanged columns keep their identity. */
 function inOrder(channel: KeyedChannel, order: Uint32Array, times: Float64Array): KeyedChannel {
   const taken = takeKeys(channel, order);
   const { values, tangentsIn, tangentsOut } = channel;

@@ -1,6 +1,6 @@
 /**
- * Copying keys and pasting them: at another time, into the same channels or others. What is copied are keys, not a
- * curve: tangents by name (`linear`, `smooth`) stay names and follow the neighbours they come to have.
+ * Copying keys and pasting them at another time, into the same channels or others. Keys are copied, not curves:
+ * tangents by kind (`linear`, `smooth`) stay so and adapt to their new neighbours.
  */
 import type { Channel, ChannelClip, KeyedChannel, Keys, Tangents } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
@@ -13,16 +13,16 @@ import { withKeysMoved } from './move.ts';
 import { withKeysRemoved } from './remove.ts';
 import { sameTime } from './same-time.ts';
 
-/** Keys without their clip: plain data, which outlives it. */
+/** Keys without their clip: plain data that outlives it. */
 export interface CopiedKeys {
   /** From the earliest key to the latest. */
   readonly seconds: number;
-  /** By channel, ascending; none without keys. */
+  /** By channel, ascending; only those with keys. */
   readonly channels: readonly CopiedChannel[];
 }
 
 export interface CopiedChannel {
-  /** Where they were copied from. */
+  /** The source channel. */
   readonly channel: number;
   /** Seconds after the earliest key of all, ascending. */
   readonly times: Float64Array;
@@ -32,27 +32,27 @@ export interface CopiedChannel {
 }
 
 /**
- * What becomes of the keys in the way:
- *  - merge: a pasted key replaces the one it lands on, all others stay;
- *  - replace: what lies between the first and the last pasted key goes, in every channel pasted into;
- *  - insert: what lies there and later is pushed on by as long as the pasted keys last.
+ * What happens to existing keys:
+ *  - merge: a pasted key replaces the one it lands on, all others are kept;
+ *  - replace: keys between the first and last pasted key are removed in every target channel;
+ *  - insert: keys there and later are moved by the duration of the pasted keys.
  */
 export const PASTE_MODES = ['merge', 'replace', 'insert'] as const;
 export type PasteMode = (typeof PASTE_MODES)[number];
 
-/** With `insert`, keys are put where they are asked for: pushing later keys on changes the cycle anyway. */
+/** With `insert`, keys are always put at the requested time, since moving later keys changes the cycle anyway. */
 export interface Paste extends KeyPlacing {
-  /** Of the clip: where the earliest key goes. */
+  /** Clip time for the earliest key. */
   readonly timeSeconds: number;
-  /** Channels to paste into instead of those copied from: any number for one copied channel, else one for each. */
+  /** Target channels other than the source: any number for one copied channel, else one for each. */
   readonly into?: readonly number[] | undefined;
   readonly mode: PasteMode;
 }
 
 export interface Pasted {
-  /** All channels of the clip; those in which nothing is different are the same objects. */
+  /** All channels of the clip; unchanged ones keep their identity. */
   readonly channels: readonly Channel[];
-  /** Where the pasted keys are. */
+  /** The pasted keys. */
   readonly keys: readonly ChannelKeys[];
 }
 
@@ -79,7 +79,7 @@ export function copyKeys(clip: ChannelClip, keys: readonly ChannelKeys[]): Copie
   };
 }
 
-/** Throws a `CommandError` where the channels don't fit. */
+/** Throws a `CommandError` if the channels don't match. */
 export function withKeysPasted(
   clip: ChannelClip,
   copied: CopiedKeys,
@@ -96,7 +96,7 @@ export function withKeysPasted(
   return { channels, keys };
 }
 
-/** Which keys go where, by ascending channel. */
+/** Which keys are pasted where, by ascending channel. */
 function destinations(clip: ChannelClip, { channels }: CopiedKeys, into: readonly number[] | undefined) {
   const targets = into ?? channels.map((c) => c.channel);
   if (channels.length !== 1 && targets.length !== channels.length) {
@@ -127,7 +127,7 @@ function makeRoom(channel: Channel, time: number, seconds: number, mode: PasteMo
   );
 }
 
-/** A channel with copied keys among its own: put behind them, then brought into order. */
+/** A channel with copied keys merged in: appended, then sorted. */
 function joined(channel: Channel, copied: CopiedChannel, time: number, placing: KeyPlacing): EditedChannel {
   const { channel: room, keys } = placed(channel, copied, time, placing);
   const own = room.kind === 'keys' ? room : withKeyList(room, []);
@@ -142,7 +142,7 @@ function joined(channel: Channel, copied: CopiedChannel, time: number, placing: 
   return arrangeKeys(both, indices, keys.times, 'replace', true);
 }
 
-/** The keys where they are put, at times of the clip, and the channel that they are put into. */
+/** The keys at their clip times, and the channel they are pasted into. */
 function placed(channel: Channel, copied: CopiedChannel, time: number, placing: KeyPlacing): Placed {
   const times = copied.times.map((t) => time + t);
   const asked = { channel, keys: { ...copied, times } };
@@ -153,7 +153,7 @@ function placed(channel: Channel, copied: CopiedChannel, time: number, placing: 
   const keys: Key[] = [];
   for (let k = 0; k < times.length; k++) {
     const place = placeOf(channel, times[k], range);
-    // Of one that is baked, all keys are where they were asked for.
+    // In a baked channel, all keys are at the requested times.
     if (place.channel !== channel) return { ...asked, channel: place.channel };
     const sides = [copied.tangentsIn, copied.tangentsOut].map(({ kinds, slopes }) => tangent(kinds[k], slopes[k]));
     const [before, after] = place.isMirrored ? sides.map(turned).reverse() : sides;

@@ -1,14 +1,14 @@
 /**
- * Channels are columns; edits are easier to say key by key. Everything that makes a channel out of keys goes through
- * here, so that columns always have one length and only fixed tangents have a slope.
+ * Channels are columns; edits are easier key by key. All code that builds a channel from keys uses this, so that
+ * columns always have the same length and only fixed tangents have a slope.
  */
 import { type Channel, FIXED_TANGENT, type KeyedChannel, type Tangents } from '../../model/clip.ts';
 
-/** One side's tangent. */
+/** The tangent on one side. */
 export interface Tangent {
   /** Index into TANGENT_KINDS. */
   readonly kind: number;
-  /** Value per second, where the kind is FIXED; 0 elsewhere. */
+  /** Value per second if the kind is FIXED; else 0. */
   readonly slope: number;
 }
 
@@ -46,7 +46,7 @@ export function withKeyList({ extrapolateIn, extrapolateOut }: Channel, keys: re
   };
 }
 
-/** The channel with only those of its keys, in the order given: a subset, or the same keys in another order. */
+/** The channel with only these keys, in the given order: a subset or a permutation. */
 export function takeKeys(channel: KeyedChannel, indices: ArrayLike<number>): KeyedChannel {
   const count = indices.length;
   const times = new Float64Array(count);

@@ -1,12 +1,12 @@
 /**
- * The cycle of a channel that repeats, and keys outside of it.
+ * The cycle of a repeating channel, and keys outside it.
  *
- * What repeats is all that lies between the first and the last key. A key before the first or after the last one makes
- * that longer, so that everything which was a repetition is another one. By such a key one can mean three things:
+ * Everything between the first and last key repeats. A key before or after them lengthens the cycle, so that every
+ * repetition changes. Such a key can mean three things:
  *
  *     lengthen   just that: the channel repeats with a longer period
- *     bake       whole repetitions become keys first; then the key is inside, and changes what is next to it
- *     inside     the key is put at the same place of the cycle, and every repetition shows it
+ *     bake       whole repetitions become keys first; then the key is inside and changes only what is next to it
+ *     inside     the key is put at the same phase of the cycle, and every repetition shows it
  */
 import { type Channel, type ChannelClip, type KeyedChannel, keysOf, repeats } from '../../model/clip.ts';
 import { withExtrapolationBaked } from '../channels/bake-extrapolation.ts';
@@ -17,11 +17,13 @@ import { withKeyAt } from './splice.ts';
 export const OUTSIDE_CYCLE = ['bake', 'inside', 'lengthen'] as const;
 export type OutsideCycle = (typeof OUTSIDE_CYCLE)[number];
 
-/** Where keys outside a cycle go. */
+/** What to do with keys outside a cycle. */
 export interface KeyPlacing {
-  /** `lengthen` where absent. */
+  /** Default `lengthen`. */
   readonly outsideCycle?: OutsideCycle | undefined;
-  /** Seconds of the clip that are baked at least, as far as the channel repeats there; the key's own time where absent. */
+  /**
+   * Minimum range to bake, in seconds of the clip, as far as the channel repeats there; default: the key's own time.
+   */
   readonly bakedRange?: readonly [number, number] | undefined;
 }
 
@@ -31,7 +33,7 @@ export function period(channel: Channel): number {
   return times.length ? times[times.length - 1] - times[0] : 0;
 }
 
-/** Whether it has a cycle. A single key has none, whatever is done beyond it. */
+/** Whether the channel has a cycle. A single key has none, whatever its extrapolation. */
 function hasCycle(channel: Channel): channel is KeyedChannel {
   return (
     channel.kind === 'keys' &&
@@ -45,13 +47,13 @@ export interface ChangedCycle {
   /** Seconds from one repetition to the next, before and after. */
   readonly from: number;
   readonly to: number;
-  /** Of the key that ends the cycle now: where the new cycle begins otherwise than the old one, the first, else the last. */
+  /** Time of the key that now ends the cycle: the first if the start of the cycle moved, else the last. */
   readonly timeSeconds: number;
 }
 
 /**
- * The channels that repeat with another period than before, ascending. This decides what is asked before keys are added
- * and what is said after they were moved or deleted.
+ * The channels whose period changed, ascending. Decides whether to ask before adding keys, and what to report after
+ * moving or deleting them.
  */
 export function changedCycles(
   { channels: before }: Pick<ChannelClip, 'channels'>,
@@ -61,7 +63,7 @@ export function changedCycles(
     const was = before[channel];
     if (was === now || !was || !hasCycle(was) || !hasCycle(now)) return [];
     const [from, to] = [period(was), period(now)];
-    // A loop that is dragged as a whole is as long as it was, but for rounding.
+    // A loop moved as a whole keeps its length up to rounding.
     if (sameTime(from, to)) return [];
     const timeSeconds = now.times[sameTime(was.times[0], now.times[0]) ? now.times.length - 1 : 0];
     return [{ channel, from, to, timeSeconds }];
@@ -69,19 +71,19 @@ export function changedCycles(
 }
 
 /**
- * The channel with keys for whole repetitions, so that `from` to `to` (seconds of the clip) lies between its keys as far
- * as it repeats there; the very same channel where it does already. It repeats as before, with the longer period, and
- * the curve is the same at every time. (Of a channel that repeats in one way before its keys and in another way after
- * them, this holds for the time up to the outermost keys: no longer cycle has both of its continuations.)
+ * The channel with keys for whole repetitions, so that `from` to `to` (seconds of the clip) lies between its keys as
+ * far as it repeats there; the same object if it does already. It repeats with the longer period, and the curve is the
+ * same at every time. (If a channel repeats differently before and after its keys, this holds only up to the outermost
+ * keys: no longer cycle has both continuations.)
  *
- * Throws a `CommandError` where it would take a million keys.
+ * Throws a `CommandError` if it would take more than a million keys.
  */
 export function withRepeatsBaked(channel: KeyedChannel, from: number, to: number): KeyedChannel {
   if (!hasCycle(channel)) return channel;
   const { times, extrapolateIn, extrapolateOut } = channel;
   const length = period(channel);
   const [start, stop] = [times[0], times[times.length - 1]];
-  // A time on a seam, but for rounding, is the end of the repetition before it.
+  // A time on a seam, up to rounding, is the end of the repetition before it.
   const count = (seconds: number) => Math.max(0, Math.ceil(seconds / length - 1e-9));
   const before = repeats(extrapolateIn) ? count(start - from) : 0;
   const after = repeats(extrapolateOut) ? count(to - stop) : 0;
@@ -92,8 +94,8 @@ export function withRepeatsBaked(channel: KeyedChannel, from: number, to: number
 }
 
 /**
- * A step at an end belongs to the cycle: `cycle_offset` counts from the outer key of one end to that of the other. What
- * was baked ends with the inner one, on which the curve borders.
+ * A step at an end belongs to the cycle: `cycle_offset` counts between the outer keys of both ends. Baked repetitions
+ * end with the inner one, which borders on the curve.
  */
 function withEndSteps(
   before: KeyedChannel,
@@ -119,21 +121,21 @@ function withEndSteps(
 
 /** Where a key is put, and into which channel. */
 export interface Place<C extends Channel = Channel> {
-  /** The very same where nothing had to be baked. */
+  /** The same object if nothing had to be baked. */
   readonly channel: C;
   /** Seconds of the clip. */
   readonly time: number;
-  /** Subtracted from the key's value: what `cycle_offset` adds to the repetition that the key was meant for. */
+  /** Subtracted from the key's value: what `cycle_offset` adds in the repetition the key was meant for. */
   readonly offset: number;
-  /** The key was meant for a repetition that runs backwards: its tangents trade places and signs. */
+  /** The key was meant for a repetition that runs backwards: its tangents are swapped and negated. */
   readonly isMirrored: boolean;
-  /** It is not at the time that was asked for, but at the same place of the cycle. */
+  /** Not at the requested time but at the same phase of the cycle. */
   readonly isFolded: boolean;
 }
 
 /**
- * Where a key at this time is put. `inside` is `bake` on a side that does not repeat: there is no place of the cycle for
- * that time, and the repetitions on the other side would change.
+ * Where a key at this time is put. On a side that does not repeat, `inside` acts like `bake`: the time has no phase in
+ * the cycle, and the repetitions on the other side would change.
  */
 export function placeOf<C extends Channel>(channel: C, time: number, placing: KeyPlacing): Place<C | KeyedChannel> {
   const asked = { channel, time, offset: 0, isMirrored: false, isFolded: false };

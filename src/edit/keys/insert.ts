@@ -1,19 +1,19 @@
 /**
- * A key on the curve: the curve keeps its shape.
+ * Inserts a key on the curve, which keeps its shape.
  *
  *     before   a ───────────── b        one cubic from a to b
  *     after    a ───── n ───── b        the same cubic in two: n has its value and its slope
  *
- * Two things would change the curve beside the new key. A neighbour's `linear` or `smooth` that looks at the new key
- * now may come to another slope: it becomes a number, the slope it had (on both of its sides, if need be). And past the
- * ends, where the new key takes the extrapolated value and slope, the old end key's outer side begins to count: it
- * becomes the slope that the extrapolated curve has there. With `constant` and `linear` all stays as it was; where a
- * channel cycles or bounces its period is another then, which can't be kept.
+ * Two things could change the curve next to the new key. A neighbour's `linear` or `smooth` tangent, which now depends
+ * on the new key, may resolve to another slope: it is replaced by its previous slope as a number (on both sides if
+ * necessary). And beyond the ends, where the new key takes the extrapolated value and slope, the outer side of the old
+ * end key starts to matter: it gets the slope of the extrapolated curve. With `constant` and `linear` extrapolation
+ * nothing changes; if a channel cycles or bounces, its period changes, which can't be avoided.
  *
- * The new key is `linear` where it lies on a straight line, `flat` where the curve is level, and a number elsewhere: as
- * much as it can without changing anything now. A keyless channel gets a `smooth` key where it stands.
+ * The new key is `linear` on a straight line, `flat` if the curve is level, and a number elsewhere: the most adaptive
+ * kind that changes nothing now. A channel without keys gets a `smooth` key at its value.
  *
- * Where a key is already, nothing changes; of a step it is the later key, which holds from that time on.
+ * At an existing key nothing changes; of a step the later key counts, which applies from that time on.
  */
 import { compileChannels } from '../../evaluate/compiled-clip.ts';
 import { evaluateChannel, evaluateSlope } from '../../evaluate/curves.ts';
@@ -24,11 +24,11 @@ import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
 export interface Inserted {
-  /** The very same where there was a key. */
+  /** The same object if there was a key already. */
   readonly channel: KeyedChannel;
-  /** Of the new key, or the one that was there. */
+  /** Of the new or existing key. */
   readonly index: number;
-  /** The channel cycles or bounces, and does so otherwise now. */
+  /** Whether the channel cycles or bounces with another period now. */
   readonly periodChanged: boolean;
 }
 
@@ -65,12 +65,12 @@ export function insertKey(channel: Channel, time: number): Inserted {
   return { channel: next, index, periodChanged: changesPeriod(channel, next) };
 }
 
-/** (A lone key has no period; its channel stands still or goes straight.) */
+/** (A single key has no period; its channel is constant or straight.) */
 function changesPeriod(before: KeyedChannel, after: KeyedChannel): boolean {
   if (!repeats(before.extrapolateIn) && !repeats(before.extrapolateOut)) return false;
   const period = lengthOf(before);
   if (period === lengthOf(after)) return false;
-  // What stood still at one value goes on to, however long its period.
+  // A channel with a single value stays constant, whatever its period.
   return period > 0 || after.values[0] !== after.values[after.values.length - 1];
 }
 
@@ -78,7 +78,7 @@ function lengthOf({ times }: KeyedChannel): number {
   return times[times.length - 1] - times[0];
 }
 
-/** Makes one side of a key a number if its kind would come to another slope than this. In place: columns are new. */
+/** Replaces one side's tangent by a number if its kind would resolve to another slope. In place: columns are new. */
 function keepSlope(next: KeyedChannel, key: number, side: 'in' | 'out', slope: number, asFlat = false): void {
   if (comesTo(next, key, side, keySlope(next, key, side), slope)) return;
   setTangent(next, key, side, asFlat ? tangent(FLAT) : tangent(FIXED_TANGENT, slope));
@@ -88,7 +88,7 @@ function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slop
   const { times, values } = next;
   const neighbour = side === 'in' ? key - 1 : key + 1;
   const hasSegment = neighbour >= 0 && neighbour < times.length;
-  // On the outer side of an end `linear` takes the only segment there is.
+  // On the outer side of an end `linear` uses the only segment.
   const from = Math.max(0, Math.min(times.length - 2, side === 'in' ? key - 1 : key));
   const secant = (values[from + 1] - values[from]) / (times[from + 1] - times[from]);
   const facing = side === 'in' ? 'out' : 'in';
@@ -102,8 +102,8 @@ function honestTangent(next: KeyedChannel, key: number, side: 'in' | 'out', slop
 }
 
 /**
- * Whether two slopes on one side of a key are the same but for rounding. Between keys it is the rounding of a secant's
- * values that counts; past the ends a slope is followed any distance, so there it has to be much the same number.
+ * Whether two slopes on one side of a key are equal up to rounding. Between keys the rounding of a secant's values
+ * counts; beyond the ends a slope extends any distance, so there the numbers themselves must be nearly equal.
  */
 function comesTo({ times, values }: KeyedChannel, key: number, side: 'in' | 'out', a: number, b: number): boolean {
   const far = side === 'in' ? key - 1 : key + 1;

@@ -1,13 +1,13 @@
-/** Going from key to key with the keyboard: what a click does with the mouse. Pure; keys are indices into a clip. */
+/** Selecting keys with the keyboard, like clicking them. Pure; keys are indices into a clip. */
 import { lastNotAbove } from '../../math/search.ts';
 import { type Channel, keysOf } from '../../model/clip.ts';
 import type { ChannelKeys } from '../../model/session.ts';
 
 /**
- * The selection one key on (`step` 1) or back (−1) in each channel that has selected keys: from the last of them, or
- * from the first. Where none is selected it begins at the key nearest to a time, in the first channel of `inView`.
+ * Moves the selection by one key, forwards (`step` 1) or back (−1), in each channel with selected keys: from the last
+ * or the first of them. Without a selection it starts at the key nearest to a time, in the first channel of `inView`.
  *
- * @param adds the keys that were selected stay so
+ * @param adds keeps the selected keys selected
  */
 export function walkKeys(
   channels: readonly Channel[],
@@ -32,7 +32,7 @@ export function walkKeys(
   });
 }
 
-/** The key nearest in time to the selected one, in the channel before or after it in view; the same where there is none. */
+/** The key nearest in time to the selected one, in the previous or next visible channel; the same if there is none. */
 export function walkChannels(
   channels: readonly Channel[],
   keys: readonly ChannelKeys[],
@@ -49,7 +49,7 @@ export function walkChannels(
   return [{ channel, indices: [nearestKey(keysOf(channels[channel]).times, time)] }];
 }
 
-/** Index of the key nearest to a time; of equally near ones the earlier. The channel has keys. */
+/** Index of the key nearest to a time; the earlier of equally near ones. The channel must have keys. */
 export function nearestKey(times: Float64Array, clipSeconds: number): number {
   const before = lastNotAbove(times, 0, times.length, clipSeconds);
   const after = Math.min(times.length - 1, before + 1);

@@ -1,7 +1,7 @@
 /**
- * Which pixels of a row have keys, whether those are selected, and where its channels stand still. The answer is as
- * long as the sheet is wide, whatever the clip: a channel with far more keys in view than there are pixels is jumped
- * through, from one pixel's edge to the next, by binary search (as the scrubber's `key-buckets.ts` does).
+ * Which pixels of a row have keys, whether these are selected, and where its channels are constant. The cost depends on
+ * the width of the dope sheet, not on the clip: a channel with far more visible keys than pixels is searched from one
+ * pixel's edge to the next (like the scrubber's `key-buckets.ts`).
  */
 import type { CompiledClip } from '../../evaluate/compiled-clip.ts';
 import { firstNotBelow } from '../../math/search.ts';
@@ -10,22 +10,22 @@ import type { ChannelKeys } from '../../model/session.ts';
 import { indicesIn } from './row-keys.ts';
 import { countNotAbove } from './same-time.ts';
 
-/** Bits of a pixel's mark: a pixel with both stands for keys of which only some are selected. */
+/** Bits of a pixel's mark: a pixel with both has keys of which only some are selected. */
 export const PLAIN = 1;
 export const SELECTED = 2;
 
-/** A channel is jumped through when it has this many keys a pixel. */
+/** Keys per pixel above which a channel is searched. */
 const DENSE = 4;
 
-/** The pixels that are asked about. */
+/** The pixels to examine. */
 export interface PixelSpan {
-  /** The clip's time at the left edge of pixel 0, seconds. */
+  /** Clip time at the left edge of pixel 0, seconds. */
   readonly from: number;
-  /** Above 0. */
+  /** Greater than 0. */
   readonly secondsPerPixel: number;
 }
 
-/** @param out one entry a pixel; set to the bits PLAIN and SELECTED, or 0 */
+/** @param out one entry per pixel; set to the bits PLAIN and SELECTED, or 0 */
 export function markKeys(
   channels: readonly Channel[],
   of: readonly number[],
@@ -52,7 +52,7 @@ function markChannel(
   let next = firstNotBelow(selected, index);
   while (index < end) {
     const pixel = Math.min(pixels - 1, Math.floor((times[index] - from) / secondsPerPixel));
-    // One pixel's keys are index … after.
+    // The keys of one pixel are index … after.
     const after = dense
       ? Math.max(index + 1, firstTimeFrom(times, index, end, from + (pixel + 1) * secondsPerPixel))
       : index + 1;
@@ -77,14 +77,14 @@ function firstTimeFrom(times: Float64Array, low: number, high: number, limit: nu
   return from;
 }
 
-/** Of `moves`: nothing there changes, though there are keys on both sides. */
+/** In `moves`: nothing changes here, although there are keys on both sides. */
 export const STILL = 0;
 
 /**
- * Marks the pixels in which any of the channels changes between its keys, with 1; the others are held. Exact: a span is
- * held where its cubic is a constant.
+ * Marks with 1 the pixels in which any of the channels changes between its keys; the others are constant. Exact: a span
+ * is constant if its cubic is.
  *
- * @returns first and last pixel between which the channels have keys at all, or undefined where no channel has two
+ * @returns first and last pixel between which the channels have keys, or undefined if no channel has two
  */
 export function markMoves(
   compiled: CompiledClip,
@@ -103,10 +103,10 @@ export function markMoves(
     if (times.length < 2) continue;
     first = Math.min(first, pixelOf(times[0]));
     last = Math.max(last, pixelOf(times[times.length - 1]));
-    // Every span that reaches into view.
+    // Every span that is partly visible.
     let key = Math.max(0, countNotAbove(times, from) - 1);
     const end = Math.min(times.length - 1, firstNotBelow(times, from + pixels * secondsPerPixel));
-    // Spans of less than two pixels each are too short for a bar.
+    // Spans shorter than two pixels are too short for a bar.
     if (2 * (end - key) > pixels) {
       moves.fill(1, Math.max(0, pixelOf(times[key])), clampTo(pixelOf(times[end]) + 1, pixels));
       continue;

@@ -1,15 +1,15 @@
 /**
- * Moving keys in time and value, by how far they are moved altogether: a drag is always made from where it began.
- * Tangents go along as they are; a slope is value per second, which moving does not change.
+ * Moves keys in time and value. Drags always pass the total movement from their start. Tangents are kept, since slopes
+ * are per second.
  */
 import type { KeyedChannel } from '../../model/clip.ts';
 import { CommandError } from '../store.ts';
 import { arrangeKeys, type Collision, type EditedChannel, timesFor } from './arrange.ts';
 
 /**
- * Keys cross others freely; what happens where they land on one is said in `arrange.ts`. The very same channel where
- * nothing changes, the very same columns where they don't.
- * @param indices ascending, each once
+ * Keys may pass others; see `arrange.ts` for keys that overlap. The same channel if nothing changes, and the same
+ * columns if these don't.
+ * @param indices ascending, unique
  * @param seconds added to their times
  * @param value added to their values
  */
@@ -26,7 +26,7 @@ export function withKeysMoved(
   return arrangeKeys(raised, indices, times, collision);
 }
 
-/** The channel with some values changed; the very same where none is. */
+/** The channel with some values changed; the same object if none is. */
 export function withValues(
   channel: KeyedChannel,
   indices: readonly number[],

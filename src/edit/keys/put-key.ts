@@ -1,20 +1,20 @@
-/** A key with a value of its own, on the curve or off it: posing, and clicking beside a curve. */
+/** Sets a key with a given value, on the curve or off it: for posing, and for clicks beside a curve. */
 import type { Channel, KeyedChannel } from '../../model/clip.ts';
 import { tangent, withKeyList } from './columns.ts';
 import { type KeyPlacing, placeOf } from './cycle.ts';
 import { countNotAbove, findKey } from './same-time.ts';
 import { withKeyAt } from './splice.ts';
 
-/** A channel with the key that was asked for. */
+/** A channel with the requested key. */
 export interface Put {
   readonly channel: KeyedChannel;
   readonly index: number;
 }
 
 /**
- * Puts a key at a time. Where there is one already it takes the value and keeps its tangents (of a step the key that
- * holds from then on); the very same channel comes back where it had that value. Neighbours keep their kinds, so that
- * the curve passes through the new key as they say.
+ * Sets a key at a time. An existing key takes the value and keeps its tangents (of a step the one that applies from
+ * then on); returns the same channel if it had that value. Neighbours keep their kinds of tangents, which shape the
+ * curve through the new key.
  *
  * @param channel not a sampled one
  * @param kind index into TANGENT_KINDS, for both sides of a new key; a fixed one has slope 0
@@ -34,8 +34,8 @@ export function putKey(channel: Channel, time: number, value: number, kind: numb
 }
 
 /**
- * The same outside the cycle of a channel that repeats (`cycle.ts`): the channel has that value at that time, whichever
- * place the key is given. Where it is put on the seam of a loop, both ends of the loop move, so that none opens.
+ * The same for keys outside the cycle of a repeating channel (`cycle.ts`): the channel has that value at that time,
+ * wherever the key is put. On the seam of a loop, both ends are changed, so that the loop stays closed.
  */
 export function putKeyAt(channel: Channel, time: number, value: number, kind: number, placing: KeyPlacing): Put {
   const place = placeOf(channel, time, placing);
@@ -44,7 +44,7 @@ export function putKeyAt(channel: Channel, time: number, value: number, kind: nu
   return { ...put, channel: withClosedSeam(channel, put.channel) };
 }
 
-/** The last key moved along with the first one, where a loop goes on from one to the other. */
+/** Changes the last key along with the first, if a loop continues from one to the other. */
 function withClosedSeam(before: KeyedChannel, after: KeyedChannel): KeyedChannel {
   const last = before.times.length - 1;
   if (after.times.length !== before.times.length || after.values[0] === before.values[0]) return after;

@@ -1,6 +1,6 @@
 /**
- * q and −q turn alike, but the way from one key to the next is the short one only where they point the same way: a key
- * of a quaternion joint takes the sign that is nearer to the key before it.
+ * q and −q are the same rotation, but interpolation between keys takes the short way only if they point the same way: a
+ * key of a quaternion joint takes the sign nearer to the previous key.
  */
 import { type Channel, keysOf } from '../../model/clip.ts';
 import type { Character } from '../../model/document.ts';
@@ -10,11 +10,11 @@ import type { Place } from './cycle.ts';
 import { sameTime } from './same-time.ts';
 
 /**
- * The values with the signs that keys at that time should have; the same map where none changes. A quaternion of which
- * not all four parts are to be keyed is left: a part by itself has no other sign.
+ * The values with the signs that keys at that time should have; the same map if none changes. Quaternions that are not
+ * keyed in all four components are skipped: a single component can't change its sign.
  *
  * @param values by DOF
- * @param placeOf where a DOF's key is going to be
+ * @param placeOf where a DOF's key will be put
  */
 export function withNearerSigns(
   { skeleton }: Pick<Character, 'skeleton'>,
@@ -41,14 +41,14 @@ export function withNearerSigns(
   return changed ? signed : values;
 }
 
-/** Index of the last key before a time; a key at that time is the one that is about to be put. */
+/** Index of the last key before a time, not counting one at that time, which will be replaced. */
 function keyBefore(times: Float64Array, time: number): number {
   let k = times.length - 1;
   while (k >= 0 && (times[k] > time || sameTime(times[k], time))) k--;
   return k;
 }
 
-/** Its value; of a channel without keys, what it stands at. */
+/** Its value; for a channel without keys the rest value. */
 function valueBefore(channel: Channel, time: number): number {
   if (channel.kind === 'keys') return channel.values[Math.max(0, keyBefore(channel.times, time))];
   return channel.kind === 'rest' ? channel.value : 0;

@@ -1,10 +1,10 @@
-/** Taking keys out of a channel. The curve is then what the keys that are left make of it. */
+/** Removes keys from a channel. The remaining keys determine the curve. */
 import { type Channel, type KeyedChannel, restChannel } from '../../model/clip.ts';
 import { takeKeys } from './columns.ts';
 
 /**
  * @param indices ascending
- * @param rest where the channel stands if no key is left
+ * @param rest value of the channel if no key is left
  */
 export function withKeysRemoved(channel: KeyedChannel, indices: readonly number[], rest = 0): Channel {
   const count = channel.times.length;

@@ -1,8 +1,8 @@
 /**
- * The keys of a row, which are those of its channels together. Nothing is merged beforehand: a question about a time or
- * a span costs a binary search a channel, and the answer names keys by channel and index, as the selection does.
+ * The keys of a row, which are those of its channels together. Nothing is merged beforehand: a query for a time or
+ * range costs a binary search per channel, and the result identifies keys by channel and index, as in the selection.
  *
- * Times here are the CLIP's; the sheet shows the transport's, which are less by the character's offset.
+ * Times here are the CLIP's; the dope sheet shows the transport's, which are less by the character's offset.
  */
 import { firstNotBelow } from '../../math/search.ts';
 import { type Channel, keysOf } from '../../model/clip.ts';
@@ -26,7 +26,7 @@ export function keysBetween(
   return found;
 }
 
-/** Time of the key that is nearest to a time; undefined where there is none within `reach` seconds. */
+/** Time of the key nearest to a time; undefined if there is none within `reach` seconds. */
 export function nearestKeyTime(
   channels: readonly Channel[],
   of: readonly number[],
@@ -48,18 +48,18 @@ export function nearestKeyTime(
   return best;
 }
 
-/** How many keys the row has. */
+/** Number of keys in the row. */
 export function keyCount(channels: readonly Channel[], of: readonly number[]): number {
   let count = 0;
   for (const channel of of) count += keysOf(channels[channel]).times.length;
   return count;
 }
 
-/** How many of them are selected. */
+/** Number of selected ones. */
 export function selectedCount(of: readonly number[], selected: readonly ChannelKeys[]): number {
   let count = 0;
   let s = 0;
-  // Both are in order of channel.
+  // Both are in channel order.
   for (const channel of of) {
     while (s < selected.length && selected[s].channel < channel) s++;
     if (s < selected.length && selected[s].channel === channel) count += selected[s].indices.length;
@@ -67,13 +67,13 @@ export function selectedCount(of: readonly number[], selected: readonly ChannelK
   return count;
 }
 
-/** First and last time of some keys; undefined without keys. What the clip no longer has does not count. */
+/** First and last time of some keys; undefined without keys. Keys that no longer exist are ignored. */
 export function spanOf(channels: readonly Channel[], keys: readonly ChannelKeys[]): [number, number] | undefined {
   let from = Infinity;
   let to = -Infinity;
   for (const { channel, indices } of keys) {
     const { times } = keysOf(channels[channel]);
-    // Ascending, as the times are: the first and the last are the ends.
+    // Ascending like the times, so that the first and last are the ends.
     const last = indices[indices.length - 1];
     if (last === undefined || last >= times.length) continue;
     from = Math.min(from, times[indices[0]]);
@@ -82,7 +82,7 @@ export function spanOf(channels: readonly Channel[], keys: readonly ChannelKeys[
   return from <= to ? [from, to] : undefined;
 }
 
-/** Whether all of `keys` are among `selected`. */
+/** Whether all of `keys` are in `selected`. */
 export function areSelected(keys: readonly ChannelKeys[], selected: readonly ChannelKeys[]): boolean {
   return keys.every(({ channel, indices }) => {
     const own = indicesIn(selected, channel);
